@@ -1,0 +1,65 @@
+# What every target of the project shares, and the few functions that declare targets.
+
+find_program(PUCK_CCACHE ccache)
+if(PUCK_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${PUCK_CCACHE})
+endif()
+
+# Sanitizer builds: enough optimisation to be quick, enough symbols to read a report.
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fno-omit-frame-pointer")
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+
+find_package(Threads REQUIRED)
+
+add_library(puck_options INTERFACE)
+target_compile_options(puck_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic -Werror)
+target_include_directories(puck_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(puck_options INTERFACE PUCK_VERSION="${PROJECT_VERSION}")
+if(PUCK_SANITIZE)
+  target_compile_options(puck_options INTERFACE -fsanitize=${PUCK_SANITIZE}
+                                                -fno-sanitize-recover=all)
+  target_link_options(puck_options INTERFACE -fsanitize=${PUCK_SANITIZE})
+endif()
+
+# puck_library(<name> [LINKS <library>...] [PRIVATE_LINKS <library>...])
+# A static library of all the sources in the current folder.
+function(puck_library name)
+  cmake_parse_arguments(arg "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(sources)
+    add_library(${name} STATIC ${sources})
+    target_link_libraries(${name} PUBLIC puck_options ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
+  else()
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE puck_options ${arg_LINKS} ${arg_PRIVATE_LINKS})
+  endif()
+endfunction()
+
+# puck_program(<name> [LINKS <library>...])
+# A program from main.cpp in the current folder; it lands in the build folder's bin/.
+function(puck_program name)
+  cmake_parse_arguments(arg "" "" "LINKS" ${ARGN})
+  add_executable(${name} main.cpp)
+  target_link_libraries(${name} PRIVATE puck_options ${arg_LINKS})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+endfunction()
+
+# puck_test(<name> [LINKS <library>...] [LABELS <label>...])
+# A doctest program of all the sources in the current folder.
+function(puck_test name)
+  cmake_parse_arguments(arg "" "" "LINKS;LABELS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE puck_options puck_test_main ${arg_LINKS})
+  add_test(NAME ${name} COMMAND ${name})
+  set(labels ${arg_LABELS})
+  if(NOT labels)
+    set(labels unit)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 600
+    ENVIRONMENT "PUCK_SOURCE_DIR=${PROJECT_SOURCE_DIR};PUCK_BIN_DIR=${CMAKE_BINARY_DIR}/bin")
+endfunction()

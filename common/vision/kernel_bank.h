@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "common/vision/ellipse_kernel.h"
+#include "common/vision/pixel.h"
+
+namespace puck {
+
+/// How the kernels of a bank are drawn for a puck of width × height px.
+struct KernelBankParams {
+  KernelProfile profile;
+  /// The kernel's nominal size relative to the puck's contour: the ellipse on which the profile's
+  /// squared normalised radius is 1.
+  double size_scale = 1;
+  /// Odd sizes from the smallest to the largest, both directions; others are clamped to them.
+  int smallest_px = 9;
+  int largest_px = 51;
+  /// Canvas beyond the puck, both sides together, px.
+  int margin_x_px = 4;
+  int margin_y_px = 4;
+  /// Semi-axes rounded down to whole pixels, as the authors' code draws them.
+  bool whole_semi_axes = true;
+};
+
+/// A kernel for every odd width and height, made once at the start.
+class KernelBank {
+ public:
+  /// Throws std::invalid_argument when the sizes are not odd and in order,
+  /// or the scale is not positive.
+  explicit KernelBank(const KernelBankParams& params);
+
+  /// The kernel for a puck whose contour has this size.
+  const EllipseKernel& nearest(PuckSize size) const;
+  /// That kernel's nominal size: scaled, the next odd one, 2·floor(v / 2) + 1, clamped.
+  PuckSize nominal(PuckSize size) const;
+
+  int largest_canvas_width() const { return params_.largest_px + params_.margin_x_px; }
+  int largest_canvas_height() const { return params_.largest_px + params_.margin_y_px; }
+
+ private:
+  int index_of(double contour_px) const;
+  int size_at(int index) const { return params_.smallest_px + 2 * index; }
+
+  KernelBankParams params_;
+  int sizes_;
+  std::vector<EllipseKernel> kernels_;  // by height, then width
+};
+
+}  // namespace puck

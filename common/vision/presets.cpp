@@ -1,0 +1,111 @@
+#include "common/vision/presets.h"
+
+#include <cmath>
+
+namespace puck {
+namespace {
+
+// The text: decay d = 0.3^(1/k), a kernel that is 1 on the ring, 0 inside and slightly negative
+// outside, a detection kernel of the size that the regression gives at the centre of ROI_d, a
+// tracking region slightly larger than the puck, a Gaussian of half the kernel's size.
+PipelineParams paper() {
+  PipelineParams params;
+  params.eros = {5, std::pow(0.3, 1.0 / 5), ErosRounding::kNearest};
+  params.kernels.profile = {0.4, 0.9, 0, 1, -0.2, KernelMeasure::kWeightedSum};
+  params.kernels.margin_x_px = 4;
+  params.kernels.margin_y_px = 0;
+  params.kernels.whole_semi_axes = false;
+  params.detector.kernel = DetectionKernel::kSizeAtCentre;
+  params.tracker.region_factor = 1.5;
+  params.kernels.size_scale = kAuthorsBoxScale;
+  params.tracker.centred_window = true;
+  params.loss.enabled = false;
+  return params;
+}
+
+// The authors' code at the time of the paper. Its slips are left out: the centre pixel set in the
+// wrong place at the left and top border, and sizes beyond the bank, which read an empty kernel.
+PipelineParams reference() {
+  PipelineParams params;
+  params.eros = {3, std::pow(0.1, 1.0 / 7), ErosRounding::kTruncateEachStep};
+  params.kernels.profile = {0.4, 0.8, -1, 3, -0.2, KernelMeasure::kWeightedSum};
+  params.detector.kernel = DetectionKernel::kFixed;
+  params.tracker.first_region = {-15, -15, 49, 31};
+  params.kernels.size_scale = kAuthorsBoxScale;
+  params.tracker.quantised = true;
+  params.loss.enabled = false;
+  return params;
+}
+
+PipelineParams correlation() {
+  PipelineParams params;
+  params.eros = {5, std::pow(0.3, 1.0 / 11), ErosRounding::kNearest};
+  params.kernels.profile = {0.7, 1.25, -0.5, 1, -0.5, KernelMeasure::kContrast};
+  params.kernels.largest_px = 81;
+  params.kernels.margin_x_px = 10;
+  params.kernels.margin_y_px = 10;
+  params.kernels.whole_semi_axes = false;
+  params.detector.kernel = DetectionKernel::kSizePerRow;
+  params.detector.region = {};
+  params.detector.threshold = 0.4;
+  params.tracker.centred_window = true;
+  params.tracker.shift_to_lowest = false;
+  params.tracker.sub_pixel = true;
+  params.predicts = true;
+  return params;
+}
+
+PuckSizeModel contour_of_box(const PuckSizeModel& box) {
+  return {box.width_0 / kAuthorsBoxScale,  box.width_x / kAuthorsBoxScale,
+          box.width_y / kAuthorsBoxScale,  box.height_0 / kAuthorsBoxScale,
+          box.height_x / kAuthorsBoxScale, box.height_y / kAuthorsBoxScale};
+}
+
+}  // namespace
+
+const char* to_string(Preset preset) {
+  switch (preset) {
+    case Preset::kPaper:
+      return "paper";
+    case Preset::kReference:
+      return "reference";
+    case Preset::kCorrelation:
+      return "correlation";
+    case Preset::kDefault:
+      return "default";
+  }
+  return "unknown";
+}
+
+std::optional<Preset> preset_from(std::string_view name) {
+  for (const Preset preset :
+       {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault}) {
+    if (name == to_string(preset)) return preset;
+  }
+  return std::nullopt;
+}
+
+PipelineParams preset_params(Preset preset) {
+  switch (preset) {
+    case Preset::kPaper:
+      return paper();
+    case Preset::kReference:
+      return reference();
+    case Preset::kCorrelation:
+    case Preset::kDefault:
+      break;
+  }
+  return correlation();
+}
+
+PuckSizeModel authors_static_size_model() {
+  return contour_of_box({17.715624038044254, 0.0035291125887034315, 0.09579542600737656,
+                         6.313115087846054, 0.0022264258939534796, 0.09551609558936817});
+}
+
+PuckSizeModel authors_moving_size_model() {
+  return contour_of_box({12.201650881598578, 0.009735421154783392, 0.09872367924641742,
+                         1.92477315662196, 0.003209378102266541, 0.09801072879753021});
+}
+
+}  // namespace puck

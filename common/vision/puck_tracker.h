@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vector>
+
+#include "common/events/sensor_size.h"
+#include "common/vision/correlation.h"
+#include "common/vision/kernel_bank.h"
+#include "common/vision/pixel.h"
+#include "common/vision/puck_size_model.h"
+#include "common/vision/region.h"
+
+namespace puck {
+
+struct TrackerParams {
+  /// Size of ROI_t, in puck sizes.
+  double region_factor = 3;
+  /// The first ROI_t after a detection, relative to the detected position; an empty one stands for
+  /// the usual one.
+  Region first_region;
+  /// Standard deviation of the Gaussian around the last position, in canvas sizes. Larger follows
+  /// faster pucks; smaller ignores more of what is beside the puck.
+  double prior_sigma = 0.5;
+  /// How far the restricted maximum reaches beyond half the canvas, both sides together, px.
+  int reach_margin_px = 2;
+  /// The authors' window begins half a canvas before the last position and ends half a canvas and
+  /// the margin after it; a centred one shares the margin between both sides.
+  bool centred_window = false;
+  /// The response is shifted so that the lowest one in ROI_t counts zero before the Gaussian
+  /// weighs it; otherwise responses below zero count zero.
+  bool shift_to_lowest = true;
+  /// The weighted response is rounded to 256 levels, as the authors' code does.
+  bool quantised = false;
+  /// A parabola through the peak's neighbours places it between pixels.
+  bool sub_pixel = false;
+};
+
+/// Follows the puck from one picture to the next: the response of the kernel of the size that
+/// belongs to the place, weighted by a Gaussian around where the puck is expected, and the maximum
+/// of that within reach (paper, Section III-B, tracking).
+class PuckTracker {
+ public:
+  struct Step {
+    Pixel position;
+    PuckSize size;     ///< What the size model gives there.
+    double score = 0;  ///< EllipseKernel::contrast at the nearest pixel.
+  };
+
+  /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
+  PuckTracker(SensorSize sensor, const TrackerParams& params, const PuckSizeModel& size_model);
+
+  /// ROI_t around a position, inside the sensor.
+  Region region_around(Pixel position, const KernelBank& bank) const;
+
+  /// The first ROI_t after a detection there, inside the sensor.
+  Region first_region_at(Pixel position, const KernelBank& bank) const;
+
+  /// Looks for the puck in `region`, near `expected`.
+  Step step(Correlation& picture, const Region& region, Pixel expected, const KernelBank& bank);
+
+ private:
+  Region window_around(Pixel expected, const EllipseKernel& kernel, const Region& region) const;
+  void weigh(const Region& window, Pixel centre, const EllipseKernel& kernel);
+
+  SensorSize sensor_;
+  TrackerParams params_;
+  PuckSizeModel size_model_;
+  CorrelationMap map_;
+  Image<double> weighted_;
+  std::vector<double> column_weight_;
+};
+
+}  // namespace puck

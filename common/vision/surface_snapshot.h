@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/events/timestamp.h"
+#include "common/vision/image.h"
+#include "common/vision/region.h"
+
+namespace puck {
+
+/// A copy of a part of a surface, as the tracking thread works on it.
+struct SurfaceSnapshot {
+  Region region;                    ///< What `grey` shows: inside the sensor, maybe empty.
+  Image<std::uint8_t> grey;         ///< 0 no event lately, 255 an event and none near it since.
+  Timestamp newest_event;           ///< Newest event on the surface when the copy was made.
+  std::int64_t events_applied = 0;  ///< Events applied to the surface until then.
+};
+
+}  // namespace puck

@@ -1,0 +1,114 @@
+#include "common/vision/correlation.h"
+
+#include <random>
+
+#include <doctest/doctest.h>
+#include <opencv2/imgproc.hpp>
+
+#include "common/vision/kernel_bank.h"
+#include "common/vision/presets.h"
+
+namespace puck {
+namespace {
+
+Image<std::uint8_t> noise(int width, int height) {
+  std::mt19937 random(5);
+  Image<std::uint8_t> image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) image(x, y) = static_cast<std::uint8_t>(random() % 256);
+  }
+  return image;
+}
+
+// The kernel's response with its anchor on (x, y), pixel by pixel.
+double dense_response(const Image<std::uint8_t>& picture, const Region& region,
+                      const EllipseKernel& kernel, int x, int y) {
+  const Image<double> weights = kernel.weights();
+  double sum = 0;
+  for (int j = 0; j < weights.height(); ++j) {
+    for (int i = 0; i < weights.width(); ++i) {
+      const int px = x - kernel.anchor_x() + i;
+      const int py = y - kernel.anchor_y() + j;
+      if (region.contains(px, py)) sum += weights(i, j) * picture(px - region.x, py - region.y);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("correlation equals the dense sum at every candidate, over the picture's edge too") {
+  const Region region{100, 50, 40, 30};
+  const Image<std::uint8_t> picture = noise(region.width, region.height);
+  const KernelBank bank(KernelBankParams{});
+  Correlation correlation;
+  correlation.set_picture(picture.view(), region);
+  CorrelationMap map;
+  for (const PuckSize size : {PuckSize{9, 9}, {15, 11}, {51, 45}}) {
+    const EllipseKernel& kernel = bank.nearest(size);
+    const Region candidates{90, 40, 60, 50};
+    correlation.correlate(kernel, candidates, map);
+    for (int y = 0; y < candidates.height; y += 3) {
+      for (int x = 0; x < candidates.width; x += 3) {
+        REQUIRE(map.response(x, y) ==
+                doctest::Approx(
+                    dense_response(picture, region, kernel, candidates.x + x, candidates.y + y)));
+      }
+    }
+  }
+}
+
+TEST_CASE("correlation equals OpenCV's filter2D where the kernel lies inside the picture") {
+  const Region region{0, 0, 80, 60};
+  Image<std::uint8_t> picture = noise(region.width, region.height);
+  const KernelBank bank(KernelBankParams{});
+  const EllipseKernel& kernel = bank.nearest({29, 19});
+  Image<double> weights = kernel.weights();
+  const cv::Mat input(60, 80, CV_8U, picture.row(0));
+  const cv::Mat filter(weights.height(), weights.width(), CV_64F, weights.row(0));
+  cv::Mat expected;
+  cv::filter2D(input, expected, CV_64F, filter, {kernel.anchor_x(), kernel.anchor_y()}, 0,
+               cv::BORDER_CONSTANT);
+
+  Correlation correlation;
+  correlation.set_picture(picture.view(), region);
+  CorrelationMap map;
+  correlation.correlate(kernel, region, map);
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 80; ++x) {
+      REQUIRE(map.response(x, y) == doctest::Approx(expected.at<double>(y, x)).epsilon(1e-6));
+    }
+  }
+}
+
+TEST_CASE("the contrast at a pixel is that of the kernel's zones there") {
+  const Region region{10, 20, 60, 60};
+  Image<std::uint8_t> picture(60, 60);
+  const KernelBank bank(KernelBankParams{});
+  const EllipseKernel& kernel = bank.nearest({29, 19});
+  // A full ring around (40, 50), and nothing else.
+  const Image<double> weights = kernel.weights();
+  for (int j = 0; j < weights.height(); ++j) {
+    for (int i = 0; i < weights.width(); ++i) {
+      picture(40 - 10 - kernel.anchor_x() + i, 50 - 20 - kernel.anchor_y() + j) =
+          weights(i, j) > 1 ? 255 : 0;
+    }
+  }
+  Correlation correlation;
+  correlation.set_picture(picture.view(), region);
+  CHECK(correlation.contrast_at(kernel, 40, 50) > 0.9);
+  CHECK(correlation.contrast_at(kernel, 48, 50) < 0.5);
+  CHECK(correlation.contrast_at(kernel, 1000, -1000) == 0);
+}
+
+TEST_CASE("no candidates give an empty map") {
+  Correlation correlation;
+  const Image<std::uint8_t> picture = noise(10, 10);
+  correlation.set_picture(picture.view(), {0, 0, 10, 10});
+  CorrelationMap map;
+  const KernelBank bank(KernelBankParams{});
+  correlation.correlate(bank.nearest({9, 9}), {3, 3, 0, 4}, map);
+  CHECK(map.region.empty());
+}
+
+}  // namespace puck

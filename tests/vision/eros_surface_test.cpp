@@ -1,0 +1,139 @@
+#include "common/vision/eros_surface.h"
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+Event event_at(int x, int y) {
+  return {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 1, 0};
+}
+
+std::vector<Event> random_events(SensorSize size, int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<Event> events;
+  for (int i = 0; i < count; ++i) {
+    events.push_back(event_at(static_cast<int>(random() % static_cast<unsigned>(size.width)),
+                              static_cast<int>(random() % static_cast<unsigned>(size.height))));
+  }
+  return events;
+}
+
+SurfaceSnapshot whole(const ErosSurface& surface) {
+  SurfaceSnapshot snapshot;
+  surface.snapshot(Region::all_of(surface.size()), snapshot);
+  return snapshot;
+}
+
+// Algorithm 1 word for word, in double precision.
+Image<double> textbook_eros(SensorSize size, const ErosParams& params,
+                            const std::vector<Event>& events) {
+  Image<double> surface(size.width, size.height);
+  for (const Event& event : events) {
+    for (int y = event.y - params.half_width_px; y <= event.y + params.half_width_px; ++y) {
+      for (int x = event.x - params.half_width_px; x <= event.x + params.half_width_px; ++x) {
+        if (size.contains(x, y)) surface(x, y) *= params.decay;
+      }
+    }
+    surface(event.x, event.y) = 255;
+  }
+  return surface;
+}
+
+}  // namespace
+
+TEST_CASE("EROS decays neighbours, not pixels beyond its half width") {
+  ErosSurface surface({32, 32}, {2, 0.5, ErosRounding::kNearest});
+  surface.update(event_at(10, 10));
+  surface.update(event_at(16, 10));
+  surface.update(event_at(12, 10));
+  const SurfaceSnapshot snapshot = whole(surface);
+  CHECK(snapshot.grey(12, 10) == 255);
+  CHECK(snapshot.grey(10, 10) == 128);  // two pixels away: decayed once
+  CHECK(snapshot.grey(16, 10) == 255);  // four pixels away: untouched
+  CHECK(snapshot.grey(11, 10) == 0);    // never fired
+}
+
+TEST_CASE("EROS equals the textbook's multiplication for every half width, at the borders too") {
+  const SensorSize size{41, 23};
+  for (int half_width = 1; half_width <= 8; ++half_width) {
+    CAPTURE(half_width);
+    const ErosParams params{half_width, std::pow(0.3, 1.0 / half_width), ErosRounding::kNearest};
+    const auto events = random_events(size, 3000, 7u + static_cast<unsigned>(half_width));
+    ErosSurface surface(size, params);
+    surface.update(events);
+    const SurfaceSnapshot snapshot = whole(surface);
+    const Image<double> expected = textbook_eros(size, params, events);
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        REQUIRE(std::abs(snapshot.grey(x, y) - expected(x, y)) <= 0.5 + 1e-9);
+      }
+    }
+  }
+}
+
+TEST_CASE("a batch of events and single events give the same surface") {
+  const SensorSize size{64, 48};
+  const auto events = random_events(size, 5000, 3);
+  ErosSurface batch(size, {});
+  ErosSurface single(size, {});
+  batch.update(events);
+  for (const Event& event : events) single.update(event);
+  const SurfaceSnapshot a = whole(batch);
+  const SurfaceSnapshot b = whole(single);
+  CHECK(std::equal(a.grey.row(0), a.grey.row(0) + 64 * 48, b.grey.row(0)));
+  CHECK(a.events_applied == 5000);
+  CHECK(b.events_applied == 5000);
+}
+
+TEST_CASE("truncating after every decay gives the authors' sequence of grey values") {
+  const std::vector<int> expected{255, 183, 131, 94, 67, 48, 34, 24, 17, 12, 8, 5, 3, 2, 1, 0};
+  ErosSurface surface({16, 16}, {3, std::pow(0.1, 1.0 / 7), ErosRounding::kTruncateEachStep});
+  surface.update(event_at(8, 8));
+  for (const int value : expected) {
+    CHECK(whole(surface).grey(8, 8) == value);
+    surface.update(event_at(9, 8));
+  }
+}
+
+TEST_CASE("a pixel is dark after 255 events around it") {
+  ErosSurface surface({16, 16}, {3, 0.9999, ErosRounding::kNearest});
+  surface.update(event_at(8, 8));
+  for (int i = 0; i < 254; ++i) surface.update(event_at(9, 8));
+  CHECK(whole(surface).grey(8, 8) == 249);
+  surface.update(event_at(9, 8));
+  CHECK(whole(surface).grey(8, 8) == 0);
+}
+
+TEST_CASE("a snapshot is cut to the sensor and carries the newest event and the count") {
+  ErosSurface surface({32, 24}, {});
+  EventPacket packet;
+  packet.start = {1000};
+  packet.events = {{31, 23, 1, 0}, {30, 23, 0, 7}};
+  surface.update(packet);
+  SurfaceSnapshot snapshot;
+  surface.snapshot({28, 20, 100, 100}, snapshot);
+  CHECK(snapshot.region == Region{28, 20, 4, 4});
+  CHECK(snapshot.newest_event == Timestamp{1007});
+  CHECK(snapshot.events_applied == 2);
+  CHECK(snapshot.grey(2, 3) == 255);
+  surface.snapshot({40, 20, 5, 5}, snapshot);
+  CHECK(snapshot.region.empty());
+}
+
+TEST_CASE("EROS refuses parameters out of range and names the key") {
+  CHECK_THROWS_WITH_AS(ErosSurface({640, 480}, {0, 0.5}),
+                       "tracker.half_width_px must be 1 to 8, got 0", std::invalid_argument);
+  CHECK_THROWS_AS(ErosSurface({640, 480}, {9, 0.5}), std::invalid_argument);
+  CHECK_THROWS_AS(ErosSurface({640, 480}, {3, 1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(ErosSurface({640, 480}, {3, std::nan("")}), std::invalid_argument);
+  CHECK_THROWS_AS(ErosSurface({0, 480}, {3, 0.5}), std::invalid_argument);
+  CHECK_THROWS_AS(ErosSurface({640, 4096}, {3, 0.5}), std::invalid_argument);
+}
+
+}  // namespace puck

@@ -1,0 +1,53 @@
+#include "common/vision/gaussian_blur.h"
+
+#include <random>
+
+#include <doctest/doctest.h>
+#include <opencv2/imgproc.hpp>
+
+namespace puck {
+namespace {
+
+Image<std::uint8_t> noise(int width, int height, unsigned seed) {
+  std::mt19937 random(seed);
+  Image<std::uint8_t> image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) image(x, y) = static_cast<std::uint8_t>(random() % 256);
+  }
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("the blur equals OpenCV's GaussianBlur to the bit, at the borders and when tiny") {
+  GaussianBlur blur;
+  for (const auto& [width, height] : {std::pair{640, 40}, {37, 21}, {5, 5}, {3, 9}, {2, 2}}) {
+    CAPTURE(width);
+    CAPTURE(height);
+    Image<std::uint8_t> source = noise(width, height, 11);
+    Image<std::uint8_t> blurred;
+    blur.apply(source.view(), blurred);
+
+    const cv::Mat input(height, width, CV_8U, source.row(0));
+    cv::Mat expected;
+    cv::GaussianBlur(input, expected, cv::Size(5, 5), 0);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) REQUIRE(blurred(x, y) == expected.at<std::uint8_t>(y, x));
+    }
+  }
+}
+
+TEST_CASE("an even picture stays as it is and a single pixel is mirrored onto itself") {
+  GaussianBlur blur;
+  Image<std::uint8_t> even(9, 7);
+  std::fill_n(even.row(0), 63, std::uint8_t{200});
+  Image<std::uint8_t> blurred;
+  blur.apply(even.view(), blurred);
+  CHECK(blurred(0, 0) == 200);
+  CHECK(blurred(4, 3) == 200);
+  blur.apply(even.view().part(3, 3, 1, 1), blurred);
+  CHECK(blurred.width() == 1);
+  CHECK(blurred(0, 0) == 200);
+}
+
+}  // namespace puck

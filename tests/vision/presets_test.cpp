@@ -1,0 +1,105 @@
+#include "common/vision/presets.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+namespace puck {
+
+TEST_CASE("preset reference has the constants of the authors' code") {
+  const PipelineParams p = preset_params(Preset::kReference);
+  CHECK(p.eros.half_width_px == 3);
+  CHECK(p.eros.decay == doctest::Approx(0.7197).epsilon(1e-4));
+  CHECK(p.eros.rounding == ErosRounding::kTruncateEachStep);
+  CHECK(p.kernels.profile.inner_boundary == 0.4);
+  CHECK(p.kernels.profile.outer_boundary == 0.8);
+  CHECK(p.kernels.profile.inside_weight == -1.0);
+  CHECK(p.kernels.profile.ring_weight == 3.0);
+  CHECK(p.kernels.profile.outside_weight == -0.2);
+  CHECK(p.kernels.profile.measure == KernelMeasure::kWeightedSum);
+  CHECK(p.kernels.smallest_px == 9);
+  CHECK(p.kernels.largest_px == 51);
+  CHECK(p.kernels.margin_x_px == 4);
+  CHECK(p.kernels.margin_y_px == 4);
+  CHECK(p.kernels.whole_semi_axes);
+  CHECK(p.detector.kernel == DetectionKernel::kFixed);
+  CHECK(p.detector.region == Region{60, 150, 500, 80});
+  CHECK(p.detector.threshold == 3000);
+  CHECK(p.detector.fixed_height_px == 19);
+  CHECK(p.detector.fixed_profile.inner_boundary == 0.6);
+  CHECK(p.detector.fixed_profile.outer_boundary == 1.0);
+  CHECK(p.detector.fixed_profile.inside_weight == -1);
+  CHECK(p.detector.fixed_profile.ring_weight == 1);
+  CHECK(p.detector.fixed_profile.outside_weight == 0);
+  CHECK(p.tracker.first_region == Region{-15, -15, 49, 31});
+  CHECK(p.tracker.region_factor == 3);
+  CHECK(p.tracker.prior_sigma == 0.5);
+  CHECK(p.kernels.size_scale == 1.29);
+  CHECK(p.tracker.reach_margin_px == 2);
+  CHECK_FALSE(p.tracker.centred_window);
+  CHECK(p.tracker.shift_to_lowest);
+  CHECK(p.tracker.quantised);
+  CHECK_FALSE(p.tracker.sub_pixel);
+  CHECK_FALSE(p.loss.enabled);
+  CHECK_FALSE(p.predicts);
+}
+
+TEST_CASE("preset paper has the constants of the paper's text") {
+  const PipelineParams p = preset_params(Preset::kPaper);
+  CHECK(p.eros.half_width_px == 5);
+  CHECK(p.eros.decay == doctest::Approx(std::pow(0.3, 1.0 / p.eros.half_width_px)));
+  CHECK(p.eros.rounding == ErosRounding::kNearest);
+  CHECK(p.kernels.profile.inner_boundary == 0.4);
+  CHECK(p.kernels.profile.outer_boundary == 0.9);
+  CHECK(p.kernels.profile.inside_weight == 0);
+  CHECK(p.kernels.profile.ring_weight == 1);
+  CHECK(p.kernels.profile.outside_weight == -0.2);
+  CHECK(p.kernels.profile.measure == KernelMeasure::kWeightedSum);
+  CHECK(p.kernels.smallest_px == 9);
+  CHECK(p.kernels.largest_px == 51);
+  CHECK(p.kernels.margin_x_px == 4);
+  CHECK(p.kernels.margin_y_px == 0);
+  CHECK_FALSE(p.kernels.whole_semi_axes);
+  CHECK(p.detector.kernel == DetectionKernel::kSizeAtCentre);
+  CHECK(p.detector.region == Region{60, 150, 500, 80});
+  CHECK(p.detector.threshold == 3000);
+  CHECK(p.tracker.first_region.empty());
+  CHECK(p.tracker.region_factor == 1.5);
+  CHECK(p.tracker.prior_sigma == 0.5);
+  CHECK(p.kernels.size_scale == 1.29);
+  CHECK(p.tracker.reach_margin_px == 2);
+  CHECK(p.tracker.centred_window);
+  CHECK(p.tracker.shift_to_lowest);
+  CHECK_FALSE(p.tracker.quantised);
+  CHECK_FALSE(p.tracker.sub_pixel);
+  CHECK_FALSE(p.loss.enabled);
+  CHECK_FALSE(p.predicts);
+}
+
+TEST_CASE("the authors' size models give the sizes of their code") {
+  const KernelBank bank(preset_params(Preset::kReference).kernels);
+  const auto size_at = [&](const PuckSizeModel& model, double y) {
+    const PuckSize size = bank.nominal(model.at({320, y}));
+    return std::pair{size.width, size.height};
+  };
+  CHECK(size_at(authors_static_size_model(), 0) == std::pair{19.0, 9.0});
+  CHECK(size_at(authors_moving_size_model(), 0) == std::pair{15.0, 9.0});
+  CHECK(size_at(authors_static_size_model(), 100) == std::pair{29.0, 17.0});
+  CHECK(size_at(authors_moving_size_model(), 100) == std::pair{25.0, 13.0});
+  CHECK(size_at(authors_static_size_model(), 190) == std::pair{37.0, 25.0});
+  CHECK(size_at(authors_moving_size_model(), 190) == std::pair{35.0, 21.0});
+  CHECK(size_at(authors_static_size_model(), 300) == std::pair{47.0, 35.0});
+  CHECK(size_at(authors_moving_size_model(), 300) == std::pair{45.0, 33.0});
+  // Beyond the bank, where the authors' code reads an empty kernel, the largest one is taken.
+  CHECK(size_at(authors_static_size_model(), 400) == std::pair{51.0, 45.0});
+}
+
+TEST_CASE("presets are known by their names") {
+  for (const Preset preset :
+       {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault}) {
+    CHECK(preset_from(to_string(preset)) == preset);
+  }
+  CHECK_FALSE(preset_from("best").has_value());
+}
+
+}  // namespace puck

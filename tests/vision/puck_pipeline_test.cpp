@@ -1,0 +1,197 @@
+#include "common/vision/puck_pipeline.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/presets.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{640, 480};
+// About the authors' model: 29×20 px in the middle of their detection region.
+constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
+
+// Feeds a pipeline with the contour of a puck, a step of the tracking thread each millisecond.
+class Scene {
+ public:
+  explicit Scene(const PipelineParams& params)
+      : surface_(kSensor, params.eros), pipeline_(kSensor, params, kSizeModel) {}
+
+  PuckEstimate show(Pixel centre) {
+    return apply(test::contour_events(kSensor, centre, kSizeModel.at(centre), 150));
+  }
+
+  PuckEstimate show_clutter() {
+    std::vector<Event> events;
+    for (int i = 0; i < 3000; ++i) {
+      // A walk through the image that draws no ring.
+      clutter_ = clutter_ * 1664525u + 1013904223u;
+      events.push_back({static_cast<std::uint16_t>((clutter_ >> 8) % 640),
+                        static_cast<std::uint16_t>((clutter_ >> 20) % 480), 0, 0});
+    }
+    return apply(std::move(events));
+  }
+
+  PuckEstimate step_without_events() {
+    surface_.snapshot(pipeline_.region_needed(), snapshot_);
+    return pipeline_.step(snapshot_);
+  }
+
+  std::int64_t events_applied() const { return surface_.events_applied(); }
+
+ private:
+  PuckEstimate apply(std::vector<Event> events) {
+    now_ = now_ + 1000;
+    EventPacket packet{now_, std::move(events)};
+    surface_.update(packet);
+    return step_without_events();
+  }
+
+  ErosSurface surface_;
+  PuckPipeline pipeline_;
+  SurfaceSnapshot snapshot_;
+  Timestamp now_;
+  unsigned clutter_ = 1;
+};
+
+double distance(const PuckEstimate& estimate, Pixel truth) {
+  if (!estimate.position) return 1e9;
+  return std::hypot(estimate.position->x - truth.x, estimate.position->y - truth.y);
+}
+
+}  // namespace
+
+TEST_CASE("every preset detects the puck in the detection region and follows it") {
+  for (const Preset preset :
+       {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault}) {
+    CAPTURE(std::string(to_string(preset)));
+    Scene scene(preset_params(preset));
+    PuckEstimate estimate;
+    double worst = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Pixel truth{200 + 0.6 * i, 190 + 0.3 * i};
+      estimate = scene.show(truth);
+      if (i >= 20) worst = std::max(worst, distance(estimate, truth));
+    }
+    CHECK(estimate.state == TrackState::kTracking);
+    CHECK(worst < 4);
+    CHECK(estimate.newest_event == Timestamp{300'000});
+    CHECK(estimate.events_applied == scene.events_applied());
+    CHECK(estimate.score > 0.15);
+  }
+}
+
+TEST_CASE("nothing is detected on an empty surface or in clutter without a ring") {
+  for (const Preset preset : {Preset::kReference, Preset::kDefault}) {
+    CAPTURE(std::string(to_string(preset)));
+    Scene scene(preset_params(preset));
+    const PuckEstimate nothing = scene.step_without_events();
+    CHECK(nothing.state == TrackState::kSearching);
+    CHECK_FALSE(nothing.position.has_value());
+  }
+  Scene scene(preset_params(Preset::kDefault));
+  for (int i = 0; i < 100; ++i) CHECK_FALSE(scene.show_clutter().position.has_value());
+}
+
+TEST_CASE("the default estimate knows its velocity") {
+  Scene scene(preset_params(Preset::kDefault));
+  PuckEstimate estimate;
+  for (int i = 0; i < 200; ++i) estimate = scene.show({200 + 1.0 * i, 190 + 0.5 * i});
+  CHECK(estimate.velocity.x == doctest::Approx(1000).epsilon(0.1));
+  CHECK(estimate.velocity.y == doctest::Approx(500).epsilon(0.1));
+  CHECK_FALSE(estimate.resting);
+  CHECK(estimate.covariance[0] > 0);
+  CHECK(estimate.covariance[15] > 0);
+}
+
+TEST_CASE("a puck that stops is still tracked, and said to rest") {
+  Scene scene(preset_params(Preset::kDefault));
+  for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
+  PuckEstimate estimate;
+  for (int i = 0; i < 300; ++i) estimate = scene.show({300, 190});
+  CHECK(estimate.state == TrackState::kTracking);
+  CHECK(estimate.resting);
+  const PuckEstimate again = scene.step_without_events();
+  CHECK(again.state == TrackState::kTracking);
+  CHECK(distance(again, {300, 190}) < 1);
+}
+
+TEST_CASE("a puck that vanishes is lost within the coasting time and found again elsewhere") {
+  Scene scene(preset_params(Preset::kDefault));
+  for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
+  PuckEstimate estimate;
+  int lost_after_ms = 0;
+  for (int i = 1; i <= 100 && lost_after_ms == 0; ++i) {
+    estimate = scene.show_clutter();
+    if (estimate.state == TrackState::kLost) lost_after_ms = i;
+  }
+  CHECK(lost_after_ms > 0);
+  CHECK(lost_after_ms <= 60);
+  CHECK_FALSE(estimate.position.has_value());
+
+  for (int i = 0; i < 300; ++i) estimate = scene.show({450, 350});
+  CHECK(estimate.state == TrackState::kTracking);
+  CHECK(distance(estimate, {450, 350}) < 1);
+}
+
+TEST_CASE("the paper's tracker never says that it lost the puck") {
+  Scene scene(preset_params(Preset::kPaper));
+  for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
+  PuckEstimate estimate;
+  for (int i = 0; i < 200; ++i) estimate = scene.show_clutter();
+  CHECK(estimate.state == TrackState::kTracking);
+}
+
+TEST_CASE("the same events give the same estimates to the bit") {
+  Scene first(preset_params(Preset::kDefault));
+  Scene second(preset_params(Preset::kDefault));
+  for (int i = 0; i < 150; ++i) {
+    const Pixel truth{300 + 0.7 * i, 200 + 0.2 * i};
+    const PuckEstimate a = first.show(truth);
+    const PuckEstimate b = second.show(truth);
+    REQUIRE(a.position == b.position);
+    REQUIRE(a.score == b.score);
+    REQUIRE(a.covariance == b.covariance);
+  }
+}
+
+TEST_CASE("a size model that leads nowhere is clamped, not followed into a crash") {
+  PipelineParams params = preset_params(Preset::kDefault);
+  for (const PuckSizeModel& model :
+       {PuckSizeModel{1e9, 0, 0, 1e9, 0, 0}, PuckSizeModel{-50, 0, 0, -50, 0, 0},
+        PuckSizeModel{std::nan(""), 0, 0, std::nan(""), 0, 0}}) {
+    ErosSurface surface(kSensor, params.eros);
+    PuckPipeline pipeline(kSensor, params, model);
+    SurfaceSnapshot snapshot;
+    for (int i = 1; i < 20; ++i) {
+      EventPacket packet{{i * 1000}, test::contour_events(kSensor, {320, 190}, {37, 25}, 100)};
+      surface.update(packet);
+      surface.snapshot(pipeline.region_needed(), snapshot);
+      pipeline.step(snapshot);
+    }
+    CHECK(surface.events_applied() > 0);
+  }
+}
+
+TEST_CASE("the puck is followed to the image's border and the region stays inside the image") {
+  Scene scene(preset_params(Preset::kDefault));
+  for (int i = 0; i <= 330; ++i) {
+    const PuckEstimate estimate = scene.show({320 + 1.0 * i, 190});
+    const Region inside = estimate.region.intersect(Region::all_of(kSensor));
+    REQUIRE((estimate.region.empty() || inside == estimate.region));
+    if (i > 20 && i < 290) REQUIRE(distance(estimate, {320 + 1.0 * i, 190}) < 3);
+  }
+}
+
+TEST_CASE("a detection region outside the sensor is refused") {
+  PipelineParams params = preset_params(Preset::kReference);
+  params.detector.region = {700, 10, 20, 20};
+  CHECK_THROWS_AS(PuckPipeline(kSensor, params, kSizeModel), std::invalid_argument);
+}
+
+}  // namespace puck
