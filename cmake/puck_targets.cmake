@@ -12,7 +12,9 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 find_package(Threads REQUIRED)
 
 add_library(puck_options INTERFACE)
-target_compile_options(puck_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic -Werror)
+# Every field has its initialiser in the struct, so what a designated list leaves out is defined.
+target_compile_options(puck_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic -Werror
+                                              -Wno-missing-field-initializers)
 target_include_directories(puck_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(puck_options INTERFACE PUCK_VERSION="${PROJECT_VERSION}")
 if(PUCK_SANITIZE)

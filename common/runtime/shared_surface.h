@@ -1,0 +1,86 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <span>
+
+#include "common/events/event_packet.h"
+#include "common/events/sensor_size.h"
+#include "common/vision/eros_surface.h"
+#include "common/vision/region.h"
+#include "common/vision/surface_snapshot.h"
+
+namespace puck {
+
+/// Where a packet of events comes from and when: what an estimate says of the newest event that it
+/// rests on.
+struct PacketOrigin {
+  std::int64_t session = 0;            ///< Of the publisher of the events.
+  std::int64_t sensor_zero_utime = 0;  ///< Host realtime at sensor time 0, µs; 0: not known.
+  std::int64_t received_utime = 0;     ///< Host realtime at its receipt, µs.
+  std::chrono::steady_clock::time_point received;
+};
+
+/// A copy of a part of the shared surface with what was going on when it was made.
+struct SharedSnapshot {
+  SurfaceSnapshot surface;
+  PacketOrigin origin;              ///< Of the packet that holds the newest event.
+  std::int64_t backlog_us = 0;      ///< Sensor time received but not on the surface yet.
+  std::int64_t backlog_events = 0;  ///< Events received but not on the surface yet.
+};
+
+/// The one place where the paper's two threads meet: the event thread owns the surface, the
+/// tracking thread asks for a part of it. A request is served by the event thread between two
+/// handfuls of events, or, while that one has nothing to do, by the tracking thread itself; so
+/// neither waits for the other for longer than it takes to apply a handful.
+class SharedSurface {
+ public:
+  SharedSurface(SensorSize sensor, const ErosParams& params) : surface_(sensor, params) {}
+
+  SensorSize size() const { return surface_.size(); }
+
+  /// Event thread only. Applies a packet, serves requests meanwhile, and wakes the tracking thread
+  /// when an event lies in the region that it asked for last. The packet must not be empty.
+  void update(const EventPacket& packet, const PacketOrigin& origin);
+
+  /// Tracking thread only. Copies a region, and watches it from then on; an empty region stands for
+  /// the whole sensor where it comes to watching.
+  void snapshot(const Region& region, SharedSnapshot& out);
+
+  /// Tracking thread only. Sleeps until there is something new in the region of the last snapshot,
+  /// or `timeout` has passed, or someone wakes it. True when there is something new.
+  bool wait_for_news(std::chrono::microseconds timeout);
+
+  /// Safe from any thread. Ends a wait.
+  void wake();
+
+ private:
+  void copy_to(SharedSnapshot& out, const EventPacket* pending, std::size_t applied);
+  void serve_request(const EventPacket& packet, std::size_t applied);
+  void report_news();
+
+  // Held by the event thread while it applies a packet, and by the tracking thread when it serves
+  // itself.
+  std::mutex surface_mutex_;
+  ErosSurface surface_;       // by surface_mutex_
+  PacketOrigin origin_;       // by surface_mutex_
+  Region watched_;            // by surface_mutex_
+  bool watching_all_ = true;  // by surface_mutex_
+
+  // The request: written by the tracking thread before it sets `requested_` (release), served by
+  // whoever holds surface_mutex_ after seeing it (acquire), finished by clearing it (release).
+  Region requested_region_;
+  SharedSnapshot* requested_snapshot_ = nullptr;
+  std::atomic<bool> requested_{false};
+
+  // Set by the event thread, cleared when a copy is made.
+  std::atomic<bool> news_{false};
+  std::mutex sleep_mutex_;
+  std::condition_variable woken_;
+  bool wake_requested_ = false;  // by sleep_mutex_
+};
+
+}  // namespace puck

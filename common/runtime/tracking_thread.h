@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <thread>
+
+#include "common/runtime/shared_surface.h"
+#include "common/vision/puck_pipeline.h"
+
+namespace puck {
+
+struct TrackingThreadParams {
+  /// Estimates are handed on at most so often, evenly; a change of state at once. Key
+  /// tracker.max_publish_hz.
+  int max_publish_hz = 5000;
+  /// … and at least so often, also when nothing changes, so that silence always means trouble.
+  std::chrono::microseconds heartbeat{20'000};
+};
+
+/// An estimate and the times of the chain that led to it.
+struct TrackedEstimate {
+  PuckEstimate estimate;
+  PacketOrigin origin;
+  std::chrono::system_clock::time_point tracking_started;
+  std::int64_t backlog_us = 0;
+  std::int64_t backlog_events = 0;
+};
+
+/// The paper's second thread (Figure 2): takes the newest surface, detects or tracks, as fast as it
+/// can while there is something new in its region; sleeps while there is nothing.
+class TrackingThread {
+ public:
+  using Publish = std::function<void(const TrackedEstimate&)>;
+
+  /// Starts the thread. `publish` is called on it and must not throw. The surface must outlive this
+  /// object.
+  TrackingThread(SharedSurface& surface, PuckPipeline pipeline, const TrackingThreadParams& params,
+                 Publish publish);
+  /// Stops the thread and waits for it.
+  ~TrackingThread();
+  TrackingThread(const TrackingThread&) = delete;
+  TrackingThread& operator=(const TrackingThread&) = delete;
+
+ private:
+  void run(const std::stop_token& stop);
+
+  SharedSurface& surface_;
+  PuckPipeline pipeline_;
+  TrackingThreadParams params_;
+  Publish publish_;
+  std::jthread thread_;
+};
+
+}  // namespace puck

@@ -1,0 +1,135 @@
+#include "common/runtime/shared_surface.h"
+
+#include <random>
+#include <thread>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr SensorSize kSensor{160, 120};
+constexpr Region kAll{0, 0, 160, 120};
+
+EventPacket random_packet(Timestamp start, int count, unsigned seed) {
+  std::mt19937 random(seed);
+  EventPacket packet;
+  packet.start = start;
+  for (int i = 0; i < count; ++i) {
+    packet.events.push_back({static_cast<std::uint16_t>(random() % 160),
+                             static_cast<std::uint16_t>(random() % 120), 1,
+                             static_cast<std::uint32_t>(i)});
+  }
+  return packet;
+}
+
+// The surface after the first `count` events of the packets.
+SurfaceSnapshot surface_after(const std::vector<EventPacket>& packets, std::int64_t count) {
+  ErosSurface surface(kSensor, {});
+  for (const EventPacket& packet : packets) {
+    const std::int64_t left = count - surface.events_applied();
+    if (left <= 0) break;
+    const std::span<const Event> events(packet.events);
+    surface.update(packet.start,
+                   events.first(std::min(events.size(), static_cast<std::size_t>(left))));
+  }
+  SurfaceSnapshot snapshot;
+  surface.snapshot(kAll, snapshot);
+  return snapshot;
+}
+
+bool same_picture(const SurfaceSnapshot& a, const SurfaceSnapshot& b) {
+  const int pixels = a.grey.width() * a.grey.height();
+  return a.region == b.region && std::equal(a.grey.row(0), a.grey.row(0) + pixels, b.grey.row(0));
+}
+
+}  // namespace
+
+TEST_CASE("a snapshot is served while the event thread has nothing to do") {
+  SharedSurface shared(kSensor, {});
+  const std::vector<EventPacket> packets{random_packet({5000}, 1000, 1)};
+  shared.update(packets[0], {.session = 42, .received_utime = 77});
+  SharedSnapshot snapshot;
+  shared.snapshot(kAll, snapshot);
+  CHECK(snapshot.surface.events_applied == 1000);
+  CHECK(snapshot.surface.newest_event == Timestamp{5999});
+  CHECK(snapshot.origin.session == 42);
+  CHECK(snapshot.origin.received_utime == 77);
+  CHECK(snapshot.backlog_events == 0);
+  CHECK(snapshot.backlog_us == 0);
+  CHECK(same_picture(snapshot.surface, surface_after(packets, 1000)));
+}
+
+TEST_CASE("every snapshot of a busy surface is the surface after some number of whole events") {
+  SharedSurface shared(kSensor, {});
+  std::vector<EventPacket> packets;
+  for (unsigned i = 0; i < 40; ++i) packets.push_back(random_packet({i * 10'000}, 5'000, i));
+
+  std::jthread event_thread([&] {
+    for (const EventPacket& packet : packets) shared.update(packet, {});
+  });
+  std::vector<SharedSnapshot> taken;
+  std::int64_t newest = -1;
+  while (newest < 40 * 5'000) {
+    SharedSnapshot snapshot;
+    shared.snapshot(kAll, snapshot);
+    REQUIRE(snapshot.surface.events_applied >= newest);
+    newest = snapshot.surface.events_applied;
+    if (taken.size() < 200) taken.push_back(snapshot);
+  }
+  event_thread.join();
+
+  CHECK(taken.size() >= 1);
+  for (std::size_t i = 0; i < taken.size(); i += 10) {
+    const std::int64_t count = taken[i].surface.events_applied;
+    REQUIRE(same_picture(taken[i].surface, surface_after(packets, count)));
+    if (taken[i].backlog_events > 0) {
+      REQUIRE((count + taken[i].backlog_events) % 5'000 == 0);
+      REQUIRE(taken[i].backlog_us == taken[i].backlog_events);
+    }
+  }
+}
+
+TEST_CASE("there is news only for events in the region of the last snapshot") {
+  SharedSurface shared(kSensor, {});
+  SharedSnapshot snapshot;
+  shared.snapshot({100, 100, 20, 20}, snapshot);
+  EventPacket elsewhere{{0}, {{10, 10, 1, 0}, {99, 100, 1, 1}}};
+  shared.update(elsewhere, {});
+  CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
+  EventPacket inside{{10}, {{10, 10, 1, 0}, {119, 119, 0, 1}}};
+  shared.update(inside, {});
+  CHECK(shared.wait_for_news(milliseconds(0)));
+  CHECK(shared.wait_for_news(milliseconds(0)));  // until it is looked at
+  shared.snapshot({100, 100, 20, 20}, snapshot);
+  CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
+}
+
+TEST_CASE("an empty region watches the whole sensor") {
+  SharedSurface shared(kSensor, {});
+  SharedSnapshot snapshot;
+  shared.snapshot({}, snapshot);
+  CHECK(snapshot.surface.region.empty());
+  EventPacket anywhere{{0}, {{3, 3, 1, 0}}};
+  shared.update(anywhere, {});
+  CHECK(shared.wait_for_news(milliseconds(0)));
+}
+
+TEST_CASE("a sleeping thread is woken by an event and by a call") {
+  SharedSurface shared(kSensor, {});
+  SharedSnapshot snapshot;
+  shared.snapshot(kAll, snapshot);
+  const EventPacket packet = random_packet({0}, 10, 3);
+  {
+    std::jthread event_thread([&] { shared.update(packet, {}); });
+    CHECK(shared.wait_for_news(milliseconds(60'000)));
+  }
+  shared.snapshot(kAll, snapshot);
+  std::jthread other([&] { shared.wake(); });
+  CHECK_FALSE(shared.wait_for_news(milliseconds(60'000)));
+}
+
+}  // namespace puck

@@ -1,0 +1,135 @@
+#include "common/runtime/tracking_thread.h"
+
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/presets.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+
+// Small, so that a search of all of it is quick under ThreadSanitizer too.
+constexpr SensorSize kSensor{160, 120};
+constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
+
+// Collects what the tracking thread publishes.
+class Published {
+ public:
+  void add(const TrackedEstimate& estimate) {
+    const std::lock_guard lock(mutex_);
+    estimates_.push_back(estimate);
+  }
+  std::vector<TrackedEstimate> all() const {
+    const std::lock_guard lock(mutex_);
+    return estimates_;
+  }
+  std::size_t count() const {
+    const std::lock_guard lock(mutex_);
+    return estimates_.size();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<TrackedEstimate> estimates_;
+};
+
+PuckPipeline default_pipeline() {
+  return PuckPipeline(kSensor, preset_params(Preset::kDefault), kSizeModel);
+}
+
+template <typename Condition>
+bool eventually(const Condition& condition) {
+  for (int i = 0; i < 10'000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("the two threads follow the puck and stamp estimates with the packet they rest on") {
+  const PipelineParams params = preset_params(Preset::kDefault);
+  SharedSurface surface(kSensor, params.eros);
+  Published published;
+  const TrackingThread thread(surface, default_pipeline(), {},
+                              [&](const TrackedEstimate& e) { published.add(e); });
+  Pixel truth;
+  for (int i = 1; i <= 300; ++i) {
+    truth = {40 + 0.25 * i, 50 + 0.1 * i};
+    EventPacket packet{{i * 1000}, test::contour_events(kSensor, truth, kSizeModel.at(truth), 150)};
+    surface.update(packet, {.session = 9, .received_utime = i});
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  const auto has_newest = [&] {
+    const auto all = published.all();
+    return !all.empty() && all.back().estimate.newest_event == Timestamp{300'000};
+  };
+  REQUIRE(eventually(has_newest));
+  const TrackedEstimate last = published.all().back();
+  CHECK(last.estimate.state == TrackState::kTracking);
+  REQUIRE(last.estimate.position.has_value());
+  CHECK(std::abs(last.estimate.position->x - truth.x) < 2);
+  CHECK(std::abs(last.estimate.position->y - truth.y) < 2);
+  CHECK(last.origin.session == 9);
+  CHECK(last.origin.received_utime == 300);
+  CHECK(last.backlog_events == 0);
+}
+
+TEST_CASE("the tracking thread sleeps while nothing is new, but never falls silent") {
+  SharedSurface surface(kSensor, {});
+  Published published;
+  const TrackingThread thread(surface, default_pipeline(), {.heartbeat = milliseconds(5)},
+                              [&](const TrackedEstimate& e) { published.add(e); });
+  CHECK(eventually([&] { return published.count() >= 5; }));
+  for (const TrackedEstimate& e : published.all()) {
+    CHECK(e.estimate.state == TrackState::kSearching);
+    // No step was made: a step would have said when it started.
+    CHECK(e.tracking_started == std::chrono::system_clock::time_point{});
+  }
+}
+
+TEST_CASE("estimates are published no more often than asked for") {
+  SharedSurface surface(kSensor, {});
+  Published published;
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    const TrackingThread thread(surface, default_pipeline(),
+                                {.max_publish_hz = 100, .heartbeat = milliseconds(1000)},
+                                [&](const TrackedEstimate& e) { published.add(e); });
+    for (int i = 1; i <= 200; ++i) {
+      EventPacket packet{{i * 1000}, {{80, 60, 1, 0}}};
+      surface.update(packet, {});
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+  }
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  // One more may follow at once after a pause.
+  CHECK(static_cast<double>(published.count()) <= seconds * 100 + 3);
+  CHECK(published.count() >= 2);
+}
+
+TEST_CASE("a tracking thread ends promptly when it is destroyed asleep") {
+  SharedSurface surface(kSensor, {});
+  {
+    const TrackingThread thread(surface, default_pipeline(), {}, [](const TrackedEstimate&) {});
+  }
+  CHECK(surface.size() == kSensor);
+}
+
+TEST_CASE("a publishing rate below one is refused") {
+  SharedSurface surface(kSensor, {});
+  CHECK_THROWS_WITH_AS(TrackingThread(surface, default_pipeline(), {.max_publish_hz = 0},
+                                      [](const TrackedEstimate&) {}),
+                       "tracker.max_publish_hz must be at least 1, got 0", std::invalid_argument);
+}
+
+}  // namespace puck
