@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "common/events/timestamp.h"
+#include "common/vision/truth_row.h"
+
+namespace puck {
+
+/// The truth of a recording at any time, linear between its rows.
+class TruthTrack {
+ public:
+  /// Rows in the order of their times. Throws std::invalid_argument when there are none or their
+  /// times do not grow.
+  explicit TruthTrack(std::vector<TruthRow> rows);
+
+  /// Nothing before the first and after the last row.
+  std::optional<TruthRow> at(Timestamp time) const;
+
+  Timestamp first() const { return rows_.front().time; }
+  Timestamp last() const { return rows_.back().time; }
+
+  /// When the puck was first more than 5 px from where it began; nothing if it never was.
+  std::optional<Timestamp> first_motion() const;
+
+ private:
+  std::vector<TruthRow> rows_;
+};
+
+}  // namespace puck

@@ -1,0 +1,105 @@
+#include "common/evaluation/accuracy_score.h"
+
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{640, 480};
+
+// A puck that moves 1 px a millisecond to the right for two seconds, with a row every 10 ms.
+TruthTrack moving_truth() {
+  std::vector<TruthRow> rows;
+  for (int i = 0; i <= 200; ++i) {
+    rows.push_back({{i * 10'000}, {10.0 + i, 100}, {30, 20}, 1});
+  }
+  return TruthTrack(rows);
+}
+
+PuckEstimate estimate_at(double x, double y) {
+  PuckEstimate estimate;
+  estimate.state = TrackState::kTracking;
+  estimate.position = Pixel{x, y};
+  return estimate;
+}
+
+}  // namespace
+
+TEST_CASE("truth is linear between its rows and unknown beyond them") {
+  const TruthTrack truth = moving_truth();
+  CHECK(truth.at({15'000})->centre.x == doctest::Approx(11.5));
+  CHECK(truth.at({20'000})->centre.x == 12);
+  CHECK_FALSE(truth.at({-1}).has_value());
+  CHECK_FALSE(truth.at({2'000'001}).has_value());
+  CHECK(truth.first_motion() == Timestamp{60'000});
+}
+
+TEST_CASE("truth without rows or out of order is refused") {
+  CHECK_THROWS_AS(TruthTrack({}), std::invalid_argument);
+  CHECK_THROWS_AS(TruthTrack({{{10}, {}, {}, 1}, {{10}, {}, {}, 1}}), std::invalid_argument);
+}
+
+TEST_CASE("errors are distances and only ticks after the settling time count") {
+  AccuracyScore score(moving_truth(), kSensor);
+  for (int ms = 0; ms <= 1000; ++ms) {
+    // 3 px right and 4 px down of the truth for every tick before 760 ms, exact after.
+    const double off = ms < 760 ? 1 : 0;
+    score.add({ms * 1000}, estimate_at(10 + ms / 10.0 + 3 * off, 100 + 4 * off));
+  }
+  const AccuracyReport report = score.report();
+  CHECK(report.estimates == 741);  // 260 ms to 1000 ms
+  CHECK(report.mean_px == doctest::Approx(5.0 * 500 / 741));
+  CHECK(report.median_px == doctest::Approx(5));
+  CHECK(report.p95_px == doctest::Approx(5));
+  CHECK(report.within_2px_percent == doctest::Approx(100.0 * 241 / 741));
+  CHECK(report.within_4px_percent == doctest::Approx(100.0 * 241 / 741));
+  CHECK(report.lost_percent == 0);
+  CHECK(report.time_to_first_track_ms == 0);
+}
+
+TEST_CASE("a tick without a position counts as 100 px off and as lost") {
+  AccuracyScore score(moving_truth(), kSensor);
+  for (int ms = 260; ms < 300; ++ms) score.add({ms * 1000}, PuckEstimate{});
+  for (int ms = 300; ms < 360; ++ms) score.add({ms * 1000}, estimate_at(10 + ms / 10.0, 100));
+  const AccuracyReport report = score.report();
+  CHECK(report.estimates == 100);
+  CHECK(report.mean_px == doctest::Approx(40));
+  CHECK(report.lost_percent == doctest::Approx(40));
+  CHECK(report.longest_loss_ms == doctest::Approx(40));
+  CHECK(report.time_to_first_track_ms == doctest::Approx(240));
+}
+
+TEST_CASE("far off or not tracking is lost, whatever the other says") {
+  AccuracyScore score(moving_truth(), kSensor);
+  score.add({300'000}, estimate_at(40 + 20.5, 100));
+  PuckEstimate right_but_lost = estimate_at(40, 100);
+  right_but_lost.state = TrackState::kLost;
+  score.add({300'000}, right_but_lost);
+  score.add({300'000}, estimate_at(40 + 19.5, 100));
+  CHECK(score.report().lost_percent == doctest::Approx(100.0 * 2 / 3));
+}
+
+TEST_CASE("a hidden puck and one outside the image do not count") {
+  std::vector<TruthRow> rows{{{0}, {10, 10}, {30, 20}, 1},
+                             {{100'000}, {39, 10}, {30, 20}, 1},
+                             {{1'000'000}, {300, 10}, {30, 20}, 1},
+                             {{1'000'001}, {300, 10}, {30, 20}, 0.4},
+                             {{2'000'000}, {300, 10}, {30, 20}, 0.4},
+                             {{2'000'001}, {-1, 10}, {30, 20}, 1},
+                             {{3'000'000}, {-1, 10}, {30, 20}, 1}};
+  AccuracyScore score(TruthTrack(rows), kSensor);
+  score.add({900'000}, estimate_at(271, 10));
+  score.add({1'500'000}, estimate_at(0, 0));
+  score.add({2'500'000}, estimate_at(0, 0));
+  CHECK(score.report().estimates == 1);
+}
+
+TEST_CASE("a recording in which nothing counts has no accuracy") {
+  AccuracyScore score(moving_truth(), kSensor);
+  CHECK(score.report().estimates == 0);
+  CHECK_FALSE(score.report().time_to_first_track_ms.has_value());
+}
+
+}  // namespace puck
