@@ -15,6 +15,16 @@
 
 namespace puck {
 
+/// What became of the packets of a session until now.
+struct PacketCounters {
+  std::int64_t received = 0;
+  std::int64_t lost = 0;
+  std::int64_t late = 0;  ///< Came after a later one, or twice, and were dropped.
+  std::int64_t rejected = 0;
+  std::int64_t events_lost = 0;     ///< In lost packets.
+  std::int64_t events_dropped = 0;  ///< By the source, before they were published.
+};
+
 /// Where a packet of events comes from and when: what an estimate says of the newest event that it
 /// rests on.
 struct PacketOrigin {
@@ -22,6 +32,7 @@ struct PacketOrigin {
   std::int64_t sensor_zero_utime = 0;  ///< Host realtime at sensor time 0, µs; 0: not known.
   std::int64_t received_utime = 0;     ///< Host realtime at its receipt, µs.
   std::chrono::steady_clock::time_point received;
+  PacketCounters counters;  ///< As of this packet.
 };
 
 /// A copy of a part of the shared surface with what was going on when it was made.

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/baselines/event_window.h"
+#include "common/baselines/particle_set.h"
+#include "common/baselines/particle_template.h"
+#include "common/baselines/puck_seed.h"
+#include "common/events/sensor_size.h"
+#include "common/vision/presets.h"
+#include "common/vision/puck_size_model.h"
+#include "common/vision/surface_tracker.h"
+#include "common/vision/tracking_algorithm.h"
+
+namespace puck {
+
+/// The defaults are those of the variant that the PUCK paper was compared with, but for the shape.
+struct ParticleFilterParams {
+  ParticleSetParams set;
+  TemplateShape shape = TemplateShape::kEllipse;
+  /// Of the best possible likelihood: what a particle without any support counts.
+  double lowest_likelihood = 0.03;
+  /// Events farther than this beyond the mean radius, in x or y, are not seen.
+  double region_margin_px = 20;
+  /// The window of newest events is never cut below this …
+  int smallest_window_events = 300;
+  /// … never grows beyond this …
+  int largest_window_events = 2000;
+  /// … and is cut when it holds this many more than the particles used.
+  int window_slack_events = 30;
+};
+
+/// How many events stay in a window of `held` when the particles used `used` of them, by weight.
+int events_to_keep(int held, double used, const ParticleFilterParams& params);
+
+/// The particle filter of Glover and Bartolozzi (IROS 2017) in the variant that the PUCK paper was
+/// compared with. Each particle goes through the newest events, newest first, and keeps the number
+/// of them that suits it best, so that the window is estimated together with place and size. It is
+/// seeded at PUCK's detection and never notices that it has lost the puck.
+///
+/// The particles are updated every π·R new events near the puck; the estimate, with its newest
+/// event and its count of events, is as of the last update. Its score is the likelihood of the best
+/// particle, 1 when every pixel of the ring fired and none inside; 0 before the first update. The
+/// velocity is not known.
+class ParticleFilter final : public TrackingAlgorithm {
+ public:
+  /// `detection` finds the puck in the beginning. Throws std::invalid_argument, naming the key,
+  /// when a parameter is out of range.
+  ParticleFilter(SensorSize sensor, const ParticleFilterParams& params,
+                 const PuckSizeModel& size_model,
+                 const PipelineParams& detection = preset_params(Preset::kReference));
+
+  void update(const EventPacket& packet) override;
+  PuckEstimate estimate() override;
+
+ private:
+  // What is needed until the puck is detected. The events before the seed fill its window.
+  struct Search {
+    SurfaceTracker detector;
+    EventWindow history;
+  };
+
+  void start(const PuckSeed& seed);
+  bool is_near(Pixel event) const;
+  void step();
+  void observe_events();
+
+  ParticleFilterParams params_;
+  PuckSizeModel size_model_;
+  std::optional<Search> search_;
+
+  ParticleTemplate template_;
+  ParticleSet set_;
+  EventWindow window_;
+  int new_events_ = 0;               // in the window since the last update
+  std::vector<double> likelihoods_;  // of each particle
+  std::vector<int> used_events_;     // by each particle
+  double score_ = 0;
+
+  Timestamp newest_event_;  // of the last update, as the count
+  std::int64_t events_applied_ = 0;
+  std::int64_t events_received_ = 0;
+};
+
+}  // namespace puck

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/baselines/particle_set.h"
+#include "common/baselines/particle_template.h"
+#include "common/baselines/puck_seed.h"
+#include "common/events/sensor_size.h"
+#include "common/vision/eros_surface.h"
+#include "common/vision/gaussian_blur.h"
+#include "common/vision/presets.h"
+#include "common/vision/puck_pipeline.h"
+#include "common/vision/tracking_algorithm.h"
+
+namespace puck {
+
+struct ParticleFilterErosParams {
+  ParticleSetParams set;
+  TemplateShape shape = TemplateShape::kEllipse;
+  /// Of the best possible likelihood: what a particle without any support counts.
+  double lowest_likelihood = 0.03;
+};
+
+/// The particles of ParticleFilter observing the blurred EROS surface instead of single events: a
+/// particle's likelihood is the sum of its template times the surface. There is no window to
+/// estimate, for the surface forgets by itself. One update for each estimate that is asked for with
+/// new events, as PUCK's own tracking thread does. Seeded at PUCK's detection on the same surface;
+/// never notices that it has lost the puck.
+///
+/// The estimate's score is the likelihood of the best particle, 1 when the whole ring is fully lit
+/// and the inside dark; 0 before the first update. The velocity is not known.
+class ParticleFilterEros final : public TrackingAlgorithm {
+ public:
+  /// `detection` finds the puck in the beginning and says how the surface decays. Throws
+  /// std::invalid_argument, naming the key, when a parameter is out of range.
+  ParticleFilterEros(SensorSize sensor, const ParticleFilterErosParams& params,
+                     const PuckSizeModel& size_model,
+                     const PipelineParams& detection = preset_params(Preset::kReference));
+
+  void update(const EventPacket& packet) override { surface_.update(packet); }
+  PuckEstimate estimate() override;
+
+ private:
+  void start(const PuckSeed& seed);
+  void step();
+  Region region_needed() const;
+  double likelihood_of(const Particle& particle) const;
+
+  ParticleFilterErosParams params_;
+  PuckSizeModel size_model_;
+  ErosSurface surface_;
+  std::optional<PuckPipeline> detector_;  // until the puck is detected
+
+  ParticleTemplate template_;
+  ParticleSet set_;
+  GaussianBlur blur_;
+  SurfaceSnapshot snapshot_;
+  Image<std::uint8_t> blurred_;  // covers the snapshot's region
+  std::vector<double> likelihoods_;
+  double score_ = 0;
+  std::int64_t events_seen_ = 0;
+};
+
+}  // namespace puck
