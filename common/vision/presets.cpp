@@ -48,7 +48,7 @@ PipelineParams correlation() {
   params.kernels.whole_semi_axes = false;
   params.detector.kernel = DetectionKernel::kSizePerRow;
   params.detector.region = {};
-  params.detector.threshold = 0.4;
+  params.detector.threshold = 0.45;
   params.tracker.centred_window = true;
   params.tracker.shift_to_lowest = false;
   params.tracker.sub_pixel = true;

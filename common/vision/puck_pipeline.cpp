@@ -63,21 +63,34 @@ void PuckPipeline::track(Timestamp now) {
   const Pixel expected = params_.predicts ? motion_.expected_at(now) : position_;
   const PuckTracker::Step found = tracker_.step(picture_, region_, expected, kernels_);
   score_ = found.score;
-  coasting_ = params_.loss.enabled && found.score < params_.loss.lowest_score;
-  if (coasting_) {
-    position_ = expected;
-    if (now - last_good_ > params_.loss.coast_us) {
-      lose(now);
-      return;
-    }
-  } else {
-    motion_.measure(found.position, now);
-    position_ = params_.predicts ? motion_.position() : found.position;
-    last_good_ = now;
+  motion_.measure(found.position, now);
+  position_ = params_.predicts ? motion_.position() : found.position;
+  if (params_.loss.enabled && found.score < params_.loss.lowest_score) {
+    coast(now);
+    return;
   }
+  coasting_ = false;
+  last_good_ = now;
   if (speed_of(motion_.velocity()) > kRestingPxPerS) resting_since_ = now;
   region_ = tracker_.region_around(position_, kernels_);
   if (region_.empty()) lose(now);
+}
+
+// Weak evidence is better than none and is followed, but something better is looked for around it.
+void PuckPipeline::coast(Timestamp now) {
+  coasting_ = true;
+  if (now >= next_search_) {
+    next_search_ = now + params_.loss.search_period_us;
+    if (const auto found = detector_.detect(picture_, region_, kernels_)) {
+      begin_track(found->position, now);
+      return;
+    }
+  }
+  if (now - last_good_ > params_.loss.coast_us) {
+    lose(now);
+  } else {
+    region_ = search_region(now);
+  }
 }
 
 void PuckPipeline::search(Timestamp now) {
@@ -94,7 +107,9 @@ void PuckPipeline::begin_track(Pixel position, Timestamp now) {
   state_ = TrackState::kTracking;
   position_ = position;
   motion_.start(position, now);
-  score_ = 0;
+  score_ = picture_.contrast_at(kernels_.nearest(size_model_.at(position)),
+                                static_cast<int>(std::lround(position.x)),
+                                static_cast<int>(std::lround(position.y)));
   coasting_ = false;
   left_image_.reset();
   last_good_ = now;
@@ -114,15 +129,14 @@ void PuckPipeline::lose(Timestamp now) {
 }
 
 void PuckPipeline::plan_search(Timestamp now) {
-  if (state_ == TrackState::kSearching) {
-    region_ = detector_.region();
-    return;
-  }
-  const double lost_for_s = static_cast<double>(now - last_good_) * 1e-6;
-  const double radius =
-      params_.loss.search_radius_px + params_.loss.search_growth_px_s * lost_for_s;
+  region_ = state_ == TrackState::kSearching ? detector_.region() : search_region(now);
+}
+
+Region PuckPipeline::search_region(Timestamp now) const {
+  const double unseen_s = static_cast<double>(now - last_good_) * 1e-6;
+  const double radius = params_.loss.search_radius_px + params_.loss.search_growth_px_s * unseen_s;
   const int side = static_cast<int>(std::min(2 * radius, 4.0 * SensorSize::kMax)) | 1;
-  region_ = Region::around(position_, side, side).intersect(Region::all_of(sensor_));
+  return Region::around(position_, side, side).intersect(Region::all_of(sensor_));
 }
 
 PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {

@@ -20,13 +20,14 @@ namespace puck {
 struct LossParams {
   /// Off: once detected the puck is tracked for ever, as in the paper.
   bool enabled = true;
-  /// A place that scores less is not believed.
-  double lowest_score = 0.25;
-  /// How long an unbelieved track is predicted before it is lost, sensor time.
+  /// A place that scores less is weak evidence.
+  double lowest_score = 0.36;
+  /// How long weak evidence is followed, while something better is looked for around it, before the
+  /// puck counts as lost, sensor time.
   std::int64_t coast_us = 50'000;
   /// Sensor time between searches.
   std::int64_t search_period_us = 5'000;
-  /// The search reaches this far around the place of the loss at first …
+  /// The search reaches this far around where the puck was expected last, at first …
   double search_radius_px = 40;
   /// … and this much farther each second, until it covers the whole image.
   double search_growth_px_s = 3'000;
@@ -67,10 +68,12 @@ class PuckPipeline {
 
  private:
   void track(Timestamp now);
+  void coast(Timestamp now);
   void search(Timestamp now);
   void begin_track(Pixel position, Timestamp now);
   void lose(Timestamp now);
   void plan_search(Timestamp now);
+  Region search_region(Timestamp now) const;
   PuckEstimate estimate(const SurfaceSnapshot& snapshot) const;
 
   SensorSize sensor_;
