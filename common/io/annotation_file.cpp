@@ -1,0 +1,49 @@
+#include "common/io/annotation_file.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "common/io/csv_file.h"
+
+namespace puck {
+namespace {
+
+// Beyond this a double is no longer exact to the µs.
+constexpr double kLatestUs = 9.0e15;
+constexpr double kSmallestSizePx = 0.1;
+constexpr double kLargestSizePx = 1e4;
+
+constexpr std::array<CsvColumn, 5> kColumns{{
+    {"t_us", {}, std::nullopt, 0, kLatestUs},
+    {"x"},
+    {"y"},
+    {"width", "w", std::nullopt, kSmallestSizePx, kLargestSizePx},
+    {"height", "h", std::nullopt, kSmallestSizePx, kLargestSizePx},
+}};
+
+}  // namespace
+
+std::vector<Annotation> read_annotation_file(const std::filesystem::path& path) {
+  std::vector<Annotation> rows;
+  for (const CsvRow& row : read_csv(path, kColumns)) {
+    Annotation annotation;
+    annotation.time = {std::llround(row.values[0])};
+    annotation.centre = {row.values[1], row.values[2]};
+    annotation.size = {row.values[3], row.values[4]};
+    rows.push_back(annotation);
+  }
+  return rows;
+}
+
+void write_annotation_file(const std::filesystem::path& path, std::span<const Annotation> rows) {
+  std::string text;
+  for (const Annotation& row : rows) {
+    const std::array<double, 4> values{row.centre.x, row.centre.y, row.size.width, row.size.height};
+    text += std::to_string(row.time.us) + ",";
+    append_csv_row(text, values);
+  }
+  write_csv(path, "t_us,x,y,width,height", text);
+}
+
+}  // namespace puck

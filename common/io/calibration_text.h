@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace puck {
+
+/// The lines of `text`, each behind a `#`.
+std::string toml_comment(std::string_view text);
+
+/// Throws ConfigError when the file cannot be written.
+void write_calibration_text(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace puck

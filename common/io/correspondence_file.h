@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "common/table/table_point.h"
+#include "common/vision/pixel.h"
+
+namespace puck {
+
+/// One place seen in the image and measured on the table.
+struct Correspondence {
+  Pixel image;
+  TablePoint table;
+};
+
+/// Reads `x_px,y_px,x_m,y_m`, columns in any order, told from the header. Throws CsvError naming
+/// file and line for a missing file or column, a malformed value, or no rows.
+std::vector<Correspondence> read_correspondence_file(const std::filesystem::path& path);
+
+/// Throws CsvError when the file cannot be written.
+void write_correspondence_file(const std::filesystem::path& path,
+                               std::span<const Correspondence> rows);
+
+}  // namespace puck

@@ -1,0 +1,36 @@
+#include "common/io/event_reader.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+#include "common/io/event_file_kind.h"
+#include "common/io/raw_file_reader.h"
+#include "common/io/text_event_reader.h"
+
+namespace puck {
+
+std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
+                                             const EventFileOptions& options) {
+  const std::string name = path.string();
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw EventFileError(name + ": is a folder; expected an event file");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw EventFileError(name + ": cannot be opened: " + std::strerror(errno));
+
+  std::array<char, 4096> head{};
+  file.read(head.data(), head.size());
+  const std::string_view start(head.data(), static_cast<std::size_t>(file.gcount()));
+  if (event_file_kind(path, start, options.from) == EventFileKind::kRaw) {
+    return std::make_unique<RawFileReader>(path, options);
+  }
+  return std::make_unique<TextEventReader>(path, options);
+}
+
+}  // namespace puck

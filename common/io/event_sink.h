@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "common/events/event_packet.h"
+#include "common/events/sensor_size.h"
+#include "common/io/event_decoder.h"
+
+namespace puck {
+
+/// Where readers put the events that they find: keeps them inside the sensor and in order, fills
+/// the caller's packet, and keeps what does not fit for the next one.
+class EventSink {
+ public:
+  /// Throws std::invalid_argument when `sensor` is not a valid size.
+  explicit EventSink(SensorSize sensor);
+
+  /// Begins to fill `packet` up to `max_events`, first with what waited. The packet must stay until
+  /// the next `begin`.
+  void begin(EventPacket& packet, std::size_t max_events);
+
+  /// Whether the packet takes another event.
+  bool has_room() const { return backlog_.empty() && packet_->events.size() < max_events_; }
+  bool has_backlog() const { return !backlog_.empty(); }
+
+  /// Puts the event into the packet, or into the backlog where it does not fit. One outside the
+  /// sensor or older than the newest is dropped and counted.
+  void append(Timestamp time, int x, int y, bool brighter) {
+    if (!sensor_.contains(x, y)) {
+      ++counters_.outside_sensor;
+      return;
+    }
+    if (time < newest_) {
+      ++counters_.backwards;
+      return;
+    }
+    newest_ = time;
+    const TimedEvent event{time, static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                           brighter};
+    if (!has_room() || !hand_out(event)) backlog_.push_back(event);
+  }
+
+  EventCounters& counters() { return counters_; }
+  const EventCounters& counters() const { return counters_; }
+
+ private:
+  struct TimedEvent {
+    Timestamp time;
+    std::uint16_t x = 0;
+    std::uint16_t y = 0;
+    bool brighter = false;
+  };
+
+  // False when the event lies too long after the packet's start.
+  bool hand_out(const TimedEvent& event) {
+    if (packet_->empty()) packet_->start = event.time;
+    const std::int64_t offset_us = event.time - packet_->start;
+    if (offset_us < 0 || offset_us > std::numeric_limits<std::uint32_t>::max()) return false;
+    Event out;
+    out.x = event.x;
+    out.y = event.y & 0x7fff;
+    out.polarity = event.brighter ? 1 : 0;
+    out.offset_us = static_cast<std::uint32_t>(offset_us);
+    packet_->events.push_back(out);
+    ++counters_.events;
+    return true;
+  }
+
+  SensorSize sensor_;
+  EventPacket* packet_ = nullptr;
+  std::size_t max_events_ = 0;
+  Timestamp newest_{std::numeric_limits<std::int64_t>::min()};
+  std::vector<TimedEvent> backlog_;
+  EventCounters counters_;
+};
+
+}  // namespace puck

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/io/event_decoder.h"
+#include "common/io/event_sink.h"
+#include "common/io/sensor_clock.h"
+#include "common/io/word_assembler.h"
+
+namespace puck {
+
+/// Prophesee EVT 2.0: 32-bit words, time of 34 bits. Triggers, monitoring and IMU words are passed
+/// over.
+class Evt2Decoder final : public EventDecoder {
+ public:
+  explicit Evt2Decoder(SensorSize sensor) : sink_(sensor) {}
+
+  std::size_t decode(std::span<const std::byte> bytes, EventPacket& packet,
+                     std::size_t max_events) override;
+  void finish() override;
+  bool has_backlog() const override { return sink_.has_backlog(); }
+  const EventCounters& counters() const override { return sink_.counters(); }
+
+ private:
+  void take(std::uint32_t word);
+
+  EventSink sink_;
+  SensorClock clock_{28, 6};
+  WordAssembler<std::uint32_t> words_;
+};
+
+}  // namespace puck

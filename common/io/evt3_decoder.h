@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/io/event_decoder.h"
+#include "common/io/event_sink.h"
+#include "common/io/sensor_clock.h"
+#include "common/io/word_assembler.h"
+
+namespace puck {
+
+/// Prophesee EVT 3.0: 16-bit words that build on one another, time of 24 bits, up to 12 events a
+/// word. Triggers, monitoring and IMU words are passed over.
+class Evt3Decoder final : public EventDecoder {
+ public:
+  explicit Evt3Decoder(SensorSize sensor) : sink_(sensor) {}
+
+  std::size_t decode(std::span<const std::byte> bytes, EventPacket& packet,
+                     std::size_t max_events) override;
+  void finish() override;
+  bool has_backlog() const override { return sink_.has_backlog(); }
+  const EventCounters& counters() const override { return sink_.counters(); }
+
+ private:
+  void take(std::uint16_t word);
+  void take_event(int x, bool brighter);
+  void take_vector(std::uint32_t mask, int width);
+
+  EventSink sink_;
+  SensorClock clock_{12, 12};
+  WordAssembler<std::uint16_t> words_;
+
+  std::uint32_t low_us_ = 0;
+  int row_ = -1;          // −1: not known yet.
+  int vector_base_ = -1;  // −1: not known yet.
+  bool vector_brighter_ = false;
+};
+
+}  // namespace puck

@@ -1,0 +1,122 @@
+#include "common/io/evt3_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "common/io/event_checks.h"
+#include "common/io/event_reader.h"
+
+namespace puck {
+namespace {
+
+constexpr std::uint32_t kRow = 0x0;
+constexpr std::uint32_t kColumn = 0x2;
+constexpr std::uint32_t kVectorBase = 0x3;
+constexpr std::uint32_t kVector12 = 0x4;
+constexpr std::uint32_t kVector8 = 0x5;
+constexpr std::uint32_t kTimeLow = 0x6;
+constexpr std::uint32_t kTimeHigh = 0x8;
+
+constexpr int kLowBits = 12;
+// A quarter of a turn: no reader can mistake it for a clock that was set back.
+constexpr std::int64_t kLargestHighStep = 1024;
+
+// Sensors write vectors of 32 pixels that begin at a multiple of 32; one costs four words.
+constexpr int kVectorPixels = 32;
+constexpr std::size_t kVectorPays = 5;
+
+}  // namespace
+
+Evt3Writer::Evt3Writer(const std::filesystem::path& path, SensorSize sensor)
+    : sensor_(checked_sensor(sensor)), file_(path) {
+  const std::string width = std::to_string(sensor.width);
+  const std::string height = std::to_string(sensor.height);
+  file_.append("% evt 3.0\n% format EVT3;height=" + height + ";width=" + width + "\n% geometry " +
+               width + "x" + height + "\n% end\n");
+}
+
+Evt3Writer::~Evt3Writer() {
+  try {
+    close();
+  } catch (const std::exception&) {
+    // Whoever wants to know calls close() before.
+  }
+}
+
+void Evt3Writer::close() { file_.flush(); }
+
+void Evt3Writer::write(const EventPacket& packet) {
+  const std::span<const Event> events = packet.events;
+  for (std::size_t i = 0; i < events.size();) {
+    const Event& first = events[i];
+    const Timestamp time = packet.time_of(first);
+    check_event(first, time, sensor_, newest_);
+    move_clock_to(time);
+    newest_ = time;
+    if (first.y != row_) {
+      row_ = first.y;
+      put(kRow, first.y);
+    }
+    // What one vector could hold: same time, row and polarity, columns that grow within 32.
+    std::size_t end = i + 1;
+    while (end < events.size() && events[end].offset_us == first.offset_us &&
+           events[end].y == first.y && events[end].polarity == first.polarity &&
+           events[end].x > events[end - 1].x &&
+           events[end].x / kVectorPixels == first.x / kVectorPixels &&
+           events[end].x < sensor_.width) {
+      ++end;
+    }
+    write_run(events.subspan(i, end - i));
+    i = end;
+  }
+}
+
+void Evt3Writer::write_run(std::span<const Event> run) {
+  const std::uint32_t polarity = run.front().polarity ? 0x800u : 0u;
+  if (run.size() < kVectorPays) {
+    for (const Event& event : run) put(kColumn, polarity | event.x);
+    return;
+  }
+  const std::uint32_t base = run.front().x / kVectorPixels * kVectorPixels;
+  std::uint32_t mask = 0;
+  for (const Event& event : run) mask |= 1u << (event.x - base);
+  put(kVectorBase, polarity | base);
+  put(kVector12, mask & 0xfffu);
+  put(kVector12, (mask >> 12) & 0xfffu);
+  put(kVector8, mask >> 24);
+}
+
+void Evt3Writer::move_clock_to(Timestamp time) {
+  const std::int64_t high = time.us >> kLowBits;
+  if (high != high_) {
+    if (time - newest_ > kLongestPauseUs) {
+      throw std::invalid_argument("EVT3 holds pauses, and a first time, of up to 24 h, got " +
+                                  std::to_string((time - newest_) / 1000000) + " s");
+    }
+    if (high_ < 0) put(kTimeHigh, 0);
+    const std::int64_t steps = high - std::max<std::int64_t>(high_, 0);
+    for (std::int64_t passed = kLargestHighStep; passed < steps; passed += kLargestHighStep) {
+      put(kTimeHigh, static_cast<std::uint32_t>(high - steps + passed));
+    }
+    put(kTimeHigh, static_cast<std::uint32_t>(high));
+    // Said twice, a step is no glitch.
+    if (steps > 1) put(kTimeHigh, static_cast<std::uint32_t>(high));
+    high_ = high;
+    low_us_ = -1;
+  }
+  const std::int64_t low_us = time.us & ((1 << kLowBits) - 1);
+  if (low_us != low_us_) {
+    put(kTimeLow, static_cast<std::uint32_t>(low_us));
+    low_us_ = low_us;
+  }
+}
+
+void Evt3Writer::put(std::uint32_t type, std::uint32_t payload) {
+  const std::uint32_t word = (type << 12) | (payload & 0xfffu);
+  const std::array<char, 2> bytes{static_cast<char>(word & 0xffu), static_cast<char>(word >> 8)};
+  file_.append({bytes.data(), bytes.size()});
+}
+
+}  // namespace puck

@@ -1,0 +1,24 @@
+#include "common/io/reader_warnings.h"
+
+namespace puck {
+
+std::vector<std::string> reader_warnings(const std::string& name, const EventCounters& counters,
+                                         bool is_complete) {
+  std::vector<std::string> lines;
+  const auto warn = [&](std::int64_t count, const std::string& what) {
+    if (count > 0) lines.push_back(name + ": " + std::to_string(count) + " " + what);
+  };
+  if (counters.truncated_bytes > 0) {
+    lines.push_back(name + ": cut off in the middle of an event or word: the last " +
+                    std::to_string(counters.truncated_bytes) + " bytes were left out");
+  }
+  warn(counters.before_start, "events came before their time or row was known; dropped");
+  warn(counters.outside_sensor, "events lie outside the sensor; dropped");
+  warn(counters.backwards, "events are older than the ones before them; dropped");
+  warn(counters.malformed_words, "words are of no known type; passed over");
+  warn(counters.time_glitches, "time words contradict their neighbours; passed over");
+  if (is_complete && counters.events == 0) lines.push_back(name + ": holds no events");
+  return lines;
+}
+
+}  // namespace puck

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/io/event_sink.h"
+
+namespace puck {
+
+/// The time of Prophesee word streams: a high part that time words carry, which wraps, and a low
+/// part that comes with the events.
+///
+/// A time word that continues the clock (the same value, or one more) is believed at once. Any
+/// other may be a pause, a wrap or a flipped bit, so the events behind it are held back until the
+/// next time word: if that continues the clock from before rather than the doubtful word, the
+/// doubtful word was a glitch. Devices repeat time words every few µs, so the wait is short.
+class SensorClock {
+ public:
+  SensorClock(int high_bits, int low_bits)
+      : high_count_(std::int64_t{1} << high_bits), low_bits_(low_bits) {}
+
+  bool is_known() const { return is_known_; }
+
+  /// A time word. True when it differs from the one before it.
+  bool set_high(std::uint32_t raw, EventSink& sink);
+
+  /// An event `low_us` after the newest time word. The clock must be known.
+  void append(std::uint32_t low_us, int x, int y, bool brighter, EventSink& sink) {
+    if (is_doubtful_) {
+      hold_back({low_us, x, y, brighter}, sink);
+    } else {
+      sink.append(time_of(high_, low_us), x, y, brighter);
+    }
+  }
+
+  /// No more time words will come: believes the newest one.
+  void finish(EventSink& sink);
+
+ private:
+  struct HeldEvent {
+    std::uint32_t low_us = 0;
+    int x = 0;
+    int y = 0;
+    bool brighter = false;
+  };
+
+  Timestamp time_of(std::int64_t high, std::uint32_t low_us) const {
+    return {(high << low_bits_) | low_us};
+  }
+  std::int64_t steps_to(std::uint32_t raw, std::int64_t from) const;
+  std::int64_t unwrapped(std::uint32_t raw) const;
+  void hold_back(const HeldEvent& event, EventSink& sink);
+  void settle(std::int64_t high, EventSink& sink);
+
+  std::int64_t high_count_;
+  int low_bits_;
+  bool is_known_ = false;
+  bool is_doubtful_ = false;
+  std::int64_t high_ = 0;         // Unwrapped.
+  std::uint32_t newest_raw_ = 0;  // The newest time word, believed or not.
+  std::vector<HeldEvent> held_;
+};
+
+}  // namespace puck

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "common/vision/puck_size_model.h"
+
+namespace puck {
+
+/// Reads the table [size_model] with the keys width_0, width_x, width_y, height_0, height_x and
+/// height_y, all of which must be there. Other tables in the file are left alone, so that one file
+/// can hold a whole calibration. Throws ConfigError.
+PuckSizeModel read_size_model_file(const std::filesystem::path& path);
+
+/// `provenance`: where the model comes from; becomes a comment. Throws ConfigError when the file
+/// cannot be written.
+void write_size_model_file(const std::filesystem::path& path, const PuckSizeModel& model,
+                           std::string_view provenance);
+
+}  // namespace puck

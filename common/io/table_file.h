@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "common/io/config.h"
+#include "common/table/homography.h"
+#include "common/table/table_geometry.h"
+
+namespace puck {
+
+/// A table as one camera sees it.
+struct TableCalibration {
+  Homography table_from_image;
+  TableGeometry geometry;
+};
+
+/// Reads the keys of TableGeometry below `table.` from a configuration; those that are not set keep
+/// their value.
+void read_table_geometry(Config& config, TableGeometry& geometry);
+
+/// Reads [table]: table_from_image = nine numbers, row by row, which must be there, and the keys of
+/// TableGeometry, which have defaults. Other tables in the file are left alone. Throws ConfigError.
+TableCalibration read_table_file(const std::filesystem::path& path);
+
+/// `provenance`: where the calibration comes from; becomes a comment. Throws ConfigError when the
+/// file cannot be written.
+void write_table_file(const std::filesystem::path& path, const TableCalibration& calibration,
+                      std::string_view provenance);
+
+}  // namespace puck

@@ -1,0 +1,73 @@
+#include <doctest/doctest.h>
+
+#include "common/io/config.h"
+#include "common/io/size_model_file.h"
+#include "common/io/table_file.h"
+#include "tests/io/io_fixtures.h"
+
+namespace puck {
+namespace {
+
+const std::string kSizeModel =
+    "[size_model]\nwidth_0 = 1\nwidth_x = 2\nwidth_y = 3\nheight_0 = 4\nheight_x = 5\nheight_y = "
+    "6\n";
+
+TEST_CASE("a size model reads back as it was written, below its provenance") {
+  const TemporaryFolder folder;
+  const PuckSizeModel model{20.1, 1.0 / 3, -0.01, 12, 1e-7, 0.025};
+  write_size_model_file(folder / "size.toml", model, "fitted to 12 annotations\nby hand");
+  const PuckSizeModel again = read_size_model_file(folder / "size.toml");
+  CHECK(again.width_0 == model.width_0);
+  CHECK(again.width_x == model.width_x);
+  CHECK(again.width_y == model.width_y);
+  CHECK(again.height_0 == model.height_0);
+  CHECK(again.height_x == model.height_x);
+  CHECK(again.height_y == model.height_y);
+  CHECK(content_of(folder / "size.toml").starts_with("# fitted to 12 annotations\n# by hand\n"));
+}
+
+TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused") {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& text) {
+    const auto path = folder.write("size.toml", text);
+    return message_of<ConfigError>([&] { read_size_model_file(path); });
+  };
+  CHECK(refusal(kSizeModel).empty());
+  CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("height_y"))),
+                 "size.toml: size_model.height_y is missing"));
+  CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("6\n")) + "\"x\"\n"),
+                 "size.toml:7: size_model.height_y must be a number"));
+  CHECK(contains(message_of<ConfigError>([&] { write_size_model_file(folder / "no/a", {}, ""); }),
+                 "cannot be written"));
+}
+
+TEST_CASE("a table reads back as it was written") {
+  const TemporaryFolder folder;
+  TableCalibration calibration{Homography({0.003, 0, -0.9, 0, 0.004, 0.1, 0, 0.0005, 1}), {}};
+  calibration.geometry.length_m = 1.9;
+  write_table_file(folder / "table.toml", calibration, "measured");
+  const TableCalibration again = read_table_file(folder / "table.toml");
+  CHECK(again.table_from_image.table_from_image() ==
+        calibration.table_from_image.table_from_image());
+  CHECK(again.geometry.length_m == 1.9);
+  CHECK(again.geometry.puck_radius_m == 0.0325);
+}
+
+TEST_CASE("a table file whose homography is missing, short or singular is refused") {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& text) {
+    const auto path = folder.write("table.toml", text);
+    return message_of<ConfigError>([&] { read_table_file(path); });
+  };
+  CHECK(contains(refusal("[table]\nlength_m = 2\n"), "table.table_from_image is missing"));
+  CHECK(contains(refusal("[table]\ntable_from_image = [1, 0]\n"),
+                 "table.toml:2: table.table_from_image must be a list of 9 numbers"));
+  CHECK(contains(refusal("[table]\ntable_from_image = [1, 0, 0, 1, 0, 0, 0, 0, 1]\n"),
+                 "table.toml:2: table.table_from_image cannot be used"));
+  CHECK(
+      contains(refusal("[table]\ntable_from_image = [1, 0, 0, 0, 1, 0, 0, 0, 1]\nlength_m = -1\n"),
+               "table.toml:3: table.length_m must be a number from 0.001 to 10"));
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,188 @@
+#include <doctest/doctest.h>
+
+#include "common/io/event_reader.h"
+#include "common/io/event_writer.h"
+#include "tests/io/io_fixtures.h"
+
+namespace puck {
+namespace {
+
+const std::string kHeader = "% evt 3.0\n% geometry 640x480\n% end\n";
+
+std::string text_of(const std::vector<std::byte>& bytes) {
+  std::string text;
+  for (const std::byte byte : bytes) text += static_cast<char>(byte);
+  return text;
+}
+
+std::string refusal(const std::filesystem::path& path, const EventFileOptions& options = {}) {
+  return message_of<EventFileError>([&] { open_event_file(path, options); });
+}
+
+TEST_CASE("a file that is missing, empty, a folder or foreign is refused in one line") {
+  const TemporaryFolder folder;
+  CHECK(contains(refusal(folder / "none.raw"), "none.raw: cannot be opened: No such file"));
+  CHECK(contains(refusal(folder / ""), "is a folder"));
+  CHECK(contains(refusal(folder.write("empty.raw", "")), "empty.raw: is empty; expected"));
+  CHECK(contains(refusal(folder.write("a.png", "\x89PNG\r\n\x1a\nxxxx")), "a.png: is a PNG image"));
+  CHECK(contains(refusal(folder.write("a.aedat4", "#!AER-DAT4.0\r\nxx")), "is an AEDAT file"));
+  CHECK(
+      contains(refusal(folder.write("a.raw", "\x01\x02\x03\x04")), "has no Prophesee RAW header"));
+  CHECK(contains(refusal(folder.write("a.bin", "\x01\x02\x03\x04")), "is of an unknown format"));
+  CHECK(contains(refusal(folder.write("b.raw", kHeader), {.from = "evt9"}),
+                 "must be evt2, evt3 or text, got \"evt9\""));
+  for (const char* name : {"empty.raw", "a.png", "a.raw"}) {
+    CHECK(refusal(folder / name).find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("a RAW file that was cut gives all whole events and says so") {
+  const TemporaryFolder folder;
+  const std::string words =
+      text_of(bytes_of<std::uint16_t>({0x8000, 0x6001, 0x0002, 0x2803, 0x2804}));
+  const auto path = folder.write("cut.raw", kHeader + words.substr(0, words.size() - 1));
+  const auto reader = open_event_file(path);
+  CHECK(read_all(*reader) == std::vector<PlainEvent>{{1, 3, 2, 1}});
+  CHECK(reader->counters().truncated_bytes == 1);
+  REQUIRE(reader->warnings().size() == 1);
+  CHECK(contains(reader->warnings()[0], "cut.raw: cut off in the middle"));
+}
+
+TEST_CASE("a RAW file that ends within its header, or right behind it, is told") {
+  const TemporaryFolder folder;
+  CHECK(contains(refusal(folder.write("half.raw", "% evt 3.0\n% geome")), "how large the sensor"));
+  const auto reader = open_event_file(folder.write("bare.raw", kHeader));
+  EventPacket packet;
+  CHECK_FALSE(reader->read(packet, 10));
+  CHECK(contains(reader->warnings().at(0), "holds no events"));
+}
+
+TEST_CASE("events outside the sensor are left out and counted") {
+  const TemporaryFolder folder;
+  const std::string words = text_of(bytes_of<std::uint16_t>({0x8000, 0x0002, 0x2a80, 0x2804}));
+  const auto reader = open_event_file(folder.write("out.raw", kHeader + words));
+  CHECK(read_all(*reader).size() == 1);
+  CHECK(reader->counters().outside_sensor == 1);
+  CHECK(contains(reader->warnings().at(0), "1 events lie outside the sensor"));
+}
+
+TEST_CASE("a file reads again after rewind, with the same counts") {
+  const TemporaryFolder folder;
+  const std::string words =
+      text_of(bytes_of<std::uint16_t>({0x8000, 0x0002, 0x2a80, 0x2804, 0x2805}));
+  const auto reader = open_event_file(folder.write("again.raw", kHeader + words));
+  const auto events = read_all(*reader, 1);
+  REQUIRE(events.size() == 2);
+  for (int i = 0; i < 2; ++i) {
+    reader->rewind();
+    CHECK(read_all(*reader) == events);
+    CHECK(reader->counters().events == 2);
+    CHECK(reader->counters().outside_sensor == 1);
+  }
+}
+
+// Times at the borders of EVT3's words, pauses and a wrap; places at the borders of its vectors.
+std::vector<PlainEvent> hard_events(SensorSize sensor, std::int64_t start_us) {
+  std::vector<PlainEvent> events;
+  std::int64_t t_us = start_us;
+  for (const std::int64_t pause_us :
+       {0, 0, 1, 4095, 4096, 1, 8192, 16777216, 16777215, 40000000, 3}) {
+    t_us += pause_us;
+    events.push_back({t_us, 0, 0, 1});
+    events.push_back({t_us, sensor.width - 1, sensor.height - 1, 0});
+    // Two rows of a vector's length and more, of both polarities, with holes.
+    for (int x = 0; x < sensor.width && x < 70; ++x) {
+      if (x % 7 != 3) events.push_back({t_us, x, sensor.height / 2, x / 33 % 2});
+    }
+    // The same pixel twice, and columns that fall.
+    events.push_back({t_us, 5 % sensor.width, 0, 1});
+    events.push_back({t_us, 5 % sensor.width, 0, 1});
+    events.push_back({t_us, 4 % sensor.width, 0, 1});
+    // The last columns, where a vector reaches beyond the sensor.
+    for (int x = std::max(0, sensor.width - 20); x < sensor.width; ++x) {
+      events.push_back({t_us, x, 0, 1});
+    }
+  }
+  return events;
+}
+
+TEST_CASE("what is written reads back to the bit") {
+  const TemporaryFolder folder;
+  for (const char* name : {"round.raw", "round.txt"}) {
+    for (const SensorSize sensor :
+         {SensorSize{1, 1}, SensorSize{346, 260}, SensorSize{1280, 720}, SensorSize{2048, 2048}}) {
+      for (const std::int64_t start_us : {0, 1, 4096, 16777215, 43499029}) {
+        CAPTURE(name);
+        CAPTURE(sensor.width);
+        CAPTURE(start_us);
+        const std::vector<PlainEvent> events = hard_events(sensor, start_us);
+        const auto writer = make_event_writer(folder / name, "", sensor);
+        // In packets that cut through what belongs together.
+        for (std::size_t i = 0; i < events.size(); i += 13) {
+          const auto first = events.begin() + static_cast<std::ptrdiff_t>(i);
+          const auto last =
+              events.begin() + static_cast<std::ptrdiff_t>(std::min(i + 13, events.size()));
+          writer->write(packet_of({first, last}));
+        }
+        writer->close();
+        const auto reader = open_event_file(folder / name);
+        CHECK(reader->sensor_size() == sensor);
+        CHECK(read_all(*reader, 100) == events);
+        CHECK(reader->warnings().empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("dense rows are written as vectors") {
+  const TemporaryFolder folder;
+  std::vector<PlainEvent> events;
+  for (int x = 0; x < 640; ++x) events.push_back({0, x, 0, 1});
+  const auto writer = make_event_writer(folder / "dense.raw", "evt3", {640, 480});
+  writer->write(packet_of(events));
+  writer->close();
+  // Time, row, and four words for each 32 pixels.
+  const std::string content = content_of(folder / "dense.raw");
+  const std::size_t words = (content.size() - content.find("% end\n") - 6) / 2;
+  CHECK(words <= 5 + 4 * 20);
+}
+
+TEST_CASE("a writer refuses what it cannot write") {
+  const TemporaryFolder folder;
+  CHECK(contains(message_of<EventFileError>([&] {
+                   make_event_writer(folder / "none/a.raw", "", {1, 1});
+                 }),
+                 "cannot be opened for writing: No such file"));
+  CHECK(contains(message_of<EventFileError>([&] {
+                   make_event_writer(folder / "a.x", "", {1, 1});
+                 }),
+                 "expected an ending .raw, .txt or .csv"));
+  CHECK(contains(message_of<EventFileError>([&] {
+                   make_event_writer(folder / "a.raw", "evt2", {1, 1});
+                 }),
+                 "must be evt3 or text, got \"evt2\""));
+  CHECK(contains(message_of<EventFileError>([&] {
+                   make_event_writer(folder / "a.raw", "", {0, 1});
+                 }),
+                 "from 1 x 1 to 2048 x 2048"));
+  for (const char* name : {"a.raw", "a.txt"}) {
+    const auto writer = make_event_writer(folder / name, "", {10, 10});
+    writer->write(packet_of({{100, 9, 9, 1}}));
+    CHECK_THROWS_AS(writer->write(packet_of({{100, 10, 9, 1}})), std::invalid_argument);
+    CHECK_THROWS_AS(writer->write(packet_of({{99, 9, 9, 1}})), std::invalid_argument);
+  }
+  const auto writer = make_event_writer(folder / "b.raw", "", {10, 10});
+  CHECK_THROWS_AS(writer->write(packet_of({{std::int64_t{25} * 3600 * 1000000, 9, 9, 1}})),
+                  std::invalid_argument);
+}
+
+TEST_CASE("a full disk is told when the writer is closed") {
+  if (!std::filesystem::exists("/dev/full")) return;
+  const auto writer = make_event_writer("/dev/full", "text", {10, 10});
+  writer->write(packet_of({{100, 9, 9, 1}}));
+  CHECK(contains(message_of<EventFileError>([&] { writer->close(); }),
+                 "/dev/full: cannot be written: No space left"));
+}
+
+}  // namespace
+}  // namespace puck
