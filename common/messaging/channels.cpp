@@ -1,0 +1,57 @@
+#include "common/messaging/channels.h"
+
+#include <algorithm>
+
+#include "common/messaging/bus_error.h"
+
+namespace puck {
+
+std::string_view base_name(Channel channel) {
+  switch (channel) {
+    case Channel::kEvents:
+      return "PUCK_EVENTS";
+    case Channel::kEstimate:
+      return "PUCK_ESTIMATE";
+    case Channel::kTrajectory:
+      return "PUCK_TRAJECTORY";
+    case Channel::kArmCommand:
+      return "PUCK_ARM_COMMAND";
+    case Channel::kArmState:
+      return "PUCK_ARM_STATE";
+    case Channel::kGame:
+      return "PUCK_GAME";
+    case Channel::kHead:
+      return "PUCK_HEAD";
+    case Channel::kTruth:
+      return "PUCK_TRUTH";
+    case Channel::kStatus:
+      return "PUCK_STATUS";
+  }
+  return {};
+}
+
+std::string channel_name(Channel channel, std::string_view prefix) {
+  std::string name(prefix);
+  if (!name.empty()) name += '_';
+  return name.append(base_name(channel));
+}
+
+std::optional<Channel> find_channel(std::string_view name, std::string_view prefix) {
+  for (const Channel channel : kAllChannels) {
+    if (name == channel_name(channel, prefix)) return channel;
+  }
+  return std::nullopt;
+}
+
+void check_prefix(std::string_view prefix) {
+  constexpr std::size_t kMaxLength = 16;
+  const bool known = std::all_of(prefix.begin(), prefix.end(), [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+  if (prefix.size() > kMaxLength || !known) {
+    throw BusError("lcm.prefix must be up to 16 of A-Z, 0-9 and _, got \"" + std::string(prefix) +
+                   "\"");
+  }
+}
+
+}  // namespace puck

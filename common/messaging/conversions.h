@@ -1,0 +1,16 @@
+#pragma once
+
+#include "common/events/sensor_size.h"
+#include "common/vision/puck_estimate.h"
+#include "puck/puck_estimate_t.hpp"
+
+namespace puck {
+
+/// All that the estimate says. The header, the session of the events, the chain of times, the
+/// backlog and the loss counters are the tracker service's to fill in.
+puck_estimate_t to_message(const PuckEstimate& estimate, SensorSize sensor);
+
+/// Of a message that a Bus delivered.
+PuckEstimate from_message(const puck_estimate_t& message);
+
+}  // namespace puck

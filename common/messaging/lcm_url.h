@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace puck {
+
+/// LCM's usual group and port, this host only, with a socket buffer that takes bursts.
+inline constexpr const char* kDefaultLcmUrl =
+    "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304";
+
+/// A checked LCM URL: `udpm://[GROUP][:PORT][?ttl=N&recv_buf_size=N]`, or `memq://` for tests.
+struct LcmUrl {
+  bool in_memory = false;  ///< memq://: heard only by the Bus that publishes.
+  std::string group = "239.255.76.67";
+  int port = 7667;
+  int ttl = 0;                       ///< Hops: 0 this host, 1 the network it is on.
+  std::optional<int> recv_buf_size;  ///< Bytes to ask the kernel for; nothing: its default.
+
+  /// As LCM takes it.
+  std::string to_string() const;
+};
+
+/// Throws BusError for anything that LCM would misread or silently ignore.
+LcmUrl parse_lcm_url(const std::string& url);
+
+}  // namespace puck

@@ -1,0 +1,224 @@
+#include "common/messaging/message_check.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "common/events/sensor_size.h"
+#include "common/messaging/byte_reader.h"
+#include "common/messaging/event_word.h"
+#include "common/messaging/wire_layout.h"
+
+namespace puck {
+namespace {
+
+using Rejection = std::optional<std::string>;
+
+constexpr std::size_t kMaxMessageBytes = std::size_t{1} << 20;
+constexpr std::size_t kFingerprintBytes = 8;
+constexpr std::size_t kHeaderBytes = kFingerprintBytes + 3 * 8;
+constexpr std::size_t kMaxFields = 64;
+
+std::size_t bytes_of(WireKind kind) {
+  switch (kind) {
+    case WireKind::kInt8:
+    case WireKind::kBoolean:
+    case WireKind::kByte:
+      return 1;
+    case WireKind::kInt32:
+      return 4;
+    case WireKind::kInt64:
+    case WireKind::kDouble:
+      return 8;
+    case WireKind::kString:
+      return 5;  // Its length and its NUL at least.
+  }
+  return 0;
+}
+
+/// Walks one message along its layout.
+class Walk {
+ public:
+  Walk(const WireLayout& layout, std::span<const std::uint8_t> bytes)
+      : layout_(layout), reader_(bytes) {}
+
+  Rejection run() {
+    if (reader_.left() > kMaxMessageBytes) return rejection("is too large");
+    if (!reader_.has(kFingerprintBytes)) return rejection("is cut off before its fingerprint");
+    if (reader_.whole<std::int64_t>() != layout_.fingerprint()) {
+      return rejection("has the fingerprint of another type");
+    }
+    for (std::size_t i = 0; i < layout_.fields.size(); ++i) {
+      if (auto bad = check_field(i)) return bad;
+    }
+    if (reader_.left() != 0) {
+      return rejection("has " + std::to_string(reader_.left()) + " bytes too many");
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Rejection check_field(std::size_t index) {
+    const WireField& field = layout_.fields[index];
+    const std::size_t count = count_of(field);
+    // Counts and sizes were bounded when they were read, so the product cannot wrap.
+    if (!reader_.has(count * bytes_of(field.kind))) return rejection(field, "is cut off");
+    if (field.kind == WireKind::kByte) {
+      reader_.take(count);
+      return std::nullopt;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (auto bad = check_value(field, values_[index])) return bad;
+    }
+    return std::nullopt;
+  }
+
+  std::size_t count_of(const WireField& field) const {
+    if (field.count_field.empty()) return static_cast<std::size_t>(field.fixed_count);
+    for (std::size_t i = 0; i < layout_.fields.size(); ++i) {
+      if (layout_.fields[i].name == field.count_field) return static_cast<std::size_t>(values_[i]);
+    }
+    return 0;
+  }
+
+  Rejection check_value(const WireField& field, std::int64_t& value) {
+    switch (field.kind) {
+      case WireKind::kDouble:
+        if (!std::isfinite(reader_.real())) return rejection(field, "is not a finite number");
+        return std::nullopt;
+      case WireKind::kString:
+        return check_text(field);
+      case WireKind::kInt8:
+      case WireKind::kBoolean:
+        value = reader_.whole<std::int8_t>();
+        break;
+      case WireKind::kInt32:
+        value = reader_.whole<std::int32_t>();
+        break;
+      case WireKind::kInt64:
+        value = reader_.whole<std::int64_t>();
+        break;
+      case WireKind::kByte:
+        break;
+    }
+    if (value < field.min || value > field.max) {
+      return rejection(field, "must be " + std::to_string(field.min) + " to " +
+                                  std::to_string(field.max) + ", got " + std::to_string(value));
+    }
+    return std::nullopt;
+  }
+
+  Rejection check_text(const WireField& field) {
+    if (!reader_.has(4)) return rejection(field, "is cut off");
+    const std::int64_t length = reader_.whole<std::int32_t>();  // Counts the NUL.
+    if (length < 1 || length - 1 > field.max) {
+      return rejection(field, "has a length of " + std::to_string(length));
+    }
+    if (!reader_.has(static_cast<std::size_t>(length))) return rejection(field, "is cut off");
+    const auto text = reader_.take(static_cast<std::size_t>(length));
+    if (text.back() != 0) return rejection(field, "does not end");
+    for (const std::uint8_t c : text.first(text.size() - 1)) {
+      // They would reach somebody's terminal.
+      if (c < 0x20 || c == 0x7f) return rejection(field, "has a control character");
+    }
+    return std::nullopt;
+  }
+
+  std::string rejection(std::string_view what) const {
+    return std::string(layout_.type) + " " + std::string(what);
+  }
+  std::string rejection(const WireField& field, std::string_view what) const {
+    return std::string(layout_.type) + "." + std::string(field.name) + " " + std::string(what);
+  }
+
+  const WireLayout& layout_;
+  ByteReader reader_;
+  std::array<std::int64_t, kMaxFields> values_{};
+};
+
+/// What check_events needs, from a message that a Walk let pass.
+struct EventFields {
+  SensorSize sensor;
+  std::int64_t duration_us = 0;
+  EventNumbering numbering;
+  std::int32_t encoding = 0;
+  std::int32_t size = 0;
+  const std::uint8_t* data = nullptr;
+};
+
+EventFields read_event_fields(std::span<const std::uint8_t> bytes) {
+  ByteReader reader(bytes);
+  reader.take(kHeaderBytes);
+  EventFields fields;
+  fields.sensor.width = reader.whole<std::int32_t>();
+  fields.sensor.height = reader.whole<std::int32_t>();
+  reader.take(8);  // first_event_us
+  fields.duration_us = reader.whole<std::int64_t>();
+  reader.take(8);  // sensor_zero_utime
+  fields.numbering.events_before = reader.whole<std::int64_t>();
+  reader.take(8);  // events_dropped
+  fields.encoding = reader.whole<std::int32_t>();
+  fields.numbering.events = reader.whole<std::int32_t>();
+  fields.size = reader.whole<std::int32_t>();
+  fields.data = reader.rest().data();
+  return fields;
+}
+
+template <typename Word>
+Rejection check_event_words(const EventFields& fields, Word) {
+  const auto width = static_cast<std::uint32_t>(fields.sensor.width);
+  const auto height = static_cast<std::uint32_t>(fields.sensor.height);
+  std::uint32_t outside = 0;
+  std::uint32_t backwards = 0;
+  std::uint32_t previous_us = 0;
+  for (std::int64_t i = 0; i < fields.numbering.events; ++i) {
+    const std::uint32_t word = load_event_word(fields.data + 4 * i);
+    const std::uint32_t dt_us = Word::dt_us(word);
+    outside |= static_cast<std::uint32_t>(Word::x(word) >= width) |
+               static_cast<std::uint32_t>(Word::y(word) >= height);
+    backwards |= static_cast<std::uint32_t>(dt_us < previous_us);
+    previous_us = dt_us;
+  }
+  if (outside != 0) return "event_packet_t has an event outside its sensor";
+  if (backwards != 0) return "event_packet_t has events that go back in time";
+  if (previous_us > fields.duration_us) return "event_packet_t has an event after its duration";
+  return std::nullopt;
+}
+
+Rejection check_events(const EventFields& fields) {
+  if (fields.size != 4 * fields.numbering.events) {
+    return "event_packet_t.size must be 4 * count = " +
+           std::to_string(4 * fields.numbering.events) + ", got " + std::to_string(fields.size);
+  }
+  return with_event_word(fields.encoding, [&](auto word) -> Rejection {
+    using Word = decltype(word);
+    if (fields.sensor.width > 1 << Word::kXBits || fields.sensor.height > 1 << Word::kYBits) {
+      return "event_packet_t has a sensor too large for its encoding";
+    }
+    return check_event_words(fields, word);
+  });
+}
+
+}  // namespace
+
+std::optional<std::string> check_message(Channel channel, std::span<const std::uint8_t> bytes) {
+  if (auto bad = Walk(wire_layout(channel), bytes).run()) return bad;
+  if (channel == Channel::kEvents) return check_events(read_event_fields(bytes));
+  return std::nullopt;
+}
+
+MessageHeader read_header(std::span<const std::uint8_t> bytes) {
+  ByteReader reader(bytes);
+  reader.take(kFingerprintBytes);
+  MessageHeader header;
+  header.utime = reader.whole<std::int64_t>();
+  header.session = reader.whole<std::int64_t>();
+  header.seq = reader.whole<std::int64_t>();
+  return header;
+}
+
+EventNumbering read_event_numbering(std::span<const std::uint8_t> bytes) {
+  return read_event_fields(bytes).numbering;
+}
+
+}  // namespace puck

@@ -1,0 +1,84 @@
+#include "common/messaging/multicast_route.h"
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <random>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace puck {
+namespace {
+
+constexpr int kTimeoutMs = 100;
+
+class Socket {
+ public:
+  Socket() : fd_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {}
+  ~Socket() {
+    if (fd_ >= 0) close(fd_);
+  }
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+
+  int fd() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+std::string problem(const LcmUrl& url, const std::string& what) {
+  return "no way to the multicast group " + url.group + " yet (" + what +
+         "); a default route or \"ip route add 224.0.0.0/4 dev DEVICE\" makes one";
+}
+
+std::string error_text() { return std::strerror(errno); }
+
+/// Our own datagram, told from a stranger's by its content, came within the time limit.
+bool comes_back(int fd, std::uint64_t token) {
+  pollfd waiting{fd, POLLIN, 0};
+  while (poll(&waiting, 1, kTimeoutMs) > 0) {
+    std::uint64_t received = 0;
+    if (recv(fd, &received, sizeof received, 0) == sizeof received && received == token) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::string> find_route_problem(const LcmUrl& url) {
+  const Socket probe;
+  if (probe.fd() < 0) return problem(url, error_text());
+
+  // A port of its own, given by the kernel: nobody else's bus sees the probe.
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  socklen_t size = sizeof address;
+  auto* generic = reinterpret_cast<sockaddr*>(&address);
+  if (bind(probe.fd(), generic, size) != 0 || getsockname(probe.fd(), generic, &size) != 0) {
+    return problem(url, error_text());
+  }
+  ip_mreq membership{};
+  inet_pton(AF_INET, url.group.c_str(), &membership.imr_multiaddr);
+  if (setsockopt(probe.fd(), IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) != 0) {
+    return problem(url, error_text());
+  }
+  const unsigned char this_host_only = 0;
+  setsockopt(probe.fd(), IPPROTO_IP, IP_MULTICAST_TTL, &this_host_only, sizeof this_host_only);
+
+  const std::uint64_t token = std::random_device{}();
+  address.sin_addr = membership.imr_multiaddr;
+  if (sendto(probe.fd(), &token, sizeof token, 0, generic, size) < 0) {
+    return problem(url, error_text());
+  }
+  if (!comes_back(probe.fd(), token)) return problem(url, "what is sent there does not come back");
+  return std::nullopt;
+}
+
+}  // namespace puck

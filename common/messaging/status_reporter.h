@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/messaging/bus.h"
+
+namespace puck {
+
+/// As service_status_t numbers them.
+enum class ServiceState : std::int8_t {
+  kStarting = service_status_t::STATE_STARTING,
+  kRunning = service_status_t::STATE_RUNNING,
+  kWaiting = service_status_t::STATE_WAITING,
+  kDegraded = service_status_t::STATE_DEGRADED,
+  kStopping = service_status_t::STATE_STOPPING,
+};
+
+const char* to_string(ServiceState state);
+
+struct StatusLatency {
+  std::string name;  ///< packet_to_estimate, …
+  std::int64_t p50_us = 0;
+  std::int64_t p99_us = 0;
+  std::int64_t max_us = 0;
+  std::int64_t samples = 0;
+};
+
+/// What a service has to say of itself.
+struct StatusReport {
+  std::vector<std::pair<std::string, std::int64_t>> counters;  ///< Since the start.
+  std::vector<StatusLatency> latencies;
+};
+
+/// Publishes the STATUS of a service every 100 ms and at once when its state changes, and answers
+/// the statuses of others with pongs. The thread that calls the bus's handle() calls it: a service
+/// that hangs then falls silent, as it should.
+class StatusReporter {
+ public:
+  using Fill = std::function<void(StatusReport&)>;
+
+  /// `service`: puck-camera, puck-tracker, … Subscribes; so make it before the bus starts.
+  StatusReporter(Bus& bus, std::string service);
+
+  void set_state(ServiceState state, std::string text = {});
+  ServiceState state() const { return state_; }
+  const std::string& state_text() const { return state_text_; }
+
+  /// Publishes when it is due; only then is `fill` called.
+  void poll(const Fill& fill);
+  /// The last STATUS of the run: publishes state stopping.
+  void stop(const Fill& fill);
+
+ private:
+  struct Pong {
+    std::int64_t session = 0;
+    std::int64_t utime = 0;
+    std::int64_t received_utime = 0;
+    std::int64_t received_monotonic_us = 0;
+  };
+
+  void hear(const service_status_t& status, const Receipt& receipt);
+  void publish(const Fill& fill);
+  void fill_pongs(service_status_t& message);
+
+  Bus& bus_;
+  std::string service_;
+  std::string host_;
+  std::int64_t started_us_ = 0;  // CLOCK_MONOTONIC
+  std::int64_t due_us_ = 0;      // CLOCK_MONOTONIC
+  ServiceState state_ = ServiceState::kStarting;
+  std::string state_text_;
+  bool changed_ = true;
+  std::vector<Pong> pongs_;
+};
+
+}  // namespace puck

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "common/messaging/channels.h"
+
+namespace puck {
+
+enum class WireKind : std::uint8_t { kInt8, kBoolean, kInt32, kInt64, kDouble, kString, kByte };
+
+/// One field of a message as LCM writes it: big-endian, one after the other.
+struct WireField {
+  std::string_view name;
+  WireKind kind{};
+  /// Of whole numbers: the values allowed. Of a string: the characters. Doubles must be finite,
+  /// booleans 0 or 1, bytes may be anything.
+  std::int64_t min = 0;
+  std::int64_t max = 0;
+  std::string_view count_field{};  ///< Of an array: the int32 field before it that has its length.
+  int fixed_count = 1;             ///< Of an array of fixed length.
+};
+
+struct WireLayout {
+  std::string_view type;  ///< As in lcmtypes/.
+  std::int64_t (*fingerprint)() = nullptr;
+  std::span<const WireField> fields;
+};
+
+/// How a channel's messages look: what the receiver's checks are made from. A new type needs a row
+/// here and nothing else to be received safely.
+const WireLayout& wire_layout(Channel channel);
+
+}  // namespace puck

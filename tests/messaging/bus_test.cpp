@@ -1,0 +1,294 @@
+#include <stdexcept>
+#include <thread>
+
+#include <doctest/doctest.h>
+#include <lcm/lcm.h>
+
+#include "common/messaging/bus.h"
+#include "common/messaging/event_packing.h"
+#include "tests/messaging/random_message.h"
+#include "tests/messaging/test_url.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+
+void start(Bus& bus) {
+  REQUIRE(bus.start({}, [](const std::string& reason) { MESSAGE(reason); }));
+}
+
+/// Handles until `done` or 5 s have passed.
+template <typename Done>
+void handle_until(Bus& bus, const Done& done) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  while (!done() && std::chrono::steady_clock::now() < end) bus.handle(milliseconds(10));
+}
+
+/// Publishes any bytes at all, as a stranger would.
+class Stranger {
+ public:
+  explicit Stranger(const std::string& url) : lcm_(lcm_create(url.c_str())) {}
+  ~Stranger() { lcm_destroy(lcm_); }
+  Stranger(const Stranger&) = delete;
+  Stranger& operator=(const Stranger&) = delete;
+
+  void publish(const std::string& channel, const std::vector<std::uint8_t>& bytes) {
+    lcm_publish(lcm_, channel.c_str(), bytes.data(), static_cast<unsigned>(bytes.size()));
+  }
+
+ private:
+  lcm_t* lcm_;
+};
+
+}  // namespace
+
+TEST_CASE("a message is published with time, session and number, and received with a receipt") {
+  Bus bus({.url = "memq://"});
+  std::vector<head_state_t> received;
+  std::vector<Receipt> receipts;
+  bus.subscribe<head_state_t>([&](const head_state_t& head, const Receipt& receipt) {
+    received.push_back(head);
+    receipts.push_back(receipt);
+  });
+  start(bus);
+  head_state_t head{};
+  head.yaw_deg = 12.5;
+  CHECK(bus.publish(head));
+  CHECK(bus.publish(head));
+  handle_until(bus, [&] { return received.size() == 2; });
+
+  REQUIRE(received.size() == 2);
+  CHECK(received[0].yaw_deg == 12.5);
+  CHECK(received[0].session == bus.session());
+  CHECK(received[0].session != 0);
+  CHECK(received[0].seq == 0);
+  CHECK(received[1].seq == 1);
+  CHECK(received[0].utime > 1'600'000'000'000'000);
+  CHECK(receipts[0].arrival == Arrival::kNewSession);
+  CHECK(receipts[1].arrival == Arrival::kNewest);
+  CHECK(receipts[0].bytes == static_cast<std::size_t>(head.getEncodedSize()));
+  CHECK(receipts[1].monotonic_us >= receipts[0].monotonic_us);
+  CHECK(bus.counters<head_state_t>().arrivals.received == 2);
+  CHECK(bus.counters<head_state_t>().published == 2);
+}
+
+TEST_CASE("sequence numbers are those of one channel") {
+  Bus bus({.url = "memq://"});
+  start(bus);
+  head_state_t head{};
+  game_state_t game{};
+  bus.publish(head);
+  bus.publish(game);
+  bus.publish(head);
+  CHECK(head.seq == 1);
+  CHECK(game.seq == 0);
+}
+
+TEST_CASE("several handlers of one type are all called, in order") {
+  Bus bus({.url = "memq://"});
+  std::string calls;
+  bus.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { calls += 'a'; });
+  bus.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { calls += 'b'; });
+  start(bus);
+  head_state_t head{};
+  bus.publish(head);
+  handle_until(bus, [&] { return calls.size() == 2; });
+  CHECK(calls == "ab");
+  CHECK(bus.counters<head_state_t>().arrivals.received == 1);
+}
+
+TEST_CASE("what a handler throws is counted, and the next message still comes") {
+  Bus bus({.url = "memq://"});
+  int calls = 0;
+  bus.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) {
+    if (++calls == 1) throw std::runtime_error("no head");
+    if (calls == 2) throw 2;
+  });
+  start(bus);
+  head_state_t head{};
+  for (int i = 0; i < 3; ++i) bus.publish(head);
+  handle_until(bus, [&] { return calls == 3; });
+  CHECK(calls == 3);
+  CHECK(bus.counters<head_state_t>().handler_failures == 2);
+  CHECK(bus.counters<head_state_t>().last_handler_failure == "unknown exception");
+}
+
+TEST_CASE("a message that receivers would reject is not sent, and counted") {
+  Bus bus({.url = "memq://"});
+  start(bus);
+  arm_command_t command{};
+  command.mode = 9;
+  CHECK_FALSE(bus.publish(command));
+  CHECK(bus.counters<arm_command_t>().publish_failures == 1);
+  CHECK(bus.counters<arm_command_t>().last_publish_failure ==
+        "arm_command_t.mode must be 0 to 3, got 9");
+}
+
+TEST_CASE("publishing before the start fails and is counted") {
+  Bus bus({.url = "memq://"});
+  head_state_t head{};
+  CHECK_FALSE(bus.publish(head));
+  CHECK(bus.counters<head_state_t>().publish_failures == 1);
+  CHECK(bus.handle(milliseconds(0)) == 0);
+}
+
+TEST_CASE("a malformed URL or prefix ends the start") {
+  CHECK_THROWS_AS(Bus({.url = "udpm://1.2.3.4:7667"}), BusError);
+  CHECK_THROWS_AS(Bus({.url = "memq://", .prefix = "left"}), BusError);
+}
+
+TEST_CASE("a start waits for a route only until it is asked to stop") {
+  Bus bus({.url = private_lcm_url()});
+  std::stop_source source;
+  source.request_stop();
+  CHECK_FALSE(bus.start(source.get_token(), [](const std::string&) {}));
+}
+
+TEST_CASE("two buses hear each other over UDP, and other prefixes do not") {
+  const std::string url = private_lcm_url();
+  Bus sender({.url = url, .prefix = "LEFT"});
+  Bus receiver({.url = url, .prefix = "LEFT"});
+  Bus other({.url = url});
+  int received = 0;
+  int others = 0;
+  receiver.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { ++received; });
+  other.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { ++others; });
+  for (Bus* bus : {&sender, &receiver, &other}) start(*bus);
+  head_state_t head{};
+  for (int i = 0; i < 20; ++i) REQUIRE(sender.publish(head));
+  handle_until(receiver, [&] { return received == 20; });
+  other.handle(milliseconds(50));
+  CHECK(received == 20);
+  CHECK(others == 0);
+  CHECK(receiver.counters<head_state_t>().arrivals.lost == 0);
+}
+
+TEST_CASE("a burst of event packets waits in the queue and is not lost") {
+  const std::string url = private_lcm_url();
+  Bus sender({.url = url});
+  Bus receiver({.url = url});
+  std::int64_t events = 0;
+  receiver.subscribe<event_packet_t>(
+      [&](const event_packet_t& packet, const Receipt&) { events += packet.count; });
+  start(sender);
+  start(receiver);
+  EventPacker packer({.sensor = {640, 480}});
+  const std::vector<Event> burst(3350, Event{.x = 1, .y = 2, .polarity = 1, .offset_us = 3});
+  for (int i = 0; i < 50; ++i) {  // 500 packets while nobody reads: LCM's own queue holds 30.
+    packer.pack({i}, burst, [&](event_packet_t& packet) { REQUIRE(sender.publish(packet)); });
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  handle_until(receiver, [&] { return events == packer.events_packed(); });
+  CHECK(events == 167500);
+  CHECK(receiver.counters<event_packet_t>().arrivals.lost == 0);
+  CHECK(receiver.counters<event_packet_t>().arrivals.items_lost == 0);
+}
+
+TEST_CASE("malformed messages on every channel are dropped and counted, and good ones still come") {
+  const std::string url = private_lcm_url();
+  Bus bus({.url = url});
+  std::array<int, kAllChannels.size()> received{};
+  for (const Channel channel : kAllChannels) {
+    with_message_type(channel, [&]<typename Message>(Message) {
+      bus.subscribe<Message>([&received, channel](const Message&, const Receipt&) {
+        ++received[static_cast<std::size_t>(channel)];
+      });
+    });
+  }
+  start(bus);
+  Stranger stranger(url);
+  std::mt19937_64 random(8);
+  for (const Channel channel : kAllChannels) {
+    CAPTURE(base_name(channel));
+    const std::string name(base_name(channel));
+    const auto good = random_message(channel, random).bytes;
+    stranger.publish(name, {});
+    stranger.publish(name, {1, 2, 3});
+    auto bad = good;
+    bad.pop_back();
+    stranger.publish(name, bad);
+    stranger.publish(name, good);
+    const int& count = received[static_cast<std::size_t>(channel)];
+    handle_until(bus, [&] { return count == 1; });
+    CHECK(count == 1);
+    CHECK(bus.counters(channel).rejected == 3);
+    CHECK(bus.counters(channel).arrivals.received == 1);
+    CHECK_FALSE(bus.counters(channel).last_rejection.empty());
+  }
+}
+
+TEST_CASE("lost packets and events are counted from what the packets say") {
+  const std::string url = private_lcm_url();
+  Bus bus({.url = url});
+  int received = 0;
+  bus.subscribe<event_packet_t>([&](const event_packet_t&, const Receipt&) { ++received; });
+  start(bus);
+  Stranger camera(url);
+  EventPacker packer({.sensor = {640, 480}});
+  std::vector<std::uint8_t> bytes;
+  for (int i = 0; i < 5; ++i) {
+    packer.pack({i}, std::vector<Event>(10), [&](event_packet_t& packet) {
+      packet.session = 42;
+      packet.seq = i;
+      encode(packet, bytes);
+      if (i != 2 && i != 3) camera.publish("PUCK_EVENTS", bytes);
+    });
+  }
+  handle_until(bus, [&] { return received == 3; });
+  const LossCounters arrivals = bus.counters<event_packet_t>().arrivals;
+  CHECK(arrivals.received == 3);
+  CHECK(arrivals.lost == 2);
+  CHECK(arrivals.items_lost == 20);
+}
+
+TEST_CASE("a subscriber to everything hears every channel of its prefix as bytes") {
+  const std::string url = private_lcm_url();
+  Bus bus({.url = url, .prefix = "LEFT"});
+  std::vector<std::string> channels;
+  std::size_t bytes_heard = 0;
+  bus.subscribe_all(
+      [&](const std::string& channel, std::span<const std::uint8_t> bytes, const Receipt& receipt) {
+        channels.push_back(channel);
+        bytes_heard += bytes.size();
+        CHECK(receipt.bytes == bytes.size());
+      });
+  start(bus);
+  Stranger stranger(url);
+  stranger.publish("PUCK_EVENTS", {1});
+  stranger.publish("RIGHT_PUCK_EVENTS", {1});
+  stranger.publish("LEFT_PUCK_EVENTS", {1, 2});
+  stranger.publish("LEFT_PUCK_NEW_THING", {1, 2, 3});
+  head_state_t head{};
+  bus.publish(head);
+  handle_until(bus, [&] { return channels.size() == 3; });
+  CHECK(channels ==
+        std::vector<std::string>{"LEFT_PUCK_EVENTS", "LEFT_PUCK_NEW_THING", "LEFT_PUCK_HEAD"});
+  CHECK(bytes_heard == 5 + static_cast<std::size_t>(head.getEncodedSize()));
+}
+
+TEST_CASE("threads may publish at the same time, and every number is given once") {
+  Bus bus({.url = "memq://"});
+  int received = 0;
+  bus.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { ++received; });
+  start(bus);
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 4; ++i) {
+      threads.emplace_back([&bus] {
+        for (int k = 0; k < 100; ++k) {
+          head_state_t head{};
+          bus.publish(head);
+        }
+      });
+    }
+  }
+  handle_until(bus, [&] { return received == 400; });
+  const LossCounters arrivals = bus.counters<head_state_t>().arrivals;
+  CHECK(arrivals.received == 400);
+  CHECK(arrivals.lost == 0);
+  CHECK(arrivals.late == 0);
+  CHECK(arrivals.duplicates == 0);
+}
+
+}  // namespace puck

@@ -1,0 +1,129 @@
+#include <thread>
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include "common/messaging/status_check.h"
+#include "common/messaging/status_reporter.h"
+#include "tests/messaging/test_url.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+
+void no_details(StatusReport&) {}
+
+}  // namespace
+
+TEST_CASE("a status says who, how and what") {
+  Bus bus({.url = "memq://"});
+  StatusReporter reporter(bus, "puck-tracker");
+  std::vector<service_status_t> heard;
+  bus.subscribe<service_status_t>(
+      [&](const service_status_t& status, const Receipt&) { heard.push_back(status); });
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+
+  reporter.set_state(ServiceState::kWaiting, "for events\non PUCK_EVENTS");
+  reporter.poll([](StatusReport& report) {
+    report.counters = {{"packets_received", 12}, {"packets_lost", 0}};
+    report.latencies = {{"packet_to_estimate", 40, 200, 350, 1000}};
+  });
+  bus.handle(milliseconds(100));
+
+  REQUIRE(heard.size() == 1);
+  const service_status_t& status = heard.front();
+  CHECK(status.service == "puck-tracker");
+  CHECK_FALSE(status.host.empty());
+  CHECK(status.pid == getpid());
+  CHECK(status.version == PUCK_VERSION);
+  CHECK(status.state == service_status_t::STATE_WAITING);
+  CHECK(status.state_text == "for events on PUCK_EVENTS");
+  CHECK(status.counter_name == std::vector<std::string>{"packets_received", "packets_lost"});
+  CHECK(status.counter_value == std::vector<std::int64_t>{12, 0});
+  CHECK(status.latency_name == std::vector<std::string>{"packet_to_estimate"});
+  CHECK(status.latency_p99_us == std::vector<std::int64_t>{200});
+  CHECK(status.latency_samples == std::vector<std::int64_t>{1000});
+}
+
+TEST_CASE("a status is published at once on a change of state, else when 100 ms have passed") {
+  Bus bus({.url = "memq://"});
+  StatusReporter reporter(bus, "puck-arm");
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  const auto published = [&] { return bus.counters<service_status_t>().published; };
+  const auto began = std::chrono::steady_clock::now();
+
+  reporter.poll(no_details);
+  CHECK(published() == 1);
+  reporter.set_state(ServiceState::kRunning);
+  reporter.poll(no_details);
+  CHECK(published() == 2);
+  reporter.poll(no_details);
+  reporter.set_state(ServiceState::kRunning, "a text alone waits for its turn");
+  reporter.poll(no_details);
+  const bool quick = std::chrono::steady_clock::now() - began < milliseconds(100);
+  if (quick) CHECK(published() == 2);
+  std::this_thread::sleep_for(milliseconds(110));
+  reporter.poll(no_details);
+  CHECK(published() >= 3);
+  const auto before = published();
+  reporter.stop(no_details);
+  CHECK(published() == before + 1);
+  CHECK(reporter.state() == ServiceState::kStopping);
+}
+
+TEST_CASE("statuses of others are answered with pongs") {
+  const std::string url = private_lcm_url();
+  Bus first({.url = url});
+  Bus second({.url = url});
+  StatusReporter one(first, "puck-camera");
+  StatusReporter two(second, "puck-tracker");
+  std::vector<service_status_t> heard;
+  first.subscribe<service_status_t>([&](const service_status_t& status, const Receipt&) {
+    if (status.service == "puck-tracker") heard.push_back(status);
+  });
+  REQUIRE(first.start({}, [](const std::string&) {}));
+  REQUIRE(second.start({}, [](const std::string&) {}));
+  one.poll(no_details);
+  second.handle(milliseconds(1000));
+  two.poll(no_details);
+  for (int i = 0; i < 100 && heard.empty(); ++i) first.handle(milliseconds(20));
+
+  REQUIRE(heard.size() == 1);
+  REQUIRE(heard[0].pong_session == std::vector<std::int64_t>{first.session()});
+  CHECK(heard[0].pong_utime[0] > 0);
+  CHECK(heard[0].pong_received_utime[0] >= heard[0].pong_utime[0]);
+}
+
+TEST_CASE("a check finds a service that runs, and says so when there is none or it is not well") {
+  const std::string url = private_lcm_url();
+  Bus bus({.url = url});
+  StatusReporter reporter(bus, "puck-bridge");
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  reporter.set_state(ServiceState::kRunning);
+
+  const auto check_while_publishing = [&](const std::string& service, milliseconds timeout) {
+    const std::jthread publisher([&](const std::stop_token& stop) {
+      while (!stop.stop_requested()) {
+        reporter.poll(no_details);
+        bus.handle(milliseconds(10));
+      }
+    });
+    return check_service({.url = url}, service, timeout, {});
+  };
+  const StatusCheck well = check_while_publishing("puck-bridge", milliseconds(5000));
+  CHECK(well.healthy);
+  CHECK(well.text.find("puck-bridge on ") == 0);
+  CHECK(well.text.find("is running") != std::string::npos);
+
+  CHECK_FALSE(check_while_publishing("puck-arm", milliseconds(300)).healthy);
+  CHECK(check_while_publishing("puck-arm", milliseconds(300)).text ==
+        "no puck-arm is heard on " + url);
+
+  reporter.set_state(ServiceState::kDegraded, "no calibration");
+  const StatusCheck unwell = check_while_publishing("puck-bridge", milliseconds(300));
+  CHECK_FALSE(unwell.healthy);
+  CHECK(unwell.text.find("is degraded: no calibration") != std::string::npos);
+}
+
+}  // namespace puck

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include <unistd.h>
+
+namespace puck {
+
+/// A bus of this process alone: on this host, on a port that no other test uses at the time.
+inline std::string private_lcm_url() {
+  const int port = 20000 + static_cast<int>(getpid() % 40000);
+  return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
+}
+
+}  // namespace puck
