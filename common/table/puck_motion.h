@@ -1,0 +1,62 @@
+#pragma once
+
+#include "common/table/puck_track.h"
+#include "common/table/table_geometry.h"
+
+namespace puck {
+
+/// How the puck glides and bounces. The defaults are what others measured on a table of this class.
+struct PuckMotionParams {
+  double damping_per_s = 0.23;     ///< v' = -damping v.
+  double rail_restitution = 0.79;  ///< Part of the speed towards a rail that a bounce returns.
+  double rail_grip = 0.84;         ///< Part of the speed along a rail that a bounce keeps.
+  /// Standard deviation that the velocity gains in one second of gliding, m/s. Larger follows
+  /// what the model does not know sooner; smaller predicts more steadily.
+  double velocity_noise_m_s = 0.3;
+  /// Standard deviation of the velocity after a bounce, as a part of the speed before it.
+  double bounce_spread = 0.1;
+};
+
+/// The puck's motion on the table: gliding with linear damping, and bounces of its rim at the
+/// rails. It knows no mallets. An end rail is open where the goal is.
+class PuckMotion {
+ public:
+  enum class LegEnd {
+    kTimeUp,  ///< Still gliding.
+    kBounce,  ///< Just after a bounce at a rail.
+    kGoal,    ///< In a goal's mouth, and taken to rest there.
+  };
+  struct Leg {
+    PuckTrack track;  ///< At the leg's end.
+    double duration_s = 0;
+    LegEnd end = LegEnd::kTimeUp;
+  };
+  struct Advanced {
+    PuckTrack track;
+    int bounces = 0;
+    bool in_goal = false;
+  };
+
+  /// Throws std::invalid_argument that names the key when a value is out of its range.
+  explicit PuckMotion(const TableGeometry& table, const PuckMotionParams& params = {});
+
+  const TableGeometry& table() const { return table_; }
+  const PuckMotionParams& params() const { return params_; }
+
+  /// Gliding alone, as if there were no rails. `dt_s` must not be negative.
+  PuckTrack glide(const PuckTrack& start, double dt_s) const;
+  /// The time at which gliding reaches x = `x_m`; infinity when it comes to rest before, or moves
+  /// away.
+  double time_to_x(const PuckState& start, double x_m) const;
+
+  /// Up to and with the next bounce, but at most `limit_s`.
+  Leg next_leg(const PuckTrack& start, double limit_s) const;
+  /// `dt_s` on, through all bounces in between.
+  Advanced advance(const PuckTrack& start, double dt_s) const;
+
+ private:
+  TableGeometry table_;
+  PuckMotionParams params_;
+};
+
+}  // namespace puck

@@ -1,0 +1,92 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+namespace puck {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Runs puck-calibrate in a folder of its own, which is removed afterwards.
+class Tool {
+ public:
+  Tool() {
+    std::string name = (fs::temp_directory_path() / "puck_calibrate_XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~Tool() { fs::remove_all(folder_); }
+  Tool(const Tool&) = delete;
+  Tool& operator=(const Tool&) = delete;
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  std::string read(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / name).rdbuf();
+    return text.str();
+  }
+  // Output and errors land in the file `said`.
+  int run(const std::string& arguments) const {
+    const char* bin = std::getenv("PUCK_BIN_DIR");
+    REQUIRE_MESSAGE(bin != nullptr, "PUCK_BIN_DIR must be set");
+    const std::string command = "cd '" + folder_.string() + "' && '" + bin + "/puck-calibrate' " +
+                                arguments + " > said 2>&1";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_CASE("puck-calibrate size writes a size model and prints its residuals") {
+  const Tool tool;
+  tool.write("a.csv", "t_us,x,y,width,height\n0,100,100,20,10\n1,300,100,20,10\n2,100,300,40,30\n");
+  CHECK(tool.run("size a.csv --output size.toml") == 0);
+  CHECK(contains(tool.read("said"), "3 annotations"));
+  const std::string written = tool.read("size.toml");
+  CHECK(contains(written, "[size_model]"));
+  CHECK(contains(written, "puck-calibrate size a.csv --output size.toml"));
+}
+
+TEST_CASE("puck-calibrate table writes a homography and prints its residuals") {
+  const Tool tool;
+  tool.write("c.csv",
+             "x_px,y_px,x_m,y_m\n100,400,0.2,0.4\n500,400,0.2,-0.4\n200,100,2,0.4\n"
+             "400,100,2,-0.4\n");
+  CHECK(tool.run("table c.csv --output table.toml") == 0);
+  CHECK(contains(tool.read("said"), "4 correspondences"));
+  CHECK(contains(tool.read("table.toml"), "table_from_image"));
+}
+
+TEST_CASE("puck-calibrate refuses degenerate input with one line that names the file") {
+  const Tool tool;
+  tool.write("a.csv", "t_us,x,y,width,height\n0,1,1,20,10\n1,2,2,20,10\n2,3,3,40,30\n");
+  CHECK(tool.run("size a.csv --output size.toml") == 1);
+  const std::string said = tool.read("said");
+  CHECK(contains(said, "a.csv: the annotated centres lie on one line"));
+  CHECK(said.find('\n') == said.size() - 1);
+  CHECK(tool.read("size.toml").empty());
+}
+
+TEST_CASE("puck-calibrate exits with 1 for a missing file and 2 for a wrong command line") {
+  const Tool tool;
+  CHECK(tool.run("table nowhere.csv --output table.toml") == 1);
+  CHECK(contains(tool.read("said"), "nowhere.csv"));
+  CHECK(tool.run("table nowhere.csv") == 2);
+  CHECK(tool.run("") == 2);
+  CHECK(tool.run("--help") == 0);
+}
+
+}  // namespace
+}  // namespace puck

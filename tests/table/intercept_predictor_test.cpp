@@ -1,0 +1,102 @@
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/table/intercept_predictor.h"
+
+namespace puck {
+namespace {
+
+// The puck's centre stays within x 0.1 to 1.9 and y -0.4 to 0.4; it meets the mallet at x = 0.3.
+constexpr TableGeometry kTable{2.0, 1.0, 0.4, 0.1, 0.05, 0.15, 0.3};
+constexpr PuckMotionParams kIdeal{0, 1, 1, 0, 0};
+
+PuckTrack track_at(double x, double y, double vx, double vy) { return {{{x, y}, {vx, vy}}, {}}; }
+
+TEST_CASE("A straight shot crosses where and when it should") {
+  const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
+  const std::optional<Intercept> crossing = predictor.predict(track_at(1.3, 0, -2, 0.4));
+  REQUIRE(crossing);
+  CHECK(crossing->x_m == doctest::Approx(0.3));
+  CHECK(crossing->in_s == doctest::Approx(0.5));
+  CHECK(crossing->y_m == doctest::Approx(0.2));
+  CHECK(crossing->speed_m_s == doctest::Approx(2.0396).epsilon(1e-4));
+  CHECK(crossing->bounces == 0);
+}
+
+TEST_CASE("A bank shot crosses after its bounce, on the other side") {
+  const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
+  // Meets y = 0.4 after 0.2 s, then comes down by 0.6 within the remaining 0.3 s.
+  const std::optional<Intercept> crossing = predictor.predict(track_at(1.3, 0, -2, 2));
+  REQUIRE(crossing);
+  CHECK(crossing->in_s == doctest::Approx(0.5));
+  CHECK(crossing->y_m == doctest::Approx(-0.2));
+  CHECK(crossing->bounces == 1);
+}
+
+TEST_CASE("A puck that goes away comes back from the far rail, but not from the far goal") {
+  const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
+  const std::optional<Intercept> crossing = predictor.predict(track_at(1.1, 0.3, 2, 0));
+  REQUIRE(crossing);
+  CHECK(crossing->in_s == doctest::Approx(0.4 + 0.8));
+  CHECK(crossing->bounces == 1);
+  CHECK_FALSE(predictor.predict(track_at(1.1, 0.05, 2, 0)));
+}
+
+TEST_CASE("No crossing: it rests, stops short, is too slow, too late, or is past the line") {
+  PuckMotionParams damped = kIdeal;
+  damped.damping_per_s = 1;
+  const InterceptPredictor predictor{PuckMotion(kTable, damped)};
+  CHECK_FALSE(predictor.predict(track_at(1.3, 0, 0, 0)));
+  CHECK_FALSE(predictor.predict(track_at(1.3, 0, -0.99, 0)));
+  CHECK_FALSE(predictor.predict(track_at(1.3, 0, -1.04, 0)));
+  CHECK(predictor.predict(track_at(1.3, 0, -1.2, 0)));
+  CHECK_FALSE(predictor.predict(track_at(0.29, 0, -2, 0)));
+  InterceptParams soon;
+  soon.horizon_s = 0.4;
+  CHECK_FALSE(
+      InterceptPredictor(PuckMotion(kTable, kIdeal), soon).predict(track_at(1.3, 0, -2, 0)));
+}
+
+TEST_CASE("More bounces than allowed are not predicted") {
+  InterceptParams direct;
+  direct.max_bounces = 0;
+  CHECK_FALSE(
+      InterceptPredictor(PuckMotion(kTable, kIdeal), direct).predict(track_at(1.3, 0, -2, 2)));
+}
+
+TEST_CASE("The spread of place and time follows from the covariance") {
+  const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
+  PuckTrack track = track_at(1.3, 0, -2, 0);
+  track.covariance = diagonal(0.0001, 0.0004, 0, 0.01);
+  const std::optional<Intercept> straight = predictor.predict(track);
+  REQUIRE(straight);
+  // y: 0.02 now and 0.1 m/s for 0.5 s; t: 0.01 m at 2 m/s.
+  CHECK(straight->sigma_y_m == doctest::Approx(0.053852).epsilon(1e-4));
+  CHECK(straight->sigma_t_s == doctest::Approx(0.005));
+  // Along a slanted path an error in x moves the crossing in y: slope 1, 0.01 m.
+  track = track_at(1.3, 0.4, -0.8, -0.8);
+  track.covariance = diagonal(0.0001, 0, 0, 0);
+  CHECK(predictor.predict(track)->sigma_y_m == doctest::Approx(0.01));
+}
+
+TEST_CASE("The predicted path starts at the puck, keeps its step and ends in the goal") {
+  const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
+  std::vector<PathPoint> path;
+  predictor.predict_path(track_at(1.0, 0, -2, 0), 1.0, 0.1, path);
+  REQUIRE(path.size() == 5);
+  CHECK(path[0].position.x_m == doctest::Approx(1.0));
+  CHECK(path[4].t_s == doctest::Approx(0.4));
+  CHECK(path[4].position.x_m == doctest::Approx(0.2));
+}
+
+TEST_CASE("Intercept parameters out of range are refused by name") {
+  InterceptParams params;
+  params.horizon_s = 0;
+  CHECK_THROWS_AS(InterceptPredictor(PuckMotion(kTable), params), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace puck
