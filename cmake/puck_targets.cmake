@@ -21,6 +21,8 @@ if(PUCK_SANITIZE)
   target_compile_options(puck_options INTERFACE -fsanitize=${PUCK_SANITIZE}
                                                 -fno-sanitize-recover=all)
   target_link_options(puck_options INTERFACE -fsanitize=${PUCK_SANITIZE})
+  # GCC's flow analysis loses its way in instrumented code.
+  target_compile_options(puck_options INTERFACE -Wno-error=maybe-uninitialized)
 endif()
 
 # puck_library(<name> [LINKS <library>...] [PRIVATE_LINKS <library>...])
@@ -38,6 +40,9 @@ function(puck_library name)
   endif()
 endfunction()
 
+# All services and tools, without the tests.
+add_custom_target(puck_programs)
+
 # puck_program(<name> [LINKS <library>...])
 # A program from main.cpp in the current folder; it lands in the build folder's bin/.
 function(puck_program name)
@@ -45,7 +50,10 @@ function(puck_program name)
   add_executable(${name} main.cpp)
   target_link_libraries(${name} PRIVATE puck_options ${arg_LINKS})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+  add_dependencies(puck_programs ${name})
 endfunction()
+
+add_custom_target(puck_unit_tests)
 
 # puck_test(<name> [LINKS <library>...] [LABELS <label>...])
 # A doctest program of all the sources in the current folder.
@@ -62,6 +70,10 @@ function(puck_test name)
   if(NOT labels)
     set(labels unit)
   endif()
+  if(unit IN_LIST labels)
+    add_dependencies(puck_unit_tests ${name})
+  endif()
   set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 600
-    ENVIRONMENT "PUCK_SOURCE_DIR=${PROJECT_SOURCE_DIR};PUCK_BIN_DIR=${CMAKE_BINARY_DIR}/bin")
+    ENVIRONMENT "PUCK_SOURCE_DIR=${PROJECT_SOURCE_DIR};PUCK_BIN_DIR=${CMAKE_BINARY_DIR}/bin;\
+TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/tsan_suppressions.txt")
 endfunction()

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and runs the tests.
+#
+#   tests/run.sh [unit|system|containers|all]
+#
+# unit: every library and service, optimised, then again under AddressSanitizer with
+# UndefinedBehaviorSanitizer, and under ThreadSanitizer. system: the real programs together, over
+# LCM on this machine. containers: the services as machines. all, the default: everything.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+what=${1:-all}
+case "$what" in
+  unit | system | containers | all) ;;
+  *)
+    echo "usage: tests/run.sh [unit|system|containers|all]" >&2
+    exit 2
+    ;;
+esac
+jobs=$(nproc)
+
+build() { # PRESET [TARGET...]
+  local preset=$1
+  shift
+  echo "== building $preset"
+  cmake --preset "$preset" >/dev/null
+  cmake --build --preset "$preset" -j "$jobs" ${1:+--target "$@"} -- --quiet
+}
+
+run() { # PRESET LABEL
+  echo "== testing $1: $2"
+  ctest --preset "$1" -L "^$2\$" -j "$jobs" --progress
+}
+
+tools/install-deps.sh
+
+build release
+if [ "$what" = unit ] || [ "$what" = all ]; then
+  run release unit
+  for preset in asan tsan; do
+    build "$preset" puck_unit_tests
+    run "$preset" unit
+  done
+fi
+if [ "$what" = system ] || [ "$what" = all ]; then
+  run release system
+fi
+if [ "$what" = containers ] || [ "$what" = all ]; then
+  echo "== containers: there are no tests in containers yet"
+fi

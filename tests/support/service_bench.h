@@ -1,0 +1,63 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <spdlog/logger.h>
+#include <spdlog/sinks/null_sink.h>
+
+#include "common/messaging/bus.h"
+#include "common/messaging/status_reporter.h"
+#include "services/launch/bus_watch.h"
+#include "services/launch/rate_limited_log.h"
+#include "services/launch/service.h"
+
+namespace puck {
+
+/// A service that runs in a thread of its own, on a bus that the test shares with it. Subscribe in
+/// between, then start.
+class ServiceBench {
+ public:
+  explicit ServiceBench(const std::string& url = "memq://")
+      : bus({.url = url}), status(bus, "puck-test") {}
+
+  template <typename ServiceType, typename Params>
+  void make(const Params& params) {
+    service = std::make_unique<ServiceType>(params, context);
+  }
+  bool start() {
+    if (!bus.start({}, [](const std::string&) {})) return false;
+    thread_ = std::jthread([this](const std::stop_token& stop) { service->run(stop); });
+    return true;
+  }
+  void stop() {
+    thread_.request_stop();
+    thread_.join();
+  }
+
+  /// Does `step` once a millisecond until `condition` holds; false after 10 s.
+  static bool until(const std::function<bool()>& condition, const std::function<void()>& step) {
+    for (int i = 0; i < 10'000; ++i) {
+      if (condition()) return true;
+      step();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  }
+
+  Bus bus;
+  StatusReporter status;
+  spdlog::logger log{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
+  RateLimitedLog limited_log{log};
+  BusWatch bus_watch{bus, log};
+  ServiceContext context{bus, status, log, limited_log, bus_watch};
+  std::unique_ptr<Service> service;
+
+ private:
+  std::jthread thread_;
+};
+
+}  // namespace puck
