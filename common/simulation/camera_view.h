@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "common/events/sensor_size.h"
+#include "common/simulation/camera_params.h"
+#include "common/simulation/simulated_truth.h"
+#include "common/simulation/vector3.h"
+#include "common/table/homography.h"
+#include "common/vision/pixel.h"
+
+namespace puck {
+
+/// A pinhole camera at its place above the table, in its home pose or turned from it.
+class CameraView {
+ public:
+  struct Projection {
+    Pixel pixel;
+    double depth_m = 0;  ///< Along the optical axis.
+  };
+
+  /// In its home pose.
+  CameraView(const CameraParams& params, SensorSize size);
+
+  /// The same camera, turned about its centre. To be called on the home pose.
+  CameraView turned(const HeadPose& pose) const;
+
+  Vector3 centre() const { return centre_; }
+  Vector3 right() const { return right_; }
+  Vector3 down() const { return down_; }
+  Vector3 forward() const { return forward_; }
+  SensorSize size() const { return size_; }
+  double focal_px() const { return focal_px_; }
+  Pixel principal_point() const { return principal_point_; }
+
+  /// Direction of the light that falls on the pixel; its component along the optical axis is 1.
+  Vector3 ray(Pixel pixel) const;
+  /// Nothing for a point less than 1 cm in front of the camera.
+  std::optional<Projection> project(Vector3 point) const;
+
+  /// Row by row: the pixel (homogeneous) from a point (x, y, 1) of the plane at a height above the
+  /// playing surface.
+  std::array<double, 9> image_from_plane(double height_m) const;
+  /// Its inverse, as the users of a calibration know it.
+  Homography table_from_image(double height_m) const;
+
+ private:
+  Vector3 centre_;
+  Vector3 right_;
+  Vector3 down_;
+  Vector3 forward_;
+  SensorSize size_;
+  double focal_px_ = 0;
+  Pixel principal_point_;
+};
+
+}  // namespace puck

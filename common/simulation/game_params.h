@@ -1,0 +1,18 @@
+#pragma once
+
+namespace puck {
+
+/// How the opponent plays and when the puck is served again.
+struct GameParams {
+  double shot_speed_min_m_s = 1.5;
+  double shot_speed_max_m_s = 4.0;
+  double bank_share = 0.3;     ///< Share of the shots that go by a side rail.
+  double aim_error_deg = 1.5;  ///< Standard deviation of a shot's direction.
+  double wait_min_s = 0.15;    ///< A strike starts at least so long after the puck came.
+  double wait_max_s = 0.5;
+  double serve_after_s = 1.0;  ///< The puck is out of play for so long after a goal.
+  double stuck_after_s = 2.0;  ///< A puck that rests for so long, or that the opponent did not
+                               ///< hit for three times so long, is taken off and served again.
+};
+
+}  // namespace puck

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+
+#include "common/simulation/game_params.h"
+#include "common/simulation/puck_physics.h"
+#include "common/simulation/random.h"
+#include "common/simulation/shot_planner.h"
+
+namespace puck {
+
+/// A player at the far end: guards the goal, waits until the puck has come, swings at it so that
+/// it flies at the robot's goal, and goes back.
+class Opponent {
+ public:
+  Opponent(const PuckPhysics& physics, const GameParams& params, std::int64_t seed);
+
+  /// Moves the mallet on; `puck` is nothing while none is in play.
+  void step(const std::optional<DiscState>& puck, double dt_s);
+
+  const DiscState& mallet() const { return mallet_; }
+
+ private:
+  /// A mallet's path that ends at a place with a velocity: a cubic in time.
+  struct Swing {
+    DiscState from;
+    DiscState to;
+    double duration_s = 0;
+    double elapsed_s = 0;
+
+    DiscState at(double t_s) const;
+  };
+
+  void guard(const std::optional<DiscState>& puck, double dt_s);
+  void follow_swing(double dt_s);
+  std::optional<Swing> plan(const DiscState& puck) const;
+  bool is_clear(const Swing& swing, const DiscState& puck) const;
+  void keep_on_table();
+
+  PuckPhysics physics_;
+  GameParams params_;
+  Random random_;
+  ShotPlanner planner_;
+  DiscState mallet_;
+  std::optional<Swing> swing_;
+  double strike_in_s_ = 0;  ///< Waits so much longer before it thinks of striking.
+  bool puck_is_here_ = false;
+};
+
+}  // namespace puck

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace puck {
+
+/// How the puck glides and bounces.
+struct PhysicsParams {
+  double damping_1_s = 0.25;           ///< Share of its speed that it loses a second.
+  double rail_normal_keep = 0.85;      ///< Share of the speed across a rail kept by a bounce …
+  double rail_tangential_keep = 0.95;  ///< … and of the speed along it.
+  double mallet_restitution = 0.8;
+  double max_speed_m_s = 15;  ///< No hit makes it faster.
+};
+
+}  // namespace puck

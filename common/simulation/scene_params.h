@@ -1,0 +1,30 @@
+#pragma once
+
+namespace puck {
+
+/// What the table and the things on it look like. Luminances are relative; only ratios matter.
+struct SceneParams {
+  double table_luminance = 0.60;
+  double line_luminance = 0.24;  ///< Centre line, circles, goal arcs.
+  double star_luminance = 0.30;  ///< The four stars.
+  double rail_luminance = 0.30;
+  double goal_luminance = 0.10;  ///< The openings in the end rails.
+  double puck_luminance = 0.18;
+  double mallet_luminance = 0.42;
+  double skin_luminance = 0.50;   ///< Hand and forearm of the opponent.
+  double robot_luminance = 0.70;  ///< Hand and forearm of the robot.
+  double floor_luminance = 0.20;
+  double floor_contrast = 0.8;   ///< Of the floor's tiles, ln.
+  double wall_luminance = 0.45;  ///< Behind the opponent.
+
+  double line_width_m = 0.012;
+  double circle_radius_m = 0.15;    ///< Of the circle in the middle.
+  double goal_arc_radius_m = 0.34;  ///< Around the middle of each goal.
+  double star_radius_m = 0.05;      ///< To a star's points.
+  double rail_width_m = 0.07;
+  double puck_height_m = 0.012;   ///< Thickness of the puck.
+  double mallet_height_m = 0.03;  ///< Of a mallet's base.
+  double table_height_m = 0.81;   ///< Of the playing surface above the floor.
+};
+
+}  // namespace puck

@@ -1,0 +1,224 @@
+#include "common/simulation/simulated_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "common/simulation/camera_view.h"
+#include "common/simulation/event_sensor.h"
+#include "common/simulation/head_motion.h"
+#include "common/simulation/panorama.h"
+#include "common/simulation/random.h"
+#include "common/simulation/scene_renderer.h"
+#include "common/simulation/static_scene.h"
+#include "common/simulation/table_game.h"
+#include "common/simulation/world_view.h"
+
+namespace puck {
+namespace {
+
+constexpr std::uint64_t kHeadStream = 20;
+constexpr std::int64_t kPhysicsStep_us = 25;
+static_assert(PuckPhysics::kStep_s * 1e6 == kPhysicsStep_us);
+// The static scene is drawn for so long at once: a head at 20 °/s turns a quarter of a pixel.
+constexpr std::int64_t kCameraStep_us = 1000;
+// No edge moves farther than this between two drawings.
+constexpr double kLongestMove_px = 0.5;
+// A body that has moved less than this is not worth drawing again.
+constexpr double kShortestMove_px = 0.02;
+
+// How far beyond the home pose's image a turned camera can see.
+Panorama::Margin margin_of(const CameraView& home, SensorSize size, const HeadPose& limits) {
+  double x_px = 0;
+  double y_px = 0;
+  const double right = size.width - 1;
+  const double bottom = size.height - 1;
+  for (int signs = 0; signs < 8; ++signs) {
+    const CameraView view = home.turned({signs & 1 ? limits.yaw_deg : -limits.yaw_deg,
+                                         signs & 2 ? limits.pitch_deg : -limits.pitch_deg,
+                                         signs & 4 ? limits.roll_deg : -limits.roll_deg, 0, 0, 0});
+    for (const Pixel corner :
+         {Pixel{0, 0}, Pixel{right, 0}, Pixel{0, bottom}, Pixel{right, bottom}}) {
+      const auto seen = home.project(home.centre() + view.ray(corner));
+      if (!seen) continue;
+      x_px = std::max({x_px, -seen->pixel.x, seen->pixel.x - right});
+      y_px = std::max({y_px, -seen->pixel.y, seen->pixel.y - bottom});
+    }
+  }
+  constexpr double kSpare_px = 2;
+  return {static_cast<int>(std::ceil(x_px + kSpare_px)),
+          static_cast<int>(std::ceil(y_px + kSpare_px))};
+}
+
+}  // namespace
+
+class SimulatedTable::World {
+ public:
+  explicit World(const SimulationParams& params)
+      : params_(checked(params)),
+        home_(params.camera, params.sensor_size),
+        head_motion_(params.head_motion, Random(params.seed, kHeadStream)),
+        game_(params),
+        world_view_(params.table, params.scene, params.sensor_size),
+        view_(view_at({})),
+        renderer_(StaticScene(params.table, params.scene), home_, params.sensor_size,
+                  params.moving_camera ? margin_of(home_, params.sensor_size, head_motion_.limits())
+                                       : Panorama::Margin{}),
+        sensor_(params.sensor, renderer_.background(), params.seed),
+        bodies_(WorldView::kBodyCount),
+        drawn_at_(WorldView::kBodyCount) {
+    // The sensor starts settled on the whole picture, not with a flash of all that appears in it.
+    if (params.moving_camera) renderer_.turn_camera(view_, 0, now_, now_, sensor_);
+    draw_bodies(now_, now_);
+    sensor_ = EventSensor(params.sensor, log_intensity().view(), params.seed);
+  }
+
+  void advance(EventPacket& packet) {
+    const Timestamp start = now_;
+    const Timestamp end = now_ + params_.slice_us;
+    const double slice_px = fastest_px_s() * static_cast<double>(params_.slice_us) * 1e-6;
+    if (params_.moving_camera && camera_turned_until_ <= start) turn_camera();
+    const std::int64_t physics_steps = params_.slice_us / kPhysicsStep_us;
+    const std::int64_t drawings = std::clamp<std::int64_t>(
+        static_cast<std::int64_t>(std::ceil(slice_px / kLongestMove_px)), 1, physics_steps);
+    for (std::int64_t i = 0; i < drawings; ++i) {
+      const std::int64_t first = physics_steps * i / drawings;
+      const std::int64_t last = physics_steps * (i + 1) / drawings;
+      for (std::int64_t step = first; step < last; ++step) game_.step();
+      const Timestamp from = start + first * kPhysicsStep_us;
+      const Timestamp to = start + last * kPhysicsStep_us;
+      view_ = view_at(to);
+      draw_bodies(from, to);
+      sensor_.settle(to);
+    }
+    now_ = end;
+    sensor_.finish_slice(end, packet);
+  }
+
+  Timestamp now() const { return now_; }
+
+  SimulatedTruth truth() const {
+    SimulatedTruth truth;
+    truth.time = now_;
+    if (const auto& puck = game_.puck()) {
+      const PixelBox box = world_view_.puck_box(puck->position, view_);
+      truth.position_px = box.centre;
+      truth.size_px = box.size;
+      truth.visible = world_view_.visible_share(game_, view_);
+      truth.in_play = true;
+      truth.position = puck->position;
+      truth.velocity = puck->velocity;
+    }
+    truth.robot_mallet = game_.robot_mallet().position;
+    truth.opponent_mallet = game_.opponent_mallet().position;
+    if (params_.moving_camera) truth.head = head_motion_.pose_at(seconds(now_));
+    truth.counts = game_.counts();
+    return truth;
+  }
+
+  void set_robot_mallet(double y_m) { game_.set_robot_mallet(y_m); }
+  SensorSize sensor_size() const { return params_.sensor_size; }
+  Homography table_from_image() const {
+    return home_.table_from_image(params_.scene.puck_height_m / 2);
+  }
+
+  Image<float> log_intensity() const {
+    Image<float> image(params_.sensor_size.width, params_.sensor_size.height);
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) image(x, y) = sensor_.log_intensity(x, y);
+    }
+    return image;
+  }
+
+ private:
+  static const SimulationParams& checked(const SimulationParams& params) {
+    check(params);
+    return params;
+  }
+  // The head turns slowly, so the static scene is drawn ahead for more than a slice; its events
+  // wait in the sensor until their time has come.
+  void turn_camera() {
+    const Timestamp from = camera_turned_until_;
+    const std::int64_t slices = (kCameraStep_us + params_.slice_us - 1) / params_.slice_us;
+    camera_turned_until_ = from + slices * params_.slice_us;
+    const double step_s = static_cast<double>(camera_turned_until_ - from) * 1e-6;
+    const int reach_px = static_cast<int>(std::ceil(fastest_px_s() * step_s)) + 2;
+    renderer_.turn_camera(view_at(camera_turned_until_), reach_px, from, camera_turned_until_,
+                          sensor_);
+  }
+
+  static double seconds(Timestamp time) { return static_cast<double>(time.us) * 1e-6; }
+
+  CameraView view_at(Timestamp time) const {
+    return params_.moving_camera ? home_.turned(head_motion_.pose_at(seconds(time))) : home_;
+  }
+
+  // An upper bound for the speed of anything on the table in the image; a hit within the coming
+  // slice is not foreseen, and blurs that slice a little.
+  double fastest_px_s() const {
+    double fastest = 0;
+    for (const DiscState* disc : {game_.puck() ? &*game_.puck() : nullptr, &game_.robot_mallet(),
+                                  &game_.opponent_mallet()}) {
+      if (disc == nullptr) continue;
+      const auto seen = view_.project({disc->position.x_m, disc->position.y_m, 0});
+      if (!seen) continue;
+      fastest = std::max(fastest, std::hypot(disc->velocity.x_m_s, disc->velocity.y_m_s) *
+                                      params_.camera.focal_px / seen->depth_m);
+    }
+    return fastest;
+  }
+
+  void draw_bodies(Timestamp from, Timestamp to) {
+    std::vector<bool> moved(WorldView::kBodyCount);
+    for (int i = 0; i < WorldView::kBodyCount; ++i) {
+      const auto which = static_cast<WorldView::Body>(i);
+      const auto index = static_cast<std::size_t>(i);
+      const auto place = WorldView::place_of(which, game_);
+      moved[index] = params_.moving_camera || has_moved(place, drawn_at_[index]);
+      if (!moved[index]) continue;
+      bodies_[index] = world_view_.body(which, game_, view_);
+      drawn_at_[index] = place;
+    }
+    renderer_.draw_bodies(bodies_, world_view_.nearest_first(game_), moved, from, to, sensor_);
+  }
+
+  bool has_moved(const std::optional<TablePoint>& now,
+                 const std::optional<TablePoint>& then) const {
+    if (!now || !then) return now.has_value() != then.has_value();
+    const auto a = view_.project({now->x_m, now->y_m, 0});
+    const auto b = view_.project({then->x_m, then->y_m, 0});
+    if (!a || !b) return true;
+    return std::hypot(a->pixel.x - b->pixel.x, a->pixel.y - b->pixel.y) > kShortestMove_px;
+  }
+
+  SimulationParams params_;
+  CameraView home_;
+  HeadMotion head_motion_;
+  TableGame game_;
+  WorldView world_view_;
+  CameraView view_;
+  SceneRenderer renderer_;
+  EventSensor sensor_;
+  std::vector<SceneBody> bodies_;
+  std::vector<std::optional<TablePoint>> drawn_at_;
+  Timestamp now_;
+  Timestamp camera_turned_until_;
+};
+
+SimulatedTable::SimulatedTable(const SimulationParams& params)
+    : world_(std::make_unique<World>(params)) {}
+SimulatedTable::~SimulatedTable() = default;
+SimulatedTable::SimulatedTable(SimulatedTable&&) noexcept = default;
+SimulatedTable& SimulatedTable::operator=(SimulatedTable&&) noexcept = default;
+
+void SimulatedTable::advance(EventPacket& packet) { world_->advance(packet); }
+Timestamp SimulatedTable::now() const { return world_->now(); }
+SimulatedTruth SimulatedTable::truth() const { return world_->truth(); }
+void SimulatedTable::set_robot_mallet(double y_m) { world_->set_robot_mallet(y_m); }
+SensorSize SimulatedTable::sensor_size() const { return world_->sensor_size(); }
+Homography SimulatedTable::table_from_image() const { return world_->table_from_image(); }
+Image<float> SimulatedTable::log_intensity() const { return world_->log_intensity(); }
+
+}  // namespace puck

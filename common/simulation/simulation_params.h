@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/events/sensor_size.h"
+#include "common/simulation/camera_params.h"
+#include "common/simulation/event_sensor_params.h"
+#include "common/simulation/game_params.h"
+#include "common/simulation/head_motion_params.h"
+#include "common/simulation/physics_params.h"
+#include "common/simulation/scene_params.h"
+#include "common/simulation/simulated_arm_params.h"
+#include "common/table/table_geometry.h"
+
+namespace puck {
+
+/// All that a simulated world is made from. The same parameters give the same events, to the bit.
+struct SimulationParams {
+  std::int64_t seed = 1;
+  /// Sensor time that one `advance` covers. The camera's pose and slow objects are drawn once in
+  /// it, fast objects as often as they need.
+  std::int64_t slice_us = 500;
+  SensorSize sensor_size{640, 480};
+  bool moving_camera = false;     ///< The head turns as `head_motion` says; else it stands at home.
+  bool autonomous_robot = false;  ///< The world plays its own robot; else `set_robot_mallet` does.
+
+  TableGeometry table;
+  CameraParams camera;
+  HeadMotionParams head_motion;
+  EventSensorParams sensor;
+  SceneParams scene;
+  PhysicsParams physics;
+  GameParams game;
+  SimulatedArmParams arm;  ///< Of the autonomous robot.
+};
+
+/// Throws std::invalid_argument with a line such as
+/// `camera.focal_px must be between 50 and 5000, got -1`.
+void check(const SimulationParams& params);
+
+}  // namespace puck

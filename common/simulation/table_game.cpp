@@ -1,0 +1,126 @@
+#include "common/simulation/table_game.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace puck {
+namespace {
+
+constexpr std::uint64_t kServeStream = 3;
+constexpr double kResting_m_s = 0.08;
+// The mallet of a live arm follows its reports, which come every few ms.
+constexpr double kFollowGain_1_s = 200;
+constexpr double kFollowSpeed_m_s = 5;
+constexpr int kStepsPerThought = 400;
+constexpr double kLookAhead_s = 1e-3;
+
+}  // namespace
+
+TableGame::TableGame(const SimulationParams& params)
+    : physics_(params.table, params.physics),
+      params_(params.game),
+      autonomous_robot_(params.autonomous_robot),
+      random_(params.seed, kServeStream),
+      opponent_(physics_, params.game, params.seed),
+      referee_(physics_),
+      arm_(params.arm, params.table.robot_line_half_m) {
+  robot_.position.x_m = params.table.robot_line_x_m;
+  serve();
+}
+
+void TableGame::step() {
+  ++steps_;
+  if (!puck_ && time_s() - off_since_s_ >= params_.serve_after_s) serve();
+  move_robot();
+  opponent_.step(puck_, PuckPhysics::kStep_s);
+  if (puck_) move_puck();
+}
+
+void TableGame::set_robot_mallet(double y_m) {
+  if (!std::isfinite(y_m)) return;
+  const double half_m = physics_.table().robot_line_half_m;
+  robot_target_y_m_ = std::clamp(y_m, -half_m, half_m);
+}
+
+void TableGame::place_puck(const DiscState& puck) {
+  if (puck_) referee_.puck_left(*puck_, GoalEntered::kNone);
+  puck_ = puck;
+  last_moving_s_ = last_attack_s_ = time_s();
+}
+
+void TableGame::move_robot() {
+  if (autonomous_robot_) {
+    if (steps_ % kStepsPerThought == 0) think_for_robot();
+    arm_.step(PuckPhysics::kStep_s);
+    robot_.position.y_m = arm_.position_m();
+    robot_.velocity.y_m_s = arm_.velocity_m_s();
+    return;
+  }
+  robot_.velocity.y_m_s = std::clamp(kFollowGain_1_s * (robot_target_y_m_ - robot_.position.y_m),
+                                     -kFollowSpeed_m_s, kFollowSpeed_m_s);
+  robot_.position.y_m += robot_.velocity.y_m_s * PuckPhysics::kStep_s;
+}
+
+// Waits where the puck will come through the line, else in the middle.
+void TableGame::think_for_robot() {
+  constexpr double kApproaching_m_s = -0.1;
+  constexpr double kLongest_s = 2;
+  double target_m = 0;
+  if (puck_ && puck_->velocity.x_m_s < kApproaching_m_s) {
+    const TableGeometry& table = physics_.table();
+    const double meet_x_m = table.robot_line_x_m + table.puck_radius_m + table.mallet_radius_m;
+    DiscState ahead = *puck_;
+    for (double t_s = 0; t_s < kLongest_s && ahead.position.x_m > meet_x_m; t_s += kLookAhead_s) {
+      physics_.glide(ahead, kLookAhead_s);
+    }
+    target_m = ahead.position.y_m;
+  }
+  arm_.set_target(target_m);
+}
+
+void TableGame::move_puck() {
+  const DiscState before_robot = *puck_;
+  if (physics_.hit(*puck_, robot_)) {
+    referee_.robot_touched(before_robot, time_s());
+  }
+  const DiscState before_opponent = *puck_;
+  if (physics_.hit(*puck_, opponent_.mallet())) {
+    referee_.opponent_touched(before_opponent, time_s());
+    last_attack_s_ = time_s();
+  }
+  // After the mallets, so that a mallet cannot press the puck through a rail.
+  physics_.glide(*puck_, PuckPhysics::kStep_s);
+  referee_.watch(*puck_, time_s());
+
+  const GoalEntered goal = physics_.goal_of(*puck_);
+  if (goal != GoalEntered::kNone) {
+    take_puck_off(goal);
+    return;
+  }
+  if (is_stuck()) take_puck_off(GoalEntered::kNone);
+}
+
+bool TableGame::is_stuck() {
+  // Nobody waits for ever for a puck that moves but comes to neither player, either.
+  constexpr double kPatience = 3;
+  const double speed_m_s = std::hypot(puck_->velocity.x_m_s, puck_->velocity.y_m_s);
+  if (speed_m_s > kResting_m_s) last_moving_s_ = time_s();
+  return time_s() - last_moving_s_ > params_.stuck_after_s ||
+         time_s() - last_attack_s_ > kPatience * params_.stuck_after_s;
+}
+
+void TableGame::take_puck_off(GoalEntered goal) {
+  referee_.puck_left(*puck_, goal);
+  puck_.reset();
+  off_since_s_ = time_s();
+}
+
+void TableGame::serve() {
+  const TableGeometry& table = physics_.table();
+  puck_ = DiscState{
+      {random_.uniform(0.64, 0.76) * table.length_m, random_.uniform(-0.25, 0.25) * table.width_m},
+      {}};
+  last_moving_s_ = last_attack_s_ = time_s();
+}
+
+}  // namespace puck

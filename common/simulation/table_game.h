@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "common/simulation/opponent.h"
+#include "common/simulation/puck_physics.h"
+#include "common/simulation/random.h"
+#include "common/simulation/referee.h"
+#include "common/simulation/simulated_arm.h"
+#include "common/simulation/simulation_params.h"
+
+namespace puck {
+
+/// Everything that moves on the table: the puck, the two players, and the rules.
+class TableGame {
+ public:
+  explicit TableGame(const SimulationParams& params);
+
+  /// Moves everything on by PuckPhysics::kStep_s.
+  void step();
+
+  /// As SimulatedTable::set_robot_mallet.
+  void set_robot_mallet(double y_m);
+  /// Puts the puck down somewhere, moving as given.
+  void place_puck(const DiscState& puck);
+
+  /// Nothing while the puck is off the table.
+  const std::optional<DiscState>& puck() const { return puck_; }
+  const DiscState& robot_mallet() const { return robot_; }
+  const DiscState& opponent_mallet() const { return opponent_.mallet(); }
+  const GameCounts& counts() const { return referee_.counts(); }
+
+ private:
+  void move_robot();
+  void think_for_robot();
+  void move_puck();
+  bool is_stuck();
+  void take_puck_off(GoalEntered goal);
+  void serve();
+  double time_s() const { return static_cast<double>(steps_) * PuckPhysics::kStep_s; }
+
+  PuckPhysics physics_;
+  GameParams params_;
+  bool autonomous_robot_;
+  Random random_;
+  Opponent opponent_;
+  Referee referee_;
+  SimulatedArm arm_;
+  DiscState robot_;
+  double robot_target_y_m_ = 0;
+  std::optional<DiscState> puck_;
+  std::int64_t steps_ = 0;
+  double off_since_s_ = 0;
+  double last_moving_s_ = 0;  ///< Last time the puck did not rest.
+  double last_attack_s_ = 0;  ///< Last time it was served or the opponent hit it.
+};
+
+}  // namespace puck

@@ -1,0 +1,109 @@
+#include "common/simulation/world_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace puck {
+namespace {
+
+constexpr double kKnobRadius_m = 0.02;
+constexpr double kKnobTop_m = 0.075;
+constexpr double kHandRadius_m = 0.03;
+constexpr double kHandHeight_m = 0.07;
+constexpr double kElbowRadius_m = 0.035;
+
+}  // namespace
+
+WorldView::WorldView(const TableGeometry& table, const SceneParams& scene, SensorSize size)
+    : table_(table), scene_(scene), size_(size) {}
+
+ProjectedCylinder WorldView::puck_shape(TablePoint puck, const CameraView& view) const {
+  return {view, puck, table_.puck_radius_m, 0, scene_.puck_height_m};
+}
+
+SceneBody WorldView::body(Body which, const TableGame& game, const CameraView& view) const {
+  const auto luminance = [](double value) { return static_cast<float>(value); };
+  SceneBody body;
+  if (which == kPuck) {
+    if (game.puck()) {
+      body.shapes.push_back(
+          {puck_shape(game.puck()->position, view), luminance(scene_.puck_luminance)});
+    }
+    return body;
+  }
+  const TablePoint mallet =
+      which == kRobot ? game.robot_mallet().position : game.opponent_mallet().position;
+  // The robot reaches down from its shoulder, the opponent over the far rail.
+  const Vector3 elbow = which == kRobot ? Vector3{mallet.x_m - 0.35, 0.5 * mallet.y_m - 0.15, 0.22}
+                                        : Vector3{mallet.x_m + 0.32, mallet.y_m + 0.12, 0.2};
+  const double arm_luminance = which == kRobot ? scene_.robot_luminance : scene_.skin_luminance;
+  body.shapes.push_back({ProjectedCapsule(view, {mallet.x_m, mallet.y_m, kHandHeight_m},
+                                          kHandRadius_m, elbow, kElbowRadius_m),
+                         luminance(arm_luminance)});
+  body.shapes.push_back(
+      {ProjectedCylinder(view, mallet, kKnobRadius_m, scene_.mallet_height_m, kKnobTop_m),
+       luminance(scene_.mallet_luminance * 1.5)});
+  body.shapes.push_back(
+      {ProjectedCylinder(view, mallet, table_.mallet_radius_m, 0, scene_.mallet_height_m),
+       luminance(scene_.mallet_luminance)});
+  return body;
+}
+
+std::optional<TablePoint> WorldView::place_of(Body which, const TableGame& game) {
+  if (which == kRobot) return game.robot_mallet().position;
+  if (which == kOpponent) return game.opponent_mallet().position;
+  if (!game.puck()) return std::nullopt;
+  return game.puck()->position;
+}
+
+std::vector<int> WorldView::nearest_first(const TableGame& game) const {
+  std::vector<int> order{kPuck, kRobot, kOpponent};
+  const auto distance = [&](int body) {
+    const auto place = place_of(static_cast<Body>(body), game);
+    return place ? place->x_m : 0;
+  };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return distance(a) < distance(b); });
+  return order;
+}
+
+PixelBox WorldView::puck_box(TablePoint puck, const CameraView& view) const {
+  return puck_shape(puck, view).box();
+}
+
+double WorldView::visible_share(const TableGame& game, const CameraView& view) const {
+  constexpr int kSamples = 12;  // Along each side of the puck's box.
+  if (!game.puck()) return 0;
+  const ProjectedCylinder puck = puck_shape(game.puck()->position, view);
+  std::vector<SceneShape> covers;
+  for (const Body other : {kRobot, kOpponent}) {
+    if (place_of(other, game)->x_m > game.puck()->position.x_m) continue;
+    for (SceneShape& shape : body(other, game, view).shapes) covers.push_back(std::move(shape));
+  }
+  const PixelBox box = puck.box();
+  const Region image = Region::all_of(size_);
+
+  double all = 0;
+  double seen = 0;
+  for (int i = 0; i < kSamples * kSamples; ++i) {
+    const double sx = (i % kSamples + 0.5) / kSamples - 0.5;
+    const double sy = (i / kSamples + 0.5) / kSamples - 0.5;
+    const int x = static_cast<int>(std::lround(box.centre.x + sx * box.size.width));
+    const int y = static_cast<int>(std::lround(box.centre.y + sy * box.size.height));
+    float share = 0;
+    puck.coverage(y, x, 1, &share);
+    all += share;
+    if (!image.contains(x, y)) continue;
+    float left_over = share;
+    for (const SceneShape& cover : covers) {
+      float covered = 0;
+      cover.coverage(y, x, 1, &covered);
+      left_over *= 1 - covered;
+    }
+    seen += left_over;
+  }
+  return all > 0 ? seen / all : 0;
+}
+
+}  // namespace puck

@@ -1,0 +1,64 @@
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/simulate/recording.h"
+#include "tools/simulate/simulate_settings.h"
+
+namespace puck {
+namespace {
+
+void print(const SimulateSettings& settings, const RecordingSummary& summary) {
+  const double events = static_cast<double>(summary.events);
+  std::printf("%s: %lld events in %.3f s, %.0f kev/s\n", settings.output.c_str(),
+              static_cast<long long>(summary.events), summary.seconds,
+              events / summary.seconds * 1e-3);
+  std::printf("shots %d, saves %d, goals against %d, goals for %d\n", summary.counts.shots,
+              summary.counts.saves, summary.counts.goals_against, summary.counts.goals_for);
+  std::printf("%d marks%s; took %.1f s, %.2f of the time played\n", summary.marks,
+              summary.has_size_model ? "" : " (too few for a size model)", summary.took_s,
+              summary.took_s / summary.seconds);
+}
+
+int run(int argc, char** argv) {
+  SimulateSettings settings;
+  settings.command = std::filesystem::path(argv[0]).filename();
+  for (int i = 1; i < argc; ++i) settings.command += std::string(" ") + argv[i];
+
+  CLI::App app("Writes an event recording of a simulated game, with exact truth.", "puck-simulate");
+  app.set_version_flag("--version", PUCK_VERSION);
+  app.add_option("--output", settings.output,
+                 "BASE: writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv, BASE.toml")
+      ->required();
+  app.add_option("--scene", settings.scene, "TOML with the scene; see config/scene.toml");
+  app.add_option("--seed", settings.seed, "The same seed gives the same game and events")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}));
+  app.add_option("--seconds", settings.seconds, "Length of the recording")
+      ->check(CLI::Range(0.001, 3600.0))
+      ->capture_default_str();
+  app.add_flag("--moving", settings.moving, "The camera turns, as on a robot that plays");
+  app.add_option("--format", settings.format, "Of the events")
+      ->check(CLI::IsMember({"evt3", "text"}))
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+
+  try {
+    print(settings, record(settings, simulation_params_of(settings)));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "puck-simulate: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace puck
+
+int main(int argc, char** argv) { return puck::run(argc, argv); }

@@ -1,0 +1,121 @@
+#include "tools/simulate/recording.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "common/calibration/size_fit.h"
+#include "common/io/annotation_file.h"
+#include "common/io/event_writer.h"
+#include "common/io/size_model_file.h"
+#include "common/io/table_file.h"
+#include "common/io/truth_file.h"
+#include "common/simulation/simulated_table.h"
+#include "tools/simulate/marks.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kTruthPeriod_us = 1000;
+constexpr int kMarks = 40;
+
+// While the puck is off the table it stays where it was seen last, unseen.
+TruthRow row_of(const SimulatedTruth& truth, const TruthRow& before) {
+  if (!truth.in_play) return {truth.time, before.centre, before.size, 0};
+  return {truth.time, truth.position_px, truth.size_px, truth.visible};
+}
+
+void append_file(const std::filesystem::path& to, const std::filesystem::path& from) {
+  std::ostringstream text;
+  text << std::ifstream(from).rdbuf();
+  std::ofstream file(to, std::ios::app);
+  file << text.str();
+  file.close();
+  if (!file) throw std::runtime_error(to.string() + ": cannot be written");
+}
+
+// Both parts of a calibration in one file; the writers of io each make a file of their own.
+bool write_calibration(const SimulateSettings& settings, const std::vector<Annotation>& marks,
+                       const TableCalibration& table) {
+  const std::filesystem::path path = settings.output + ".toml";
+  std::string note = settings.command;
+  if (settings.moving) note += "\nThe camera moves: the table is as seen from its home pose.";
+  write_table_file(path, table, note);
+
+  std::vector<SizeAnnotation> sizes;
+  for (const Annotation& mark : marks) sizes.push_back({mark.time, mark.centre, mark.size});
+  SizeFit fit;
+  try {
+    fit = fit_puck_size_model(sizes);
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "puck-simulate: no size model in %s: %s\n", path.c_str(), error.what());
+    return false;
+  }
+  const std::filesystem::path part = settings.output + ".size.toml";
+  write_size_model_file(part, fit.model, "Fitted to " + std::to_string(marks.size()) + " marks.");
+  append_file(path, part);
+  std::filesystem::remove(part);
+  return true;
+}
+
+class Progress {
+ public:
+  explicit Progress(double seconds) : seconds_(seconds) {}
+
+  double elapsed_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  void tell(double done_s, std::int64_t events) {
+    if (elapsed_s() < next_s_) return;
+    next_s_ = elapsed_s() + 1;
+    std::fprintf(stderr, "puck-simulate: %.1f of %.1f s, %.1f Mev\n", done_s, seconds_,
+                 static_cast<double>(events) * 1e-6);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double seconds_;
+  double next_s_ = 1;
+};
+
+}  // namespace
+
+RecordingSummary record(const SimulateSettings& settings, const SimulationParams& params) {
+  const std::string ending = settings.format == "text" ? ".txt" : ".raw";
+  const auto writer =
+      make_event_writer(settings.output + ending, settings.format, params.sensor_size);
+  SimulatedTable table(params);
+  Progress progress(settings.seconds);
+  RecordingSummary summary;
+
+  std::vector<TruthRow> truth{row_of(table.truth(), {})};
+  EventPacket packet;
+  const auto end_us = static_cast<std::int64_t>(settings.seconds * 1e6);
+  while (table.now().us < end_us) {
+    packet.events.clear();
+    table.advance(packet);
+    writer->write(packet);
+    summary.events += static_cast<std::int64_t>(packet.events.size());
+    if (table.now().us % kTruthPeriod_us != 0) continue;
+    truth.push_back(row_of(table.truth(), truth.back()));
+    progress.tell(static_cast<double>(table.now().us) * 1e-6, summary.events);
+  }
+  writer->close();
+
+  const std::vector<Annotation> marks = spread_marks(truth, kMarks);
+  write_truth_file(settings.output + ".truth.csv", truth);
+  write_annotation_file(settings.output + ".annotations.csv", marks);
+  summary.has_size_model =
+      write_calibration(settings, marks, {table.table_from_image(), params.table});
+  summary.seconds = static_cast<double>(table.now().us) * 1e-6;
+  summary.took_s = progress.elapsed_s();
+  summary.marks = static_cast<int>(marks.size());
+  summary.counts = table.truth().counts;
+  return summary;
+}
+
+}  // namespace puck

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/simulation/simulated_truth.h"
+#include "tools/simulate/simulate_settings.h"
+
+namespace puck {
+
+struct RecordingSummary {
+  std::int64_t events = 0;
+  double seconds = 0;  ///< Of sensor time.
+  double took_s = 0;   ///< Of wall time.
+  int marks = 0;       ///< Rows of BASE.annotations.csv.
+  bool has_size_model = false;
+  GameCounts counts;
+};
+
+/// Plays the game and writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv and
+/// BASE.toml; tells how far it is on stderr. Throws with one line when a file cannot be written.
+RecordingSummary record(const SimulateSettings& settings, const SimulationParams& params);
+
+}  // namespace puck

@@ -1,0 +1,29 @@
+#include "tools/simulate/simulate_settings.h"
+
+#include <stdexcept>
+
+#include "common/io/config.h"
+#include "common/simulation/visit_parameters.h"
+
+namespace puck {
+
+SimulationParams simulation_params_of(const SimulateSettings& settings) {
+  SimulationParams params;
+  if (!settings.scene.empty()) {
+    Config scene = Config::from_file(settings.scene);
+    visit_parameters(scene, params);
+    scene.reject_unknown();
+  }
+  if (settings.seed) params.seed = *settings.seed;
+  if (settings.moving) params.moving_camera = true;
+  params.autonomous_robot = true;
+  check(params);
+  constexpr std::int64_t kTruthPeriod_us = 1000;
+  if (kTruthPeriod_us % params.slice_us != 0) {
+    throw std::invalid_argument("world.slice_us must divide 1000, for a truth every 1 ms, got " +
+                                std::to_string(params.slice_us));
+  }
+  return params;
+}
+
+}  // namespace puck
