@@ -1,0 +1,126 @@
+#include "services/launch/run_service.h"
+
+#include <cstdio>
+#include <sstream>
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+
+#include "common/messaging/status_check.h"
+#include "services/launch/stop_on_signal.h"
+
+namespace puck {
+namespace {
+
+/// A TOML string, so that a prefix of digits stays text.
+std::string quoted(const std::string& text) {
+  std::string quoted_text = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted_text += '\\';
+    quoted_text += c;
+  }
+  return quoted_text + '"';
+}
+
+Config load_config(const CommandLine& line) {
+  Config config = line.config_file.empty() ? Config{} : Config::from_file(line.config_file);
+  for (const std::string& setting : line.settings) config.override_with(setting);
+  if (line.lcm_url) config.override_with("lcm.url=" + quoted(*line.lcm_url));
+  if (line.prefix) config.override_with("lcm.prefix=" + quoted(*line.prefix));
+  return config;
+}
+
+BusParams read_bus_params(Config& config) {
+  BusParams params;
+  config.read("lcm.url", params.url);
+  config.read("lcm.prefix", params.prefix);
+  return params;
+}
+
+spdlog::logger make_log(const std::string& name, const std::string& level) {
+  spdlog::logger log(name, std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+  log.set_pattern("%H:%M:%S.%e %n %^%l%$: %v");
+  log.set_level(spdlog::level::from_str(level));
+  return log;
+}
+
+void log_config(spdlog::logger& log, const Config& config) {
+  std::istringstream lines(config.effective());
+  for (std::string line; std::getline(lines, line);) log.info("setting {}", line);
+}
+
+int check(const std::string& name, const BusParams& params, std::stop_token stop) {
+  constexpr std::chrono::seconds kTimeout{2};
+  const StatusCheck result = check_service(params, name, kTimeout, std::move(stop));
+  std::printf("%s\n", result.text.c_str());
+  return result.healthy ? 0 : 1;
+}
+
+int serve(const ServiceInfo& info, const CommandLine& line, const Config& config,
+          const BusParams& params, const MakeService& make, std::stop_token stop) {
+  Bus bus(params);
+  spdlog::logger log = make_log(info.name, line.log_level);
+  log.info("version {}", PUCK_VERSION);
+  log_config(log, config);
+
+  StatusReporter status(bus, info.name);
+  RateLimitedLog limited_log(log);
+  BusWatch bus_watch(bus, log);
+  ServiceContext context{bus, status, log, limited_log, bus_watch};
+  const std::unique_ptr<Service> service = make(context);
+
+  const bool started =
+      bus.start(stop, [&](const std::string& reason) { log.warn("waiting: {}", reason); });
+  if (!started) return 0;
+  log.info("on the bus: {}, session {}", bus.url().to_string(), bus.session());
+
+  int exit_code = 0;
+  try {
+    service->run(stop);
+  } catch (const std::exception& error) {
+    log.error("{}", error.what());
+    exit_code = 1;
+  }
+  status.stop([&](StatusReport& report) {
+    service->report(report);
+    bus_watch.report(report);
+  });
+  bus_watch.look();
+  log.info("stopped");
+  return exit_code;
+}
+
+}  // namespace
+
+void poll_status(ServiceContext& context, const Service& service) {
+  context.status.poll([&](StatusReport& report) {
+    service.report(report);
+    context.bus_watch.report(report);
+  });
+  context.bus_watch.poll();
+}
+
+int run_service(const ServiceInfo& info, int argc, const char* const* argv,
+                const ConfigureService& configure) {
+  const StopOnSignal signals;
+  CommandLine line;
+  if (const auto exit_code =
+          parse_command_line(info.name, info.description, argc, argv, info.add_options, line)) {
+    return *exit_code;
+  }
+  try {
+    Config config = load_config(line);
+    const BusParams params = read_bus_params(config);
+    const MakeService make = configure(config);
+    config.reject_unknown();
+    if (line.check) return check(info.name, params, signals.token());
+    if (info.instead) {
+      if (const auto exit_code = info.instead(params, signals.token())) return *exit_code;
+    }
+    return serve(info, line, config, params, make, signals.token());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", info.name.c_str(), error.what());
+    return 1;
+  }
+}
+
+}  // namespace puck

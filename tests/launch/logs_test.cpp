@@ -1,0 +1,66 @@
+#include <sstream>
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+#include <spdlog/sinks/ostream_sink.h>
+
+#include "services/launch/bus_watch.h"
+#include "services/launch/rate_limited_log.h"
+
+namespace puck {
+namespace {
+
+/// A log whose lines can be read.
+struct ReadableLog {
+  std::ostringstream text;
+  spdlog::logger log{"test", std::make_shared<spdlog::sinks::ostream_sink_mt>(text)};
+
+  ReadableLog() { log.set_pattern("%v"); }
+};
+
+}  // namespace
+
+TEST_CASE("a subject is warned of once a second, with the count kept silent") {
+  ReadableLog readable;
+  RateLimitedLog limited(readable.log);
+  const RateLimitedLog::Clock::time_point start{};
+  const auto at = [&](int ms) { return start + std::chrono::milliseconds(ms); };
+  limited.warn("camera", "a", at(0));
+  limited.warn("camera", "b", at(1));
+  limited.warn("camera", "c", at(999));
+  limited.warn("arm", "d", at(999));
+  limited.warn("camera", "e", at(1000));
+  limited.warn("camera", "f", at(2500));
+  CHECK(readable.text.str() ==
+        "camera: a\narm: d\ncamera: e (2 more like it not shown)\ncamera: f\n");
+}
+
+TEST_CASE("troubles on the bus are logged once, and summed up for the status") {
+  ReadableLog readable;
+  Bus bus({.url = "memq://"});
+  BusWatch watch(bus, readable.log);
+  bus.subscribe<head_state_t>(
+      [](const head_state_t&, const Receipt&) { throw std::runtime_error("no head"); });
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  head_state_t head{};
+  bus.publish(head);
+  bus.handle(std::chrono::milliseconds(1000));
+  arm_command_t command{};
+  command.mode = 9;
+  bus.publish(command);
+  bus.publish(command);
+
+  watch.look();
+  watch.look();
+  CHECK(readable.text.str() ==
+        "PUCK_ARM_COMMAND: 2 messages not sent, the last: arm_command_t.mode must be 0 to 3, got "
+        "9\nPUCK_HEAD: 1 messages not dealt with, the last: no head\n");
+  StatusReport report;
+  watch.report(report);
+  using Counter = std::pair<std::string, std::int64_t>;
+  CHECK(report.counters == std::vector<Counter>{{"messages_rejected", 0},
+                                                {"handler_failures", 1},
+                                                {"publish_failures", 2}});
+}
+
+}  // namespace puck

@@ -1,0 +1,228 @@
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <random>
+#include <thread>
+
+#include <doctest/doctest.h>
+#include <spdlog/sinks/null_sink.h>
+#include <unistd.h>
+
+#include "common/messaging/event_packing.h"
+#include "common/messaging/message_codec.h"
+#include "common/messaging/status_check.h"
+#include "services/logger/logger_service.h"
+#include "tests/logger/child_process.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+std::string lcm_url(int which) {
+  const int port = 20000 + static_cast<int>((getpid() * 4 + which) % 40000);
+  return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
+}
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder()
+      : path_(std::filesystem::temp_directory_path() /
+              ("puck_logger_" + std::to_string(getpid()) + "_" +
+               std::to_string(std::random_device{}()))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A logger within the test, on a bus that hears only itself.
+struct LoggerBench {
+  Bus bus{BusParams{.url = "memq://"}};
+  StatusReporter status{bus, "puck-logger"};
+  spdlog::logger log{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
+  RateLimitedLog limited_log{log};
+  BusWatch bus_watch{bus, log};
+  ServiceContext context{bus, status, log, limited_log, bus_watch};
+  LoggerService logger;
+
+  explicit LoggerBench(const LoggerParams& params) : logger(params, context) {
+    REQUIRE(bus.start({}, [](const std::string&) {}));
+  }
+
+  /// Lets it write what was published so far.
+  void run() {
+    std::stop_source stop;
+    stop.request_stop();
+    logger.run(stop.get_token());
+  }
+
+  std::map<std::string, std::int64_t> counters() const {
+    StatusReport report;
+    logger.report(report);
+    return {report.counters.begin(), report.counters.end()};
+  }
+};
+
+void publish_events(Bus& bus, int packets) {
+  EventPacker packer({.sensor = {640, 480}});
+  for (int i = 0; i < packets; ++i) {
+    packer.pack({1000 * i}, std::vector<Event>(10),
+                [&](event_packet_t& packet) { bus.publish(packet); });
+  }
+}
+
+/// How many messages of each channel.
+std::map<std::string, int> channels_in(const std::filesystem::path& path) {
+  LogReader reader(path);
+  std::map<std::string, int> channels;
+  LogRecord record;
+  while (reader.next(record)) ++channels[record.channel];
+  CHECK_FALSE(reader.damage().has_value());
+  return channels;
+}
+
+template <typename Done>
+void wait_until(const Done& done) {
+  const auto end = Clock::now() + std::chrono::seconds(10);
+  while (!done() && Clock::now() < end) std::this_thread::sleep_for(milliseconds(10));
+}
+
+}  // namespace
+
+TEST_CASE("the logger writes what comes on every channel") {
+  const TemporaryFolder folder;
+  LoggerBench bench({.path = folder / "a.lcm"});
+  publish_events(bench.bus, 5);
+  head_state_t head{};
+  bench.bus.publish(head);
+  bench.run();
+  CHECK(channels_in(folder / "a.lcm") ==
+        std::map<std::string, int>{{"PUCK_EVENTS", 5}, {"PUCK_HEAD", 1}});
+  CHECK(bench.counters()["messages_written"] == 6);
+  CHECK(bench.counters()["packets_received"] == 5);
+  CHECK(bench.counters()["packets_lost"] == 0);
+  CHECK(bench.counters()["bytes_written"] ==
+        static_cast<std::int64_t>(std::filesystem::file_size(folder / "a.lcm")));
+}
+
+TEST_CASE("the logger counts the event packets and the events that never came") {
+  const TemporaryFolder folder;
+  LoggerBench bench({.path = folder / "a.lcm"});
+  EventPacker packer({.sensor = {640, 480}});
+  for (int i = 0; i < 5; ++i) {
+    packer.pack({i}, std::vector<Event>(10), [&](const event_packet_t& packet) {
+      event_packet_t sent = packet;
+      // The bus refuses this one, but has numbered it.
+      if (i == 2) sent.encoding = 9;
+      bench.bus.publish(sent);
+    });
+  }
+  bench.run();
+  CHECK(bench.counters()["packets_received"] == 4);
+  CHECK(bench.counters()["packets_lost"] == 1);
+  CHECK(bench.counters()["events_lost"] == 10);
+}
+
+TEST_CASE("the logger stops at its quota, says so and counts what it did not write") {
+  const TemporaryFolder folder;
+  const std::int64_t packet_bytes = 28 + 11 + 92 + 40;
+  LoggerBench bench({.path = folder / "a.lcm", .max_bytes = 3 * packet_bytes + 1});
+  publish_events(bench.bus, 5);
+  bench.run();
+  CHECK(channels_in(folder / "a.lcm")["PUCK_EVENTS"] == 3);
+  CHECK(bench.counters()["messages_not_written"] == 2);
+  CHECK(bench.status.state() == ServiceState::kDegraded);
+  CHECK(bench.status.state_text().find("logger.max_bytes = 514 is reached") != std::string::npos);
+}
+
+TEST_CASE("the logger writes the time of the start into the path, and over nothing that exists") {
+  const TemporaryFolder folder;
+  {
+    LoggerBench bench({.path = (folder / "%Y.lcm").string()});
+    CHECK(std::filesystem::exists(bench.logger.path()));
+    CHECK(bench.logger.path().find('%') == std::string::npos);
+  }
+  const LoggerParams params{.path = (folder / "%Y.lcm").string()};
+  CHECK_THROWS_AS(LoggerBench{params}, LogFileError);
+  CHECK_NOTHROW(LoggerBench({.path = params.path, .overwrite = true}));
+}
+
+TEST_CASE("the logger reads its settings and refuses those that make no sense") {
+  const auto params_of = [](const std::string& text) {
+    Config config = Config::from_text(text, "logger.toml");
+    const LoggerParams params = LoggerService::read_params(config);
+    config.reject_unknown();
+    return params;
+  };
+  const LoggerParams params =
+      params_of("[logger]\npath = 'x.lcm'\noverwrite = true\nmax_bytes = 1000\n");
+  CHECK(params.path == "x.lcm");
+  CHECK(params.overwrite);
+  CHECK(params.max_bytes == 1000);
+  CHECK_THROWS_AS(params_of("[logger]\nmax_bytes = -1\n"), ConfigError);
+  CHECK_THROWS_AS(params_of("[logger]\npaht = 'x'\n"), ConfigError);
+}
+
+TEST_CASE("the commented settings file holds every key with its default") {
+  Config config = Config::from_file(std::filesystem::path(std::getenv("PUCK_SOURCE_DIR")) /
+                                    "config/logger.toml");
+  BusParams bus;
+  config.read("lcm.url", bus.url);
+  config.read("lcm.prefix", bus.prefix);
+  const LoggerParams params = LoggerService::read_params(config);
+  CHECK_NOTHROW(config.reject_unknown());
+  for (const char* key :
+       {"lcm.url", "lcm.prefix", "logger.path", "logger.overwrite", "logger.max_bytes"}) {
+    CAPTURE(key);
+    CHECK(config.has(key));
+  }
+  CHECK(bus.url == BusParams{}.url);
+  CHECK(bus.prefix == BusParams{}.prefix);
+  CHECK(params.path == LoggerParams{}.path);
+  CHECK(params.overwrite == LoggerParams{}.overwrite);
+  CHECK(params.max_bytes == LoggerParams{}.max_bytes);
+}
+
+TEST_CASE("puck-logger logs what lcm-logplayer plays again, and stops at once on SIGTERM") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.lcm";
+  const std::string live = lcm_url(0);
+  const std::string replayed = lcm_url(1);
+  {
+    ChildProcess logger({std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-logger", "--lcm-url",
+                         live, "--prefix", "LEFT", "--set", "logger.path=" + path, "--log-level",
+                         "error"});
+    REQUIRE(check_service({.url = live, .prefix = "LEFT"}, "puck-logger", milliseconds(10000), {})
+                .healthy);
+    Bus camera({.url = live, .prefix = "LEFT"});
+    REQUIRE(camera.start({}, [](const std::string&) {}));
+    for (int i = 0; i < 20; ++i) {
+      publish_events(camera, 10);
+      std::this_thread::sleep_for(milliseconds(2));
+    }
+    std::this_thread::sleep_for(milliseconds(100));
+    logger.send(SIGTERM);
+    CHECK(logger.wait() == 0);
+  }
+  CHECK(channels_in(path)["LEFT_PUCK_EVENTS"] == 200);
+
+  int packets = 0;
+  Bus tracker({.url = replayed, .prefix = "LEFT"});
+  tracker.subscribe<event_packet_t>([&](const event_packet_t&, const Receipt&) { ++packets; });
+  REQUIRE(tracker.start({}, [](const std::string&) {}));
+  ChildProcess player({"lcm-logplayer", "--lcm-url=" + replayed, path});
+  wait_until([&] { return tracker.handle(milliseconds(10)) >= 0 && packets == 200; });
+  CHECK(packets == 200);
+  CHECK(player.wait() == 0);
+  CHECK(tracker.counters<event_packet_t>().rejected == 0);
+}
+
+}  // namespace puck
