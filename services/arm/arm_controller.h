@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/messaging/channels.h"
+#include "common/messaging/host_now.h"
+#include "common/runtime/latency_histogram.h"
+#include "common/simulation/simulated_arm.h"
+#include "common/table/homography.h"
+#include "common/table/table_geometry.h"
+#include "services/arm/command_guard.h"
+#include "services/arm/track_watch.h"
+
+namespace puck {
+
+enum class ArmMode : std::uint8_t {
+  kCommanded,  ///< Follows ARM_COMMAND.
+  kFollow,     ///< Follows the puck straight from ESTIMATE, as the paper's demonstration did.
+};
+
+/// Where the camera sees the table: what an arm needs that follows the puck itself.
+struct ArmView {
+  Homography table_from_image;
+  TableGeometry table;
+};
+
+struct ArmControllerParams {
+  ArmMode mode = ArmMode::kCommanded;
+  double line_x_m = 0.15;  ///< The mallet moves on x = this, table frame.
+  double margin_m = 0.05;  ///< In mode follow: a puck further off the table is not believed.
+  CommandGuardParams guard;
+  TrackWatchParams track;
+  SimulatedArmParams arm;
+  std::optional<ArmView> view;  ///< Needed in mode follow.
+};
+
+/// All that decides whether and where the mallet moves, and the simulated arm that moves it. Fed
+/// with messages and times, stepped at a fixed rate. One thread.
+class ArmController {
+ public:
+  /// `session`: of the ARM_STATE that it makes. Throws std::invalid_argument that names the key
+  /// when a value is out of its range.
+  ArmController(const ArmControllerParams& params, std::int64_t session);
+
+  void hear(const arm_command_t& command, const HostNow& now) { guard_.hear(command, now); }
+  void hear(const puck_estimate_t& estimate, const HostNow& now);
+
+  /// Decides anew and moves on by `dt_s`.
+  void step(const HostNow& now, double dt_s);
+
+  /// As of the last step; all but the header.
+  arm_state_t state() const;
+
+  const CommandGuard& guard() const { return guard_; }
+  std::int64_t estimates(TrackWatch::Verdict verdict) const {
+    return estimates_[static_cast<std::size_t>(verdict)];
+  }
+  /// From an estimate's publication to the set-point that it led to.
+  const LatencyHistogram& estimate_to_motion() const { return estimate_to_motion_; }
+  double position_m() const { return arm_.position_m(); }
+  double velocity_m_s() const { return arm_.velocity_m_s(); }
+
+ private:
+  // What the arm is to do now, and what that rests on.
+  struct Order {
+    std::optional<double> target_m;  // nothing: stand still
+    std::string reason;              // why it stands still
+    std::int64_t command_session = 0;
+    std::int64_t command_seq = 0;
+    std::int64_t estimate_session = 0;
+    std::int64_t estimate_seq = 0;
+
+    bool rests_on_the_same_as(const Order& other) const {
+      return command_session == other.command_session && command_seq == other.command_seq &&
+             estimate_session == other.estimate_session && estimate_seq == other.estimate_seq;
+    }
+  };
+
+  Order decide(const HostNow& now) const;
+  Order decide_as_commanded(const HostNow& now, const puck_estimate_t* track) const;
+  Order decide_to_follow(const puck_estimate_t* track) const;
+  void measure_latency(const Order& order, const HostNow& now);
+
+  ArmControllerParams params_;
+  CommandGuard guard_;
+  TrackWatch track_;
+  SimulatedArm arm_;
+  Order order_;
+  std::int64_t alive_session_ = 0;  // of the live track at the last step
+  std::int64_t alive_seq_ = 0;
+  std::int64_t estimate_to_motion_us_ = 0;
+  LatencyHistogram estimate_to_motion_;
+  bool was_ever_ordered_ = false;
+  std::array<std::int64_t, 5> estimates_{};  // by verdict
+};
+
+}  // namespace puck

@@ -1,0 +1,84 @@
+#include "services/arm/operator_command.h"
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "common/messaging/host_time.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kGiveUpUs = 1'000'000;
+constexpr std::int64_t kAtLeastUs = 200'000;
+constexpr std::int64_t kPeriodUs = 20'000;
+constexpr std::chrono::milliseconds kHandle{5};
+
+bool is_latched(const arm_state_t& state) {
+  return state.state == arm_state_t::STATE_STOPPED || state.state == arm_state_t::STATE_FAULT;
+}
+
+arm_command_t command_of(std::int8_t mode, const std::optional<arm_state_t>& arm) {
+  arm_command_t command{};
+  command.mode = mode;
+  command.from_operator = 1;
+  command.valid_for_us = kAtLeastUs / 2;
+  command.arm_session = arm ? arm->session : 0;
+  return command;
+}
+
+}  // namespace
+
+void OperatorCommand::add_options(CLI::App& app) {
+  CLI::Option* stop = app.add_flag(
+      "--stop", stop_, "Stop the arms on the bus until a reset; exit code 0: confirmed");
+  CLI::Option* reset =
+      app.add_flag("--reset", reset_, "Release a stopped or faulty arm; exit code 0: confirmed");
+  stop->excludes(reset);
+}
+
+std::optional<int> OperatorCommand::run(const BusParams& params, std::stop_token stop) const {
+  if (!stop_ && !reset_) return std::nullopt;
+  const std::int8_t mode = stop_ ? arm_command_t::MODE_STOP : arm_command_t::MODE_RESET;
+  const char* word = stop_ ? "stopped" : "reset";
+
+  Bus bus(params);
+  std::optional<arm_state_t> arm;
+  bus.subscribe<arm_state_t>([&](const arm_state_t& state, const Receipt&) { arm = state; });
+  std::stop_source give_up;
+  const std::stop_callback on_stop(stop, [&] { give_up.request_stop(); });
+  const bool started = bus.start(give_up.get_token(), [&](const std::string& reason) {
+    std::fprintf(stderr, "puck-arm: %s\n", reason.c_str());
+    give_up.request_stop();
+  });
+  if (!started) return 1;
+
+  const std::int64_t begin_us = host_monotonic_us();
+  std::optional<std::int64_t> first_sent_us;
+  std::int64_t next_us = begin_us;
+  while (!stop.stop_requested()) {
+    bus.handle(kHandle);
+    const std::int64_t now_us = host_monotonic_us();
+    if (now_us >= next_us && (stop_ || arm)) {
+      arm_command_t command = command_of(mode, arm);
+      bus.publish(command);
+      if (!first_sent_us) first_sent_us = now_us;
+      next_us = now_us + kPeriodUs;
+    }
+    const bool sent_enough = first_sent_us && now_us - *first_sent_us >= kAtLeastUs;
+    if (sent_enough && arm && is_latched(*arm) == stop_) {
+      std::printf("puck-arm: %s\n", word);
+      return 0;
+    }
+    if (now_us - begin_us > kGiveUpUs) break;
+  }
+  const std::string why = !arm ? "no ARM_STATE heard" : "the arm says: " + arm->reason;
+  std::fprintf(stderr, "puck-arm: not confirmed to be %s within 1 s: %s\n", word, why.c_str());
+  return 1;
+}
+
+}  // namespace puck

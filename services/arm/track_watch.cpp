@@ -1,0 +1,61 @@
+#include "services/arm/track_watch.h"
+
+#include <cmath>
+
+namespace puck {
+namespace {
+
+bool tracks(const puck_estimate_t& estimate) {
+  return estimate.state == puck_estimate_t::STATE_TRACKING &&
+         (estimate.flags & puck_estimate_t::FLAG_POSITION) != 0;
+}
+
+}  // namespace
+
+TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const HostNow& now) {
+  // Compared without subtracting: the sender's clock may say anything.
+  if (estimate.utime < now.utime - params_.max_clock_error_us ||
+      estimate.utime > now.utime + params_.max_clock_error_us) {
+    return Verdict::kClock;
+  }
+  if (tracks(estimate) && !(std::isfinite(estimate.x_px) && std::isfinite(estimate.y_px))) {
+    return Verdict::kMalformed;
+  }
+  switch (publisher_.hear(estimate.session, estimate.seq, now.monotonic_us)) {
+    case SinglePublisher::Verdict::kLate:
+      return Verdict::kLate;
+    case SinglePublisher::Verdict::kOtherPublisher:
+      return Verdict::kOtherPublisher;
+    case SinglePublisher::Verdict::kNewPublisher:
+      newest_.reset();
+      break;
+    case SinglePublisher::Verdict::kAccepted:
+      break;
+  }
+
+  const bool rests = (estimate.flags & puck_estimate_t::FLAG_RESTING) != 0;
+  const bool went_on = !newest_ || newest_->events_session != estimate.events_session ||
+                       estimate.sensor_us > newest_->sensor_us;
+  if (rests || went_on) went_on_us_ = now.monotonic_us;
+  newest_ = estimate;
+  newest_heard_us_ = now.monotonic_us;
+  published_[static_cast<std::size_t>(estimate.seq) % kRemembered] = {estimate.session,
+                                                                      estimate.seq, estimate.utime};
+  return Verdict::kUsed;
+}
+
+const puck_estimate_t* TrackWatch::alive(std::int64_t monotonic_us) const {
+  if (!newest_ || !tracks(*newest_)) return nullptr;
+  if (monotonic_us - newest_heard_us_ > params_.dead_man_us) return nullptr;
+  if (monotonic_us - went_on_us_ > params_.dead_man_us) return nullptr;
+  return &*newest_;
+}
+
+std::optional<std::int64_t> TrackWatch::published_utime(std::int64_t session,
+                                                        std::int64_t seq) const {
+  const Published& found = published_[static_cast<std::size_t>(seq) % kRemembered];
+  if (seq < 0 || found.session != session || found.seq != seq) return std::nullopt;
+  return found.utime;
+}
+
+}  // namespace puck

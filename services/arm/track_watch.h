@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "common/messaging/channels.h"
+#include "common/messaging/host_now.h"
+#include "common/messaging/single_publisher.h"
+
+namespace puck {
+
+struct TrackWatchParams {
+  std::int64_t dead_man_us = 100'000;         ///< A track that ages this long is dead.
+  std::int64_t max_clock_error_us = 200'000;  ///< Of an estimate's utime against this host's.
+};
+
+/// The arm's own look at ESTIMATE: whether the track is alive, whatever the bridge says. One
+/// thread.
+class TrackWatch {
+ public:
+  enum class Verdict {
+    kUsed,
+    kLate,            ///< Late, a duplicate or a replay.
+    kOtherPublisher,  ///< Another tracker is followed.
+    kClock,           ///< Old, or from the future, by its own clock.
+    kMalformed,       ///< Tracking, but without a finite position.
+  };
+
+  explicit TrackWatch(const TrackWatchParams& params) : params_(params) {}
+
+  Verdict hear(const puck_estimate_t& estimate, const HostNow& now);
+
+  /// The newest estimate, if it tracks, came in time, and the sensor's time went on beneath it or
+  /// the puck rests: the same estimate said again and again is not a track.
+  const puck_estimate_t* alive(std::int64_t monotonic_us) const;
+
+  /// When one of the newest estimates was published, by its own clock, µs.
+  std::optional<std::int64_t> published_utime(std::int64_t session, std::int64_t seq) const;
+
+ private:
+  struct Published {
+    std::int64_t session = 0;
+    std::int64_t seq = -1;
+    std::int64_t utime = 0;
+  };
+  static constexpr std::size_t kRemembered = 1024;  // 200 ms at the highest rate of estimates
+
+  TrackWatchParams params_;
+  SinglePublisher publisher_;
+  std::optional<puck_estimate_t> newest_;
+  std::int64_t newest_heard_us_ = 0;  // CLOCK_MONOTONIC
+  std::int64_t went_on_us_ = 0;       // CLOCK_MONOTONIC, when sensor time last went on
+  std::array<Published, kRemembered> published_{};
+};
+
+}  // namespace puck

@@ -1,0 +1,152 @@
+#include "services/bridge/bridge_service.h"
+
+#include <array>
+#include <chrono>
+#include <string>
+
+namespace puck {
+namespace {
+
+constexpr std::chrono::milliseconds kHandle{2};
+constexpr std::int64_t kSilentUs = 500'000;
+
+// Estimates that are not good, and not just those of a puck that is not in sight.
+constexpr std::array kSuspicious{EstimateVerdict::kStale,       EstimateVerdict::kOffTable,
+                                 EstimateVerdict::kImplausible, EstimateVerdict::kMalformed,
+                                 EstimateVerdict::kLate,        EstimateVerdict::kOtherPublisher,
+                                 EstimateVerdict::kClock};
+
+std::int64_t read_ms(Config& config, const char* key, std::int64_t value_us, std::int64_t lowest_ms,
+                     std::int64_t highest_ms) {
+  std::int64_t value_ms = value_us / 1000;
+  config.read(key, value_ms, lowest_ms, highest_ms);
+  return value_ms * 1000;
+}
+
+void read_motion(Config& config, PlayBridgeParams& params) {
+  config.read("motion.damping_per_s", params.motion.damping_per_s, 0, 100);
+  config.read("motion.rail_restitution", params.motion.rail_restitution, 0, 1);
+  config.read("motion.rail_grip", params.motion.rail_grip, 0, 1);
+  config.read("motion.velocity_noise_m_s", params.motion.velocity_noise_m_s, 0, 100);
+  config.read("motion.bounce_spread", params.motion.bounce_spread, 0, 1);
+
+  config.read("filter.position_sigma_m", params.filter.position_sigma_m, 1e-6, 1);
+  config.read("filter.error_memory_us", params.filter.error_memory_us, 0, 1'000'000);
+  config.read("filter.initial_speed_sigma_m_s", params.filter.initial_speed_sigma_m_s, 0.001, 100);
+  config.read("filter.gate_sigmas", params.filter.gate_sigmas, 1, 100);
+  config.read("filter.restart_after_us", params.filter.restart_after_us, 0, 1'000'000);
+  params.filter.max_coast_us =
+      read_ms(config, "filter.max_coast_ms", params.filter.max_coast_us, 1, 100);
+
+  config.read("intercept.horizon_s", params.intercept.horizon_s, 0.01, 60);
+  config.read("intercept.min_approach_m_s", params.intercept.min_approach_m_s, 0.001, 10);
+  config.read("intercept.max_bounces", params.intercept.max_bounces, 0, 64);
+
+  config.read("strategy.max_crossing_sigma_m", params.strategy.max_crossing_sigma_m, 0.001, 10);
+  config.read("strategy.shadow_gain", params.strategy.shadow_gain, 0, 1);
+}
+
+}  // namespace
+
+BridgeServiceParams BridgeService::read_params(Config& config) {
+  std::string table_file = "config/calibration/simulated_table.toml";
+  config.read("bridge.table", table_file);
+  BridgeServiceParams params{read_table_file(table_file), {}};
+  PlayBridgeParams& play = params.play;
+  config.read("bridge.command_hz", play.command_hz, 20, 1000);
+  play.valid_for_us = read_ms(config, "bridge.valid_for_ms", play.valid_for_us, 1, 100);
+  config.read("bridge.max_trajectory_hz", play.max_trajectory_hz, 1, 10'000);
+  config.read("bridge.max_head_deg", play.max_head_deg, 0, 180);
+  EstimateGateParams& gate = play.gate;
+  gate.max_age_us = read_ms(config, "bridge.max_age_ms", gate.max_age_us, 1, 100);
+  gate.max_clock_error_us =
+      read_ms(config, "bridge.max_clock_error_ms", gate.max_clock_error_us, 1, 200);
+  config.read("bridge.margin_m", gate.margin_m, 0, 1);
+  config.read("bridge.max_speed_m_s", gate.max_speed_m_s, 0.1, 100);
+  config.read("bridge.default_sigma_px", gate.default_sigma_px, 0.01, 100);
+  read_motion(config, play);
+  return params;
+}
+
+BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& context)
+    : context_(context),
+      bridge_(params.play, params.table.table_from_image, params.table.geometry) {
+  context_.bus.subscribe<puck_estimate_t>(
+      [this](const puck_estimate_t& estimate, const Receipt& at) {
+        bridge_.hear(estimate, {at.utime, at.monotonic_us});
+        last_estimate_us_ = at.monotonic_us;
+        estimate_answered_ = false;
+      });
+  context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& at) {
+    bridge_.hear(state, {at.utime, at.monotonic_us});
+  });
+  context_.bus.subscribe<head_state_t>(
+      [this](const head_state_t& head, const Receipt&) { bridge_.hear(head); });
+}
+
+void BridgeService::run(std::stop_token stop) {
+  while (!stop.stop_requested()) {
+    context_.bus.handle(kHandle);
+    publish_what_is_due();
+    follow_state();
+    warn_of_estimates();
+    poll_status(context_, *this);
+  }
+}
+
+void BridgeService::publish_what_is_due() {
+  const HostNow now = host_now();
+  // The command first: the arm waits for it.
+  if (auto command = bridge_.next_command(now)) {
+    context_.bus.publish(*command);
+    if (!estimate_answered_) estimate_to_command_.record(host_monotonic_us() - last_estimate_us_);
+    estimate_answered_ = true;
+  }
+  if (auto trajectory = bridge_.next_trajectory(now)) context_.bus.publish(*trajectory);
+  if (auto game = bridge_.next_game(now)) context_.bus.publish(*game);
+}
+
+void BridgeService::follow_state() {
+  if (last_estimate_us_ == 0 || host_monotonic_us() - last_estimate_us_ > kSilentUs) {
+    context_.status.set_state(ServiceState::kWaiting, "no ESTIMATE");
+  } else if (bridge_.is_blind_to_head()) {
+    context_.status.set_state(ServiceState::kDegraded,
+                              "the head has turned; the table is not followed");
+  } else {
+    context_.status.set_state(ServiceState::kRunning);
+  }
+}
+
+void BridgeService::warn_of_estimates() {
+  std::int64_t suspicious = 0;
+  for (const EstimateVerdict verdict : kSuspicious) suspicious += bridge_.gate().count(verdict);
+  if (suspicious == warned_of_) return;
+  warned_of_ = suspicious;
+  std::string text = "estimates not used so far:";
+  for (const EstimateVerdict verdict : kSuspicious) {
+    const std::int64_t count = bridge_.gate().count(verdict);
+    if (count > 0) text += std::string(" ") + to_string(verdict) + " " + std::to_string(count);
+  }
+  context_.limited_log.warn("estimates", text);
+}
+
+void BridgeService::report(StatusReport& report) const {
+  report.counters = {
+      {"estimates_good", bridge_.gate().count(EstimateVerdict::kGood)},
+      {"estimates_not_tracking", bridge_.gate().count(EstimateVerdict::kNotTracking)},
+      {"estimates_outliers", bridge_.outliers()},
+      {"commands_sent", bridge_.commands()},
+      {"shots", bridge_.game().shots},
+      {"saves", bridge_.game().saves},
+      {"goals_against", bridge_.game().goals_against},
+  };
+  for (const EstimateVerdict verdict : kSuspicious) {
+    report.counters.emplace_back(std::string("estimates_") + to_string(verdict),
+                                 bridge_.gate().count(verdict));
+  }
+  const LatencySummary latency = estimate_to_command_.summary();
+  report.latencies = {
+      {"estimate_to_command", latency.p50_us, latency.p99_us, latency.max_us, latency.samples}};
+}
+
+}  // namespace puck

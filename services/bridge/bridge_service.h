@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+
+#include "common/io/config.h"
+#include "common/io/table_file.h"
+#include "common/runtime/latency_histogram.h"
+#include "services/bridge/play_bridge.h"
+#include "services/launch/service.h"
+
+namespace puck {
+
+struct BridgeServiceParams {
+  TableCalibration table;  ///< From the file that bridge.table names.
+  PlayBridgeParams play;
+};
+
+/// puck-bridge: hears ESTIMATE, ARM_STATE and HEAD; publishes TRAJECTORY, ARM_COMMAND and GAME.
+class BridgeService : public Service {
+ public:
+  static BridgeServiceParams read_params(Config& config);
+
+  /// Throws std::invalid_argument that names the key when a value is out of its range.
+  BridgeService(const BridgeServiceParams& params, ServiceContext& context);
+
+  void run(std::stop_token stop) override;
+  void report(StatusReport& report) const override;
+
+ private:
+  void publish_what_is_due();
+  void follow_state();
+  void warn_of_estimates();
+
+  ServiceContext& context_;
+  PlayBridge bridge_;
+  std::int64_t last_estimate_us_ = 0;  // CLOCK_MONOTONIC; 0: none yet
+  bool estimate_answered_ = true;
+  std::int64_t warned_of_ = 0;
+  LatencyHistogram estimate_to_command_;
+};
+
+}  // namespace puck

@@ -1,0 +1,154 @@
+#include "services/bridge/estimate_gate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace puck {
+namespace {
+
+// No sensor runs for longer: 30 years.
+constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;
+
+bool has(const puck_estimate_t& estimate, std::int32_t flag) {
+  return (estimate.flags & flag) != 0;
+}
+
+bool is_on(const TableGeometry& table, const TablePoint& point, double margin_m) {
+  return point.x_m >= -margin_m && point.x_m <= table.length_m + margin_m &&
+         std::abs(point.y_m) <= table.width_m / 2 + margin_m;
+}
+
+// Of (x, y) in the image, px².
+std::optional<std::array<double, 4>> image_covariance(const puck_estimate_t& estimate,
+                                                      double default_sigma_px) {
+  const double xx = estimate.covariance[0];
+  const double xy = (estimate.covariance[1] + estimate.covariance[4]) / 2;
+  const double yy = estimate.covariance[5];
+  if (xx == 0 && xy == 0 && yy == 0) {
+    const double variance = default_sigma_px * default_sigma_px;
+    return std::array<double, 4>{variance, 0, 0, variance};
+  }
+  if (!(xx >= 0 && yy >= 0 && xy * xy <= xx * yy * (1 + 1e-9))) return std::nullopt;
+  return std::array<double, 4>{xx, xy, xy, yy};
+}
+
+// j c jᵀ, two by two.
+std::array<double, 4> carried(const std::array<double, 4>& j, const std::array<double, 4>& c) {
+  const std::array<double, 4> jc{j[0] * c[0] + j[1] * c[2], j[0] * c[1] + j[1] * c[3],
+                                 j[2] * c[0] + j[3] * c[2], j[2] * c[1] + j[3] * c[3]};
+  const double cross = jc[0] * j[2] + jc[1] * j[3];
+  return {jc[0] * j[0] + jc[1] * j[1], cross, cross, jc[2] * j[2] + jc[3] * j[3]};
+}
+
+}  // namespace
+
+const char* to_string(EstimateVerdict verdict) {
+  switch (verdict) {
+    case EstimateVerdict::kGood:
+      return "good";
+    case EstimateVerdict::kNotTracking:
+      return "not_tracking";
+    case EstimateVerdict::kStale:
+      return "stale";
+    case EstimateVerdict::kOffTable:
+      return "off_table";
+    case EstimateVerdict::kImplausible:
+      return "implausible";
+    case EstimateVerdict::kMalformed:
+      return "malformed";
+    case EstimateVerdict::kLate:
+      return "late";
+    case EstimateVerdict::kOtherPublisher:
+      return "other_publisher";
+    case EstimateVerdict::kClock:
+      return "clock";
+  }
+  return "unknown";
+}
+
+EstimateGate::EstimateGate(const EstimateGateParams& params, const Homography& table_from_image,
+                           const TableGeometry& table)
+    : params_(params), table_from_image_(table_from_image), table_(table) {
+  const auto require = [](bool holds, const std::string& what, double got) {
+    if (!holds) throw std::invalid_argument(what + ", got " + std::to_string(got));
+  };
+  require(params_.max_age_us > 0 && params_.max_age_us <= 100'000,
+          "bridge.max_age_ms must be above 0 and at most 100",
+          static_cast<double>(params_.max_age_us) / 1000);
+  require(params_.margin_m >= 0 && params_.margin_m <= 1, "bridge.margin_m must be between 0 and 1",
+          params_.margin_m);
+  require(params_.max_speed_m_s > 0 && params_.max_speed_m_s <= 100,
+          "bridge.max_speed_m_s must be above 0 and at most 100", params_.max_speed_m_s);
+  require(params_.default_sigma_px > 0 && params_.default_sigma_px <= 100,
+          "bridge.default_sigma_px must be above 0 and at most 100", params_.default_sigma_px);
+}
+
+EstimateVerdict EstimateGate::judge(const puck_estimate_t& estimate, const HostNow& now,
+                                    TableMeasurement& measurement) {
+  EstimateVerdict verdict = judge_order(estimate, now);
+  if (verdict == EstimateVerdict::kGood) verdict = judge_content(estimate, now, measurement);
+  ++counts_[static_cast<std::size_t>(verdict)];
+  return verdict;
+}
+
+EstimateVerdict EstimateGate::judge_order(const puck_estimate_t& estimate, const HostNow& now) {
+  // Compared without subtracting: the sender's clock may say anything.
+  if (estimate.utime < now.utime - params_.max_clock_error_us ||
+      estimate.utime > now.utime + params_.max_clock_error_us) {
+    return EstimateVerdict::kClock;
+  }
+  switch (publisher_.hear(estimate.session, estimate.seq, now.monotonic_us)) {
+    case SinglePublisher::Verdict::kLate:
+      return EstimateVerdict::kLate;
+    case SinglePublisher::Verdict::kOtherPublisher:
+      return EstimateVerdict::kOtherPublisher;
+    case SinglePublisher::Verdict::kNewPublisher:
+    case SinglePublisher::Verdict::kAccepted:
+      break;
+  }
+  return EstimateVerdict::kGood;
+}
+
+EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, const HostNow& now,
+                                            TableMeasurement& measurement) const {
+  if (estimate.sensor_us < 0 || estimate.sensor_us > kLongestRunUs || estimate.event_utime < 0) {
+    return EstimateVerdict::kMalformed;
+  }
+  if (estimate.state != puck_estimate_t::STATE_TRACKING ||
+      !has(estimate, puck_estimate_t::FLAG_POSITION)) {
+    return EstimateVerdict::kNotTracking;
+  }
+  const double numbers = estimate.x_px + estimate.y_px + estimate.vx_px_s + estimate.vy_px_s;
+  const bool finite = std::isfinite(numbers) &&
+                      std::all_of(std::begin(estimate.covariance), std::end(estimate.covariance),
+                                  [](double value) { return std::isfinite(value); });
+  const bool times_are_sane =
+      estimate.sensor_us >= 0 && estimate.sensor_us <= kLongestRunUs && estimate.event_utime >= 0;
+  if (!finite || !times_are_sane) return EstimateVerdict::kMalformed;
+  const auto covariance = image_covariance(estimate, params_.default_sigma_px);
+  if (!covariance) return EstimateVerdict::kMalformed;
+
+  const bool resting = has(estimate, puck_estimate_t::FLAG_RESTING);
+  if (estimate.event_utime != 0 && !resting &&
+      estimate.event_utime < now.utime - params_.max_age_us) {
+    return EstimateVerdict::kStale;
+  }
+
+  const Pixel pixel{estimate.x_px, estimate.y_px};
+  const std::optional<TablePoint> point = table_from_image_.to_table(pixel);
+  if (!point || !is_on(table_, *point, params_.margin_m)) return EstimateVerdict::kOffTable;
+  const std::array<double, 4> j = table_from_image_.jacobian_at(pixel);
+  const TableVelocity velocity{j[0] * estimate.vx_px_s + j[1] * estimate.vy_px_s,
+                               j[2] * estimate.vx_px_s + j[3] * estimate.vy_px_s};
+  if (!(std::hypot(velocity.x_m_s, velocity.y_m_s) <= params_.max_speed_m_s)) {
+    return EstimateVerdict::kImplausible;
+  }
+  measurement = {{estimate.sensor_us}, *point, carried(j, *covariance), velocity, resting};
+  return EstimateVerdict::kGood;
+}
+
+}  // namespace puck

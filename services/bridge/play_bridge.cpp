@@ -1,0 +1,221 @@
+#include "services/bridge/play_bridge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kArmSilentUs = 500'000;
+constexpr std::int64_t kGamePeriodUs = 100'000;
+// A track whose velocity is less sure than 0.5 m/s says nothing about the game yet.
+constexpr double kGameSpeedVariance = 0.25;
+constexpr double kPathHorizonS = 0.5;
+constexpr double kPathStepS = 0.02;
+
+bool is_due(std::optional<std::int64_t> last_us, double hz, std::int64_t now_us) {
+  return !last_us || static_cast<double>(now_us - *last_us) >= 1e6 / hz;
+}
+
+void check(const PlayBridgeParams& params) {
+  const auto require = [](bool holds, const std::string& what, double got) {
+    if (!holds) throw std::invalid_argument(what + ", got " + std::to_string(got));
+  };
+  require(params.max_trajectory_hz >= 1 && params.max_trajectory_hz <= 10'000,
+          "bridge.max_trajectory_hz must be between 1 and 10000", params.max_trajectory_hz);
+  require(params.command_hz >= 20 && params.command_hz <= 1000,
+          "bridge.command_hz must be between 20 and 1000", params.command_hz);
+  require(params.valid_for_us >= 1000 && params.valid_for_us <= 100'000,
+          "bridge.valid_for_ms must be between 1 and 100",
+          static_cast<double>(params.valid_for_us) / 1000);
+  require(params.max_head_deg >= 0 && params.max_head_deg <= 180,
+          "bridge.max_head_deg must be between 0 and 180", params.max_head_deg);
+}
+
+}  // namespace
+
+PlayBridge::PlayBridge(const PlayBridgeParams& params, const Homography& table_from_image,
+                       const TableGeometry& table)
+    : params_(params),
+      table_(table),
+      gate_(params.gate, table_from_image, table),
+      motion_(table, params.motion),
+      filter_(motion_, params.filter),
+      predictor_(motion_, params.intercept),
+      strategy_(params.strategy, table),
+      game_(motion_) {
+  check(params_);
+  path_.reserve(static_cast<std::size_t>(kPathHorizonS / kPathStepS) + 2);
+}
+
+void PlayBridge::follow_session(const puck_estimate_t& estimate) {
+  const bool goes_on =
+      events_session_ == estimate.events_session && estimate.sensor_us >= newest_sensor_.us;
+  events_session_ = estimate.events_session;
+  if (goes_on) return;
+  // Another camera's time, or the camera's time begins anew.
+  filter_.reset();
+  game_.forget_time();
+  basis_.reset();
+}
+
+void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now) {
+  TableMeasurement measurement;
+  const EstimateVerdict verdict = gate_.judge(estimate, now, measurement);
+  if (!is_news(verdict)) return;
+  tracked_ = verdict == EstimateVerdict::kGood;
+  if (verdict == EstimateVerdict::kMalformed) return;
+  follow_session(estimate);
+  newest_ = estimate;
+  newest_sensor_ = {estimate.sensor_us};
+  trajectory_due_ = true;
+  const std::int64_t age_us = now.utime - estimate.event_utime;
+  const bool age_is_known = estimate.event_utime != 0 && age_us >= 0;
+  if (!tracked_) {
+    // Without a puck there may be no events either: sensor time would stand still.
+    game_.miss(newest_sensor_ + (age_is_known ? age_us : 0));
+    return;
+  }
+
+  const MeasurementUse use = filter_.update(measurement);
+  if (use == MeasurementUse::kOutlier) ++outliers_;
+  if (use != MeasurementUse::kUsed && use != MeasurementUse::kStarted) return;
+  basis_ =
+      Basis{estimate.session, estimate.seq, newest_sensor_,
+            newest_sensor_ + (age_is_known && !measurement.resting ? age_us : 0), now.monotonic_us};
+  const std::optional<PuckTrack> track = filter_.at(newest_sensor_);
+  if (track && track->covariance[10] < kGameSpeedVariance) game_.see(newest_sensor_, *track);
+}
+
+void PlayBridge::hear(const arm_state_t& state, const HostNow& now) {
+  switch (arm_publisher_.hear(state.session, state.seq, now.monotonic_us)) {
+    case SinglePublisher::Verdict::kNewPublisher:
+    case SinglePublisher::Verdict::kAccepted:
+      arm_ = state;
+      arm_heard_us_ = now.monotonic_us;
+      break;
+    case SinglePublisher::Verdict::kLate:
+    case SinglePublisher::Verdict::kOtherPublisher:
+      break;
+  }
+}
+
+void PlayBridge::hear(const head_state_t& head) {
+  const double furthest_deg =
+      std::max({std::abs(head.yaw_deg), std::abs(head.pitch_deg), std::abs(head.roll_deg)});
+  head_is_home_ = furthest_deg <= params_.max_head_deg;
+}
+
+Timestamp PlayBridge::sensor_now(const HostNow& now) const {
+  return basis_->sensor_at_receipt + (now.monotonic_us - basis_->received_us);
+}
+
+std::optional<PuckTrack> PlayBridge::live_track(const HostNow& now) const {
+  if (!tracked_ || !basis_) return std::nullopt;
+  if (now.monotonic_us - basis_->received_us > params_.gate.max_age_us) return std::nullopt;
+  return filter_.at(sensor_now(now));
+}
+
+bool PlayBridge::hears_arm(const HostNow& now) const {
+  return arm_ && now.monotonic_us - arm_heard_us_ <= kArmSilentUs;
+}
+
+std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now) {
+  if (!trajectory_due_ ||
+      !is_due(last_trajectory_us_, params_.max_trajectory_hz, now.monotonic_us)) {
+    return std::nullopt;
+  }
+  trajectory_due_ = false;
+  last_trajectory_us_ = now.monotonic_us;
+
+  puck_trajectory_t message{};
+  message.estimate_session = newest_.session;
+  message.estimate_seq = newest_.seq;
+  message.sensor_us = newest_sensor_.us;
+  message.head_known = head_is_home_;
+  message.line_x_m = predictor_.line_x_m();
+  const std::optional<PuckTrack> track = filter_.at(newest_sensor_);
+  if (!track) {
+    message.validity = puck_trajectory_t::VALIDITY_NONE;
+    return message;
+  }
+  const bool is_measured = tracked_ && filter_.newest() == newest_sensor_;
+  message.validity =
+      is_measured ? puck_trajectory_t::VALIDITY_TRACKED : puck_trajectory_t::VALIDITY_COASTING;
+  message.x_m = track->state.position.x_m;
+  message.y_m = track->state.position.y_m;
+  message.vx_m_s = track->state.velocity.x_m_s;
+  message.vy_m_s = track->state.velocity.y_m_s;
+  std::copy(track->covariance.begin(), track->covariance.end(), std::begin(message.covariance));
+  predictor_.predict_path(*track, kPathHorizonS, kPathStepS, path_);
+  message.path_length = static_cast<std::int32_t>(path_.size());
+  for (const PathPoint& point : path_) {
+    message.path_t_s.push_back(point.t_s);
+    message.path_x_m.push_back(point.position.x_m);
+    message.path_y_m.push_back(point.position.y_m);
+  }
+  if (const std::optional<Intercept> crossing = predictor_.predict(*track)) {
+    message.crosses = 1;
+    message.crossing_y_m = crossing->y_m;
+    message.crossing_in_s = crossing->in_s;
+    message.crossing_sigma_y_m = crossing->sigma_y_m;
+    message.crossing_sigma_t_s = crossing->sigma_t_s;
+    message.crossing_speed_m_s = crossing->speed_m_s;
+    message.crossing_bounces = crossing->bounces;
+  }
+  return message;
+}
+
+std::optional<arm_command_t> PlayBridge::next_command(const HostNow& now) {
+  if (!is_due(last_command_us_, params_.command_hz, now.monotonic_us)) return std::nullopt;
+  if (!hears_arm(now) || !head_is_home_) return std::nullopt;
+  const std::optional<PuckTrack> track = live_track(now);
+  if (!track) return std::nullopt;
+
+  // The bridge's idea of the line and the arm's: where both can go.
+  const double lowest_m = std::max(-table_.robot_line_half_m, arm_->line_min_m);
+  const double highest_m = std::min(table_.robot_line_half_m, arm_->line_max_m);
+  if (!(lowest_m <= highest_m)) return std::nullopt;
+  const Wish wish = strategy_.decide(*track, predictor_.predict(*track));
+
+  arm_command_t message{};
+  message.mode = arm_command_t::MODE_FOLLOW;
+  message.target_m = std::clamp(wish.y_m, lowest_m, highest_m);
+  const double middle_m = (arm_->line_min_m + arm_->line_max_m) / 2;
+  const double half_m = (arm_->line_max_m - arm_->line_min_m) / 2;
+  message.target_normalised =
+      half_m > 0 ? std::clamp((message.target_m - middle_m) / half_m, -1.0, 1.0) : 0;
+  message.arrive_in_us = static_cast<std::int64_t>(std::max(0.0, wish.arrive_in_s) * 1e6);
+  message.valid_for_us = params_.valid_for_us;
+  message.estimate_session = basis_->session;
+  message.estimate_seq = basis_->seq;
+  message.arm_session = arm_->session;
+  last_command_us_ = now.monotonic_us;
+  ++commands_;
+  return message;
+}
+
+std::optional<game_state_t> PlayBridge::next_game(const HostNow& now) {
+  const GameBelief& belief = game_.belief();
+  const bool waited = !last_game_us_ || now.monotonic_us - *last_game_us_ >= kGamePeriodUs;
+  if (!waited && belief == published_game_) return std::nullopt;
+  last_game_us_ = now.monotonic_us;
+  published_game_ = belief;
+
+  game_state_t message{};
+  message.sensor_us = newest_sensor_.us;
+  message.phase = static_cast<std::int8_t>(belief.phase);
+  message.phase_since_us = belief.phase_since.us;
+  message.goals_for = belief.goals_for;
+  message.goals_against = belief.goals_against;
+  message.rally_hits = belief.rally_hits;
+  message.longest_rally = belief.longest_rally;
+  message.shots = belief.shots;
+  message.saves = belief.saves;
+  return message;
+}
+
+}  // namespace puck

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/messaging/channels.h"
+#include "common/messaging/host_now.h"
+#include "common/messaging/single_publisher.h"
+#include "common/table/homography.h"
+#include "common/table/intercept_predictor.h"
+#include "common/table/motion_filter.h"
+#include "common/table/puck_motion.h"
+#include "services/bridge/estimate_gate.h"
+#include "services/bridge/game_observer.h"
+#include "services/bridge/strategy.h"
+
+namespace puck {
+
+struct PlayBridgeParams {
+  EstimateGateParams gate;
+  PuckMotionParams motion;
+  MotionFilterParams filter;
+  InterceptParams intercept;
+  StrategyParams strategy;
+  double max_trajectory_hz = 1000;
+  double command_hz = 250;              ///< At most so many commands a second.
+  std::int64_t valid_for_us = 100'000;  ///< Of a command.
+  /// The camera may turn so far from where the calibration was made before the table's place
+  /// counts as unknown, deg.
+  double max_head_deg = 0.5;
+};
+
+/// From estimates to the puck's motion on the table, the game, and commands for the arm. Fed with
+/// messages and times, asked for messages, whose headers it leaves alone. It commands only on a
+/// live, believable track, and only an arm that it hears. One thread.
+class PlayBridge {
+ public:
+  /// Throws std::invalid_argument that names the key when a value is out of its range.
+  PlayBridge(const PlayBridgeParams& params, const Homography& table_from_image,
+             const TableGeometry& table);
+
+  void hear(const puck_estimate_t& estimate, const HostNow& now);
+  void hear(const arm_state_t& state, const HostNow& now);
+  void hear(const head_state_t& head);
+
+  /// What is due for publication at `now`; each is due once.
+  std::optional<puck_trajectory_t> next_trajectory(const HostNow& now);
+  std::optional<arm_command_t> next_command(const HostNow& now);
+  std::optional<game_state_t> next_game(const HostNow& now);
+
+  /// The camera has turned from where the calibration was made: no commands.
+  bool is_blind_to_head() const { return !head_is_home_; }
+
+  const EstimateGate& gate() const { return gate_; }
+  std::int64_t outliers() const { return outliers_; }
+  std::int64_t commands() const { return commands_; }
+  const GameBelief& game() const { return game_.belief(); }
+
+ private:
+  // The newest good estimate.
+  struct Basis {
+    std::int64_t session = 0;
+    std::int64_t seq = 0;
+    Timestamp sensor;              // of its newest event
+    Timestamp sensor_at_receipt;   // the sensor's clock when it came
+    std::int64_t received_us = 0;  // CLOCK_MONOTONIC
+  };
+
+  Timestamp sensor_now(const HostNow& now) const;
+  std::optional<PuckTrack> live_track(const HostNow& now) const;
+  bool hears_arm(const HostNow& now) const;
+  void follow_session(const puck_estimate_t& estimate);
+
+  PlayBridgeParams params_;
+  TableGeometry table_;
+  EstimateGate gate_;
+  PuckMotion motion_;
+  MotionFilter filter_;
+  InterceptPredictor predictor_;
+  Strategy strategy_;
+  GameObserver game_;
+
+  std::optional<Basis> basis_;
+  bool tracked_ = false;  // the newest estimate was good
+  std::int64_t events_session_ = 0;
+  Timestamp newest_sensor_;
+  bool trajectory_due_ = false;
+  puck_estimate_t newest_{};
+
+  SinglePublisher arm_publisher_;
+  std::optional<arm_state_t> arm_;
+  std::int64_t arm_heard_us_ = 0;  // CLOCK_MONOTONIC
+  bool head_is_home_ = true;
+
+  std::optional<std::int64_t> last_trajectory_us_;  // CLOCK_MONOTONIC, as all of these
+  std::optional<std::int64_t> last_command_us_;
+  std::optional<std::int64_t> last_game_us_;
+  GameBelief published_game_;
+  std::vector<PathPoint> path_;
+  std::int64_t outliers_ = 0;
+  std::int64_t commands_ = 0;
+};
+
+}  // namespace puck

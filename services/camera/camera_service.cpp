@@ -1,0 +1,259 @@
+#include "services/camera/camera_service.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "common/messaging/host_time.h"
+#include "services/camera/stream_source.h"
+#include "services/camera/tcp_source.h"
+#include "services/camera/truth_messages.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+// Between two looks at the bus: a compromise between the mallet's age and system calls.
+constexpr milliseconds kBusPeriod{1};
+constexpr std::int64_t kLateUs = 20'000;
+// Nothing late for so long means that all is well again.
+constexpr std::chrono::seconds kRecovered{1};
+// A camera may well see nothing for a while.
+constexpr std::chrono::seconds kSilent{1};
+
+bool is_paced(const CameraSettings& settings, const EventSource& source) {
+  if (settings.pace == "auto") return !source.is_live();
+  return settings.pace == "sensor";
+}
+
+}  // namespace
+
+CameraService::CameraService(const CameraSettings& settings, ServiceContext& context)
+    : settings_(settings),
+      context_(context),
+      source_(make_source()),
+      is_paced_(is_paced(settings, *source_)),
+      pacer_(settings.speed) {
+  if (simulated_) listen_to_arm();
+}
+
+std::unique_ptr<EventSource> CameraService::make_source() {
+  if (settings_.source == "file") return std::make_unique<FileSource>(settings_.file);
+  if (settings_.source == "stdin") return std::make_unique<StdinSource>(settings_.file.options);
+  if (settings_.source == "tcp") {
+    return std::make_unique<TcpSource>(settings_.tcp_host, settings_.tcp_port,
+                                       settings_.file.options);
+  }
+  auto simulated = std::make_unique<SimulatedSource>(
+      settings_.simulation, 1'000'000 / settings_.truth_hz,
+      [this](const SimulatedTruth& truth) { publish_truth(truth); });
+  simulated_ = simulated.get();
+  return simulated;
+}
+
+// A stale or foreign ARM_STATE changes nothing, so the mallet stays.
+void CameraService::listen_to_arm() {
+  context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& receipt) {
+    const auto verdict = arm_.hear(state.session, state.seq, receipt.monotonic_us);
+    if (verdict == SinglePublisher::Verdict::kLate ||
+        verdict == SinglePublisher::Verdict::kOtherPublisher) {
+      return;
+    }
+    simulated_->set_robot_mallet(state.position_m);
+  });
+}
+
+void CameraService::run(std::stop_token stop) {
+  if (!play(stop)) return;
+  for (const std::string& warning : source_->warnings()) context_.log.warn("{}", warning);
+  context_.log.info("the source has ended after {} events",
+                    packer_ ? packer_->events_packed() : std::int64_t{0});
+  if (settings_.at_end == "wait") wait_at_end(stop);
+}
+
+// True at the end of the source, false when it was stopped.
+bool CameraService::play(std::stop_token stop) {
+  while (!stop.stop_requested()) {
+    serve_bus();
+    switch (source_->next(chunk_)) {
+      case EventSource::Outcome::kEvents:
+        if (!send_chunk(stop)) return false;
+        break;
+      case EventSource::Outcome::kNothingYet:
+        if (batcher_ && !batcher_->batch().empty() &&
+            Clock::now() - batch_began_ >= microseconds(settings_.flush_us)) {
+          publish_batch();
+        }
+        say_waiting();
+        break;
+      case EventSource::Outcome::kEnd:
+        if (batcher_ && !batcher_->batch().empty()) {
+          if (is_paced_ && !wait_until(batcher_->batch().newest(), stop)) return false;
+          publish_batch();
+        }
+        return true;
+    }
+  }
+  return false;
+}
+
+// False when it was stopped meanwhile.
+bool CameraService::send_chunk(std::stop_token stop) {
+  if (!packer_) prepare(*source_->sensor_size());
+  if (context_.status.state() == ServiceState::kStarting ||
+      context_.status.state() == ServiceState::kWaiting) {
+    context_.status.set_state(ServiceState::kRunning);
+  }
+  warn_of_drops();
+  last_events_ = Clock::now();
+  if (is_paced_ && !pacer_.is_started()) {
+    const Timestamp first = chunk_.packet.empty() ? chunk_.until : chunk_.packet.start;
+    pacer_.start(first, Clock::now());
+    pacer_zero_utime_ = host_utime() - first.us;
+  }
+  if (!is_paced_ && !chunk_.packet.empty()) live_zero_.add(chunk_.until, host_utime());
+
+  std::size_t next = 0;
+  while (true) {
+    const bool was_empty = batcher_->batch().empty();
+    batcher_->take(chunk_.packet, next);
+    if (was_empty && !batcher_->batch().empty()) batch_began_ = Clock::now();
+    if (!batcher_->is_complete(chunk_.until)) break;
+    if (is_paced_ && !wait_until(batcher_->due(), stop)) return false;
+    publish_batch();
+  }
+  return !is_paced_ || wait_until(chunk_.until, stop);
+}
+
+void CameraService::prepare(SensorSize sensor) {
+  const LcmUrl& url = context_.bus.url();
+  const bool is_local = url.in_memory || url.ttl == 0;
+  const int packet_bytes = settings_.packet_bytes != 0 ? settings_.packet_bytes
+                           : is_local                  ? EventPackerParams::kMaxBytes
+                                                       : EventPackerParams::kOneFrame;
+  sensor_ = sensor;
+  packer_.emplace(EventPackerParams{sensor, packet_bytes});
+  const double window_us = is_paced_ ? settings_.flush_us * settings_.speed : settings_.flush_us;
+  batcher_.emplace(static_cast<std::size_t>(packer_->max_events()),
+                   std::max<std::int64_t>(1, std::llround(window_us)));
+  context_.log.info("sensor {}x{}, packets of up to {} bytes", sensor.width, sensor.height,
+                    packet_bytes);
+}
+
+// Serves the bus meanwhile. False when it was stopped.
+bool CameraService::wait_until(Timestamp time, std::stop_token stop) {
+  while (true) {
+    if (stop.stop_requested()) return false;
+    serve_bus();
+    const Clock::time_point due = pacer_.due(time);
+    const Clock::time_point now = Clock::now();
+    if (now >= due) break;
+    std::this_thread::sleep_until(std::min(due, now + kBusPeriod));
+  }
+  note_pace(time);
+  return true;
+}
+
+void CameraService::serve_bus() {
+  const auto now = Clock::now();
+  if (now < bus_due_) return;
+  bus_due_ = now + kBusPeriod;
+  context_.bus.handle(milliseconds(0));
+  poll_status(context_, *this);
+}
+
+void CameraService::say_waiting() {
+  if (Clock::now() - last_events_ < kSilent) return;
+  const std::string what = "for " + source_->waiting_for();
+  if (context_.status.state() == ServiceState::kWaiting && context_.status.state_text() == what) {
+    return;
+  }
+  context_.log.warn("waiting {}", what);
+  context_.status.set_state(ServiceState::kWaiting, what);
+}
+
+void CameraService::note_pace(Timestamp time) {
+  const auto now = Clock::now();
+  const std::int64_t slipped_before_us = pacer_.slipped_us();
+  const bool has_slipped = pacer_.note(time, now);
+  pacer_zero_utime_ += pacer_.slipped_us() - slipped_before_us;
+  const bool is_degraded = context_.status.state() == ServiceState::kDegraded;
+  if (has_slipped || pacer_.lateness_us() > kLateUs) {
+    last_late_ = now;
+    context_.limited_log.warn(
+        "pace", "cannot keep up: " + std::to_string(pacer_.lateness_us() / 1000) + " ms late, " +
+                    std::to_string(pacer_.slipped_us() / 1000) + " ms given up so far");
+    if (!is_degraded) {
+      context_.status.set_state(ServiceState::kDegraded, "cannot keep up with the sensor's clock");
+    }
+  } else if (is_degraded && now - last_late_ > kRecovered) {
+    context_.status.set_state(ServiceState::kRunning);
+  }
+}
+
+void CameraService::publish_batch() {
+  const EventPacket* batch = &batcher_->batch();
+  if (settings_.rotate_180) {
+    rotated_ = *batch;
+    for (Event& event : rotated_.events) rotate(event);
+    batch = &rotated_;
+  }
+  packer_->pack(batch->start, batch->events, [this](event_packet_t& packet) {
+    packet.sensor_zero_utime = sensor_zero_utime();
+    packet.events_dropped = source_->events_dropped() + packer_->events_outside();
+    if (context_.bus.publish(packet)) ++packets_sent_;
+  });
+  batcher_->clear();
+}
+
+void CameraService::rotate(Event& event) const {
+  event.x = static_cast<std::uint16_t>(sensor_.width - 1 - event.x);
+  event.y = static_cast<std::uint16_t>(sensor_.height - 1 - event.y) & 0x7fff;
+}
+
+std::int64_t CameraService::sensor_zero_utime() const {
+  if (!is_paced_) return live_zero_.utime();
+  // At another speed sensor time has no zero on the host's clock.
+  return settings_.speed == 1 ? pacer_zero_utime_ : 0;
+}
+
+void CameraService::publish_truth(const SimulatedTruth& truth) {
+  ground_truth_t message =
+      to_truth_message(truth, settings_.simulation.sensor_size, settings_.rotate_180);
+  context_.bus.publish(message);
+  head_state_t head = to_head_message(truth, settings_.rotate_180);
+  context_.bus.publish(head);
+}
+
+void CameraService::warn_of_drops() {
+  const std::int64_t drops = source_->events_dropped() + source_->malformed_words();
+  if (drops == drops_told_) return;
+  drops_told_ = drops;
+  context_.limited_log.warn(
+      "input", std::to_string(source_->events_dropped()) + " events dropped, " +
+                   std::to_string(source_->malformed_words()) + " malformed words so far");
+}
+
+void CameraService::wait_at_end(std::stop_token stop) {
+  context_.status.set_state(ServiceState::kWaiting, "the source has ended");
+  while (!stop.stop_requested()) {
+    context_.bus.handle(milliseconds(10));
+    poll_status(context_, *this);
+  }
+}
+
+void CameraService::report(StatusReport& report) const {
+  report.counters = {
+      {"events_sent", packer_ ? packer_->events_packed() : 0},
+      {"packets_sent", packets_sent_},
+      {"events_dropped", source_->events_dropped() + (packer_ ? packer_->events_outside() : 0)},
+      {"malformed_words", source_->malformed_words()},
+      {"late_us", pacer_.slipped_us() + pacer_.lateness_us()},
+  };
+}
+
+}  // namespace puck

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "common/messaging/event_packing.h"
+#include "common/messaging/single_publisher.h"
+#include "services/camera/camera_settings.h"
+#include "services/camera/event_batcher.h"
+#include "services/camera/event_source.h"
+#include "services/camera/pacer.h"
+#include "services/camera/sensor_zero.h"
+#include "services/camera/simulated_source.h"
+#include "services/launch/service.h"
+
+namespace puck {
+
+/// Takes events from a source, waits until their time has come, and publishes them in packets. For
+/// the simulated table it publishes TRUTH and HEAD, too, and moves the robot's mallet as ARM_STATE
+/// says. One thread.
+class CameraService final : public Service {
+ public:
+  static CameraSettings read_params(Config& config) { return read_camera_settings(config); }
+
+  /// Opens the source. Throws EventFileError, std::runtime_error or std::invalid_argument.
+  CameraService(const CameraSettings& settings, ServiceContext& context);
+
+  void run(std::stop_token stop) override;
+  void report(StatusReport& report) const override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::unique_ptr<EventSource> make_source();
+  void listen_to_arm();
+
+  bool play(std::stop_token stop);
+  bool send_chunk(std::stop_token stop);
+  void wait_at_end(std::stop_token stop);
+  void prepare(SensorSize sensor);
+  bool wait_until(Timestamp time, std::stop_token stop);
+  void serve_bus();
+  void say_waiting();
+  void note_pace(Timestamp time);
+  void publish_batch();
+  void rotate(Event& event) const;
+  std::int64_t sensor_zero_utime() const;
+  void publish_truth(const SimulatedTruth& truth);
+  void warn_of_drops();
+
+  CameraSettings settings_;
+  ServiceContext& context_;
+  SimulatedSource* simulated_ = nullptr;  // What source_ is, if it is that; make_source() sets it.
+  std::unique_ptr<EventSource> source_;
+  SinglePublisher arm_;
+  bool is_paced_;
+  Pacer pacer_;
+  SensorZero live_zero_;
+  std::int64_t pacer_zero_utime_ = 0;
+
+  // Made once the sensor's size is known.
+  SensorSize sensor_;
+  std::optional<EventPacker> packer_;
+  std::optional<EventBatcher> batcher_;
+
+  EventSource::Chunk chunk_;
+  EventPacket rotated_;
+  Clock::time_point batch_began_;
+  Clock::time_point bus_due_;
+  Clock::time_point last_late_;
+  Clock::time_point last_events_;
+  std::int64_t packets_sent_ = 0;
+  std::int64_t drops_told_ = 0;
+};
+
+}  // namespace puck

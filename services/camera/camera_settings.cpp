@@ -1,0 +1,90 @@
+#include "services/camera/camera_settings.h"
+
+#include <array>
+#include <string_view>
+
+#include "common/messaging/event_packing.h"
+#include "common/simulation/visit_parameters.h"
+
+namespace puck {
+namespace {
+
+/// Lets visit_parameters read a scene whose keys stand below a prefix.
+class SceneReader {
+ public:
+  SceneReader(Config& config, std::string prefix) : config_(config), prefix_(std::move(prefix)) {}
+
+  void read(const char* key, bool& value) { config_.read(prefix_ + key, value); }
+  template <typename Number>
+  void read(const char* key, Number& value, Number lowest, Number highest) {
+    config_.read(prefix_ + key, value, lowest, highest);
+  }
+
+ private:
+  Config& config_;
+  std::string prefix_;
+};
+
+void read_scene(Config& config, SimulationParams& simulation) {
+  std::string scene;
+  config.read("camera.scene", scene);
+  if (!scene.empty()) {
+    Config file = Config::from_file(scene);
+    SceneReader reader(file, "");
+    visit_parameters(reader, simulation);
+    file.reject_unknown();
+  }
+  SceneReader reader(config, "simulation.");
+  visit_parameters(reader, simulation);
+}
+
+void read_file_settings(Config& config, FileSourceParams& file) {
+  constexpr std::array<std::string_view, 4> kFormats{"", "evt2", "evt3", "text"};
+  constexpr std::array<std::string_view, 3> kUnits{"auto", "s", "us"};
+  constexpr double kHighestRate = 1000;
+  std::string path;
+  config.read("camera.file", path);
+  file.file = path;
+  config.read_choice("camera.format", file.options.from, kFormats);
+  config.read("camera.width", file.options.sensor.width, 0, SensorSize::kMax);
+  config.read("camera.height", file.options.sensor.height, 0, SensorSize::kMax);
+  config.read("camera.text_columns", file.options.text_columns);
+  config.read_choice("camera.text_unit", file.options.text_unit, kUnits);
+  config.read("camera.text_separator", file.options.text_separator);
+  config.read("camera.loop", file.loop);
+  config.read("camera.rate_mev_s", file.rate_mev_s, 0, kHighestRate);
+}
+
+}  // namespace
+
+CameraSettings read_camera_settings(Config& config) {
+  constexpr std::array<std::string_view, 4> kSources{"simulated", "file", "stdin", "tcp"};
+  constexpr std::array<std::string_view, 3> kPaces{"auto", "sensor", "arrival"};
+  constexpr std::array<std::string_view, 2> kEnds{"exit", "wait"};
+  CameraSettings settings;
+  config.read_choice("camera.source", settings.source, kSources);
+  read_file_settings(config, settings.file);
+  config.read("camera.tcp_host", settings.tcp_host);
+  config.read("camera.tcp_port", settings.tcp_port, 1, 65535);
+  config.read_choice("camera.pace", settings.pace, kPaces);
+  config.read("camera.speed", settings.speed, 0.001, 1000);
+  config.read_choice("camera.at_end", settings.at_end, kEnds);
+  config.read("camera.rotate_180", settings.rotate_180);
+  config.read("camera.packet_bytes", settings.packet_bytes, 0, EventPackerParams::kMaxBytes);
+  config.read("camera.flush_us", settings.flush_us, 50, 100'000);
+  config.read("camera.truth_hz", settings.truth_hz, 1, 10'000);
+  read_scene(config, settings.simulation);
+
+  if (settings.packet_bytes != 0 && settings.packet_bytes < EventPackerParams::kMinBytes) {
+    config.fail("camera.packet_bytes", "must be 0 or from 256 to 60000");
+  }
+  if (settings.source == "file" && settings.file.file.empty()) {
+    config.fail("camera.file", "must name a recording when camera.source is \"file\"");
+  }
+  if (settings.source == "simulated" && settings.pace == "arrival") {
+    config.fail("camera.pace", "cannot be \"arrival\" for the simulated table");
+  }
+  return settings;
+}
+
+}  // namespace puck

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "common/io/config.h"
+#include "common/simulation/simulation_params.h"
+#include "services/camera/file_source.h"
+
+namespace puck {
+
+/// What puck-camera is told, key by key as in config/camera.toml.
+struct CameraSettings {
+  std::string source = "simulated";  ///< simulated, file, stdin or tcp.
+  FileSourceParams file;             ///< Its options are those of all streams of bytes.
+  std::string tcp_host = "localhost";
+  int tcp_port = 3333;
+
+  std::string pace = "auto";    ///< auto, sensor or arrival.
+  double speed = 1;             ///< Sensor time that passes in a unit of host time.
+  std::string at_end = "exit";  ///< exit or wait.
+
+  bool rotate_180 = false;
+  int packet_bytes = 0;  ///< 0: what suits the bus.
+  int flush_us = 500;    ///< Host time that the first event of a packet waits for others.
+
+  SimulationParams simulation;
+  int truth_hz = 1000;
+};
+
+/// Throws ConfigError.
+CameraSettings read_camera_settings(Config& config);
+
+}  // namespace puck

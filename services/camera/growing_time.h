@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "common/events/timestamp.h"
+
+namespace puck {
+
+/// Joins recordings or connections, each with a clock of its own, to one time that only grows.
+class GrowingTime {
+ public:
+  /// What follows comes from a new clock. Where that one begins before the newest time so far, it
+  /// is moved to begin `gap_us` after it.
+  void begin_new_clock(std::int64_t gap_us) {
+    is_new_ = true;
+    gap_us_ = gap_us;
+  }
+
+  /// Times of one clock must not go back from call to call.
+  Timestamp place(Timestamp time) {
+    if (is_new_) {
+      is_new_ = false;
+      shift_us_ = time < earliest_next() ? earliest_next() - time : 0;
+    }
+    newest_ = time + shift_us_;
+    has_newest_ = true;
+    return newest_;
+  }
+
+ private:
+  Timestamp earliest_next() const {
+    return has_newest_ ? newest_ + gap_us_ : Timestamp{std::numeric_limits<std::int64_t>::min()};
+  }
+
+  bool is_new_ = true;
+  bool has_newest_ = false;
+  std::int64_t gap_us_ = 1;
+  std::int64_t shift_us_ = 0;
+  Timestamp newest_;
+};
+
+}  // namespace puck

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+
+#include "common/simulation/simulated_table.h"
+#include "services/camera/event_source.h"
+
+namespace puck {
+
+/// The simulated table.
+class SimulatedSource final : public EventSource {
+ public:
+  /// The world as it is at the end of the chunk before, called when that moment has come.
+  using OnTruth = std::function<void(const SimulatedTruth&)>;
+
+  /// `truth_period_us`: sensor time between two truths; a slice of the world at least. Throws
+  /// std::invalid_argument for parameters that make no world.
+  SimulatedSource(const SimulationParams& params, std::int64_t truth_period_us, OnTruth on_truth);
+
+  Outcome next(Chunk& chunk) override;
+  std::optional<SensorSize> sensor_size() const override { return table_.sensor_size(); }
+
+  /// y on the robot's line, m. Stays where it is until the next call.
+  void set_robot_mallet(double y_m) { table_.set_robot_mallet(y_m); }
+
+ private:
+  SimulatedTable table_;
+  std::int64_t truth_period_us_;
+  OnTruth on_truth_;
+  Timestamp next_truth_;
+};
+
+}  // namespace puck

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/io/raw_event_stream.h"
+#include "services/camera/event_source.h"
+
+namespace puck {
+
+/// Prophesee RAW bytes that come in through a file descriptor: what stdin and TCP have in common.
+class DescriptorEvents {
+ public:
+  enum class Outcome { kEvents, kNothingYet, kEnd };
+
+  /// The descriptor stays the caller's. `name` stands for it in messages.
+  DescriptorEvents(int descriptor, std::string name, const EventFileOptions& options);
+
+  /// Waits for bytes for a few ms. Throws EventFileError when they are no RAW stream, or when the
+  /// descriptor fails.
+  Outcome next(EventPacket& packet);
+
+  const RawEventStream& stream() const { return stream_; }
+  const std::string& name() const { return name_; }
+
+ private:
+  Outcome read_more();
+
+  int descriptor_;
+  std::string name_;
+  RawEventStream stream_;
+  std::vector<std::byte> buffer_;
+  std::size_t used_ = 0;
+  std::size_t size_ = 0;
+  bool is_finished_ = false;
+};
+
+/// Standard input.
+class StdinSource final : public EventSource {
+ public:
+  explicit StdinSource(const EventFileOptions& options);
+
+  Outcome next(Chunk& chunk) override;
+  std::optional<SensorSize> sensor_size() const override { return events_.stream().sensor_size(); }
+  std::string waiting_for() const override { return "events on stdin"; }
+  std::int64_t events_dropped() const override { return events_.stream().counters().dropped(); }
+  std::int64_t malformed_words() const override {
+    return events_.stream().counters().malformed_words;
+  }
+  std::vector<std::string> warnings() const override;
+
+ private:
+  DescriptorEvents events_;
+};
+
+}  // namespace puck

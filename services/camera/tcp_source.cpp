@@ -1,0 +1,137 @@
+#include "services/camera/tcp_source.h"
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace puck {
+namespace {
+
+constexpr std::chrono::seconds kRetryAfter{1};
+constexpr std::chrono::milliseconds kIdle{2};
+
+}  // namespace
+
+struct TcpSource::Address {
+  sockaddr_storage storage{};
+  socklen_t length = 0;
+};
+
+TcpSource::TcpSource(const std::string& host, int port, const EventFileOptions& options)
+    : name_(host + ":" + std::to_string(port)),
+      options_(options),
+      address_(std::make_unique<Address>()),
+      waiting_for_("a connection to " + name_) {
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  const int error = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
+  if (error != 0) {
+    throw std::runtime_error("camera.tcp_host \"" + host +
+                             "\" cannot be found: " + gai_strerror(error));
+  }
+  std::memcpy(&address_->storage, found->ai_addr, found->ai_addrlen);
+  address_->length = found->ai_addrlen;
+  freeaddrinfo(found);
+}
+
+TcpSource::~TcpSource() {
+  if (socket_ >= 0) close(socket_);
+}
+
+EventSource::Outcome TcpSource::next(Chunk& chunk) {
+  if (!is_connected()) {
+    std::this_thread::sleep_for(kIdle);
+    return Outcome::kNothingYet;
+  }
+  try {
+    const DescriptorEvents::Outcome outcome = events_->next(chunk.packet);
+    check_sensor();
+    if (outcome == DescriptorEvents::Outcome::kEnd) {
+      disconnect("it closed the connection");
+      return Outcome::kNothingYet;
+    }
+    if (outcome == DescriptorEvents::Outcome::kNothingYet) return Outcome::kNothingYet;
+  } catch (const EventFileError& error) {
+    disconnect(error.what());
+    return Outcome::kNothingYet;
+  }
+  const Timestamp newest = chunk.packet.newest();
+  chunk.packet.start = time_.place(chunk.packet.start);
+  chunk.until = time_.place(newest);
+  return Outcome::kEvents;
+}
+
+void TcpSource::connect() {
+  next_attempt_ = Clock::now() + kRetryAfter;
+  socket_ = socket(address_->storage.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  if (socket_ < 0) throw std::runtime_error(std::string("no socket: ") + std::strerror(errno));
+  const auto* address = reinterpret_cast<const sockaddr*>(&address_->storage);
+  if (::connect(socket_, address, address_->length) != 0 && errno != EINPROGRESS) {
+    disconnect(std::strerror(errno));
+  }
+}
+
+bool TcpSource::is_connected() {
+  if (events_) return true;
+  if (socket_ < 0) {
+    if (Clock::now() < next_attempt_) return false;
+    connect();
+  }
+  if (socket_ < 0) return false;
+  pollfd waiting{socket_, POLLOUT, 0};
+  if (poll(&waiting, 1, 0) <= 0) {
+    if (Clock::now() >= next_attempt_) disconnect("it does not answer");
+    return false;
+  }
+  int error = 0;
+  socklen_t length = sizeof error;
+  getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &length);
+  if (error != 0) {
+    disconnect(std::strerror(error));
+    return false;
+  }
+  waiting_for_ = "events from " + name_;
+  events_.emplace(socket_, name_, options_);
+  time_.begin_new_clock(1);
+  return true;
+}
+
+void TcpSource::disconnect(const std::string& reason) {
+  if (events_) {
+    ++disconnections_;
+    dropped_before_ += events_->stream().counters().dropped();
+    malformed_before_ += events_->stream().counters().malformed_words;
+    events_.reset();
+  }
+  if (socket_ >= 0) close(socket_);
+  socket_ = -1;
+  waiting_for_ = "a connection to " + name_ + ": " + reason;
+  next_attempt_ = Clock::now() + kRetryAfter;
+}
+
+// Another camera behind the same address would not fit what was published before.
+void TcpSource::check_sensor() {
+  const auto sensor = events_->stream().sensor_size();
+  if (!sensor) return;
+  if (sensor_ && *sensor_ != *sensor) throw EventFileError("the sensor's size has changed");
+  sensor_ = sensor;
+}
+
+std::int64_t TcpSource::events_dropped() const {
+  return dropped_before_ + (events_ ? events_->stream().counters().dropped() : 0);
+}
+
+std::int64_t TcpSource::malformed_words() const {
+  return malformed_before_ + (events_ ? events_->stream().counters().malformed_words : 0);
+}
+
+}  // namespace puck

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "services/camera/event_source.h"
+#include "services/camera/growing_time.h"
+#include "services/camera/stream_source.h"
+
+namespace puck {
+
+/// A server that sends Prophesee RAW bytes over TCP, header first. Connects, and connects again a
+/// second after the connection broke or brought something that cannot be used.
+class TcpSource final : public EventSource {
+ public:
+  /// Looks up the host. Throws std::runtime_error when there is none of that name.
+  TcpSource(const std::string& host, int port, const EventFileOptions& options);
+  ~TcpSource() override;
+  TcpSource(const TcpSource&) = delete;
+  TcpSource& operator=(const TcpSource&) = delete;
+
+  Outcome next(Chunk& chunk) override;
+  std::optional<SensorSize> sensor_size() const override { return sensor_; }
+  bool is_live() const override { return true; }
+  std::string waiting_for() const override { return waiting_for_; }
+  std::int64_t events_dropped() const override;
+  std::int64_t malformed_words() const override;
+
+  /// Connections that brought bytes and broke, so far.
+  std::int64_t disconnections() const { return disconnections_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Address;
+
+  void connect();
+  bool is_connected();
+  void disconnect(const std::string& reason);
+  void check_sensor();
+
+  std::string name_;
+  EventFileOptions options_;
+  std::unique_ptr<Address> address_;
+  int socket_ = -1;
+  std::optional<DescriptorEvents> events_;
+  Clock::time_point next_attempt_;
+  std::string waiting_for_;
+  std::optional<SensorSize> sensor_;
+  GrowingTime time_;
+  std::int64_t disconnections_ = 0;
+  std::int64_t dropped_before_ = 0;  // In earlier connections.
+  std::int64_t malformed_before_ = 0;
+};
+
+}  // namespace puck

@@ -1,0 +1,58 @@
+#include "services/tracker/tracker_params.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "common/io/size_model_file.h"
+#include "common/vision/presets.h"
+
+namespace puck {
+namespace {
+
+constexpr std::array<std::string_view, 4> kPresets{"default", "correlation", "paper", "reference"};
+
+void read_detection_region(Config& config, Region& region) {
+  std::array<double, 4> numbers{static_cast<double>(region.x), static_cast<double>(region.y),
+                                static_cast<double>(region.width),
+                                static_cast<double>(region.height)};
+  config.read("tracker.detection_region", numbers, 0, SensorSize::kMax);
+  region = {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]),
+            static_cast<int>(numbers[2]), static_cast<int>(numbers[3])};
+}
+
+void read_milliseconds(Config& config, std::string_view key, std::int64_t& value_us) {
+  std::int64_t milliseconds = value_us / 1000;
+  config.read(key, milliseconds, 0, 10'000);
+  value_us = milliseconds * 1000;
+}
+
+}  // namespace
+
+TrackerServiceParams read_tracker_params(Config& config) {
+  TrackerServiceParams params;
+  std::string preset = "default";
+  config.read_choice("tracker.preset", preset, kPresets);
+  params.pipeline = preset_params(preset_from(preset).value());
+
+  PipelineParams& pipeline = params.pipeline;
+  config.read("tracker.half_width_px", pipeline.eros.half_width_px, 1, 8);
+  config.read("tracker.decay", pipeline.eros.decay, 0.01, 0.999);
+  read_detection_region(config, pipeline.detector.region);
+  config.read("tracker.detection_threshold", pipeline.detector.threshold, 0, 1e9);
+  config.read("tracker.region_factor", pipeline.tracker.region_factor, 1, 20);
+  config.read("tracker.prior_sigma", pipeline.tracker.prior_sigma, 0.05, 10);
+  config.read("tracker.lose", pipeline.loss.enabled);
+  config.read("tracker.lowest_score", pipeline.loss.lowest_score, 0, 1);
+  read_milliseconds(config, "tracker.coast_ms", pipeline.loss.coast_us);
+  read_milliseconds(config, "tracker.search_period_ms", pipeline.loss.search_period_us);
+  config.read("tracker.max_publish_hz", params.thread.max_publish_hz, 1, 100'000);
+
+  std::string size_model;
+  config.read("tracker.size_model", size_model);
+  params.size_model =
+      size_model.empty() ? authors_static_size_model() : read_size_model_file(size_model);
+  return params;
+}
+
+}  // namespace puck

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "common/io/config.h"
+#include "common/runtime/tracking_thread.h"
+#include "common/vision/puck_pipeline.h"
+#include "common/vision/puck_size_model.h"
+
+namespace puck {
+
+struct TrackerServiceParams {
+  PipelineParams pipeline;
+  PuckSizeModel size_model;
+  TrackingThreadParams thread;
+};
+
+/// Reads the keys of [tracker]. A preset gives the defaults of all that comes after it. Throws
+/// ConfigError.
+TrackerServiceParams read_tracker_params(Config& config);
+
+}  // namespace puck

@@ -1,0 +1,176 @@
+#include "services/tracker/tracker_service.h"
+
+#include <chrono>
+#include <string>
+
+#include "common/messaging/conversions.h"
+#include "common/messaging/event_packing.h"
+#include "common/messaging/host_time.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kHandle{20};
+constexpr std::int64_t kSilentUs = 1'000'000;
+
+std::int64_t utime_of(std::chrono::system_clock::time_point time) {
+  return std::chrono::duration_cast<std::chrono::microseconds>(time.time_since_epoch()).count();
+}
+
+StatusLatency named(const char* name, const LatencyHistogram& histogram) {
+  const LatencySummary s = histogram.summary();
+  return {name, s.p50_us, s.p99_us, s.max_us, s.samples};
+}
+
+}  // namespace
+
+TrackerService::Track::Track(SensorSize sensor, const TrackerServiceParams& params,
+                             TrackingThread::Publish publish)
+    : surface(sensor, params.pipeline.eros),
+      thread(surface, PuckPipeline(sensor, params.pipeline, params.size_model), params.thread,
+             std::move(publish)) {}
+
+TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
+    : params_(params), context_(context) {
+  // Parameters that cannot work are refused at the start, not with the first packet.
+  const PuckPipeline trial({640, 480}, params.pipeline, params.size_model);
+  const ErosSurface trial_surface({1, 1}, params.pipeline.eros);
+  context_.bus.subscribe<event_packet_t>(
+      [this](const event_packet_t& packet, const Receipt& receipt) { receive(packet, receipt); });
+}
+
+void TrackerService::run(std::stop_token stop) {
+  while (!stop.stop_requested()) {
+    context_.bus.handle(kHandle);
+    watch_input();
+    poll_status(context_, *this);
+  }
+  track_.reset();
+}
+
+void TrackerService::receive(const event_packet_t& packet, const Receipt& receipt) {
+  switch (publisher_.hear(packet.session, packet.seq, receipt.monotonic_us)) {
+    case SinglePublisher::Verdict::kOtherPublisher:
+      ++others_packets_;
+      context_.limited_log.warn("events", "a second publisher of events is not followed");
+      return;
+    case SinglePublisher::Verdict::kLate:
+      packets_.add(packet.session, packet.seq, packet.events_before, packet.count);
+      ++dropped_packets_;
+      return;
+    case SinglePublisher::Verdict::kNewPublisher:
+      begin(packet);
+      break;
+    case SinglePublisher::Verdict::kAccepted:
+      break;
+  }
+  packets_.add(packet.session, packet.seq, packet.events_before, packet.count);
+  heard_us_ = receipt.monotonic_us;
+  unpack(packet, events_);
+  if (events_.empty()) return;
+  if (SensorSize{packet.width, packet.height} != sensor_ || events_.start < newest_event_) {
+    ++dropped_packets_;
+    context_.limited_log.warn("events",
+                              "a packet of another sensor, or from before the newest event, is "
+                              "dropped");
+    return;
+  }
+  newest_event_ = events_.newest();
+  events_received_ += packet.count;
+  track_->surface.update(events_, origin_of(packet, receipt));
+}
+
+void TrackerService::begin(const event_packet_t& packet) {
+  track_.reset();
+  sensor_ = {packet.width, packet.height};
+  newest_event_ = {packet.first_event_us};
+  published_event_ = {-1};
+  packets_ = {};
+  dropped_packets_ = 0;
+  events_received_ = 0;
+  context_.log.info("following events of session {:x}, sensor {}x{}", packet.session, packet.width,
+                    packet.height);
+  try {
+    track_ =
+        std::make_unique<Track>(sensor_, params_, [this](const TrackedEstimate& t) { publish(t); });
+  } catch (const std::invalid_argument&) {
+    // Only the detection region depends on the sensor: without it the puck is sought everywhere.
+    context_.log.error("tracker.detection_region lies outside the sensor; searching all of it");
+    params_.pipeline.detector.region = {};
+    track_ =
+        std::make_unique<Track>(sensor_, params_, [this](const TrackedEstimate& t) { publish(t); });
+  }
+}
+
+PacketOrigin TrackerService::origin_of(const event_packet_t& packet, const Receipt& receipt) const {
+  PacketOrigin origin;
+  origin.session = packet.session;
+  origin.sensor_zero_utime = packet.sensor_zero_utime;
+  origin.received_utime = receipt.utime;
+  origin.received =
+      std::chrono::steady_clock::time_point(std::chrono::microseconds(receipt.monotonic_us));
+  const LossCounters& counters = packets_.counters();
+  origin.counters = {counters.received, counters.lost,       dropped_packets_,
+                     rejected_packets_, counters.items_lost, packet.events_dropped};
+  return origin;
+}
+
+void TrackerService::publish(const TrackedEstimate& tracked) {
+  puck_estimate_t message = to_message(tracked.estimate, sensor_);
+  const PacketOrigin& origin = tracked.origin;
+  message.events_session = origin.session;
+  if (origin.sensor_zero_utime != 0) {
+    message.event_utime = origin.sensor_zero_utime + tracked.estimate.newest_event.us;
+  }
+  message.packet_received_utime = origin.received_utime;
+  message.tracking_started_utime = utime_of(tracked.tracking_started);
+  message.backlog_us = tracked.backlog_us;
+  message.backlog_events = tracked.backlog_events;
+  message.packets_received = origin.counters.received;
+  message.packets_lost = origin.counters.lost;
+  message.packets_late = origin.counters.late;
+  message.packets_rejected = origin.counters.rejected;
+  message.events_lost = origin.counters.events_lost;
+  message.events_dropped = origin.counters.events_dropped;
+  context_.bus.publish(message);
+
+  // Only the first estimate with a new event says how long that event took.
+  if (tracked.estimate.newest_event <= published_event_) return;
+  published_event_ = tracked.estimate.newest_event;
+  packet_to_estimate_.record(std::chrono::duration_cast<std::chrono::microseconds>(
+                                 std::chrono::steady_clock::now() - origin.received)
+                                 .count());
+  backlog_.record(tracked.backlog_us);
+  if (message.event_utime != 0) sensor_to_estimate_.record(message.utime - message.event_utime);
+}
+
+void TrackerService::watch_input() {
+  rejected_packets_ = context_.bus.counters<event_packet_t>().rejected;
+  if (heard_us_ == 0) {
+    context_.status.set_state(ServiceState::kWaiting, "for events");
+  } else if (host_monotonic_us() - heard_us_ > kSilentUs) {
+    context_.status.set_state(ServiceState::kWaiting, "for events, which have stopped coming");
+  } else {
+    context_.status.set_state(ServiceState::kRunning);
+  }
+}
+
+void TrackerService::report(StatusReport& report) const {
+  const LossCounters& counters = packets_.counters();
+  report.counters = {
+      {"events_received", events_received_},
+      {"packets_received", counters.received},
+      {"packets_lost", counters.lost},
+      {"packets_late", dropped_packets_},
+      {"packets_rejected", rejected_packets_},
+      {"packets_of_others", others_packets_},
+      {"events_lost", counters.items_lost},
+      {"estimates", context_.bus.counters<puck_estimate_t>().published},
+  };
+  report.latencies = {named("packet_to_estimate", packet_to_estimate_),
+                      named("sensor_to_estimate", sensor_to_estimate_), named("backlog", backlog_)};
+}
+
+}  // namespace puck

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+
+#include "common/events/event_packet.h"
+#include "common/messaging/loss_accounting.h"
+#include "common/messaging/single_publisher.h"
+#include "common/runtime/latency_histogram.h"
+#include "common/runtime/shared_surface.h"
+#include "common/runtime/tracking_thread.h"
+#include "puck/event_packet_t.hpp"
+#include "services/launch/service.h"
+#include "services/tracker/tracker_params.h"
+
+namespace puck {
+
+/// The paper's Figure 2. The thread that runs the service is its first thread: it takes packets of
+/// events from the bus and updates the EROS surface event by event. The second, a TrackingThread,
+/// looks at the newest surface as fast as it can and publishes where the puck is.
+///
+/// It follows one publisher of events: the first that it hears, until that one has been silent for
+/// 500 ms. With another publisher, or another run of the same, everything starts anew, since sensor
+/// time does.
+class TrackerService : public Service {
+ public:
+  static TrackerServiceParams read_params(Config& config) { return read_tracker_params(config); }
+
+  TrackerService(const TrackerServiceParams& params, ServiceContext& context);
+
+  void run(std::stop_token stop) override;
+  void report(StatusReport& report) const override;
+
+ private:
+  /// A surface and the thread that looks at it, for one run of one camera.
+  struct Track {
+    Track(SensorSize sensor, const TrackerServiceParams& params, TrackingThread::Publish publish);
+
+    SharedSurface surface;
+    TrackingThread thread;
+  };
+
+  void receive(const event_packet_t& packet, const Receipt& receipt);
+  void begin(const event_packet_t& packet);
+  PacketOrigin origin_of(const event_packet_t& packet, const Receipt& receipt) const;
+  void publish(const TrackedEstimate& tracked);
+  void watch_input();
+
+  TrackerServiceParams params_;
+  ServiceContext& context_;
+
+  // First thread.
+  SinglePublisher publisher_;
+  LossAccount packets_;
+  EventPacket events_;
+  SensorSize sensor_;
+  Timestamp newest_event_;
+  std::int64_t events_received_ = 0;
+  std::int64_t others_packets_ = 0;    // of publishers that are not followed
+  std::int64_t dropped_packets_ = 0;   // late, or older than what is on the surface
+  std::int64_t rejected_packets_ = 0;  // malformed
+  std::int64_t heard_us_ = 0;          // CLOCK_MONOTONIC; 0: never
+
+  // Second thread; the histograms may be read from both.
+  Timestamp published_event_{-1};
+  LatencyHistogram packet_to_estimate_;
+  LatencyHistogram sensor_to_estimate_;
+  LatencyHistogram backlog_;
+
+  std::unique_ptr<Track> track_;  // last: its thread uses what stands above
+};
+
+}  // namespace puck

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+
+#include "services/arm/arm_controller.h"
+
+namespace puck {
+
+/// An arm controller with a clock, a bridge and a tracker that all run as the test says.
+class ArmBench {
+ public:
+  static constexpr std::int64_t kArmSession = 1001;
+  static constexpr std::int64_t kBridgeSession = 2001;
+  static constexpr std::int64_t kTrackerSession = 3001;
+
+  explicit ArmBench(const ArmControllerParams& params = {}) : arm(params, kArmSession) {}
+
+  /// A good command, which a test may then spoil.
+  arm_command_t command(double target_m) {
+    arm_command_t message{};
+    message.utime = now.utime;
+    message.session = kBridgeSession;
+    message.seq = next_command_seq_++;
+    message.mode = arm_command_t::MODE_FOLLOW;
+    message.target_m = target_m;
+    message.target_normalised = target_m / 0.3;
+    message.valid_for_us = 100'000;
+    message.estimate_session = kTrackerSession;
+    message.estimate_seq = next_estimate_seq_ - 1;
+    message.arm_session = kArmSession;
+    return message;
+  }
+
+  /// A good estimate, which a test may then spoil.
+  puck_estimate_t estimate() {
+    puck_estimate_t message{};
+    message.utime = now.utime;
+    message.session = kTrackerSession;
+    message.seq = next_estimate_seq_++;
+    message.events_session = 1;
+    message.sensor_us = now.monotonic_us;
+    message.state = puck_estimate_t::STATE_TRACKING;
+    message.flags = puck_estimate_t::FLAG_POSITION;
+    message.x_px = 320;
+    message.y_px = 240;
+    return message;
+  }
+
+  /// Sends an operator's stop or reset from a run of its own.
+  void operate(std::int8_t mode) {
+    arm_command_t message = command(0);
+    message.session = next_operator_session_++;
+    message.seq = 0;
+    message.mode = mode;
+    message.from_operator = true;
+    arm.hear(message, now);
+  }
+
+  /// `ms` steps of 1 ms with nothing on the bus.
+  void run(int ms) {
+    for (int i = 0; i < ms; ++i) {
+      now.utime += 1000;
+      now.monotonic_us += 1000;
+      arm.step(now, 0.001);
+    }
+  }
+
+  /// `ms` steps of 1 ms with a fresh estimate and a command in each.
+  void play(int ms, double target_m) {
+    for (int i = 0; i < ms; ++i) {
+      arm.hear(estimate(), now);
+      arm.hear(command(target_m), now);
+      run(1);
+    }
+  }
+
+  bool stands() const { return arm.velocity_m_s() == 0; }
+
+  HostNow now{1'700'000'000'000'000, 5'000'000};
+  ArmController arm;
+
+ private:
+  std::int64_t next_command_seq_ = 0;
+  std::int64_t next_estimate_seq_ = 1;
+  std::int64_t next_operator_session_ = 9001;
+};
+
+}  // namespace puck

@@ -1,0 +1,182 @@
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "services/arm/arm_controller.h"
+#include "tests/arm/arm_bench.h"
+#include "tests/support/test_camera.h"
+
+namespace puck {
+namespace {
+
+TEST_CASE("With commands and a live track the arm goes where it is told and holds there") {
+  ArmBench bench;
+  bench.run(1);
+  CHECK(bench.arm.state().state == arm_state_t::STATE_IDLE);
+  bench.play(100, 0.2);
+  CHECK(bench.arm.state().state == arm_state_t::STATE_MOVING);
+  bench.play(500, 0.2);
+  const arm_state_t state = bench.arm.state();
+  CHECK(state.position_m == doctest::Approx(0.2).epsilon(0.01));
+  CHECK(state.position_normalised == doctest::Approx(0.6667).epsilon(0.01));
+  CHECK(state.state == arm_state_t::STATE_HOLDING);
+  CHECK(state.reason.empty());
+  CHECK(state.command_session == ArmBench::kBridgeSession);
+  CHECK(state.command_seq == 599);
+  CHECK(state.estimate_session == ArmBench::kTrackerSession);
+}
+
+TEST_CASE("The arm stands still within its limits when the commands end") {
+  ArmBench bench;
+  bench.play(60, 0.3);
+  CHECK(bench.arm.velocity_m_s() > 0.5);
+  const double target_before = bench.arm.state().target_m;
+  // Estimates go on, commands do not. 100 ms until it brakes, 75 ms to brake from 1.5 m/s.
+  for (int i = 0; i < 99; ++i) {
+    bench.arm.hear(bench.estimate(), bench.now);
+    bench.run(1);
+  }
+  CHECK(bench.arm.state().target_m == target_before);
+  for (int i = 0; i < 80; ++i) {
+    bench.arm.hear(bench.estimate(), bench.now);
+    bench.run(1);
+  }
+  CHECK(bench.stands());
+  CHECK(bench.arm.state().reason == "no command in time");
+  CHECK(bench.arm.state().state == arm_state_t::STATE_HOLDING);
+}
+
+TEST_CASE("The arm stands still when the track under good commands goes silent") {
+  ArmBench bench;
+  bench.play(40, 0.3);
+  const auto command_only = [&](int ms) {
+    for (int i = 0; i < ms; ++i) {
+      bench.arm.hear(bench.command(i < 50 ? -0.3 : 0.3), bench.now);
+      bench.run(1);
+    }
+  };
+  command_only(101);
+  CHECK(bench.arm.state().reason == "no live track");
+  command_only(80);
+  CHECK(bench.stands());
+}
+
+TEST_CASE("The arm stands still at once when the tracker says that it lost the puck") {
+  ArmBench bench;
+  bench.play(40, 0.3);
+  for (int i = 0; i < 80; ++i) {
+    puck_estimate_t lost = bench.estimate();
+    lost.state = puck_estimate_t::STATE_LOST;
+    bench.arm.hear(lost, bench.now);
+    bench.arm.hear(bench.command(0.3), bench.now);
+    bench.run(1);
+    CHECK(bench.arm.state().reason == "no live track");
+  }
+  CHECK(bench.stands());
+}
+
+TEST_CASE("An estimate said again and again is no track, unless the puck rests") {
+  for (const bool resting : {false, true}) {
+    ArmBench bench;
+    const std::int64_t frozen_us = bench.now.monotonic_us;
+    for (int i = 0; i < 300; ++i) {
+      puck_estimate_t estimate = bench.estimate();
+      estimate.sensor_us = frozen_us;
+      if (resting) estimate.flags |= puck_estimate_t::FLAG_RESTING;
+      bench.arm.hear(estimate, bench.now);
+      bench.arm.hear(bench.command(0.1), bench.now);
+      bench.run(1);
+    }
+    CHECK((bench.arm.state().reason == "no live track") == !resting);
+  }
+}
+
+TEST_CASE("Estimates that are replayed, malformed or another tracker's give no live track") {
+  ArmBench bench;
+  puck_estimate_t old = bench.estimate();
+  old.utime -= 300'000;
+  bench.arm.hear(old, bench.now);
+  puck_estimate_t malformed = bench.estimate();
+  malformed.x_px = std::numeric_limits<double>::quiet_NaN();
+  bench.arm.hear(malformed, bench.now);
+  bench.arm.hear(bench.command(0.1), bench.now);
+  bench.run(1);
+  CHECK(bench.arm.state().reason == "no live track");
+  CHECK(bench.arm.estimates(TrackWatch::Verdict::kClock) == 1);
+  CHECK(bench.arm.estimates(TrackWatch::Verdict::kMalformed) == 1);
+
+  bench.arm.hear(bench.estimate(), bench.now);
+  arm_command_t command = bench.command(0.1);
+  command.estimate_session = 4;
+  bench.arm.hear(command, bench.now);
+  bench.run(1);
+  CHECK(bench.arm.state().reason == "the command rests on another tracker");
+  puck_estimate_t other = bench.estimate();
+  other.session = 4;
+  bench.arm.hear(other, bench.now);
+  CHECK(bench.arm.estimates(TrackWatch::Verdict::kOtherPublisher) == 1);
+}
+
+TEST_CASE("A stop brakes, stays through good commands, and ends with an operator's reset") {
+  ArmBench bench;
+  bench.play(60, 0.3);
+  bench.operate(arm_command_t::MODE_STOP);
+  bench.play(80, 0.3);
+  CHECK(bench.stands());
+  CHECK(bench.arm.state().state == arm_state_t::STATE_STOPPED);
+  CHECK(bench.arm.state().reason == "stopped by an operator");
+  const double stopped_at = bench.arm.position_m();
+  bench.play(500, -0.3);
+  CHECK(bench.arm.position_m() == stopped_at);
+  bench.operate(arm_command_t::MODE_RESET);
+  bench.run(1);
+  CHECK(bench.arm.state().state == arm_state_t::STATE_HOLDING);
+  bench.play(500, -0.3);
+  CHECK(bench.arm.position_m() == doctest::Approx(-0.3).epsilon(0.01));
+}
+
+TEST_CASE("The time from an estimate's publication to the set-point it led to is measured") {
+  ArmBench bench;
+  bench.arm.hear(bench.estimate(), bench.now);
+  bench.now.utime += 700;
+  bench.now.monotonic_us += 700;
+  bench.arm.hear(bench.command(0.1), bench.now);
+  bench.run(5);
+  CHECK(bench.arm.state().estimate_to_motion_us == 1700);
+}
+
+TEST_CASE("In mode follow the arm follows the puck's y, on the line and on the table only") {
+  ArmControllerParams params;
+  params.mode = ArmMode::kFollow;
+  CHECK_THROWS_AS(ArmController(params, 1), std::invalid_argument);
+  params.view = ArmView{test_camera(), {}};
+  ArmBench bench(params);
+  const auto see = [&](const Pixel pixel, int ms) {
+    for (int i = 0; i < ms; ++i) {
+      puck_estimate_t estimate = bench.estimate();
+      estimate.x_px = pixel.x;
+      estimate.y_px = pixel.y;
+      bench.arm.hear(estimate, bench.now);
+      bench.run(1);
+    }
+  };
+  see(*test_camera().to_image({1, 0.12}), 600);
+  CHECK(bench.arm.position_m() == doctest::Approx(0.12).epsilon(0.01));
+  see(*test_camera().to_image({1.5, -0.5}), 600);
+  CHECK(bench.arm.position_m() == doctest::Approx(-0.3).epsilon(0.01));
+  see(*test_camera().to_image({1, 0.7}), 100);
+  CHECK(bench.arm.state().reason == "the track is off the table");
+  CHECK(bench.arm.position_m() == doctest::Approx(-0.3).epsilon(0.01));
+
+  bench.arm.hear(bench.command(0), bench.now);
+  CHECK(bench.arm.guard().refused(CommandRefusal::kFollowsItself) == 1);
+  bench.operate(arm_command_t::MODE_STOP);
+  see(*test_camera().to_image({1, 0.12}), 100);
+  CHECK(bench.arm.position_m() == doctest::Approx(-0.3).epsilon(0.01));
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,163 @@
+#include <cmath>
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <doctest/doctest.h>
+
+#include "common/messaging/host_time.h"
+#include "services/arm/arm_service.h"
+#include "services/arm/operator_command.h"
+#include "tests/messaging/test_url.h"
+#include "tests/support/service_bench.h"
+
+namespace puck {
+namespace {
+
+// An arm that runs, and the newest state that it said.
+class RunningArm {
+ public:
+  explicit RunningArm(const std::string& url = "memq://") : bench(url) {
+    bench.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt&) {
+      const std::lock_guard lock(mutex_);
+      state_ = state;
+    });
+    Config config;
+    bench.make<ArmService>(ArmService::read_params(config));
+    REQUIRE(bench.start());
+  }
+  ~RunningArm() { bench.stop(); }
+
+  std::optional<arm_state_t> state() const {
+    const std::lock_guard lock(mutex_);
+    return state_;
+  }
+  bool is_in(std::int8_t wanted) const {
+    const auto now = state();
+    return now && now->state == wanted;
+  }
+
+  void say_track() {
+    puck_estimate_t estimate{};
+    estimate.sensor_us = host_monotonic_us();
+    estimate.state = puck_estimate_t::STATE_TRACKING;
+    estimate.flags = puck_estimate_t::FLAG_POSITION;
+    estimate.image_width = 640;
+    estimate.image_height = 480;
+    bench.bus.publish(estimate);
+  }
+  void command(double target_m) {
+    arm_command_t command{};
+    command.mode = arm_command_t::MODE_FOLLOW;
+    command.target_m = target_m;
+    command.valid_for_us = 100'000;
+    command.estimate_session = bench.bus.session();
+    command.arm_session = bench.bus.session();
+    bench.bus.publish(command);
+  }
+  bool moves_to(double target_m) {
+    return ServiceBench::until(
+        [&] {
+          const auto now = state();
+          return now && std::abs(now->position_m - target_m) < 0.005;
+        },
+        [&] {
+          say_track();
+          command(target_m);
+        });
+  }
+
+  ServiceBench bench;
+
+ private:
+  mutable std::mutex mutex_;
+  std::optional<arm_state_t> state_;
+};
+
+int operate(const std::string& word, const std::string& url) {
+  OperatorCommand by_hand;
+  CLI::App app;
+  by_hand.add_options(app);
+  app.parse(word);
+  return by_hand.run({.url = url}, {}).value_or(-1);
+}
+
+TEST_CASE("The arm service moves on commands and estimates from the bus and says where it is") {
+  RunningArm arm;
+  CHECK(arm.moves_to(0.2));
+  const arm_state_t state = *arm.state();
+  CHECK(state.back_end == "simulated");
+  CHECK(state.line_max_m == 0.3);
+  CHECK(state.command_session == arm.bench.bus.session());
+  CHECK(state.estimate_session == arm.bench.bus.session());
+}
+
+TEST_CASE("The arm service stands still when the bus falls silent") {
+  RunningArm arm;
+  CHECK(arm.moves_to(0.1));
+  const auto stands = [&] {
+    const auto now = arm.state();
+    return now->state == arm_state_t::STATE_HOLDING && now->reason == "no command in time";
+  };
+  CHECK(ServiceBench::until(stands, [] {}));
+}
+
+TEST_CASE("puck-arm --stop latches a running arm and --reset releases it, both confirmed") {
+  const std::string url = private_lcm_url();
+  RunningArm arm(url);
+  CHECK(arm.moves_to(0.1));
+  CHECK(operate("--stop", url) == 0);
+  CHECK(arm.is_in(arm_state_t::STATE_STOPPED));
+  arm.say_track();
+  arm.command(0.2);
+  CHECK(arm.is_in(arm_state_t::STATE_STOPPED));
+  CHECK(operate("--reset", url) == 0);
+  CHECK(arm.moves_to(0.2));
+}
+
+TEST_CASE("puck-arm --stop and --reset fail when no arm confirms them") {
+  const std::string url = private_lcm_url();
+  CHECK(operate("--stop", url) == 1);
+  CHECK(operate("--reset", url) == 1);
+}
+
+TEST_CASE("Arm settings that cannot be are refused by name") {
+  const auto refusal_of = [](const std::string& text) -> std::string {
+    try {
+      Config config = Config::from_text(text, "arm.toml");
+      ArmService::read_params(config);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  CHECK(refusal_of("[arm]\ndead_man_ms = 150").find("arm.dead_man_ms") != std::string::npos);
+  CHECK(refusal_of("[arm]\nmode = \"dance\"").find("arm.mode") != std::string::npos);
+  CHECK(refusal_of("[arm]\nmode = \"follow\"").find("arm.table") != std::string::npos);
+  CHECK(refusal_of("[arm]\nmax_speed_m_s = -1").find("arm.max_speed_m_s") != std::string::npos);
+}
+
+TEST_CASE("config/arm.toml holds every key with its default") {
+  const char* source = std::getenv("PUCK_SOURCE_DIR");
+  REQUIRE(source != nullptr);
+  Config from_file = Config::from_file(std::string(source) + "/config/arm.toml");
+  Config defaults;
+  ArmService::read_params(from_file);
+  ArmService::read_params(defaults);
+  CHECK(from_file.effective() == defaults.effective());
+  std::istringstream settings(defaults.effective());
+  for (std::string line; std::getline(settings, line);) {
+    CAPTURE(line);
+    CHECK(from_file.has(line.substr(0, line.find(' '))));
+  }
+  std::string url;
+  from_file.read("lcm.url", url);
+  from_file.read("lcm.prefix", url);
+  CHECK_NOTHROW(from_file.reject_unknown());
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "services/bridge/play_bridge.h"
+#include "tests/support/test_camera.h"
+
+namespace puck {
+
+/// A bridge with a clock, a tracker that sees what the test says, and an arm that is there.
+class BridgeBench {
+ public:
+  static constexpr std::int64_t kTrackerSession = 3001;
+  static constexpr std::int64_t kArmSession = 1001;
+
+  explicit BridgeBench(const PlayBridgeParams& params = {})
+      : bridge(params, test_camera(), TableGeometry{}) {}
+
+  /// A good estimate of a puck there, which a test may then spoil. 300 µs old, as its clock says.
+  puck_estimate_t estimate(const PuckState& puck) {
+    const Homography camera = test_camera();
+    const Pixel pixel = *camera.to_image(puck.position);
+    // The image's velocity, through the point a microsecond on.
+    const Pixel next = *camera.to_image({puck.position.x_m + 1e-6 * puck.velocity.x_m_s,
+                                         puck.position.y_m + 1e-6 * puck.velocity.y_m_s});
+    puck_estimate_t message{};
+    message.utime = now.utime - 100;
+    message.session = kTrackerSession;
+    message.seq = next_estimate_seq_++;
+    message.events_session = 1;
+    message.sensor_us = sensor_us() - 300;
+    message.event_utime = now.utime - 300;
+    message.state = puck_estimate_t::STATE_TRACKING;
+    message.flags = puck_estimate_t::FLAG_POSITION;
+    message.x_px = pixel.x;
+    message.y_px = pixel.y;
+    message.vx_px_s = (next.x - pixel.x) * 1e6;
+    message.vy_px_s = (next.y - pixel.y) * 1e6;
+    message.covariance[0] = message.covariance[5] = 0.25;
+    return message;
+  }
+
+  puck_estimate_t lost() {
+    puck_estimate_t message = estimate({{1, 0}, {}});
+    message.state = puck_estimate_t::STATE_LOST;
+    message.flags = 0;
+    return message;
+  }
+
+  void see_arm() {
+    arm_state_t message{};
+    message.utime = now.utime;
+    message.session = kArmSession;
+    message.seq = next_arm_seq_++;
+    message.line_min_m = -0.3;
+    message.line_max_m = 0.3;
+    bridge.hear(message, now);
+  }
+
+  void pass(std::int64_t us) {
+    now.utime += us;
+    now.monotonic_us += us;
+  }
+
+  /// An estimate each millisecond of a puck that moves by `motion`, for `ms`; and the arm is there.
+  /// Takes the messages that are due, and keeps the last of each.
+  void play(const PuckMotion& motion, PuckTrack& puck, int ms) {
+    for (int i = 0; i < ms; ++i) {
+      pass(1000);
+      puck = motion.advance(puck, 0.001).track;
+      see_arm();
+      bridge.hear(estimate(puck.state), now);
+      take();
+    }
+  }
+  void take() {
+    if (const auto due = bridge.next_command(now)) command = due, ++commands;
+    if (const auto due = bridge.next_trajectory(now)) trajectory = due, ++trajectories;
+    if (const auto due = bridge.next_game(now)) game = due, ++games;
+  }
+
+  /// The sensor was started 1.7e15 µs after 1970.
+  std::int64_t sensor_us() const { return now.utime - 1'700'000'000'000'000; }
+
+  HostNow now{1'700'000'005'000'000, 77'000'000};
+  PlayBridge bridge;
+  std::optional<arm_command_t> command;
+  std::optional<puck_trajectory_t> trajectory;
+  std::optional<game_state_t> game;
+  int commands = 0;
+  int trajectories = 0;
+  int games = 0;
+
+ private:
+  std::int64_t next_estimate_seq_ = 0;
+  std::int64_t next_arm_seq_ = 0;
+};
+
+}  // namespace puck

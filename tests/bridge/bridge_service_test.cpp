@@ -1,0 +1,116 @@
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include "common/messaging/host_time.h"
+#include "services/bridge/bridge_service.h"
+#include "tests/support/service_bench.h"
+#include "tests/support/test_camera.h"
+
+namespace puck {
+namespace {
+
+TEST_CASE(
+    "The bridge service turns estimates and an arm on the bus into commands and trajectories") {
+  ServiceBench bench;
+  std::mutex mutex;
+  std::optional<arm_command_t> command;
+  std::optional<puck_trajectory_t> trajectory;
+  bench.bus.subscribe<arm_command_t>([&](const arm_command_t& message, const Receipt&) {
+    const std::lock_guard lock(mutex);
+    command = message;
+  });
+  bench.bus.subscribe<puck_trajectory_t>([&](const puck_trajectory_t& message, const Receipt&) {
+    const std::lock_guard lock(mutex);
+    trajectory = message;
+  });
+  bench.make<BridgeService>(BridgeServiceParams{{test_camera(), {}}, {}});
+  REQUIRE(bench.start());
+
+  const std::int64_t begin_us = host_monotonic_us();
+  const auto say = [&] {
+    arm_state_t arm{};
+    arm.line_min_m = -0.3;
+    arm.line_max_m = 0.3;
+    bench.bus.publish(arm);
+    // A puck that rests at (0.8, 0.2), in the robot's half.
+    const Pixel pixel = *test_camera().to_image({0.8, 0.2});
+    puck_estimate_t estimate{};
+    estimate.sensor_us = host_monotonic_us() - begin_us;
+    estimate.state = puck_estimate_t::STATE_TRACKING;
+    estimate.flags = puck_estimate_t::FLAG_POSITION;
+    estimate.x_px = pixel.x;
+    estimate.y_px = pixel.y;
+    estimate.image_width = 640;
+    estimate.image_height = 480;
+    bench.bus.publish(estimate);
+  };
+  CHECK(ServiceBench::until(
+      [&] {
+        const std::lock_guard lock(mutex);
+        return command && std::abs(command->target_m - 0.1) < 0.01 &&
+               command->arm_session == bench.bus.session();
+      },
+      say));
+  bench.stop();
+  REQUIRE(trajectory);
+  CHECK(trajectory->x_m == doctest::Approx(0.8).epsilon(0.01));
+  CHECK(bench.status.state() == ServiceState::kRunning);
+}
+
+TEST_CASE("Bridge settings that cannot be are refused by name, a missing table by its path") {
+  const auto table =
+      std::filesystem::temp_directory_path() / ("puck_bridge_" + std::to_string(getpid()));
+  write_table_file(table, {test_camera(), {}}, "test");
+  const auto refusal_of = [&](const std::string& setting) -> std::string {
+    try {
+      Config config;
+      config.override_with("bridge.table=" + table.string());
+      config.override_with(setting);
+      BridgeService::read_params(config);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  CHECK(refusal_of("bridge.command_hz=250").empty());
+  CHECK(refusal_of("bridge.table=nowhere.toml").find("nowhere.toml") != std::string::npos);
+  CHECK(refusal_of("bridge.max_age_ms=500").find("bridge.max_age_ms") != std::string::npos);
+  CHECK(refusal_of("motion.rail_grip=2").find("motion.rail_grip") != std::string::npos);
+  std::filesystem::remove(table);
+}
+
+TEST_CASE("config/bridge.toml holds every key with its default") {
+  const char* source = std::getenv("PUCK_SOURCE_DIR");
+  REQUIRE(source != nullptr);
+  const std::filesystem::path table =
+      std::filesystem::temp_directory_path() / ("puck_bridge_" + std::to_string(getpid()));
+  write_table_file(table, {test_camera(), {}}, "test");
+  Config from_file = Config::from_file(std::string(source) + "/config/bridge.toml");
+  Config defaults;
+  from_file.override_with("bridge.table=" + table.string());
+  defaults.override_with("bridge.table=" + table.string());
+  BridgeService::read_params(from_file);
+  BridgeService::read_params(defaults);
+  CHECK(from_file.effective() == defaults.effective());
+  std::istringstream settings(defaults.effective());
+  for (std::string line; std::getline(settings, line);) {
+    CAPTURE(line);
+    CHECK(from_file.has(line.substr(0, line.find(' '))));
+  }
+  std::string text;
+  from_file.read("lcm.url", text);
+  from_file.read("lcm.prefix", text);
+  CHECK_NOTHROW(from_file.reject_unknown());
+  std::filesystem::remove(table);
+}
+
+}  // namespace
+}  // namespace puck

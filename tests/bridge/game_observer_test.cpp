@@ -1,0 +1,109 @@
+#include <doctest/doctest.h>
+
+#include "services/bridge/game_observer.h"
+
+namespace puck {
+namespace {
+
+// Shows the observer a puck once a millisecond.
+class Game {
+ public:
+  void put(double x, double y, double vx, double vy) { puck_ = {{{x, y}, {vx, vy}}, {}}; }
+  void glide(int ms) {
+    for (int i = 0; i < ms; ++i) {
+      t_ = t_ + 1000;
+      puck_ = motion_.advance(puck_, 0.001).track;
+      observer.see(t_, puck_);
+    }
+  }
+  void hide(int ms) {
+    for (int i = 0; i < ms; ++i) observer.miss(t_ = t_ + 1000);
+  }
+  const GameBelief& belief() const { return observer.belief(); }
+
+ private:
+  PuckMotion motion_{TableGeometry{}};
+  Timestamp t_{0};
+  PuckTrack puck_;
+
+ public:
+  GameObserver observer{motion_};
+};
+
+TEST_CASE("A puck on its way into the robot's goal is one shot; turned back, one save") {
+  Game game;
+  game.put(1.8, 0.1, -2, -0.1);
+  game.glide(300);
+  CHECK(game.belief().phase == GamePhase::kShotAtRobot);
+  CHECK(game.belief().shots == 1);
+  CHECK(game.belief().saves == 0);
+  game.put(0.3, 0.02, 2, 0.3);
+  game.glide(100);
+  CHECK(game.belief().shots == 1);
+  CHECK(game.belief().saves == 1);
+  CHECK(game.belief().phase == GamePhase::kRally);
+  CHECK(game.belief().rally_hits == 2);
+}
+
+TEST_CASE("A shot that is turned aside beside the mallet is a save") {
+  Game game;
+  game.put(1.8, 0, -2, 0);
+  game.glide(700);
+  CHECK(game.belief().shots == 1);
+  game.put(0.25, 0.05, -0.5, 2);
+  game.glide(40);
+  CHECK(game.belief().saves == 1);
+}
+
+TEST_CASE("A puck that would miss the goal is no shot, and its return from the rail no save") {
+  Game game;
+  game.put(1.8, 0.45, -2, 0);
+  game.glide(1500);
+  CHECK(game.belief().shots == 0);
+  CHECK(game.belief().saves == 0);
+  CHECK(game.belief().rally_hits == 2);
+}
+
+TEST_CASE("A puck that vanishes on its way into a goal is a goal, one each time") {
+  Game game;
+  game.put(1.0, 0, -3, 0);
+  game.glide(200);
+  game.hide(1000);
+  CHECK(game.belief().phase == GamePhase::kGoal);
+  CHECK(game.belief().goals_against == 1);
+  CHECK(game.belief().goals_for == 0);
+  game.put(1.2, 0, 3, 0);
+  game.glide(200);
+  CHECK(game.belief().phase == GamePhase::kRally);
+  CHECK(game.belief().rally_hits == 1);
+  game.hide(1000);
+  CHECK(game.belief().goals_for == 1);
+  CHECK(game.belief().goals_against == 1);
+}
+
+TEST_CASE("A puck that vanishes elsewhere is out of view") {
+  Game game;
+  game.hide(500);
+  CHECK(game.belief().phase == GamePhase::kWaiting);
+  game.put(1.0, 0.4, 0, -0.5);
+  game.glide(100);
+  game.hide(500);
+  CHECK(game.belief().phase == GamePhase::kPuckOutOfView);
+  CHECK(game.belief().goals_against + game.belief().goals_for == 0);
+}
+
+TEST_CASE("A puck that rests for two seconds is stuck and ends the rally") {
+  Game game;
+  game.put(1.0, 0.3, -1, 0);
+  game.glide(100);
+  game.put(0.9, 0.3, 0, 0);
+  game.glide(1990);
+  CHECK(game.belief().phase == GamePhase::kRally);
+  game.glide(20);
+  CHECK(game.belief().phase == GamePhase::kPuckStuck);
+  CHECK(game.belief().rally_hits == 0);
+  CHECK(game.belief().longest_rally == 1);
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,273 @@
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "services/bridge/play_bridge.h"
+#include "tests/bridge/bridge_bench.h"
+
+namespace puck {
+namespace {
+
+PuckTrack puck_at(double x, double y, double vx, double vy) { return {{{x, y}, {vx, vy}}, {}}; }
+
+// A bench that has followed a puck across the table for 50 ms.
+BridgeBench following() {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.5, 0.1, -1, 0.1);
+  bench.play(PuckMotion(TableGeometry{}), puck, 50);
+  REQUIRE(bench.command);
+  return bench;
+}
+
+// Whether a command is due after the time between two commands.
+bool commands_next(BridgeBench& bench) {
+  bench.command.reset();
+  bench.pass(5000);
+  bench.see_arm();
+  bench.take();
+  return bench.command.has_value();
+}
+
+TEST_CASE("The bridge sends the arm to where a straight shot will cross") {
+  BridgeBench bench;
+  const PuckMotion motion(TableGeometry{});
+  PuckTrack puck = puck_at(1.8, -0.3, -2, 0.6);
+  bench.play(motion, puck, 200);
+  const Intercept truth = *InterceptPredictor(motion).predict(puck);
+  REQUIRE(bench.command);
+  CHECK(bench.command->mode == arm_command_t::MODE_FOLLOW);
+  CHECK(bench.command->target_m == doctest::Approx(truth.y_m).epsilon(0.1));
+  CHECK(bench.command->target_normalised == doctest::Approx(bench.command->target_m / 0.3));
+  CHECK(static_cast<double>(bench.command->arrive_in_us) * 1e-6 ==
+        doctest::Approx(truth.in_s).epsilon(0.05));
+  CHECK(bench.command->valid_for_us == 100'000);
+  CHECK(bench.command->arm_session == BridgeBench::kArmSession);
+  CHECK(bench.command->estimate_session == BridgeBench::kTrackerSession);
+  CHECK(bench.command->estimate_seq >= 196);
+}
+
+TEST_CASE("The bridge sends the arm to where a bank shot will cross") {
+  BridgeBench bench;
+  const PuckMotion motion(TableGeometry{});
+  PuckTrack puck = puck_at(1.9, 0.2, -2.5, 2.0);
+  bench.play(motion, puck, 100);
+  const Intercept truth = *InterceptPredictor(motion).predict(puck);
+  CHECK(truth.bounces == 1);
+  CHECK(bench.trajectory->crossing_bounces == 1);
+  CHECK(bench.command->target_m == doctest::Approx(truth.y_m).epsilon(0.2));
+}
+
+TEST_CASE("A target beyond the line's end is the end, by the table and by what the arm says") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.0, 0.45, -2, 0);
+  bench.play(PuckMotion(TableGeometry{}), puck, 100);
+  CHECK(bench.command->target_m == 0.3);
+  CHECK(bench.command->target_normalised == 1);
+}
+
+TEST_CASE("The mallet returns to the middle when the puck goes away") {
+  // Rails that return little: the puck will not come back within the horizon.
+  PlayBridgeParams params;
+  params.motion.rail_restitution = 0.1;
+  BridgeBench bench(params);
+  PuckTrack puck = puck_at(1.3, 0.3, 1.0, 0);
+  bench.play(PuckMotion(TableGeometry{}, params.motion), puck, 100);
+  REQUIRE(bench.command);
+  CHECK(bench.command->target_m == 0);
+}
+
+TEST_CASE("The mallet shadows a puck that lies in the robot's half") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(0.7, 0.3, 0, 0);
+  bench.play(PuckMotion(TableGeometry{}), puck, 100);
+  REQUIRE(bench.command);
+  CHECK(bench.command->target_m == doctest::Approx(0.15).epsilon(0.05));
+}
+
+TEST_CASE("Commands keep their rate and their freshness") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.8, 0, -1, 0);
+  bench.play(PuckMotion(TableGeometry{}), puck, 400);
+  CHECK(bench.commands == 100);      // 250 Hz
+  CHECK(bench.trajectories == 400);  // one an estimate
+}
+
+TEST_CASE("No arm heard: no command; a new arm session is answered at once") {
+  BridgeBench bench = following();
+  bench.command.reset();
+  bench.pass(600'000);
+  bench.bridge.hear(bench.estimate({{1, 0}, {-1, 0}}), bench.now);
+  bench.take();
+  CHECK_FALSE(bench.command);
+  arm_state_t restarted{};
+  restarted.session = 4242;
+  restarted.line_min_m = -0.3;
+  restarted.line_max_m = 0.3;
+  bench.bridge.hear(restarted, bench.now);
+  bench.take();
+  REQUIRE(bench.command);
+  CHECK(bench.command->arm_session == 4242);
+}
+
+TEST_CASE("Commands end 100 ms after the last good estimate") {
+  BridgeBench bench = following();
+  bench.pass(90'000);
+  CHECK(commands_next(bench));
+  bench.pass(4'000);
+  CHECK_FALSE(commands_next(bench));
+}
+
+TEST_CASE("Commands end at once with a newest estimate that cannot be trusted") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::pair<const char*, std::function<void(puck_estimate_t&)>>> spoils{
+      {"lost", [](auto& e) { e.state = puck_estimate_t::STATE_LOST; }},
+      {"searching", [](auto& e) { e.state = puck_estimate_t::STATE_SEARCHING; }},
+      {"no position", [](auto& e) { e.flags = 0; }},
+      {"stale events", [](auto& e) { e.event_utime -= 100'000; }},
+      {"off the table", [](auto& e) { e.y_px = 5; }},
+      {"above the horizon", [](auto& e) { e.y_px = -170; }},
+      {"too fast", [](auto& e) { e.vx_px_s = 1e6; }},
+      {"x not finite", [&](auto& e) { e.x_px = nan; }},
+      {"covariance not finite", [&](auto& e) { e.covariance[7] = nan; }},
+      {"no covariance", [](auto& e) { e.covariance[0] = -1; }},
+      {"impossible time", [](auto& e) { e.sensor_us = std::numeric_limits<std::int64_t>::max(); }},
+  };
+  for (const auto& [name, spoil] : spoils) {
+    CAPTURE(name);
+    BridgeBench bench = following();
+    CHECK(commands_next(bench));
+    puck_estimate_t estimate = bench.estimate({{1.4, 0.1}, {-1, 0.1}});
+    spoil(estimate);
+    bench.bridge.hear(estimate, bench.now);
+    CHECK_FALSE(commands_next(bench));
+  }
+}
+
+TEST_CASE("Late, foreign and wrongly dated estimates are dropped, counted and change nothing") {
+  BridgeBench bench = following();
+  const auto expect_dropped = [&](puck_estimate_t estimate, EstimateVerdict verdict) {
+    estimate.state = puck_estimate_t::STATE_LOST;  // what it would do if it were heard
+    bench.bridge.hear(estimate, bench.now);
+    CHECK(bench.bridge.gate().count(verdict) == 1);
+    CHECK(commands_next(bench));
+  };
+  puck_estimate_t late = bench.lost();
+  late.seq = 10;
+  expect_dropped(late, EstimateVerdict::kLate);
+  puck_estimate_t foreign = bench.lost();
+  foreign.session = 9;
+  expect_dropped(foreign, EstimateVerdict::kOtherPublisher);
+  puck_estimate_t old = bench.lost();
+  old.utime -= 250'000;
+  expect_dropped(old, EstimateVerdict::kClock);
+}
+
+TEST_CASE("An estimate frozen in time commands for 100 ms only, unless the puck rests") {
+  for (const bool resting : {false, true}) {
+    CAPTURE(resting);
+    BridgeBench bench = following();
+    puck_estimate_t frozen = bench.estimate({{1.45, 0.1}, {}});
+    if (resting) frozen.flags |= puck_estimate_t::FLAG_RESTING;
+    for (int i = 0; i < 300; ++i) {
+      bench.pass(1000);
+      bench.see_arm();
+      puck_estimate_t again = bench.estimate({{1.45, 0.1}, {}});
+      again.sensor_us = frozen.sensor_us;
+      again.flags = frozen.flags;
+      bench.bridge.hear(again, bench.now);
+    }
+    CHECK(commands_next(bench) == resting);
+  }
+}
+
+TEST_CASE("A lone teleport is an outlier and does not send the arm away") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.8, 0.1, -1.5, 0);
+  const PuckMotion motion(TableGeometry{});
+  bench.play(motion, puck, 100);
+  const double before_m = bench.command->target_m;
+  bench.pass(500);
+  bench.bridge.hear(bench.estimate({{0.5, -0.4}, {-1.5, 0}}), bench.now);
+  CHECK(bench.bridge.outliers() == 1);
+  CHECK(commands_next(bench));
+  CHECK(bench.command->target_m == doctest::Approx(before_m).epsilon(0.05));
+}
+
+TEST_CASE("No commands while the head has turned, and the trajectory says so") {
+  BridgeBench bench = following();
+  head_state_t head{};
+  head.yaw_deg = 3;
+  bench.bridge.hear(head);
+  CHECK(bench.bridge.is_blind_to_head());
+  CHECK_FALSE(commands_next(bench));
+  bench.pass(1000);
+  bench.bridge.hear(bench.estimate({{1.4, 0.1}, {-1, 0.1}}), bench.now);
+  bench.take();
+  CHECK(bench.trajectory->head_known == 0);
+  head.yaw_deg = 0.1;
+  bench.bridge.hear(head);
+  CHECK(commands_next(bench));
+}
+
+TEST_CASE(
+    "The trajectory has the puck on the table in metres, and says when it is only predicted") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.8, -0.2, -1, 0.5);
+  bench.play(PuckMotion(TableGeometry{}), puck, 200);
+  REQUIRE(bench.trajectory);
+  CHECK(bench.trajectory->validity == puck_trajectory_t::VALIDITY_TRACKED);
+  CHECK(bench.trajectory->x_m == doctest::Approx(puck.state.position.x_m).epsilon(0.01));
+  CHECK(bench.trajectory->y_m == doctest::Approx(puck.state.position.y_m).epsilon(0.05));
+  CHECK(bench.trajectory->vx_m_s == doctest::Approx(puck.state.velocity.x_m_s).epsilon(0.05));
+  CHECK(bench.trajectory->crosses == 1);
+  CHECK(bench.trajectory->line_x_m == doctest::Approx(0.15 + 0.05 + 0.0325));
+  CHECK(bench.trajectory->path_length == 26);
+
+  const auto miss = [&](std::int64_t us) {
+    bench.pass(us);
+    bench.bridge.hear(bench.lost(), bench.now);
+    bench.take();
+    return bench.trajectory->validity;
+  };
+  CHECK(miss(20'000) == puck_trajectory_t::VALIDITY_COASTING);
+  CHECK(miss(90'000) == puck_trajectory_t::VALIDITY_NONE);
+}
+
+TEST_CASE("When the sensor's time begins anew the filter does too") {
+  BridgeBench bench = following();
+  puck_estimate_t estimate = bench.estimate({{0.9, -0.2}, {-1, 0}});
+  estimate.events_session = 2;
+  estimate.sensor_us = 1000;
+  bench.bridge.hear(estimate, bench.now);
+  CHECK(commands_next(bench));
+  CHECK(bench.bridge.outliers() == 0);
+}
+
+TEST_CASE("GAME is sent every 100 ms and on a change") {
+  BridgeBench bench;
+  bench.take();
+  CHECK(bench.games == 1);
+  for (int i = 0; i < 10; ++i) {
+    bench.pass(100'000);
+    bench.take();
+  }
+  CHECK(bench.games == 11);
+  // A shot changes the phase and the counts between the beats.
+  PuckTrack puck = puck_at(1.5, 0, -3, 0);
+  bench.play(PuckMotion(TableGeometry{}), puck, 60);
+  CHECK(bench.games >= 13);
+  CHECK(bench.game->shots == 1);
+}
+
+TEST_CASE("Bridge parameters out of range are refused by name") {
+  PlayBridgeParams params;
+  params.valid_for_us = 200'000;
+  CHECK_THROWS_AS(BridgeBench{params}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace puck

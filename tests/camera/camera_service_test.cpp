@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <sstream>
+
+#include <doctest/doctest.h>
+#include <spdlog/sinks/ostream_sink.h>
+
+#include "services/camera/camera_service.h"
+#include "tests/camera/camera_fixtures.h"
+
+namespace puck {
+namespace {
+
+// A camera on a bus of its own, and what it publishes. All on one thread.
+class CameraRun {
+ public:
+  explicit CameraRun(const std::string& toml)
+      : log_("camera", std::make_shared<spdlog::sinks::ostream_sink_mt>(log_text_)),
+        config_(Config::from_text(toml, "camera.toml")) {
+    settings_ = CameraService::read_params(config_);
+    config_.reject_unknown();
+    bus_.subscribe<event_packet_t>([this](const event_packet_t& packet, const Receipt& receipt) {
+      in_order_ = in_order_ && receipt.in_order();
+      EventPacket events;
+      unpack(packet, events);
+      append_seen(events, events_);
+      packets_.push_back(packet);
+      after_packet();
+    });
+    bus_.subscribe<ground_truth_t>([this](const ground_truth_t& truth, const Receipt&) {
+      truths_us_.push_back(truth.sensor_us);
+      on_truth_();
+    });
+    bus_.subscribe<head_state_t>([this](const head_state_t&, const Receipt&) { ++heads_; });
+    bus_.subscribe<service_status_t>(
+        [this](const service_status_t& status, const Receipt&) { statuses_.push_back(status); });
+  }
+
+  // Until the source has ended, or `stop_after` events have come, and the bus is empty.
+  void run(std::size_t stop_after = static_cast<std::size_t>(-1)) {
+    stop_after_ = stop_after;
+    ServiceContext context{bus_, status_, log_, limited_log_, bus_watch_};
+    CameraService camera(settings_, context);
+    REQUIRE(bus_.start(stop_.get_token(), [](const std::string&) {}));
+    camera.run(stop_.get_token());
+    status_.stop([&](StatusReport& report) { camera.report(report); });
+    while (bus_.handle(std::chrono::milliseconds(10)) > 0) continue;
+  }
+
+  std::int64_t last_counter(const std::string& name) const {
+    const service_status_t& status = statuses_.back();
+    for (std::size_t i = 0; i < status.counter_name.size(); ++i) {
+      if (status.counter_name[i] == name) return status.counter_value[i];
+    }
+    return -1;
+  }
+
+  bool in_order_ = true;
+  std::vector<SeenEvent> events_;
+  std::vector<event_packet_t> packets_;
+  std::vector<std::int64_t> truths_us_;
+  int heads_ = 0;
+  std::vector<service_status_t> statuses_;
+  std::ostringstream log_text_;
+  std::function<void()> on_truth_ = [] {};
+  std::stop_source stop_;
+  Bus bus_{{.url = "memq://"}};
+
+ private:
+  void after_packet() {
+    if (events_.size() >= stop_after_) stop_.request_stop();
+  }
+
+  spdlog::logger log_;
+  Config config_;
+  CameraSettings settings_;
+  StatusReporter status_{bus_, "puck-camera"};
+  RateLimitedLog limited_log_{log_};
+  BusWatch bus_watch_{bus_, log_};
+  std::size_t stop_after_ = 0;
+};
+
+std::string file_settings(const std::filesystem::path& path, const std::string& more = "") {
+  return "[camera]\nsource = \"file\"\nfile = \"" + path.string() + "\"\n" + more;
+}
+
+TEST_CASE("a recording goes over the bus whole, in order and unbent, and the camera ends") {
+  const CameraFolder folder;
+  const auto expected = even_events(20000, 7'139'845, 3);
+  write_recording(folder / "a.raw", expected);
+  CameraRun run(file_settings(folder / "a.raw"));
+  run.run();
+  CHECK(run.events_ == expected);
+  CHECK(run.in_order_);
+  CHECK(run.packets_.front().width == 64);
+  CHECK(run.packets_.front().height == 48);
+  CHECK(run.packets_.back().events_before + run.packets_.back().count == 20000);
+  CHECK(run.last_counter("events_sent") == 20000);
+  CHECK(run.last_counter("packets_sent") == static_cast<std::int64_t>(run.packets_.size()));
+  CHECK(run.last_counter("events_dropped") == 0);
+  CHECK(run.statuses_.back().state == service_status_t::STATE_STOPPING);
+  CHECK(run.log_text_.str().find("has ended after 20000 events") != std::string::npos);
+}
+
+TEST_CASE("no packet is published before its events have happened") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", even_events(1000, 1000, 50));
+  CameraRun run(file_settings(folder / "a.raw"));
+  run.run();
+  REQUIRE(run.packets_.size() > 50);
+  const std::int64_t zero_utime = run.packets_.front().sensor_zero_utime;
+  for (const event_packet_t& packet : run.packets_) {
+    // Both clocks are read a moment apart when the plan is made.
+    constexpr std::int64_t kClocksApartUs = 1000;
+    CHECK(packet.utime + kClocksApartUs >=
+          packet.sensor_zero_utime + packet.first_event_us + packet.duration_us);
+    CHECK(packet.sensor_zero_utime >= zero_utime);
+    CHECK(packet.duration_us < 500);
+  }
+}
+
+TEST_CASE("packets are bounded by their bytes") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", even_events(20000, 0, 1));
+  CameraRun run(file_settings(folder / "a.raw", "packet_bytes = 1472\nflush_us = 5000\n"));
+  run.run();
+  CHECK(run.events_.size() == 20000);
+  for (const event_packet_t& packet : run.packets_) CHECK(packet.count <= (1472 - 92) / 4);
+  CHECK(run.packets_.front().count > 300);
+}
+
+TEST_CASE("at another speed sensor time has no zero on the host's clock, and stays as it is") {
+  const CameraFolder folder;
+  const auto expected = even_events(1000, 1000, 1000);
+  write_recording(folder / "a.raw", expected);
+  CameraRun run(file_settings(folder / "a.raw", "speed = 20.0\n"));
+  run.run();
+  CHECK(run.events_ == expected);
+  CHECK(run.packets_.front().sensor_zero_utime == 0);
+}
+
+TEST_CASE("the eyes of a robot that hang upside down see upright") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", {{0, 0, 0, 1}, {1, 63, 47, 0}, {2, 10, 20, 1}});
+  CameraRun run(file_settings(folder / "a.raw", "rotate_180 = true\n"));
+  run.run();
+  CHECK(run.events_ == std::vector<SeenEvent>{{0, 63, 47, 1}, {1, 0, 0, 0}, {2, 53, 27, 1}});
+}
+
+TEST_CASE("a looped recording goes on until it is stopped") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", even_events(500, 0, 10));
+  CameraRun run(file_settings(folder / "a.raw", "loop = true\n"));
+  run.run(1700);
+  REQUIRE(run.events_.size() >= 1700);
+  for (std::size_t i = 1; i < run.events_.size(); ++i) {
+    REQUIRE(run.events_[i].t_us > run.events_[i - 1].t_us);
+  }
+}
+
+TEST_CASE("events outside the sensor are counted in every packet and in STATUS") {
+  const CameraFolder folder;
+  {
+    const auto writer = make_event_writer(folder / "a.txt", "text", {64, 48});
+    writer->close();
+  }
+  std::FILE* file = std::fopen((folder / "a.txt").c_str(), "a");
+  REQUIRE(file != nullptr);
+  std::fputs("0 64 0 1\n1 0 48 1\n2 5 6 1\n", file);
+  std::fclose(file);
+  CameraRun run(file_settings(folder / "a.txt"));
+  run.run();
+  CHECK(run.events_ == std::vector<SeenEvent>{{2, 5, 6, 1}});
+  CHECK(run.packets_.front().events_dropped == 2);
+  CHECK(run.last_counter("events_dropped") == 2);
+  CHECK(run.log_text_.str().find("2 events lie outside the sensor") != std::string::npos);
+}
+
+TEST_CASE("the simulated table publishes events, truth and head") {
+  CameraRun run("");
+  run.run(3000);
+  CHECK(run.packets_.front().width == 640);
+  REQUIRE(run.truths_us_.size() > 5);
+  CHECK(run.truths_us_[0] == 0);
+  CHECK(run.truths_us_[1] == 1000);
+  CHECK(run.heads_ == static_cast<int>(run.truths_us_.size()));
+  // Truth of a moment comes no later than events after it: at most a packet's age ahead of them.
+  CHECK(run.truths_us_.back() + 2000 >= run.events_.back().t_us);
+}
+
+TEST_CASE("the arm's state moves the simulated mallet, which the camera sees") {
+  const auto events_in_first_300_ms = [](bool arm_moves) {
+    CameraRun run("[simulation.sensor]\nnoise_hz = 0.0\nhot_pixel_fraction = 0.0\n");
+    run.on_truth_ = [&] {
+      if (run.truths_us_.size() >= 310) run.stop_.request_stop();
+      if (!arm_moves) return;
+      arm_state_t state{};
+      state.line_x_m = 0.15;
+      state.line_min_m = -0.3;
+      state.line_max_m = 0.3;
+      state.back_end = "simulated";
+      state.position_m = 0.25;
+      REQUIRE(run.bus_.publish(state));
+    };
+    run.run();
+    return std::count_if(run.events_.begin(), run.events_.end(),
+                         [](const SeenEvent& event) { return event.t_us < 300'000; });
+  };
+  const auto still = events_in_first_300_ms(false);
+  const auto moved = events_in_first_300_ms(true);
+  MESSAGE("events: mallet still " << still << ", moved " << moved);
+  CHECK(moved > still + 1000);
+}
+
+TEST_CASE("settings that make no sense are refused with their key") {
+  const auto refusal = [](const std::string& toml) -> std::string {
+    try {
+      CameraRun run(toml);
+      run.run(0);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const auto contains = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  CHECK(contains(refusal("[camera]\nsource = \"usb\"\n"),
+                 "camera.toml:2: camera.source must be \"simulated\", \"file\", \"stdin\" or"));
+  CHECK(contains(refusal("[camera]\nsource = \"file\"\n"), "camera.file must name a recording"));
+  CHECK(contains(refusal("[camera]\npacket_bytes = 100\n"), "camera.toml:2: camera.packet_bytes"));
+  CHECK(contains(refusal("[camera]\nflush_us = 5\n"), "must be an integer from 50 to 100000"));
+  CHECK(
+      contains(refusal("[camera]\nflash_us = 500\n"), "the nearest known key is camera.flush_us"));
+  CHECK(contains(refusal("[camera]\nscene = \"/nowhere.toml\"\n"),
+                 "/nowhere.toml: cannot be opened"));
+  CHECK(contains(refusal("[simulation.camera]\nfocal_px = -1\n"),
+                 "camera.toml:2: simulation.camera.focal_px must be a number from 50 to 5000"));
+  CHECK(contains(refusal("[camera]\nsource = \"file\"\nfile = \"/nowhere.raw\"\n"),
+                 "/nowhere.raw: cannot be opened"));
+}
+
+}  // namespace
+}  // namespace puck

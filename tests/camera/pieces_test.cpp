@@ -1,0 +1,136 @@
+// The camera's small parts, which know no bus and no clock of their own.
+#include <doctest/doctest.h>
+
+#include "services/camera/event_batcher.h"
+#include "services/camera/growing_time.h"
+#include "services/camera/pacer.h"
+#include "services/camera/sensor_zero.h"
+#include "services/camera/truth_messages.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::microseconds;
+
+EventPacket packet_at(std::int64_t start_us, std::initializer_list<std::uint32_t> offsets_us) {
+  EventPacket packet;
+  packet.start = {start_us};
+  for (const std::uint32_t offset_us : offsets_us) {
+    Event event;
+    event.offset_us = offset_us;
+    packet.events.push_back(event);
+  }
+  return packet;
+}
+
+TEST_CASE("a batch goes when it is full, with its last event") {
+  EventBatcher batcher(2, 500);
+  const EventPacket packet = packet_at(1000, {0, 10, 20});
+  std::size_t next = 0;
+  batcher.take(packet, next);
+  CHECK(next == 2);
+  CHECK(batcher.is_complete({1020}));
+  CHECK(batcher.due().us == 1010);
+  CHECK(batcher.batch().events.size() == 2);
+}
+
+TEST_CASE("a batch goes when its first event has waited long enough") {
+  EventBatcher batcher(100, 500);
+  const EventPacket packet = packet_at(1000, {7, 506, 507});
+  std::size_t next = 0;
+  batcher.take(packet, next);
+  CHECK(next == 2);
+  CHECK(batcher.batch().start.us == 1007);
+  CHECK(batcher.batch().events[1].offset_us == 499);
+  CHECK_FALSE(batcher.is_complete({1506}));
+  CHECK(batcher.is_complete({1507}));
+  CHECK(batcher.due().us == 1507);
+}
+
+TEST_CASE("a batch takes events from several packets, and none is lost between batches") {
+  EventBatcher batcher(100, 500);
+  std::size_t next = 0;
+  batcher.take(packet_at(0, {0, 100}), next);
+  CHECK_FALSE(batcher.is_complete({100}));
+  next = 0;
+  const EventPacket second = packet_at(200, {0, 400, 500});
+  batcher.take(second, next);
+  CHECK(next == 1);
+  REQUIRE(batcher.is_complete({700}));
+  CHECK(batcher.batch().events.size() == 3);
+  CHECK(batcher.batch().events[2].offset_us == 200);
+  batcher.clear();
+  batcher.take(second, next);
+  CHECK(next == 3);
+  CHECK(batcher.batch().start.us == 600);
+  CHECK(batcher.batch().events.size() == 2);
+}
+
+TEST_CASE("sensor time comes at its speed on the host's clock") {
+  Pacer pacer(2);
+  const Pacer::Clock::time_point start{};
+  pacer.start({1000}, start);
+  CHECK(pacer.due({1000}) == start);
+  CHECK(pacer.due({3000}) == start + microseconds(1000));
+}
+
+TEST_CASE("a little late is made up for, hopelessly late is given up and told") {
+  Pacer pacer(1);
+  const Pacer::Clock::time_point start{};
+  pacer.start({0}, start);
+  CHECK_FALSE(pacer.note({1000}, start + microseconds(900)));
+  CHECK(pacer.lateness_us() == 0);
+  CHECK_FALSE(pacer.note({1000}, start + microseconds(51000)));
+  CHECK(pacer.lateness_us() == 50000);
+  CHECK(pacer.due({2000}) == start + microseconds(2000));
+  CHECK(pacer.note({2000}, start + microseconds(302000)));
+  CHECK(pacer.slipped_us() == 300000);
+  CHECK(pacer.lateness_us() == 0);
+  CHECK(pacer.due({3000}) == start + microseconds(303000));
+}
+
+TEST_CASE("clocks that begin anew are joined to one time that only grows") {
+  GrowingTime time;
+  CHECK(time.place({5000}).us == 5000);
+  CHECK(time.place({6000}).us == 6000);
+  time.begin_new_clock(10);
+  CHECK(time.place({5000}).us == 6010);
+  CHECK(time.place({5500}).us == 6510);
+  time.begin_new_clock(10);
+  CHECK(time.place({9000}).us == 9000);
+}
+
+TEST_CASE("a live sensor's zero is that of its least delayed packet, and follows a drift") {
+  SensorZero zero;
+  zero.add({1000}, 101'500);
+  CHECK(zero.utime() == 100'500);
+  zero.add({2000}, 102'100);
+  zero.add({3000}, 104'000);
+  CHECK(zero.utime() == 100'100);
+  for (std::int64_t t_us = 0; t_us < 60'000'000; t_us += 1'000'000) {
+    zero.add({t_us}, t_us + 100'100 + t_us / 1000);
+  }
+  CHECK(zero.utime() > 100'100 + 35'000);
+  CHECK(zero.utime() < 100'100 + 60'000);
+}
+
+TEST_CASE("truth and head of a camera that hangs upside down are turned as its events are") {
+  SimulatedTruth truth;
+  truth.position_px = {10, 20};
+  truth.head = {1, 2, 3, 4, 5, 6};
+  truth.counts = {4, 3, 2, 1};
+  const ground_truth_t upright = to_truth_message(truth, {640, 480}, false);
+  CHECK(upright.x_px == 10);
+  CHECK(upright.shots == 4);
+  CHECK(upright.goals_for == 1);
+  const ground_truth_t turned = to_truth_message(truth, {640, 480}, true);
+  CHECK(turned.x_px == 629);
+  CHECK(turned.y_px == 459);
+  const head_state_t head = to_head_message(truth, true);
+  CHECK(head.yaw_deg == -1);
+  CHECK(head.pitch_deg == -2);
+  CHECK(head.roll_deg == 3);
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,219 @@
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include <arpa/inet.h>
+#include <doctest/doctest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "common/io/event_reader.h"
+#include "services/camera/file_source.h"
+#include "services/camera/simulated_source.h"
+#include "services/camera/stream_source.h"
+#include "services/camera/tcp_source.h"
+#include "tests/camera/camera_fixtures.h"
+
+namespace puck {
+namespace {
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::vector<SeenEvent> take(EventSource& source, std::size_t count) {
+  std::vector<SeenEvent> events;
+  EventSource::Chunk chunk;
+  while (events.size() < count) {
+    const auto outcome = source.next(chunk);
+    if (outcome == EventSource::Outcome::kEnd) break;
+    if (outcome == EventSource::Outcome::kEvents) append_seen(chunk.packet, events);
+  }
+  return events;
+}
+
+TEST_CASE("a recording comes whole and as it is, and ends") {
+  const CameraFolder folder;
+  const auto expected = even_events(20000, 43'499'029, 7);
+  write_recording(folder / "a.raw", expected);
+  FileSource source({.file = folder / "a.raw"});
+  CHECK(source.sensor_size() == SensorSize{64, 48});
+  CHECK(take(source, 1'000'000) == expected);
+  EventSource::Chunk chunk;
+  CHECK(source.next(chunk) == EventSource::Outcome::kEnd);
+}
+
+TEST_CASE("a looped recording goes on growing in time, at its own pace") {
+  const CameraFolder folder;
+  const auto once = even_events(1000, 5000, 10);
+  write_recording(folder / "a.raw", once);
+  FileSource source({.file = folder / "a.raw", .loop = true});
+  const auto events = take(source, 2500);
+  REQUIRE(events.size() >= 2500);
+  for (std::size_t i = 0; i < 2500; ++i) {
+    const SeenEvent& expected = once[i % 1000];
+    REQUIRE(events[i].x == expected.x);
+    // A mean gap lies between two rounds: 9990 µs of 1000 events, rounded.
+    REQUIRE(events[i].t_us == 5000 + static_cast<std::int64_t>(i) * 10);
+  }
+}
+
+TEST_CASE("a recording is stretched to a mean rate, its order kept") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", even_events(10001, 5000, 10));  // 0.1 Mev/s
+  for (const double rate_mev_s : {0.01, 0.4, 2.0}) {
+    CAPTURE(rate_mev_s);
+    FileSource source({.file = folder / "a.raw", .rate_mev_s = rate_mev_s});
+    const auto events = take(source, 1'000'000);
+    REQUIRE(events.size() == 10001);
+    CHECK(events.front().t_us == 5000);
+    const double span_s = static_cast<double>(events.back().t_us - events.front().t_us) * 1e-6;
+    CHECK(span_s == doctest::Approx(10001 / (rate_mev_s * 1e6)).epsilon(1e-3));
+    for (std::size_t i = 1; i < events.size(); ++i) {
+      REQUIRE(events[i].t_us >= events[i - 1].t_us);
+    }
+  }
+}
+
+TEST_CASE("a recording too short to loop is refused, a missing one too") {
+  const CameraFolder folder;
+  write_recording(folder / "one.raw", even_events(1, 0, 1));
+  CHECK_THROWS_AS(FileSource({.file = folder / "one.raw", .loop = true}), EventFileError);
+  CHECK_NOTHROW(FileSource({.file = folder / "one.raw"}));
+  CHECK_THROWS_AS(FileSource({.file = folder / "none.raw"}), EventFileError);
+}
+
+TEST_CASE("a byte stream gives its events however it comes, and ends when it is closed") {
+  const CameraFolder folder;
+  const auto expected = even_events(2000, 100, 10);
+  write_recording(folder / "a.raw", expected);
+  const std::string bytes = content_of(folder / "a.raw");
+  std::array<int, 2> ends{};
+  REQUIRE(pipe(ends.data()) == 0);
+  DescriptorEvents stream(ends[0], "pipe", {});
+
+  std::vector<SeenEvent> events;
+  EventPacket packet;
+  const auto drain = [&] {
+    DescriptorEvents::Outcome outcome{};
+    while ((outcome = stream.next(packet)) == DescriptorEvents::Outcome::kEvents) {
+      append_seen(packet, events);
+    }
+    return outcome;
+  };
+  CHECK(drain() == DescriptorEvents::Outcome::kNothingYet);
+  for (std::size_t i = 0; i < bytes.size(); i += 777) {
+    const std::string piece = bytes.substr(i, 777);
+    REQUIRE(write(ends[1], piece.data(), piece.size()) == static_cast<ssize_t>(piece.size()));
+    CHECK(drain() == DescriptorEvents::Outcome::kNothingYet);
+  }
+  close(ends[1]);
+  CHECK(drain() == DescriptorEvents::Outcome::kEnd);
+  close(ends[0]);
+  CHECK(events == expected);
+}
+
+TEST_CASE("a byte stream that is no recording is refused") {
+  std::array<int, 2> ends{};
+  REQUIRE(pipe(ends.data()) == 0);
+  REQUIRE(write(ends[1], "GET / HTTP/1.1\r\n", 16) == 16);
+  DescriptorEvents stream(ends[0], "pipe", {});
+  EventPacket packet;
+  CHECK_THROWS_AS(stream.next(packet), EventFileError);
+  close(ends[0]);
+  close(ends[1]);
+}
+
+// Listens on a free port of this host.
+class Server {
+ public:
+  Server() : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t length = sizeof address;
+    REQUIRE(bind(socket_, reinterpret_cast<const sockaddr*>(&address), length) == 0);
+    REQUIRE(listen(socket_, 1) == 0);
+    REQUIRE(getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &length) == 0);
+    port_ = ntohs(address.sin_port);
+  }
+  ~Server() { close(socket_); }
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  int port() const { return port_; }
+  // Sends to the next client, whose connection the kernel has accepted already, and hangs up.
+  void serve(const std::string& bytes) const {
+    const int client = accept(socket_, nullptr, nullptr);
+    REQUIRE(client >= 0);
+    REQUIRE(write(client, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
+    close(client);
+  }
+
+ private:
+  int socket_;
+  int port_ = 0;
+};
+
+TEST_CASE("a TCP source connects again after a break, a refusal and rubbish, and time goes on") {
+  const CameraFolder folder;
+  const auto once = even_events(100, 1000, 10);
+  write_recording(folder / "a.raw", once);
+  const std::string bytes = content_of(folder / "a.raw");
+
+  const Server server;
+  TcpSource source("127.0.0.1", server.port(), {});
+  CHECK(source.is_live());
+  EventSource::Chunk chunk;
+  CHECK(source.next(chunk) == EventSource::Outcome::kNothingYet);
+  CHECK(source.waiting_for().find("127.0.0.1:") != std::string::npos);
+
+  server.serve(bytes);
+  auto events = take(source, 100);
+  CHECK(events == once);
+  while (source.disconnections() < 1) source.next(chunk);
+  while (source.waiting_for().find("events from") == std::string::npos) source.next(chunk);
+
+  server.serve("rubbish, longer than a header line may ever be? no: just not one\n");
+  while (source.disconnections() < 2) source.next(chunk);
+  CHECK(source.waiting_for().find("no Prophesee RAW header") != std::string::npos);
+  while (source.waiting_for().find("events from") == std::string::npos) source.next(chunk);
+
+  server.serve(bytes);
+  events = take(source, 100);
+  REQUIRE(events.size() == 100);
+  CHECK(events.front().t_us == once.back().t_us + 1);
+  CHECK(events.back().t_us - events.front().t_us == 990);
+}
+
+TEST_CASE("a host that does not exist is refused at the start") {
+  CHECK_THROWS_WITH(TcpSource("no such host", 1, {}),
+                    doctest::Contains("camera.tcp_host \"no such host\" cannot be found"));
+}
+
+TEST_CASE("the simulated table tells its truth before each millisecond of events") {
+  std::vector<std::int64_t> truths_us;
+  SimulatedSource source({}, 1000,
+                         [&](const SimulatedTruth& truth) { truths_us.push_back(truth.time.us); });
+  EventSource::Chunk chunk;
+  for (int i = 0; i < 10; ++i) CHECK(source.next(chunk) == EventSource::Outcome::kEvents);
+  CHECK(chunk.until.us == 5000);
+  CHECK(truths_us == std::vector<std::int64_t>{0, 1000, 2000, 3000, 4000});
+}
+
+TEST_CASE("the simulated robot's mallet goes where the arm says") {
+  double mallet_y_m = 0;
+  SimulatedSource source({}, 1000,
+                         [&](const SimulatedTruth& truth) { mallet_y_m = truth.robot_mallet.y_m; });
+  EventSource::Chunk chunk;
+  source.next(chunk);
+  source.set_robot_mallet(0.2);
+  for (int i = 0; i < 200; ++i) source.next(chunk);
+  CHECK(mallet_y_m == doctest::Approx(0.2).epsilon(0.01));
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,78 @@
+#include "services/tracker/tracker_params.h"
+
+#include <cstdlib>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/presets.h"
+
+namespace puck {
+
+TEST_CASE("config/tracker.toml shows every key with its default") {
+  const std::string file = std::string(std::getenv("PUCK_SOURCE_DIR")) + "/config/tracker.toml";
+  Config config = Config::from_file(file);
+  std::string ignored;
+  config.read("lcm.url", ignored);
+  config.read("lcm.prefix", ignored);
+  // The size model's path is relative to the project's root, which a test may not run in.
+  config.override_with("tracker.size_model=\"\"");
+  const TrackerServiceParams shown = read_tracker_params(config);
+  CHECK_NOTHROW(config.reject_unknown());
+
+  Config empty;
+  const TrackerServiceParams defaults = read_tracker_params(empty);
+  Config only_keys = Config::from_file(file);
+  CHECK(config.effective().find("tracker.max_publish_hz") != std::string::npos);
+  for (const char* key :
+       {"preset", "half_width_px", "decay", "detection_region", "detection_threshold",
+        "region_factor", "prior_sigma", "lose", "lowest_score", "coast_ms", "search_period_ms",
+        "max_publish_hz", "size_model"}) {
+    CAPTURE(std::string(key));
+    CHECK(only_keys.has(std::string("tracker.") + key));
+  }
+  CHECK(shown.pipeline.eros.half_width_px == defaults.pipeline.eros.half_width_px);
+  CHECK(shown.pipeline.eros.decay == defaults.pipeline.eros.decay);
+  CHECK(shown.pipeline.detector.region.empty() == defaults.pipeline.detector.region.empty());
+  CHECK(shown.pipeline.detector.threshold == defaults.pipeline.detector.threshold);
+  CHECK(shown.pipeline.tracker.region_factor == defaults.pipeline.tracker.region_factor);
+  CHECK(shown.pipeline.tracker.prior_sigma == defaults.pipeline.tracker.prior_sigma);
+  CHECK(shown.pipeline.loss.enabled == defaults.pipeline.loss.enabled);
+  CHECK(shown.pipeline.loss.lowest_score == defaults.pipeline.loss.lowest_score);
+  CHECK(shown.pipeline.loss.coast_us == defaults.pipeline.loss.coast_us);
+  CHECK(shown.pipeline.loss.search_period_us == defaults.pipeline.loss.search_period_us);
+  CHECK(shown.thread.max_publish_hz == defaults.thread.max_publish_hz);
+}
+
+TEST_CASE("a preset gives the defaults and keys override them") {
+  Config config;
+  config.override_with("tracker.preset=reference");
+  config.override_with("tracker.half_width_px=5");
+  config.override_with("tracker.detection_region=[10, 20, 30, 40]");
+  const TrackerServiceParams params = read_tracker_params(config);
+  CHECK(params.pipeline.eros.half_width_px == 5);
+  CHECK(params.pipeline.eros.decay == preset_params(Preset::kReference).eros.decay);
+  CHECK(params.pipeline.detector.region == Region{10, 20, 30, 40});
+  CHECK(params.pipeline.detector.threshold == 3000);
+  CHECK_FALSE(params.pipeline.loss.enabled);
+}
+
+TEST_CASE("settings that cannot be are refused with the key and what was expected") {
+  const auto refusal = [](const char* assignment) -> std::string {
+    Config config;
+    config.override_with(assignment);
+    try {
+      read_tracker_params(config);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return {};
+  };
+  CHECK(refusal("tracker.half_width_px=9").find("tracker.half_width_px") != std::string::npos);
+  CHECK(refusal("tracker.preset=best").find("tracker.preset") != std::string::npos);
+  CHECK(refusal("tracker.size_model=nowhere.toml").find("nowhere.toml") != std::string::npos);
+  CHECK(refusal("tracker.detection_region=[1, 2]").find("tracker.detection_region") !=
+        std::string::npos);
+}
+
+}  // namespace puck

@@ -1,0 +1,153 @@
+#include "services/tracker/tracker_service.h"
+
+#include <cmath>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <spdlog/sinks/null_sink.h>
+
+#include "common/messaging/event_packing.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+
+// Small, so that a search of all of it is quick under a sanitizer too.
+constexpr SensorSize kSensor{160, 120};
+
+// A tracker on a bus of its own. The test publishes on the same bus, from its own thread.
+class RunningTracker {
+ public:
+  RunningTracker() {
+    Config config;
+    TrackerServiceParams params = TrackerService::read_params(config);
+    params.size_model = {25, 0, 0, 17, 0, 0};
+    bus_.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate, const Receipt&) {
+      const std::lock_guard lock(mutex_);
+      estimates_.push_back(estimate);
+    });
+    service_ = std::make_unique<TrackerService>(params, context_);
+    REQUIRE(bus_.start({}, [](const std::string&) {}));
+    thread_ = std::jthread([this](const std::stop_token& stop) { service_->run(stop); });
+  }
+
+  void publish(const EventPacket& events, std::int64_t sensor_zero_utime = 0) {
+    packer_.pack(events.start, events.events, [&](event_packet_t& packet) {
+      packet.sensor_zero_utime = sensor_zero_utime;
+      bus_.publish(packet);
+    });
+  }
+
+  // Sends a packet as it stands, whatever its header says of its order.
+  void publish_raw(event_packet_t packet) { bus_.publish(packet); }
+
+  std::vector<puck_estimate_t> estimates() const {
+    const std::lock_guard lock(mutex_);
+    return estimates_;
+  }
+
+  template <typename Condition>
+  bool eventually(const Condition& condition) const {
+    for (int i = 0; i < 10'000; ++i) {
+      const auto all = estimates();
+      if (!all.empty() && condition(all.back())) return true;
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    return false;
+  }
+
+  Bus& bus() { return bus_; }
+  void stop() {
+    thread_.request_stop();
+    thread_.join();
+  }
+  const TrackerService& service() const { return *service_; }
+
+ private:
+  Bus bus_{{.url = "memq://"}};
+  StatusReporter status_{bus_, "puck-tracker"};
+  spdlog::logger log_{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
+  RateLimitedLog limited_log_{log_};
+  BusWatch bus_watch_{bus_, log_};
+  ServiceContext context_{bus_, status_, log_, limited_log_, bus_watch_};
+  EventPacker packer_{{.sensor = kSensor, .packet_bytes = 60000}};
+  mutable std::mutex mutex_;
+  std::vector<puck_estimate_t> estimates_;
+  std::unique_ptr<TrackerService> service_;
+  std::jthread thread_;
+};
+
+EventPacket puck_at(Pixel centre, std::int64_t t_us) {
+  return {{t_us}, test::contour_events(kSensor, centre, {25, 17}, 150)};
+}
+
+std::int64_t counter(const TrackerService& service, const std::string& name) {
+  StatusReport report;
+  service.report(report);
+  for (const auto& [key, value] : report.counters) {
+    if (key == name) return value;
+  }
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("events come in and estimates go out, with the chain of times") {
+  RunningTracker tracker;
+  Pixel truth;
+  for (int i = 1; i <= 200; ++i) {
+    truth = {40 + 0.3 * i, 50 + 0.1 * i};
+    tracker.publish(puck_at(truth, i * 1000), 1'000'000);
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 200'000; }));
+  const puck_estimate_t last = tracker.estimates().back();
+  CHECK(last.state == puck_estimate_t::STATE_TRACKING);
+  CHECK(std::abs(last.x_px - truth.x) < 2);
+  CHECK(std::abs(last.y_px - truth.y) < 2);
+  CHECK(last.events_session == tracker.bus().session());
+  CHECK(last.event_utime == 1'000'000 + 200'000);
+  CHECK(last.packet_received_utime > 0);
+  CHECK(last.tracking_started_utime >= last.packet_received_utime);
+  CHECK(last.utime >= last.tracking_started_utime);
+  CHECK(last.packets_lost == 0);
+  CHECK(last.image_width == kSensor.width);
+  tracker.stop();
+  CHECK(counter(tracker.service(), "events_lost") == 0);
+  CHECK(counter(tracker.service(), "estimates") ==
+        static_cast<std::int64_t>(tracker.bus().counters<puck_estimate_t>().published));
+}
+
+TEST_CASE("a tracker without events says nothing of a puck") {
+  RunningTracker tracker;
+  std::this_thread::sleep_for(milliseconds(50));
+  CHECK(tracker.estimates().empty());
+}
+
+TEST_CASE("a packet from before the newest event and one of another sensor are dropped") {
+  RunningTracker tracker;
+  tracker.publish(puck_at({80, 60}, 10'000));
+  tracker.publish(puck_at({80, 60}, 5'000));
+  EventPacker other({.sensor = {320, 240}, .packet_bytes = 60000});
+  other.pack({20'000}, puck_at({80, 60}, 0).events,
+             [&](event_packet_t& packet) { tracker.publish_raw(packet); });
+  tracker.publish(puck_at({80, 60}, 30'000));
+  REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 30'000; }));
+  tracker.stop();
+  CHECK(counter(tracker.service(), "packets_late") == 2);
+  CHECK(counter(tracker.service(), "events_received") == 2 * 150);
+}
+
+TEST_CASE("estimates keep coming while there are no more events") {
+  RunningTracker tracker;
+  tracker.publish(puck_at({80, 60}, 10'000));
+  REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 10'000; }));
+  const auto before = tracker.estimates().back().seq;
+  CHECK(tracker.eventually([&](const auto& e) { return e.seq >= before + 5; }));
+}
+
+}  // namespace puck
