@@ -1,0 +1,205 @@
+#include "tools/demo_report/demo_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "common/evaluation/accuracy_score.h"
+#include "common/messaging/conversions.h"
+
+namespace puck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The first estimate of each newest event: the others only repeat it.
+std::vector<puck_estimate_t> with_news(const std::vector<puck_estimate_t>& estimates) {
+  std::vector<puck_estimate_t> result;
+  for (const puck_estimate_t& estimate : estimates) {
+    if (result.empty() || estimate.sensor_us > result.back().sensor_us) result.push_back(estimate);
+  }
+  return result;
+}
+
+void score(const GameLog& game, const std::vector<puck_estimate_t>& estimates,
+           DemoFigures& figures) {
+  if (game.truth.size() < 2 || estimates.empty()) return;
+  const puck_estimate_t& first = estimates.front();
+  AccuracyScore score(TruthTrack(game.truth), {first.image_width, first.image_height});
+  for (const puck_estimate_t& estimate : estimates) {
+    score.add({estimate.sensor_us}, from_message(estimate));
+  }
+  const AccuracyReport report = score.report();
+  if (report.estimates == 0) return;
+  figures.mean_px = report.mean_px;
+  figures.p95_px = report.p95_px;
+  figures.lost_percent = report.lost_percent;
+}
+
+void measure_latency(const std::vector<puck_estimate_t>& estimates, DemoFigures& figures) {
+  std::vector<std::int64_t> latencies;
+  for (const puck_estimate_t& estimate : estimates) {
+    if (estimate.packet_received_utime == 0) continue;
+    latencies.push_back(estimate.utime - estimate.packet_received_utime);
+  }
+  if (latencies.empty()) return;
+  std::sort(latencies.begin(), latencies.end());
+  const auto quantile = [&](double fraction) {
+    const auto rank =
+        static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(latencies.size())));
+    return latencies[std::max<std::size_t>(rank, 1) - 1];
+  };
+  figures.packet_to_estimate_p50_us = quantile(0.50);
+  figures.packet_to_estimate_p99_us = quantile(0.99);
+}
+
+bool has_position(const puck_estimate_t& estimate) {
+  return (estimate.flags & puck_estimate_t::FLAG_POSITION) != 0;
+}
+
+// Where the recorded estimates put the puck at a sensor time, if they do on both sides of it.
+std::optional<Pixel> recorded_at(const std::vector<puck_estimate_t>& recorded,
+                                 std::int64_t sensor_us) {
+  const auto after = std::lower_bound(
+      recorded.begin(), recorded.end(), sensor_us,
+      [](const puck_estimate_t& estimate, std::int64_t time) { return estimate.sensor_us < time; });
+  if (after == recorded.end() || !has_position(*after)) return std::nullopt;
+  if (after->sensor_us == sensor_us) return Pixel{after->x_px, after->y_px};
+  if (after == recorded.begin() || !has_position(*(after - 1))) return std::nullopt;
+  const puck_estimate_t& a = *(after - 1);
+  const double f = static_cast<double>(sensor_us - a.sensor_us) /
+                   static_cast<double>(after->sensor_us - a.sensor_us);
+  return Pixel{a.x_px + f * (after->x_px - a.x_px), a.y_px + f * (after->y_px - a.y_px)};
+}
+
+void compare(const std::vector<puck_estimate_t>& recorded, const GameLog& replay,
+             DemoFigures& figures) {
+  const std::vector<puck_estimate_t> replayed = with_news(replay.estimates);
+  figures.replay_estimates = static_cast<std::int64_t>(replay.estimates.size());
+  double sum = 0;
+  std::int64_t compared = 0;
+  for (const puck_estimate_t& estimate : replayed) {
+    const auto there = recorded_at(recorded, estimate.sensor_us);
+    if (!there || !has_position(estimate)) continue;
+    sum += std::hypot(estimate.x_px - there->x, estimate.y_px - there->y);
+    ++compared;
+  }
+  if (compared > 0) figures.replay_mean_difference_px = sum / static_cast<double>(compared);
+}
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_json(const DemoFigures& f) {
+  Json json;
+  json["events_sent"] = or_null(f.events_sent);
+  json["events_received"] = or_null(f.events_received);
+  json["events_lost"] = or_null(f.events_lost);
+  json["estimates"] = f.estimates;
+  json["estimate_rate_hz"] = or_null(f.estimate_rate_hz);
+  json["mean_px"] = or_null(f.mean_px);
+  json["p95_px"] = or_null(f.p95_px);
+  json["lost_percent"] = or_null(f.lost_percent);
+  json["packet_to_estimate_p50_us"] = or_null(f.packet_to_estimate_p50_us);
+  json["packet_to_estimate_p99_us"] = or_null(f.packet_to_estimate_p99_us);
+  json["shots"] = or_null(f.shots);
+  json["saves"] = or_null(f.saves);
+  json["goals_against"] = or_null(f.goals_against);
+  json["replay_estimates"] = or_null(f.replay_estimates);
+  json["replay_mean_difference_px"] = or_null(f.replay_mean_difference_px);
+  return json;
+}
+
+// One line of the table: a value or a dash.
+template <typename T>
+void print_row(const char* what, const std::optional<T>& value, const char* unit) {
+  if (!value) {
+    std::printf("  %-38s %10s\n", what, "-");
+  } else if constexpr (std::is_floating_point_v<T>) {
+    std::printf("  %-38s %10.2f %s\n", what, *value, unit);
+  } else {
+    std::printf("  %-38s %10lld %s\n", what, static_cast<long long>(*value), unit);
+  }
+}
+
+void tell_disagreement(const char* what, const std::optional<std::int64_t>& believed,
+                       const std::optional<std::int64_t>& truth) {
+  if (!believed || !truth || *believed == *truth) return;
+  std::printf("  the bridge believes in %lld %s, the simulated table counted %lld\n",
+              static_cast<long long>(*believed), what, static_cast<long long>(*truth));
+}
+
+}  // namespace
+
+DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
+  DemoFigures figures;
+  figures.events_sent = game.counter("puck-camera", "events_sent");
+  figures.events_received = game.counter("puck-tracker", "events_received");
+  if (figures.events_sent && figures.events_received) {
+    figures.events_lost = *figures.events_sent - *figures.events_received;
+  }
+  figures.estimates = static_cast<std::int64_t>(game.estimates.size());
+  const std::vector<puck_estimate_t> estimates = with_news(game.estimates);
+  if (estimates.size() > 1) {
+    const auto span_us = estimates.back().utime - estimates.front().utime;
+    figures.estimate_rate_hz =
+        static_cast<double>(estimates.size() - 1) / (static_cast<double>(span_us) * 1e-6);
+  }
+  score(game, estimates, figures);
+  measure_latency(estimates, figures);
+  if (game.last_truth) {
+    figures.shots = game.last_truth->shots;
+    figures.saves = game.last_truth->saves;
+    figures.goals_against = game.last_truth->goals_against;
+  }
+  if (game.last_game) {
+    figures.believed_shots = game.last_game->shots;
+    figures.believed_saves = game.last_game->saves;
+    figures.believed_goals_against = game.last_game->goals_against;
+  }
+  if (replay != nullptr) compare(estimates, *replay, figures);
+  return figures;
+}
+
+void print(const DemoFigures& f) {
+  std::printf("Events\n");
+  print_row("sent by the camera", f.events_sent, "");
+  print_row("received by the tracker", f.events_received, "");
+  print_row("lost on the way", f.events_lost, "");
+  std::printf("Estimates\n");
+  print_row("published", std::optional(f.estimates), "");
+  print_row("a second, with new events", f.estimate_rate_hz, "Hz");
+  print_row("error against truth, mean", f.mean_px, "px");
+  print_row("error against truth, 95 %", f.p95_px, "px");
+  print_row("puck lost", f.lost_percent, "%");
+  print_row("packet received to estimate, median", f.packet_to_estimate_p50_us, "us");
+  print_row("packet received to estimate, 99 %", f.packet_to_estimate_p99_us, "us");
+  std::printf("Game\n");
+  print_row("shots at the robot's goal", f.shots, "");
+  print_row("saves", f.saves, "");
+  print_row("goals against", f.goals_against, "");
+  tell_disagreement("shots", f.believed_shots, f.shots);
+  tell_disagreement("saves", f.believed_saves, f.saves);
+  tell_disagreement("goals against", f.believed_goals_against, f.goals_against);
+  std::printf("Replay of the log into a second tracker\n");
+  print_row("estimates", f.replay_estimates, "");
+  print_row("mean difference to the recorded ones", f.replay_mean_difference_px, "px");
+}
+
+void write_json(const DemoFigures& figures, const std::filesystem::path& path) {
+  std::ofstream file(path);
+  file << to_json(figures).dump(2) << '\n';
+  file.close();
+  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+}  // namespace puck

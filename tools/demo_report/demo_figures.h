@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "tools/demo_report/game_log.h"
+
+namespace puck {
+
+/// The figures of tools/demo.sh; what the logs do not say is missing.
+struct DemoFigures {
+  std::optional<std::int64_t> events_sent;
+  std::optional<std::int64_t> events_received;
+  std::optional<std::int64_t> events_lost;
+  std::int64_t estimates = 0;
+  std::optional<double> estimate_rate_hz;  ///< From the first estimate to the last.
+  std::optional<double> mean_px;
+  std::optional<double> p95_px;
+  std::optional<double> lost_percent;
+  std::optional<std::int64_t> packet_to_estimate_p50_us;
+  std::optional<std::int64_t> packet_to_estimate_p99_us;
+  std::optional<std::int64_t> shots;
+  std::optional<std::int64_t> saves;
+  std::optional<std::int64_t> goals_against;
+  std::optional<std::int64_t> replay_estimates;
+  std::optional<double> replay_mean_difference_px;
+
+  // What the bridge believes; the truth stands above.
+  std::optional<std::int64_t> believed_shots;
+  std::optional<std::int64_t> believed_saves;
+  std::optional<std::int64_t> believed_goals_against;
+};
+
+/// `replay` is the log of a second tracker that was fed with the events of `game`.
+DemoFigures demo_figures(const GameLog& game, const GameLog* replay);
+
+void print(const DemoFigures& figures);
+
+/// One flat object; what is missing is null. Throws std::runtime_error when it cannot be written.
+void write_json(const DemoFigures& figures, const std::filesystem::path& path);
+
+}  // namespace puck

@@ -1,0 +1,71 @@
+#include "tools/demo_report/game_log.h"
+
+#include "common/messaging/log_file.h"
+#include "common/messaging/message_codec.h"
+
+namespace puck {
+namespace {
+
+// Decodes a record and hands it on; false when it is malformed.
+template <typename Message, typename Take>
+bool take_as(const LogRecord& record, const Take& take) {
+  Message message;
+  if (decode(record.bytes, message)) return false;
+  take(message);
+  return true;
+}
+
+bool take_record(Channel channel, const LogRecord& record, GameLog& log) {
+  switch (channel) {
+    case Channel::kEvents:
+      return take_as<event_packet_t>(record, [&](const auto& m) { log.events += m.count; });
+    case Channel::kEstimate:
+      return take_as<puck_estimate_t>(record, [&](const auto& m) { log.estimates.push_back(m); });
+    case Channel::kTruth:
+      return take_as<ground_truth_t>(record, [&](const ground_truth_t& m) {
+        if (!log.truth.empty() && m.sensor_us <= log.truth.back().time.us) return;
+        log.truth.push_back(
+            {{m.sensor_us}, {m.x_px, m.y_px}, {m.width_px, m.height_px}, m.visible});
+        log.last_truth = m;
+      });
+    case Channel::kGame:
+      return take_as<game_state_t>(record, [&](const auto& m) { log.last_game = m; });
+    case Channel::kStatus:
+      return take_as<service_status_t>(record, [&](const service_status_t& m) {
+        auto& counters = log.counters[m.service];
+        for (std::size_t i = 0; i < m.counter_name.size(); ++i) {
+          counters[m.counter_name[i]] = m.counter_value[i];
+        }
+      });
+    case Channel::kTrajectory:
+    case Channel::kArmCommand:
+    case Channel::kArmState:
+    case Channel::kHead:
+      break;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> GameLog::counter(const std::string& service,
+                                             const std::string& name) const {
+  const auto of_service = counters.find(service);
+  if (of_service == counters.end()) return std::nullopt;
+  const auto value = of_service->second.find(name);
+  if (value == of_service->second.end()) return std::nullopt;
+  return value->second;
+}
+
+GameLog read_game_log(const std::filesystem::path& path) {
+  GameLog log;
+  LogReader reader(path);
+  LogRecord record;
+  while (reader.next(record)) {
+    const auto channel = find_channel(record.channel, "");
+    if (channel && !take_record(*channel, record, log)) ++log.rejected;
+  }
+  return log;
+}
+
+}  // namespace puck

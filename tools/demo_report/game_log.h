@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/vision/truth_row.h"
+#include "puck/game_state_t.hpp"
+#include "puck/ground_truth_t.hpp"
+#include "puck/puck_estimate_t.hpp"
+
+namespace puck {
+
+/// What a log of a game says that a report needs. Events themselves are counted, not kept.
+struct GameLog {
+  std::int64_t events = 0;  ///< Logged.
+  std::vector<puck_estimate_t> estimates;
+  std::vector<TruthRow> truth;
+  std::optional<ground_truth_t> last_truth;
+  std::optional<game_state_t> last_game;
+  /// The newest counters of each service, by its name and theirs.
+  std::map<std::string, std::map<std::string, std::int64_t>> counters;
+  std::int64_t rejected = 0;  ///< Messages on our channels that are malformed.
+
+  std::optional<std::int64_t> counter(const std::string& service, const std::string& name) const;
+};
+
+/// Throws LogFileError when there is no such log or it is no log.
+GameLog read_game_log(const std::filesystem::path& path);
+
+}  // namespace puck

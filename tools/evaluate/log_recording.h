@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "common/io/event_reader.h"
+#include "common/vision/truth_row.h"
+
+namespace puck {
+
+/// Whether a file is a log of LCM, by its first bytes. False where there is no such file.
+bool is_lcm_log(const std::filesystem::path& path);
+
+/// The events that a log holds on the channel PUCK_EVENTS, in the order in which they were
+/// published; of its first publisher's run only. Malformed packets and those that come too late are
+/// left out and counted. Throws EventFileError when there are none.
+std::unique_ptr<EventReader> open_event_log(const std::filesystem::path& path);
+
+/// The truth that a log of the simulated table holds on PUCK_TRUTH; none where the world was real.
+std::vector<TruthRow> read_truth_log(const std::filesystem::path& path);
+
+}  // namespace puck

@@ -1,0 +1,148 @@
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/evaluation/accuracy_score.h"
+#include "common/io/event_reader.h"
+#include "common/io/truth_file.h"
+#include "tools/evaluate/log_recording.h"
+#include "tools/evaluate/plots.h"
+#include "tools/evaluate/report.h"
+#include "tools/evaluate/runs.h"
+#include "tools/evaluate/tick_file.h"
+#include "tools/evaluate/tracker_setup.h"
+
+namespace puck {
+namespace {
+
+struct Options {
+  std::filesystem::path events;
+  std::filesystem::path truth;
+  std::filesystem::path size_model;
+  std::filesystem::path json;
+  std::filesystem::path csv;
+  std::filesystem::path plots;
+  std::string algorithm = "puck";
+  std::string preset = "default";
+  std::string detection_region;
+  double rate_hz = 1000;
+  bool real_time = false;
+  bool as_fast_as_possible = false;
+  EventFileOptions file;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("EVENTS", options.events,
+                 "recording: Prophesee RAW (EVT2, EVT3), text, or a log of LCM")
+      ->required();
+  app.add_option(
+      "--truth", options.truth,
+      "where the puck truly was: t_us,x,y,width,height; a log of a simulated game has its own");
+  app.add_option("--algorithm", options.algorithm)
+      ->check(CLI::IsMember({"puck", "cluster", "particle-filter", "particle-filter-eros"}))
+      ->capture_default_str();
+  app.add_option("--preset", options.preset)
+      ->check(CLI::IsMember({"default", "correlation", "paper", "reference"}))
+      ->capture_default_str();
+  app.add_option("--size-model", options.size_model, "TOML made by puck-calibrate size");
+  app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
+  auto* rate = app.add_option("--rate", options.rate_hz, "estimates a second of sensor time")
+                   ->check(CLI::Range(1.0, 1e6))
+                   ->capture_default_str();
+  auto* real_time = app.add_flag("--real-time", options.real_time,
+                                 "play at the recording's pace: measures latency");
+  auto* fast =
+      app.add_flag("--as-fast-as-possible", options.as_fast_as_possible, "measures throughput");
+  real_time->excludes(rate)->excludes(fast);
+  fast->excludes(rate);
+  app.add_option("--json", options.json, "write the figures here");
+  app.add_option("--csv", options.csv, "write a row a tick here");
+  app.add_option("--plots", options.plots, "write plots into this folder");
+  app.add_option("--from", options.file.from, "format of EVENTS, where it does not say so itself")
+      ->check(CLI::IsMember({"evt2", "evt3", "text"}));
+  app.add_option("--width", options.file.sensor.width, "sensor, px, where EVENTS does not say");
+  app.add_option("--height", options.file.sensor.height, "sensor, px, where EVENTS does not say");
+  app.add_option("--columns", options.file.text_columns, "text: order of the columns")
+      ->capture_default_str();
+  app.add_option("--unit", options.file.text_unit, "text: unit of the times")
+      ->check(CLI::IsMember({"auto", "s", "us"}))
+      ->capture_default_str();
+}
+
+RunSummary run(EventReader& events, const TrackerSetup& setup, const Options& options,
+               const OnTick& on_tick) {
+  if (options.real_time) return run_in_real_time(events, setup, on_tick);
+  if (options.as_fast_as_possible) return run_as_fast_as_possible(events, setup);
+  return run_at_rate(events, setup, options.rate_hz, on_tick);
+}
+
+void evaluate(const Options& options) {
+  const bool is_log = is_lcm_log(options.events);
+  const auto events =
+      is_log ? open_event_log(options.events) : open_event_file(options.events, options.file);
+  TrackerSetup setup;
+  setup.algorithm = algorithm_from(options.algorithm).value();
+  setup.preset = preset_from(options.preset).value();
+  setup.size_model = find_size_model(options.events, options.size_model);
+  if (!options.detection_region.empty()) {
+    setup.detection_region = parse_region(options.detection_region);
+  }
+  std::optional<AccuracyScore> score;
+  if (!options.as_fast_as_possible) {
+    std::vector<TruthRow> truth;
+    if (!options.truth.empty()) {
+      truth = read_truth_file(options.truth);
+    } else if (is_log) {
+      truth = read_truth_log(options.events);
+    }
+    if (!truth.empty()) score.emplace(TruthTrack(std::move(truth)), events->sensor_size());
+  }
+  if (!options.plots.empty() && !score) {
+    throw std::invalid_argument("--plots needs --truth, and ticks: not --as-fast-as-possible");
+  }
+  std::optional<TickFile> ticks;
+  if (!options.csv.empty()) ticks.emplace(options.csv);
+
+  EvaluationReport report;
+  report.algorithm = options.algorithm;
+  if (setup.algorithm == Algorithm::kPuck) report.preset = options.preset;
+  report.run = run(*events, setup, options, [&](const EvaluatedTick& tick) {
+    if (score) score->add(tick.tick, tick.estimate);
+    if (ticks) ticks->add(tick);
+  });
+  for (const std::string& warning : events->warnings()) {
+    std::fprintf(stderr, "puck-evaluate: %s\n", warning.c_str());
+  }
+  if (score) report.accuracy = score->report();
+  if (ticks) ticks->close();
+  print(report);
+  if (!options.json.empty()) write_json(report, options.json);
+  if (!options.plots.empty()) write_plots(*score, options.plots);
+}
+
+}  // namespace
+}  // namespace puck
+
+int main(int argc, char** argv) {
+  CLI::App app("Runs a tracker over a recording and says how accurate, quick or fast it is.");
+  puck::Options options;
+  puck::add_options(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    puck::evaluate(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "puck-evaluate: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,72 @@
+#include "tools/evaluate/report.h"
+
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+namespace puck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_json(const EvaluationReport& report) {
+  Json json;
+  json["algorithm"] = report.algorithm;
+  json["preset"] = or_null(report.preset);
+  json["events"] = report.run.events;
+  json["duration_s"] = report.run.duration_s;
+  const auto& accuracy = report.accuracy;
+  const bool scored = accuracy && accuracy->estimates > 0;
+  json["estimates"] = accuracy ? Json(accuracy->estimates) : Json(nullptr);
+  const auto measured = [&](const char* key, double AccuracyReport::*value) {
+    json[key] = scored ? Json((*accuracy).*value) : Json(nullptr);
+  };
+  measured("mean_px", &AccuracyReport::mean_px);
+  measured("median_px", &AccuracyReport::median_px);
+  measured("p95_px", &AccuracyReport::p95_px);
+  measured("within_2px_percent", &AccuracyReport::within_2px_percent);
+  measured("within_3p5px_percent", &AccuracyReport::within_3p5px_percent);
+  measured("within_4px_percent", &AccuracyReport::within_4px_percent);
+  measured("lost_percent", &AccuracyReport::lost_percent);
+  measured("longest_loss_ms", &AccuracyReport::longest_loss_ms);
+  json["time_to_first_track_ms"] =
+      accuracy ? or_null(accuracy->time_to_first_track_ms) : Json(nullptr);
+  const auto& latency = report.run.latency;
+  json["latency_p50_us"] = latency ? Json(latency->p50_us) : Json(nullptr);
+  json["latency_p99_us"] = latency ? Json(latency->p99_us) : Json(nullptr);
+  json["throughput_mev_s"] = or_null(report.run.throughput_mev_s);
+  return json;
+}
+
+}  // namespace
+
+void print(const EvaluationReport& report) {
+  const Json json = to_json(report);
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_null()) {
+      std::printf("%-24s -\n", key.c_str());
+    } else if (value.is_number_float()) {
+      std::printf("%-24s %.3f\n", key.c_str(), value.get<double>());
+    } else if (value.is_string()) {
+      std::printf("%-24s %s\n", key.c_str(), value.get<std::string>().c_str());
+    } else {
+      std::printf("%-24s %s\n", key.c_str(), value.dump().c_str());
+    }
+  }
+}
+
+void write_json(const EvaluationReport& report, const std::filesystem::path& path) {
+  std::ofstream file(path);
+  file << to_json(report).dump(2) << '\n';
+  file.close();
+  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+}  // namespace puck

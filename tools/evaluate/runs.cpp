@@ -1,0 +1,198 @@
+#include "tools/evaluate/runs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <thread>
+
+#include "common/runtime/shared_surface.h"
+#include "common/runtime/tracking_thread.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::duration;
+using std::chrono::duration_cast;
+using std::chrono::microseconds;
+using std::chrono::steady_clock;
+
+constexpr std::size_t kPacketEvents = 4096;
+// As a camera would send them: little at a time.
+constexpr std::int64_t kLivePacketUs = 500;
+
+// Counts events and their span as they go by.
+class Span {
+ public:
+  void add(const EventPacket& packet) {
+    if (events_ == 0) first_ = packet.time_of(packet.events.front());
+    last_ = packet.newest();
+    events_ += static_cast<std::int64_t>(packet.events.size());
+  }
+  void write_to(RunSummary& summary) const {
+    summary.events = events_;
+    summary.duration_s = static_cast<double>(last_ - first_) * 1e-6;
+  }
+
+ private:
+  std::int64_t events_ = 0;
+  Timestamp first_;
+  Timestamp last_;
+};
+
+// Cuts what a reader gives into pieces that end where the caller wants.
+class PacketCutter {
+ public:
+  explicit PacketCutter(EventReader& events) : events_(events) {}
+
+  // Time of the next event; nothing at the end.
+  std::optional<Timestamp> next_time() {
+    if (used_ == packet_.events.size()) {
+      used_ = 0;
+      if (!events_.read(packet_, kPacketEvents)) return std::nullopt;
+    }
+    return packet_.time_of(packet_.events[used_]);
+  }
+
+  // The next events up to and including `until`, at most what has been read already; there must be
+  // a next event and it must not lie beyond.
+  void take_until(Timestamp until, EventPacket& piece) {
+    const auto begin = packet_.events.begin() + static_cast<std::ptrdiff_t>(used_);
+    const auto end = std::upper_bound(
+        begin, packet_.events.end(), until,
+        [&](Timestamp time, const Event& event) { return time < packet_.time_of(event); });
+    piece.start = packet_.start;
+    piece.events.assign(begin, end);
+    used_ += piece.events.size();
+  }
+
+ private:
+  EventReader& events_;
+  EventPacket packet_;
+  std::size_t used_ = 0;
+};
+
+std::int64_t us_since(steady_clock::time_point time) {
+  return duration_cast<microseconds>(steady_clock::now() - time).count();
+}
+
+// Hands packets on when they are due on the host's clock.
+template <typename TakePacket>
+void play(EventReader& events, Span& span, const TakePacket& take) {
+  PacketCutter cutter(events);
+  EventPacket piece;
+  const auto first = cutter.next_time();
+  if (!first) return;
+  const auto begin = steady_clock::now();
+  while (const auto next = cutter.next_time()) {
+    cutter.take_until(*next + kLivePacketUs, piece);
+    span.add(piece);
+    std::this_thread::sleep_until(begin + microseconds(piece.newest() - *first));
+    take(piece);
+  }
+}
+
+}  // namespace
+
+RunSummary run_at_rate(EventReader& events, const TrackerSetup& setup, double rate_hz,
+                       const OnTick& on_tick) {
+  const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(events.sensor_size());
+  const double period_us = 1e6 / rate_hz;
+  PacketCutter cutter(events);
+  EventPacket piece;
+  Span span;
+  std::int64_t number = 0;
+  const auto tick_of = [&](std::int64_t n) {
+    return Timestamp{std::llround(static_cast<double>(n) * period_us)};
+  };
+  auto next = cutter.next_time();
+  if (next)
+    number = static_cast<std::int64_t>(std::ceil(static_cast<double>(next->us) / period_us));
+  while (next) {
+    const Timestamp tick = tick_of(number);
+    while (next && *next <= tick) {
+      cutter.take_until(tick, piece);
+      tracker->update(piece);
+      span.add(piece);
+      next = cutter.next_time();
+    }
+    on_tick({tick, tracker->estimate(), std::nullopt});
+    ++number;
+  }
+  RunSummary summary;
+  span.write_to(summary);
+  return summary;
+}
+
+RunSummary run_in_real_time(EventReader& events, const TrackerSetup& setup, const OnTick& on_tick) {
+  const SensorSize sensor = events.sensor_size();
+  LatencyHistogram latencies;
+  Span span;
+  if (setup.algorithm == Algorithm::kPuck) {
+    const PipelineParams params = setup.pipeline_params();
+    SharedSurface surface(sensor, params.eros);
+    Timestamp newest{-1};
+    const TrackingThread thread(surface, PuckPipeline(sensor, params, setup.size_model), {},
+                                [&](const TrackedEstimate& tracked) {
+                                  if (tracked.estimate.newest_event <= newest) return;
+                                  newest = tracked.estimate.newest_event;
+                                  const std::int64_t latency = us_since(tracked.origin.received);
+                                  latencies.record(latency);
+                                  on_tick({newest, tracked.estimate, latency});
+                                });
+    play(events, span, [&](const EventPacket& packet) {
+      surface.update(packet, {.received = steady_clock::now()});
+    });
+  } else {
+    const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(sensor);
+    play(events, span, [&](const EventPacket& packet) {
+      const auto received = steady_clock::now();
+      tracker->update(packet);
+      const PuckEstimate estimate = tracker->estimate();
+      const std::int64_t latency = us_since(received);
+      latencies.record(latency);
+      on_tick({packet.newest(), estimate, latency});
+    });
+  }
+  RunSummary summary;
+  span.write_to(summary);
+  summary.latency = latencies.summary();
+  return summary;
+}
+
+RunSummary run_as_fast_as_possible(EventReader& events, const TrackerSetup& setup) {
+  const SensorSize sensor = events.sensor_size();
+  Span span;
+  steady_clock::duration busy{};
+  EventPacket packet;
+  const auto feed = [&](const auto& take) {
+    while (events.read(packet, kPacketEvents)) {
+      span.add(packet);
+      const auto begin = steady_clock::now();
+      take(packet);
+      busy += steady_clock::now() - begin;
+    }
+  };
+  if (setup.algorithm == Algorithm::kPuck) {
+    const PipelineParams params = setup.pipeline_params();
+    SharedSurface surface(sensor, params.eros);
+    const TrackingThread thread(surface, PuckPipeline(sensor, params, setup.size_model), {},
+                                [](const TrackedEstimate&) {});
+    feed([&](const EventPacket& p) { surface.update(p, {}); });
+  } else {
+    const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(sensor);
+    feed([&](const EventPacket& p) {
+      tracker->update(p);
+      tracker->estimate();
+    });
+  }
+  RunSummary summary;
+  span.write_to(summary);
+  const double seconds = duration<double>(busy).count();
+  if (seconds > 0) {
+    summary.throughput_mev_s = static_cast<double>(summary.events) / seconds * 1e-6;
+  }
+  return summary;
+}
+
+}  // namespace puck

@@ -1,0 +1,89 @@
+#include "tools/evaluate/tracker_setup.h"
+
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+#include "common/baselines/cluster_tracker.h"
+#include "common/baselines/particle_filter.h"
+#include "common/baselines/particle_filter_eros.h"
+#include "common/io/size_model_file.h"
+#include "common/vision/surface_tracker.h"
+
+namespace puck {
+namespace {
+
+constexpr std::array kAlgorithms{Algorithm::kPuck, Algorithm::kCluster, Algorithm::kParticleFilter,
+                                 Algorithm::kParticleFilterEros};
+
+}  // namespace
+
+const char* to_string(Algorithm algorithm) {
+  switch (algorithm) {
+    case Algorithm::kPuck:
+      return "puck";
+    case Algorithm::kCluster:
+      return "cluster";
+    case Algorithm::kParticleFilter:
+      return "particle-filter";
+    case Algorithm::kParticleFilterEros:
+      return "particle-filter-eros";
+  }
+  return "unknown";
+}
+
+std::optional<Algorithm> algorithm_from(std::string_view name) {
+  for (const Algorithm algorithm : kAlgorithms) {
+    if (name == to_string(algorithm)) return algorithm;
+  }
+  return std::nullopt;
+}
+
+PipelineParams TrackerSetup::pipeline_params() const {
+  PipelineParams params = preset_params(preset);
+  if (detection_region) params.detector.region = *detection_region;
+  return params;
+}
+
+std::unique_ptr<TrackingAlgorithm> TrackerSetup::make(SensorSize sensor) const {
+  switch (algorithm) {
+    case Algorithm::kPuck:
+      break;
+    case Algorithm::kCluster:
+      return std::make_unique<ClusterTracker>(sensor, puck_cluster_params(), size_model,
+                                              pipeline_params());
+    case Algorithm::kParticleFilter:
+      return std::make_unique<ParticleFilter>(sensor, ParticleFilterParams{}, size_model,
+                                              pipeline_params());
+    case Algorithm::kParticleFilterEros:
+      return std::make_unique<ParticleFilterEros>(sensor, ParticleFilterErosParams{}, size_model,
+                                                  pipeline_params());
+  }
+  return std::make_unique<SurfaceTracker>(sensor, pipeline_params(), size_model);
+}
+
+Region parse_region(const std::string& text) {
+  Region region;
+  char rest = 0;
+  const int read = std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &region.x, &region.y, &region.width,
+                               &region.height, &rest);
+  if (read != 4 || region.empty()) {
+    throw std::invalid_argument("expected a region as x,y,w,h in px, such as 60,150,500,80, got " +
+                                text);
+  }
+  return region;
+}
+
+PuckSizeModel find_size_model(const std::filesystem::path& recording,
+                              const std::filesystem::path& given) {
+  if (!given.empty()) return read_size_model_file(given);
+  std::filesystem::path beside = recording;
+  beside.replace_extension(".toml");
+  if (std::filesystem::exists(beside)) return read_size_model_file(beside);
+  const std::filesystem::path fallback = "config/calibration/simulated_size.toml";
+  if (std::filesystem::exists(fallback)) return read_size_model_file(fallback);
+  throw std::runtime_error("no size model: neither " + beside.string() + " nor " +
+                           fallback.string() + " exists; name one with --size-model");
+}
+
+}  // namespace puck

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/events/sensor_size.h"
+#include "common/vision/presets.h"
+#include "common/vision/region.h"
+#include "common/vision/tracking_algorithm.h"
+
+namespace puck {
+
+enum class Algorithm : std::uint8_t { kPuck, kCluster, kParticleFilter, kParticleFilterEros };
+
+/// `puck`, `cluster`, `particle-filter`, `particle-filter-eros`.
+const char* to_string(Algorithm algorithm);
+std::optional<Algorithm> algorithm_from(std::string_view name);
+
+/// Which tracker to run, as the command line says.
+struct TrackerSetup {
+  Algorithm algorithm = Algorithm::kPuck;
+  Preset preset = Preset::kDefault;
+  PuckSizeModel size_model;
+  std::optional<Region> detection_region;  ///< Instead of the preset's.
+
+  /// The preset's parameters with the detection region put in.
+  PipelineParams pipeline_params() const;
+  std::unique_ptr<TrackingAlgorithm> make(SensorSize sensor) const;
+};
+
+/// `x,y,w,h` in px. Throws std::invalid_argument saying what was expected.
+Region parse_region(const std::string& text);
+
+/// The size model that belongs to a recording: from `given` if not empty, else from BASE.toml
+/// beside it, else from config/calibration/simulated_size.toml below the working folder. Throws
+/// std::runtime_error when there is none.
+PuckSizeModel find_size_model(const std::filesystem::path& recording,
+                              const std::filesystem::path& given);
+
+}  // namespace puck
