@@ -22,7 +22,7 @@ if(PUCK_SANITIZE)
                                                 -fno-sanitize-recover=all)
   target_link_options(puck_options INTERFACE -fsanitize=${PUCK_SANITIZE})
   # GCC's flow analysis loses its way in instrumented code.
-  target_compile_options(puck_options INTERFACE -Wno-error=maybe-uninitialized)
+  target_compile_options(puck_options INTERFACE -Wno-maybe-uninitialized)
 endif()
 
 # puck_library(<name> [LINKS <library>...] [PRIVATE_LINKS <library>...])
@@ -53,12 +53,15 @@ function(puck_program name)
   add_dependencies(puck_programs ${name})
 endfunction()
 
+# The tests of single libraries and services, and those of them that run threads.
 add_custom_target(puck_unit_tests)
+add_custom_target(puck_thread_tests)
 
-# puck_test(<name> [LINKS <library>...] [LABELS <label>...])
-# A doctest program of all the sources in the current folder.
+# puck_test(<name> [THREADS] [LINKS <library>...] [LABELS <label>...])
+# A doctest program of all the sources in the current folder; label unit unless others are given.
+# THREADS: what it tests runs threads, so it is tested under ThreadSanitizer, too.
 function(puck_test name)
-  cmake_parse_arguments(arg "" "" "LINKS;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "THREADS" "" "LINKS;LABELS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(NOT sources)
     return()
@@ -72,6 +75,10 @@ function(puck_test name)
   endif()
   if(unit IN_LIST labels)
     add_dependencies(puck_unit_tests ${name})
+  endif()
+  if(arg_THREADS)
+    list(APPEND labels threads)
+    add_dependencies(puck_thread_tests ${name})
   endif()
   set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 600
     ENVIRONMENT "PUCK_SOURCE_DIR=${PROJECT_SOURCE_DIR};PUCK_BIN_DIR=${CMAKE_BINARY_DIR}/bin;\

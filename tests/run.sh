@@ -3,8 +3,8 @@
 #
 #   tests/run.sh [unit|system|containers|all]
 #
-# unit: every library and service, optimised, then again under AddressSanitizer with
-# UndefinedBehaviorSanitizer, and under ThreadSanitizer. system: the real programs together, over
+# unit: every library and service, optimised; again under AddressSanitizer with
+# UndefinedBehaviorSanitizer; and those that run threads under ThreadSanitizer. system: the real programs together, over
 # LCM on this machine. containers: the services as machines. all, the default: everything.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -37,10 +37,10 @@ tools/install-deps.sh
 build release
 if [ "$what" = unit ] || [ "$what" = all ]; then
   run release unit
-  for preset in asan tsan; do
-    build "$preset" puck_unit_tests
-    run "$preset" unit
-  done
+  build asan puck_unit_tests
+  run asan unit
+  build tsan puck_thread_tests
+  run tsan threads
 fi
 if [ "$what" = system ] || [ "$what" = all ]; then
   run release system

@@ -35,9 +35,6 @@ class KernelBank {
   /// That kernel's nominal size: scaled, the next odd one, 2·floor(v / 2) + 1, clamped.
   PuckSize nominal(PuckSize size) const;
 
-  int largest_canvas_width() const { return params_.largest_px + params_.margin_x_px; }
-  int largest_canvas_height() const { return params_.largest_px + params_.margin_y_px; }
-
  private:
   int index_of(double contour_px) const;
   int size_at(int index) const { return params_.smallest_px + 2 * index; }

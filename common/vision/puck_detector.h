@@ -43,6 +43,10 @@ class PuckDetector {
   /// ROI_d, inside the sensor.
   const Region& region() const { return region_; }
 
+  /// How far a kernel of the detector's own reaches around its candidates, px; the bank's reach as
+  /// far as their sizes.
+  int reach() const { return fixed_kernel_.width() / 2 + 1; }
+
   /// The best place in `where` if its response exceeds the threshold. `bank` is the tracker's.
   std::optional<Detection> detect(Correlation& picture, const Region& where,
                                   const KernelBank& bank);

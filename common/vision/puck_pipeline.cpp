@@ -34,11 +34,22 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PipelineParams& params,
 
 Region PuckPipeline::region_needed() const {
   if (region_.empty()) return {};
-  // A kernel on the region's border reaches half its canvas beyond it, and the blur a little more.
-  const int reach =
-      std::max(kernels_.largest_canvas_width(), kernels_.largest_canvas_height()) / 2 +
-      GaussianBlur::kRadius;
+  // A kernel on the region's border reaches beyond it, and the blur a little more.
+  const int reach = std::max(detector_.reach(), kernel_reach(region_)) + GaussianBlur::kRadius;
   return region_.inflated(reach).intersect(Region::all_of(sensor_));
+}
+
+// The size model is linear, so the largest kernel in a region is that of one of its corners.
+int PuckPipeline::kernel_reach(const Region& region) const {
+  int reach = 0;
+  for (const int x : {region.x, region.right() - 1}) {
+    for (const int y : {region.y, region.bottom() - 1}) {
+      const EllipseKernel& kernel =
+          kernels_.nearest(size_model_.at({static_cast<double>(x), static_cast<double>(y)}));
+      reach = std::max({reach, kernel.width() / 2 + 1, kernel.height() / 2 + 1});
+    }
+  }
+  return reach;
 }
 
 PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {

@@ -74,6 +74,7 @@ class PuckPipeline {
   void lose(Timestamp now);
   void plan_search(Timestamp now);
   Region search_region(Timestamp now) const;
+  int kernel_reach(const Region& region) const;
   PuckEstimate estimate(const SurfaceSnapshot& snapshot) const;
 
   SensorSize sensor_;
