@@ -9,7 +9,9 @@ endif()
 set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fno-omit-frame-pointer")
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 
-find_package(Threads REQUIRED)
+if(NOT PUCK_CORE_ONLY)
+  find_package(Threads REQUIRED)
+endif()
 
 add_library(puck_options INTERFACE)
 # Every field has its initialiser in the struct, so what a designated list leaves out is defined.

@@ -113,7 +113,10 @@ std::vector<CsvRow> read_csv(const std::filesystem::path& path,
   std::size_t line_number = 0;
   for (std::string line; std::getline(file, line);) {
     ++line_number;
-    const std::string_view content = trimmed(line);
+    std::string_view content = line;
+    // Spreadsheets put a byte order mark first.
+    if (line_number == 1 && content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
+    content = trimmed(content);
     if (content.empty() || content.front() == '#') continue;
     const std::vector<std::string_view> fields = split(content);
     if (places.empty()) {

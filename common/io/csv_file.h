@@ -32,8 +32,9 @@ struct CsvRow {
 };
 
 /// Reads the wanted columns of a comma-separated file with a header; others may be there too. Empty
-/// lines and lines that begin with `#` are skipped. Throws CsvError for a file that cannot be read,
-/// has no rows, lacks a column, or has a row with a missing, malformed or out-of-range value.
+/// lines, lines that begin with `#` and a byte order mark are skipped. Throws CsvError for a file
+/// that cannot be read, has no rows, lacks a column, or has a row with a missing, malformed or
+/// out-of-range value.
 std::vector<CsvRow> read_csv(const std::filesystem::path& path, std::span<const CsvColumn> columns);
 
 /// Appends a line with the values, so that reading them gives the same bits.

@@ -29,7 +29,8 @@ struct EventFileOptions {
 
   /// Text: the order of time, x, y and polarity, with any of ` ,;` between the letters.
   std::string text_columns = "t x y p";
-  /// Text: "s", "us", or "auto": seconds where the first time has a decimal point, else µs.
+  /// Text: "s", "us", or "auto": seconds where the first time has a decimal point, else µs, and
+  /// then one with a fraction is refused.
   std::string text_unit = "auto";
   /// Text: what stands between the columns, "auto" being any run of spaces, tabs, `,` and `;`.
   std::string text_separator = "auto";

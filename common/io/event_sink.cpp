@@ -9,12 +9,15 @@ EventSink::EventSink(SensorSize sensor) : sensor_(checked_sensor(sensor)) {}
 void EventSink::begin(EventPacket& packet, std::size_t max_events) {
   packet_ = &packet;
   max_events_ = max_events;
-  std::size_t taken = 0;
-  while (taken < backlog_.size() && packet.events.size() < max_events &&
-         hand_out(backlog_[taken])) {
-    ++taken;
+  while (has_backlog() && packet.events.size() < max_events && hand_out(backlog_[backlog_taken_])) {
+    ++backlog_taken_;
   }
-  backlog_.erase(backlog_.begin(), backlog_.begin() + static_cast<std::ptrdiff_t>(taken));
+  // Only when all are gone: moving the others up for each packet would take time in the square of
+  // their number.
+  if (!has_backlog()) {
+    backlog_.clear();
+    backlog_taken_ = 0;
+  }
 }
 
 }  // namespace puck

@@ -23,8 +23,8 @@ class EventSink {
   void begin(EventPacket& packet, std::size_t max_events);
 
   /// Whether the packet takes another event.
-  bool has_room() const { return backlog_.empty() && packet_->events.size() < max_events_; }
-  bool has_backlog() const { return !backlog_.empty(); }
+  bool has_room() const { return !has_backlog() && packet_->events.size() < max_events_; }
+  bool has_backlog() const { return backlog_taken_ < backlog_.size(); }
 
   /// Puts the event into the packet, or into the backlog where it does not fit. One outside the
   /// sensor or older than the newest is dropped and counted.
@@ -74,6 +74,7 @@ class EventSink {
   std::size_t max_events_ = 0;
   Timestamp newest_{std::numeric_limits<std::int64_t>::min()};
   std::vector<TimedEvent> backlog_;
+  std::size_t backlog_taken_ = 0;  // So many of them were handed out.
   EventCounters counters_;
 };
 

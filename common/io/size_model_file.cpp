@@ -37,8 +37,7 @@ PuckSizeModel read_size_model_file(const std::filesystem::path& path) {
   return model;
 }
 
-void write_size_model_file(const std::filesystem::path& path, const PuckSizeModel& model,
-                           std::string_view provenance) {
+std::string size_model_text(const PuckSizeModel& model, std::string_view provenance) {
   std::string text = toml_comment(provenance) +
                      "# Full axes of the puck's ellipse in the image: px at the top left corner, "
                      "and px per px along x and y.\n[size_model]\n";
@@ -47,7 +46,12 @@ void write_size_model_file(const std::filesystem::path& path, const PuckSizeMode
     text += std::string(key.substr(key.find('.') + 1)) + " = " +
             toml_number(model.*coefficient.member) + "\n";
   }
-  write_calibration_text(path, text);
+  return text;
+}
+
+void write_size_model_file(const std::filesystem::path& path, const PuckSizeModel& model,
+                           std::string_view provenance) {
+  write_calibration_text(path, size_model_text(model, provenance));
 }
 
 }  // namespace puck

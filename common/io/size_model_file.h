@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "common/vision/puck_size_model.h"
@@ -12,8 +13,11 @@ namespace puck {
 /// can hold a whole calibration. Throws ConfigError.
 PuckSizeModel read_size_model_file(const std::filesystem::path& path);
 
-/// `provenance`: where the model comes from; becomes a comment. Throws ConfigError when the file
-/// cannot be written.
+/// The table [size_model] as `read_size_model_file` reads it. `provenance`: where the model comes
+/// from; becomes a comment.
+std::string size_model_text(const PuckSizeModel& model, std::string_view provenance);
+
+/// Writes that into a file of its own. Throws ConfigError when it cannot be written.
 void write_size_model_file(const std::filesystem::path& path, const PuckSizeModel& model,
                            std::string_view provenance);
 

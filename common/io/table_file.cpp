@@ -51,8 +51,7 @@ TableCalibration read_table_file(const std::filesystem::path& path) {
   }
 }
 
-void write_table_file(const std::filesystem::path& path, const TableCalibration& calibration,
-                      std::string_view provenance) {
+std::string table_text(const TableCalibration& calibration, std::string_view provenance) {
   std::string text = toml_comment(provenance) +
                      "[table]\n# Homography from the image (px) to the table (m), row by row.\n"
                      "table_from_image = [";
@@ -67,7 +66,12 @@ void write_table_file(const std::filesystem::path& path, const TableCalibration&
     text += std::string(key.substr(key.find('.') + 1)) + " = " +
             toml_number(calibration.geometry.*length.member) + "\n";
   }
-  write_calibration_text(path, text);
+  return text;
+}
+
+void write_table_file(const std::filesystem::path& path, const TableCalibration& calibration,
+                      std::string_view provenance) {
+  write_calibration_text(path, table_text(calibration, provenance));
 }
 
 }  // namespace puck

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "common/io/config.h"
@@ -23,8 +24,11 @@ void read_table_geometry(Config& config, TableGeometry& geometry);
 /// TableGeometry, which have defaults. Other tables in the file are left alone. Throws ConfigError.
 TableCalibration read_table_file(const std::filesystem::path& path);
 
-/// `provenance`: where the calibration comes from; becomes a comment. Throws ConfigError when the
-/// file cannot be written.
+/// The table [table] as `read_table_file` reads it. `provenance`: where the calibration comes from;
+/// becomes a comment.
+std::string table_text(const TableCalibration& calibration, std::string_view provenance);
+
+/// Writes that into a file of its own. Throws ConfigError when it cannot be written.
 void write_table_file(const std::filesystem::path& path, const TableCalibration& calibration,
                       std::string_view provenance);
 

@@ -123,6 +123,8 @@ bool TextEventReader::next_event_line() {
   while (std::getline(file_, line_)) {
     ++line_number_;
     line_was_ended_ = !file_.eof();
+    // A byte order mark.
+    if (line_number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.erase(0, 3);
     const std::string_view content = trimmed(line_);
     if (content.starts_with("%geometry:")) take_geometry();
     if (!content.empty() && content.front() != '#' && content.front() != '%') return true;
@@ -192,6 +194,9 @@ void TextEventReader::take_line() {
                         polarity <= 1;
   const double time_us = time * us_per_unit_;
   if (is_event && time_us >= 0 && time_us <= kLatestUs) {
+    if (options_.text_unit == "auto" && us_per_unit_ == 1 && time != std::floor(time)) {
+      fail("whole µs, because the first time has no decimal point (if the unit is s, say so)");
+    }
     sink_.append({std::llround(time_us)}, x, y, polarity == 1);
   } else if (!line_was_ended_) {
     sink_.counters().truncated_bytes += static_cast<std::int64_t>(line_.size());

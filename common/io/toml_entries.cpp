@@ -12,6 +12,23 @@
 namespace puck {
 namespace {
 
+// A key of thousands of parts, which nest, would use up the stack of the parser, which recurses.
+constexpr std::size_t kLongestLine = 4096;
+
+void check_lines(std::string_view text, const std::string& name) {
+  std::size_t number = 1;
+  while (true) {
+    const std::size_t end = text.find('\n');
+    if (std::min(end, text.size()) > kLongestLine) {
+      throw ConfigError(name + ":" + std::to_string(number) + ": is longer than " +
+                        std::to_string(kLongestLine) + " bytes; expected shorter lines");
+    }
+    if (end == std::string_view::npos) return;
+    text.remove_prefix(end + 1);
+    ++number;
+  }
+}
+
 std::string one_line_of(const toml::node& node) {
   if (const auto* string = node.as_string()) return quoted_toml(string->get());
   std::ostringstream stream;
@@ -64,6 +81,7 @@ void collect(const toml::table& table, const std::string& prefix, const std::str
 
 std::map<std::string, ConfigEntry, std::less<>> parse_toml(std::string_view text,
                                                            const std::string& name) {
+  check_lines(text, name);
   std::map<std::string, ConfigEntry, std::less<>> entries;
   try {
     collect(toml::parse(text), "", name, entries);
@@ -76,8 +94,10 @@ std::map<std::string, ConfigEntry, std::less<>> parse_toml(std::string_view text
 
 ConfigEntry parse_toml_value(std::string_view text) {
   try {
-    const toml::table table = toml::parse("value = " + std::string(text));
-    if (table.size() == 1) return entry_of(*table.get("value"));
+    if (text.size() <= kLongestLine) {
+      const toml::table table = toml::parse("value = " + std::string(text));
+      if (table.size() == 1) return entry_of(*table.get("value"));
+    }
   } catch (const toml::parse_error&) {
     // A bare word.
   }

@@ -64,4 +64,11 @@ PuckEstimate from_message(const puck_estimate_t& message) {
   return estimate;
 }
 
+TruthRow from_message(const ground_truth_t& message) {
+  return {{message.sensor_us},
+          {message.x_px, message.y_px},
+          {message.width_px, message.height_px},
+          message.visible};
+}
+
 }  // namespace puck

@@ -2,6 +2,8 @@
 
 #include "common/events/sensor_size.h"
 #include "common/vision/puck_estimate.h"
+#include "common/vision/truth_row.h"
+#include "puck/ground_truth_t.hpp"
 #include "puck/puck_estimate_t.hpp"
 
 namespace puck {
@@ -12,5 +14,6 @@ puck_estimate_t to_message(const PuckEstimate& estimate, SensorSize sensor);
 
 /// Of a message that a Bus delivered.
 PuckEstimate from_message(const puck_estimate_t& message);
+TruthRow from_message(const ground_truth_t& message);
 
 }  // namespace puck

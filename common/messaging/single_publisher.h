@@ -22,6 +22,10 @@ class SinglePublisher {
 
   /// Of the publisher that is followed; 0 before the first.
   std::int64_t session() const { return session_; }
+  /// Nobody has been accepted for so long that anyone new may follow.
+  bool is_silent(std::int64_t now_us) const {
+    return !has_publisher_ || now_us - heard_us_ > kSilentAfterUs;
+  }
 
  private:
   bool has_publisher_ = false;

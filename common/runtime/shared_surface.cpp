@@ -18,6 +18,7 @@ bool any_inside(std::span<const Event> events, const Region& region) {
 
 void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin) {
   const std::span<const Event> events(packet.events);
+  newest_packet_.store(origin.received.time_since_epoch().count(), std::memory_order_relaxed);
   const std::lock_guard lock(surface_mutex_);
   origin_ = origin;
   for (std::size_t applied = 0; applied < events.size();) {

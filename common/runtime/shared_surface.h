@@ -68,6 +68,13 @@ class SharedSurface {
   /// Safe from any thread. Ends a wait.
   void wake();
 
+  /// Safe from any thread. When the newest packet came, wherever its events lie; the clock's epoch
+  /// before the first.
+  std::chrono::steady_clock::time_point newest_packet_received() const {
+    return std::chrono::steady_clock::time_point(
+        std::chrono::steady_clock::duration(newest_packet_.load(std::memory_order_relaxed)));
+  }
+
  private:
   void copy_to(SharedSnapshot& out, const EventPacket* pending, std::size_t applied);
   void serve_request(const EventPacket& packet, std::size_t applied);
@@ -86,6 +93,9 @@ class SharedSurface {
   Region requested_region_;
   SharedSnapshot* requested_snapshot_ = nullptr;
   std::atomic<bool> requested_{false};
+
+  // Relaxed: it stands alone.
+  std::atomic<std::chrono::steady_clock::rep> newest_packet_{0};
 
   // Set by the event thread, cleared when a copy is made.
   std::atomic<bool> news_{false};

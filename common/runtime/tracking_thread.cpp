@@ -54,6 +54,7 @@ void TrackingThread::run(const std::stop_token& stop) {
     const auto now = steady_clock::now();
     const bool changed = newest.estimate.state != published_state;
     if (changed || (unpublished && now >= next_publish) || now >= heartbeat_due) {
+      newest.input_age = now - surface_.newest_packet_received();
       publish_(newest);
       published_state = newest.estimate.state;
       unpublished = false;

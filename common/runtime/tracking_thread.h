@@ -25,6 +25,9 @@ struct TrackedEstimate {
   std::chrono::system_clock::time_point tracking_started;
   std::int64_t backlog_us = 0;
   std::int64_t backlog_events = 0;
+  /// How long ago, at publication, the newest packet came, even if it brought nothing for the
+  /// tracking region.
+  std::chrono::steady_clock::duration input_age{};
 };
 
 /// The paper's second thread (Figure 2): takes the newest surface, detects or tracks, as fast as it

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cmath>
+
+#include "common/table/table_point.h"
+
 namespace puck {
 
 /// The table, the puck and the robot's line, m, in the frame of TablePoint. The defaults are the
@@ -12,6 +16,12 @@ struct TableGeometry {
   double mallet_radius_m = 0.05;
   double robot_line_x_m = 0.15;     ///< The robot's mallet moves on x = this …
   double robot_line_half_m = 0.30;  ///< … with |y| up to this.
+
+  /// Whether a point lies on the playing surface or at most `margin_m` beyond it.
+  bool contains(const TablePoint& point, double margin_m) const {
+    return point.x_m >= -margin_m && point.x_m <= length_m + margin_m &&
+           std::abs(point.y_m) <= width_m / 2 + margin_m;
+  }
 };
 
 }  // namespace puck

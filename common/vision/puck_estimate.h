@@ -35,7 +35,7 @@ struct PuckEstimate {
   /// Of (x, y, vx, vy), row by row; px², px²/s, px²/s².
   std::array<double, 16> covariance{};
 
-  Region region;                    ///< What was looked at.
+  Region region;                    ///< ROI_d or ROI_t that was looked at; empty between searches.
   Timestamp newest_event;           ///< Newest event on the surface that was looked at.
   std::int64_t events_applied = 0;  ///< Events applied to that surface since the start.
 };

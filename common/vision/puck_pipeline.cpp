@@ -54,6 +54,7 @@ int PuckPipeline::kernel_reach(const Region& region) const {
 
 PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {
   const Timestamp now = snapshot.newest_event;
+  const Region looked_at = region_;
   const bool something_new = snapshot.events_applied != events_seen_;
   events_seen_ = snapshot.events_applied;
   if (region_.empty()) {
@@ -67,7 +68,7 @@ PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {
       search(now);
     }
   }
-  return estimate(snapshot);
+  return estimate(snapshot, looked_at);
 }
 
 void PuckPipeline::track(Timestamp now) {
@@ -150,12 +151,13 @@ Region PuckPipeline::search_region(Timestamp now) const {
   return Region::around(position_, side, side).intersect(Region::all_of(sensor_));
 }
 
-PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
+PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot,
+                                    const Region& looked_at) const {
   PuckEstimate estimate;
   estimate.state = state_;
   estimate.newest_event = snapshot.newest_event;
   estimate.events_applied = snapshot.events_applied;
-  estimate.region = region_;
+  estimate.region = looked_at;
   estimate.left_image = left_image_;
   if (state_ != TrackState::kTracking) return estimate;
 

@@ -75,7 +75,7 @@ class PuckPipeline {
   void plan_search(Timestamp now);
   Region search_region(Timestamp now) const;
   int kernel_reach(const Region& region) const;
-  PuckEstimate estimate(const SurfaceSnapshot& snapshot) const;
+  PuckEstimate estimate(const SurfaceSnapshot& snapshot, const Region& looked_at) const;
 
   SensorSize sensor_;
   PipelineParams params_;

@@ -12,11 +12,6 @@ namespace {
 constexpr double kThereM = 0.002;
 constexpr double kStillMS = 0.005;
 
-bool is_on(const TableGeometry& table, const TablePoint& point, double margin_m) {
-  return point.x_m >= -margin_m && point.x_m <= table.length_m + margin_m &&
-         std::abs(point.y_m) <= table.width_m / 2 + margin_m;
-}
-
 CommandGuardParams guard_params(const ArmControllerParams& params) {
   CommandGuardParams guard = params.guard;
   guard.takes_targets = params.mode == ArmMode::kCommanded;
@@ -73,7 +68,7 @@ ArmController::Order ArmController::decide_to_follow(const puck_estimate_t* trac
   }
   const std::optional<TablePoint> point =
       params_.view->table_from_image.to_table({track->x_px, track->y_px});
-  if (!point || !is_on(params_.view->table, *point, params_.margin_m)) {
+  if (!point || !params_.view->table.contains(*point, params_.margin_m)) {
     order.reason = "the track is off the table";
     return order;
   }

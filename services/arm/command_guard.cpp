@@ -77,9 +77,9 @@ void CommandGuard::fault(const std::string& reason) {
 
 CommandRefusal CommandGuard::judge_clock_and_arm(const arm_command_t& command,
                                                  const HostNow& now) const {
-  // Compared without subtracting: the sender's clock may say anything.
-  if (command.utime < now.utime - params_.max_clock_error_us) return CommandRefusal::kOld;
-  if (command.utime > now.utime + params_.max_clock_error_us) return CommandRefusal::kFromFuture;
+  if (!is_of_now(command.utime, now, params_.max_clock_error_us)) {
+    return command.utime < now.utime ? CommandRefusal::kOld : CommandRefusal::kFromFuture;
+  }
   if (command.arm_session != arm_session_) return CommandRefusal::kOtherArm;
   return CommandRefusal::kNone;
 }

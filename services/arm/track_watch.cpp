@@ -13,11 +13,7 @@ bool tracks(const puck_estimate_t& estimate) {
 }  // namespace
 
 TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const HostNow& now) {
-  // Compared without subtracting: the sender's clock may say anything.
-  if (estimate.utime < now.utime - params_.max_clock_error_us ||
-      estimate.utime > now.utime + params_.max_clock_error_us) {
-    return Verdict::kClock;
-  }
+  if (!is_of_now(estimate.utime, now, params_.max_clock_error_us)) return Verdict::kClock;
   if (tracks(estimate) && !(std::isfinite(estimate.x_px) && std::isfinite(estimate.y_px))) {
     return Verdict::kMalformed;
   }

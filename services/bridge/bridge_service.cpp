@@ -80,8 +80,9 @@ BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& 
   context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& at) {
     bridge_.hear(state, {at.utime, at.monotonic_us});
   });
-  context_.bus.subscribe<head_state_t>(
-      [this](const head_state_t& head, const Receipt&) { bridge_.hear(head); });
+  context_.bus.subscribe<head_state_t>([this](const head_state_t& head, const Receipt& at) {
+    bridge_.hear(head, {at.utime, at.monotonic_us});
+  });
 }
 
 void BridgeService::run(std::stop_token stop) {

@@ -17,11 +17,6 @@ bool has(const puck_estimate_t& estimate, std::int32_t flag) {
   return (estimate.flags & flag) != 0;
 }
 
-bool is_on(const TableGeometry& table, const TablePoint& point, double margin_m) {
-  return point.x_m >= -margin_m && point.x_m <= table.length_m + margin_m &&
-         std::abs(point.y_m) <= table.width_m / 2 + margin_m;
-}
-
 // Of (x, y) in the image, px².
 std::optional<std::array<double, 4>> image_covariance(const puck_estimate_t& estimate,
                                                       double default_sigma_px) {
@@ -96,11 +91,7 @@ EstimateVerdict EstimateGate::judge(const puck_estimate_t& estimate, const HostN
 }
 
 EstimateVerdict EstimateGate::judge_order(const puck_estimate_t& estimate, const HostNow& now) {
-  // Compared without subtracting: the sender's clock may say anything.
-  if (estimate.utime < now.utime - params_.max_clock_error_us ||
-      estimate.utime > now.utime + params_.max_clock_error_us) {
-    return EstimateVerdict::kClock;
-  }
+  if (!is_of_now(estimate.utime, now, params_.max_clock_error_us)) return EstimateVerdict::kClock;
   switch (publisher_.hear(estimate.session, estimate.seq, now.monotonic_us)) {
     case SinglePublisher::Verdict::kLate:
       return EstimateVerdict::kLate;
@@ -126,9 +117,7 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
   const bool finite = std::isfinite(numbers) &&
                       std::all_of(std::begin(estimate.covariance), std::end(estimate.covariance),
                                   [](double value) { return std::isfinite(value); });
-  const bool times_are_sane =
-      estimate.sensor_us >= 0 && estimate.sensor_us <= kLongestRunUs && estimate.event_utime >= 0;
-  if (!finite || !times_are_sane) return EstimateVerdict::kMalformed;
+  if (!finite) return EstimateVerdict::kMalformed;
   const auto covariance = image_covariance(estimate, params_.default_sigma_px);
   if (!covariance) return EstimateVerdict::kMalformed;
 
@@ -140,7 +129,7 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
 
   const Pixel pixel{estimate.x_px, estimate.y_px};
   const std::optional<TablePoint> point = table_from_image_.to_table(pixel);
-  if (!point || !is_on(table_, *point, params_.margin_m)) return EstimateVerdict::kOffTable;
+  if (!point || !table_.contains(*point, params_.margin_m)) return EstimateVerdict::kOffTable;
   const std::array<double, 4> j = table_from_image_.jacobian_at(pixel);
   const TableVelocity velocity{j[0] * estimate.vx_px_s + j[1] * estimate.vy_px_s,
                                j[2] * estimate.vx_px_s + j[3] * estimate.vy_px_s};

@@ -103,7 +103,13 @@ void PlayBridge::hear(const arm_state_t& state, const HostNow& now) {
   }
 }
 
-void PlayBridge::hear(const head_state_t& head) {
+void PlayBridge::hear(const head_state_t& head, const HostNow& now) {
+  // A late word, or that of another robot's head, must not say that this one is home.
+  const auto verdict = head_publisher_.hear(head.session, head.seq, now.monotonic_us);
+  if (verdict != SinglePublisher::Verdict::kNewPublisher &&
+      verdict != SinglePublisher::Verdict::kAccepted) {
+    return;
+  }
   const double furthest_deg =
       std::max({std::abs(head.yaw_deg), std::abs(head.pitch_deg), std::abs(head.roll_deg)});
   head_is_home_ = furthest_deg <= params_.max_head_deg;

@@ -42,7 +42,7 @@ class PlayBridge {
 
   void hear(const puck_estimate_t& estimate, const HostNow& now);
   void hear(const arm_state_t& state, const HostNow& now);
-  void hear(const head_state_t& head);
+  void hear(const head_state_t& head, const HostNow& now);
 
   /// What is due for publication at `now`; each is due once.
   std::optional<puck_trajectory_t> next_trajectory(const HostNow& now);
@@ -91,6 +91,7 @@ class PlayBridge {
   SinglePublisher arm_publisher_;
   std::optional<arm_state_t> arm_;
   std::int64_t arm_heard_us_ = 0;  // CLOCK_MONOTONIC
+  SinglePublisher head_publisher_;
   bool head_is_home_ = true;
 
   std::optional<std::int64_t> last_trajectory_us_;  // CLOCK_MONOTONIC, as all of these

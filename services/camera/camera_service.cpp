@@ -79,7 +79,9 @@ void CameraService::run(std::stop_token stop) {
 bool CameraService::play(std::stop_token stop) {
   while (!stop.stop_requested()) {
     serve_bus();
-    switch (source_->next(chunk_)) {
+    const EventSource::Outcome outcome = source_->next(chunk_);
+    warn_of_drops();
+    switch (outcome) {
       case EventSource::Outcome::kEvents:
         if (!send_chunk(stop)) return false;
         break;
@@ -88,7 +90,7 @@ bool CameraService::play(std::stop_token stop) {
             Clock::now() - batch_began_ >= microseconds(settings_.flush_us)) {
           publish_batch();
         }
-        say_waiting();
+        if (Clock::now() - last_events_ >= kSilent) say_waiting(source_->waiting_for());
         break;
       case EventSource::Outcome::kEnd:
         if (batcher_ && !batcher_->batch().empty()) {
@@ -108,13 +110,13 @@ bool CameraService::send_chunk(std::stop_token stop) {
       context_.status.state() == ServiceState::kWaiting) {
     context_.status.set_state(ServiceState::kRunning);
   }
-  warn_of_drops();
   last_events_ = Clock::now();
   if (is_paced_ && !pacer_.is_started()) {
     const Timestamp first = chunk_.packet.empty() ? chunk_.until : chunk_.packet.start;
     pacer_.start(first, Clock::now());
     pacer_zero_utime_ = host_utime() - first.us;
   }
+  if (chunk_.new_clock) live_zero_ = {};
   if (!is_paced_ && !chunk_.packet.empty()) live_zero_.add(chunk_.until, host_utime());
 
   std::size_t next = 0;
@@ -152,6 +154,7 @@ bool CameraService::wait_until(Timestamp time, std::stop_token stop) {
     const Clock::time_point due = pacer_.due(time);
     const Clock::time_point now = Clock::now();
     if (now >= due) break;
+    if (due - now > kSilent) say_waiting("the end of a gap in the sensor's time");
     std::this_thread::sleep_until(std::min(due, now + kBusPeriod));
   }
   note_pace(time);
@@ -166,14 +169,13 @@ void CameraService::serve_bus() {
   poll_status(context_, *this);
 }
 
-void CameraService::say_waiting() {
-  if (Clock::now() - last_events_ < kSilent) return;
-  const std::string what = "for " + source_->waiting_for();
-  if (context_.status.state() == ServiceState::kWaiting && context_.status.state_text() == what) {
+void CameraService::say_waiting(const std::string& for_what) {
+  const std::string text = "for " + for_what;
+  if (context_.status.state() == ServiceState::kWaiting && context_.status.state_text() == text) {
     return;
   }
-  context_.log.warn("waiting {}", what);
-  context_.status.set_state(ServiceState::kWaiting, what);
+  context_.limited_log.warn("waiting", text);
+  context_.status.set_state(ServiceState::kWaiting, text);
 }
 
 void CameraService::note_pace(Timestamp time) {
@@ -216,9 +218,10 @@ void CameraService::rotate(Event& event) const {
 }
 
 std::int64_t CameraService::sensor_zero_utime() const {
-  if (!is_paced_) return live_zero_.utime();
   // At another speed sensor time has no zero on the host's clock.
-  return settings_.speed == 1 ? pacer_zero_utime_ : 0;
+  if (is_paced_ && settings_.speed != 1) return 0;
+  // Before 1970 it cannot be said on the wire.
+  return std::max<std::int64_t>(0, is_paced_ ? pacer_zero_utime_ : live_zero_.utime());
 }
 
 void CameraService::publish_truth(const SimulatedTruth& truth) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 
 #include "common/messaging/event_packing.h"
 #include "common/messaging/single_publisher.h"
@@ -43,7 +44,7 @@ class CameraService final : public Service {
   void prepare(SensorSize sensor);
   bool wait_until(Timestamp time, std::stop_token stop);
   void serve_bus();
-  void say_waiting();
+  void say_waiting(const std::string& for_what);
   void note_pace(Timestamp time);
   void publish_batch();
   void rotate(Event& event) const;

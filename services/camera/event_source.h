@@ -22,6 +22,8 @@ class EventSource {
   struct Chunk {
     EventPacket packet;
     Timestamp until;  ///< No later chunk has an event before this.
+    /// The sensor's clock has been joined anew to the one before: when it was 0 has changed.
+    bool new_clock = false;
   };
 
   virtual ~EventSource() = default;

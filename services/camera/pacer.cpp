@@ -15,7 +15,10 @@ void Pacer::start(Timestamp time, Clock::time_point now) {
 }
 
 Pacer::Clock::time_point Pacer::due(Timestamp time) const {
-  return first_at_ + microseconds(std::llround(static_cast<double>(time - first_) / speed_));
+  // A recording may hold any time; the host's clock ends after 292 years.
+  constexpr double kNever_us = 1e15;
+  const double after_us = static_cast<double>(time - first_) / speed_;
+  return first_at_ + microseconds(std::llround(std::min(after_us, kNever_us)));
 }
 
 bool Pacer::note(Timestamp time, Clock::time_point now) {

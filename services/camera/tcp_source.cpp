@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <netdb.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -17,6 +18,17 @@ namespace {
 
 constexpr std::chrono::seconds kRetryAfter{1};
 constexpr std::chrono::milliseconds kIdle{2};
+
+/// A server that lost its power says no goodbye: the connection then fails within 5 s.
+void notice_dead_peer(int socket) {
+  const auto set = [&](int level, int option, int value) {
+    setsockopt(socket, level, option, &value, sizeof value);
+  };
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, 2);
+  set(IPPROTO_TCP, TCP_KEEPINTVL, 1);
+  set(IPPROTO_TCP, TCP_KEEPCNT, 3);
+}
 
 }  // namespace
 
@@ -28,7 +40,6 @@ struct TcpSource::Address {
 TcpSource::TcpSource(const std::string& host, int port, const EventFileOptions& options)
     : name_(host + ":" + std::to_string(port)),
       options_(options),
-      address_(std::make_unique<Address>()),
       waiting_for_("a connection to " + name_) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
@@ -38,8 +49,11 @@ TcpSource::TcpSource(const std::string& host, int port, const EventFileOptions& 
     throw std::runtime_error("camera.tcp_host \"" + host +
                              "\" cannot be found: " + gai_strerror(error));
   }
-  std::memcpy(&address_->storage, found->ai_addr, found->ai_addrlen);
-  address_->length = found->ai_addrlen;
+  for (const addrinfo* each = found; each != nullptr; each = each->ai_next) {
+    Address& address = addresses_.emplace_back();
+    std::memcpy(&address.storage, each->ai_addr, each->ai_addrlen);
+    address.length = each->ai_addrlen;
+  }
   freeaddrinfo(found);
 }
 
@@ -65,6 +79,8 @@ EventSource::Outcome TcpSource::next(Chunk& chunk) {
     return Outcome::kNothingYet;
   }
   const Timestamp newest = chunk.packet.newest();
+  chunk.new_clock = is_new_clock_;
+  is_new_clock_ = false;
   chunk.packet.start = time_.place(chunk.packet.start);
   chunk.until = time_.place(newest);
   return Outcome::kEvents;
@@ -72,12 +88,15 @@ EventSource::Outcome TcpSource::next(Chunk& chunk) {
 
 void TcpSource::connect() {
   next_attempt_ = Clock::now() + kRetryAfter;
-  socket_ = socket(address_->storage.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  if (socket_ < 0) throw std::runtime_error(std::string("no socket: ") + std::strerror(errno));
-  const auto* address = reinterpret_cast<const sockaddr*>(&address_->storage);
-  if (::connect(socket_, address, address_->length) != 0 && errno != EINPROGRESS) {
+  const Address& address = addresses_[next_address_];
+  next_address_ = (next_address_ + 1) % addresses_.size();
+  socket_ = socket(address.storage.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  const auto* generic = reinterpret_cast<const sockaddr*>(&address.storage);
+  if (socket_ < 0 || (::connect(socket_, generic, address.length) != 0 && errno != EINPROGRESS)) {
     disconnect(std::strerror(errno));
+    return;
   }
+  notice_dead_peer(socket_);
 }
 
 bool TcpSource::is_connected() {
@@ -102,6 +121,7 @@ bool TcpSource::is_connected() {
   waiting_for_ = "events from " + name_;
   events_.emplace(socket_, name_, options_);
   time_.begin_new_clock(1);
+  is_new_clock_ = true;
   return true;
 }
 

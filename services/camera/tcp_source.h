@@ -1,9 +1,9 @@
 #pragma once
 
 #include <chrono>
-#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "services/camera/event_source.h"
 #include "services/camera/growing_time.h"
@@ -15,7 +15,8 @@ namespace puck {
 /// second after the connection broke or brought something that cannot be used.
 class TcpSource final : public EventSource {
  public:
-  /// Looks up the host. Throws std::runtime_error when there is none of that name.
+  /// Looks up the host, all of whose addresses are tried in turn. Throws std::runtime_error when
+  /// there is none of that name.
   TcpSource(const std::string& host, int port, const EventFileOptions& options);
   ~TcpSource() override;
   TcpSource(const TcpSource&) = delete;
@@ -42,12 +43,14 @@ class TcpSource final : public EventSource {
 
   std::string name_;
   EventFileOptions options_;
-  std::unique_ptr<Address> address_;
+  std::vector<Address> addresses_;  // All of the host's, tried in turn.
+  std::size_t next_address_ = 0;
   int socket_ = -1;
   std::optional<DescriptorEvents> events_;
   Clock::time_point next_attempt_;
   std::string waiting_for_;
   std::optional<SensorSize> sensor_;
+  bool is_new_clock_ = false;  // No events of this connection have been handed over yet.
   GrowingTime time_;
   std::int64_t disconnections_ = 0;
   std::int64_t dropped_before_ = 0;  // In earlier connections.

@@ -30,15 +30,21 @@ void BusWatch::look_at(Channel channel) {
 
 void BusWatch::report(StatusReport& report) const {
   std::int64_t rejected = 0;
+  std::int64_t lost = 0;
+  std::int64_t late = 0;
   std::int64_t handler_failures = 0;
   std::int64_t publish_failures = 0;
   for (const Channel channel : kAllChannels) {
     const ChannelCounters counters = bus_.counters(channel);
     rejected += counters.rejected;
+    lost += counters.arrivals.lost;
+    late += counters.arrivals.late + counters.arrivals.duplicates;
     handler_failures += counters.handler_failures;
     publish_failures += counters.publish_failures;
   }
   report.counters.emplace_back("messages_rejected", rejected);
+  report.counters.emplace_back("messages_lost", lost);
+  report.counters.emplace_back("messages_late", late);
   report.counters.emplace_back("handler_failures", handler_failures);
   report.counters.emplace_back("publish_failures", publish_failures);
 }

@@ -22,7 +22,8 @@ class BusWatch {
   /// Looks now.
   void look();
 
-  /// Adds messages_rejected, handler_failures and publish_failures, of all channels.
+  /// Adds messages_rejected, messages_lost, messages_late (or twice), handler_failures and
+  /// publish_failures, of all channels.
   void report(StatusReport& report) const;
 
  private:

@@ -110,12 +110,13 @@ int run_service(const ServiceInfo& info, int argc, const char* const* argv,
   try {
     Config config = load_config(line);
     const BusParams params = read_bus_params(config);
-    const MakeService make = configure(config);
-    config.reject_unknown();
+    // A check or an operator's stop needs the bus, not the service's own settings.
     if (line.check) return check(info.name, params, signals.token());
     if (info.instead) {
       if (const auto exit_code = info.instead(params, signals.token())) return *exit_code;
     }
+    const MakeService make = configure(config);
+    config.reject_unknown();
     return serve(info, line, config, params, make, signals.token());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", info.name.c_str(), error.what());

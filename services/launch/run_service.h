@@ -17,8 +17,8 @@ struct ServiceInfo {
   std::string description;  ///< For --help.
   /// The service's own options, if it has any.
   AddOptions add_options{};
-  /// Asked once all settings are read: an exit code when something else was wanted than to run the
-  /// service (puck-arm --stop).
+  /// Asked once the bus's settings are read: an exit code when something else was wanted than to
+  /// run the service (puck-arm --stop).
   std::function<std::optional<int>(const BusParams&, std::stop_token)> instead{};
 };
 

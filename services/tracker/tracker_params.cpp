@@ -1,6 +1,7 @@
 #include "services/tracker/tracker_params.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,11 @@ void read_detection_region(Config& config, Region& region) {
                                 static_cast<double>(region.width),
                                 static_cast<double>(region.height)};
   config.read("tracker.detection_region", numbers, 0, SensorSize::kMax);
+  for (const double number : numbers) {
+    if (number != std::floor(number)) {
+      config.fail("tracker.detection_region", "must be whole numbers of px");
+    }
+  }
   region = {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]),
             static_cast<int>(numbers[2]), static_cast<int>(numbers[3])};
 }

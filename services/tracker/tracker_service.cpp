@@ -14,6 +14,11 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kHandle{20};
 constexpr std::int64_t kSilentUs = 1'000'000;
+// A camera that sees nothing move still has noise; one that sends nothing for so long may be dead.
+constexpr milliseconds kRestEnds{500};
+// Packets overlap by less; a sensor's clock that steps back by more has been started anew. Believed
+// once in as long a time, so that clocks that jump to and fro do not keep the tracker busy.
+constexpr std::int64_t kClockRestartedUs = 1'000'000;
 
 std::int64_t utime_of(std::chrono::system_clock::time_point time) {
   return std::chrono::duration_cast<std::chrono::microseconds>(time.time_since_epoch()).count();
@@ -35,7 +40,9 @@ TrackerService::Track::Track(SensorSize sensor, const TrackerServiceParams& para
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
     : params_(params), context_(context) {
   // Parameters that cannot work are refused at the start, not with the first packet.
-  const PuckPipeline trial({640, 480}, params.pipeline, params.size_model);
+  // On the largest sensor, since it is not known yet how far the detection region may reach.
+  const PuckPipeline trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
+                           params.size_model);
   const ErosSurface trial_surface({1, 1}, params.pipeline.eros);
   context_.bus.subscribe<event_packet_t>(
       [this](const event_packet_t& packet, const Receipt& receipt) { receive(packet, receipt); });
@@ -57,19 +64,25 @@ void TrackerService::receive(const event_packet_t& packet, const Receipt& receip
       context_.limited_log.warn("events", "a second publisher of events is not followed");
       return;
     case SinglePublisher::Verdict::kLate:
-      packets_.add(packet.session, packet.seq, packet.events_before, packet.count);
-      ++dropped_packets_;
-      return;
+      if (!publisher_.is_silent(receipt.monotonic_us)) {
+        packets_.add(packet.session, packet.seq, packet.events_before, packet.count);
+        ++dropped_packets_;
+        return;
+      }
+      // Old numbers after a silence: a log is played once more.
+      publisher_ = {};
+      publisher_.hear(packet.session, packet.seq, receipt.monotonic_us);
+      begin(packet, receipt);
+      break;
     case SinglePublisher::Verdict::kNewPublisher:
-      begin(packet);
+      begin(packet, receipt);
       break;
     case SinglePublisher::Verdict::kAccepted:
+      if (!track_ || clock_began_anew(packet, receipt)) begin(packet, receipt);
       break;
   }
   packets_.add(packet.session, packet.seq, packet.events_before, packet.count);
-  heard_us_ = receipt.monotonic_us;
   unpack(packet, events_);
-  if (events_.empty()) return;
   if (SensorSize{packet.width, packet.height} != sensor_ || events_.start < newest_event_) {
     ++dropped_packets_;
     context_.limited_log.warn("events",
@@ -77,13 +90,21 @@ void TrackerService::receive(const event_packet_t& packet, const Receipt& receip
                               "dropped");
     return;
   }
+  heard_us_ = receipt.monotonic_us;
+  if (events_.empty()) return;
   newest_event_ = events_.newest();
   events_received_ += packet.count;
   track_->surface.update(events_, origin_of(packet, receipt));
 }
 
-void TrackerService::begin(const event_packet_t& packet) {
+bool TrackerService::clock_began_anew(const event_packet_t& packet, const Receipt& receipt) const {
+  return packet.first_event_us < newest_event_.us - kClockRestartedUs &&
+         receipt.monotonic_us - began_us_ > kClockRestartedUs;
+}
+
+void TrackerService::begin(const event_packet_t& packet, const Receipt& receipt) {
   track_.reset();
+  began_us_ = receipt.monotonic_us;
   sensor_ = {packet.width, packet.height};
   newest_event_ = {packet.first_event_us};
   published_event_ = {-1};
@@ -92,16 +113,14 @@ void TrackerService::begin(const event_packet_t& packet) {
   events_received_ = 0;
   context_.log.info("following events of session {:x}, sensor {}x{}", packet.session, packet.width,
                     packet.height);
-  try {
-    track_ =
-        std::make_unique<Track>(sensor_, params_, [this](const TrackedEstimate& t) { publish(t); });
-  } catch (const std::invalid_argument&) {
-    // Only the detection region depends on the sensor: without it the puck is sought everywhere.
+  TrackerServiceParams params = params_;
+  const Region& wanted = params.pipeline.detector.region;
+  if (!wanted.empty() && wanted.intersect(Region::all_of(sensor_)).empty()) {
     context_.log.error("tracker.detection_region lies outside the sensor; searching all of it");
-    params_.pipeline.detector.region = {};
-    track_ =
-        std::make_unique<Track>(sensor_, params_, [this](const TrackedEstimate& t) { publish(t); });
+    params.pipeline.detector.region = {};
   }
+  track_ =
+      std::make_unique<Track>(sensor_, params, [this](const TrackedEstimate& t) { publish(t); });
 }
 
 PacketOrigin TrackerService::origin_of(const event_packet_t& packet, const Receipt& receipt) const {
@@ -121,6 +140,8 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
   puck_estimate_t message = to_message(tracked.estimate, sensor_);
   const PacketOrigin& origin = tracked.origin;
   message.events_session = origin.session;
+  // Nobody knows whether a puck still rests where it did once its camera has fallen silent.
+  if (tracked.input_age > kRestEnds) message.flags &= ~puck_estimate_t::FLAG_RESTING;
   if (origin.sensor_zero_utime != 0) {
     message.event_utime = origin.sensor_zero_utime + tracked.estimate.newest_event.us;
   }

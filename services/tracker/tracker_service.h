@@ -21,8 +21,8 @@ namespace puck {
 /// looks at the newest surface as fast as it can and publishes where the puck is.
 ///
 /// It follows one publisher of events: the first that it hears, until that one has been silent for
-/// 500 ms. With another publisher, or another run of the same, everything starts anew, since sensor
-/// time does.
+/// 500 ms. With another publisher, another run of the same, or a sensor's clock that begins anew,
+/// everything starts anew.
 class TrackerService : public Service {
  public:
   static TrackerServiceParams read_params(Config& config) { return read_tracker_params(config); }
@@ -42,7 +42,8 @@ class TrackerService : public Service {
   };
 
   void receive(const event_packet_t& packet, const Receipt& receipt);
-  void begin(const event_packet_t& packet);
+  bool clock_began_anew(const event_packet_t& packet, const Receipt& receipt) const;
+  void begin(const event_packet_t& packet, const Receipt& receipt);
   PacketOrigin origin_of(const event_packet_t& packet, const Receipt& receipt) const;
   void publish(const TrackedEstimate& tracked);
   void watch_input();
@@ -61,6 +62,7 @@ class TrackerService : public Service {
   std::int64_t dropped_packets_ = 0;   // late, or older than what is on the surface
   std::int64_t rejected_packets_ = 0;  // malformed
   std::int64_t heard_us_ = 0;          // CLOCK_MONOTONIC; 0: never
+  std::int64_t began_us_ = 0;          // CLOCK_MONOTONIC, of this track
 
   // Second thread; the histograms may be read from both.
   Timestamp published_event_{-1};

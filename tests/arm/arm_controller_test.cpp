@@ -1,3 +1,5 @@
+#include "services/arm/arm_controller.h"
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -5,7 +7,6 @@
 
 #include <doctest/doctest.h>
 
-#include "services/arm/arm_controller.h"
 #include "tests/arm/arm_bench.h"
 #include "tests/support/test_camera.h"
 

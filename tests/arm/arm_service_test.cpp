@@ -1,3 +1,5 @@
+#include "services/arm/arm_service.h"
+
 #include <cmath>
 #include <cstdlib>
 #include <mutex>
@@ -9,7 +11,6 @@
 #include <doctest/doctest.h>
 
 #include "common/messaging/host_time.h"
-#include "services/arm/arm_service.h"
 #include "services/arm/operator_command.h"
 #include "tests/messaging/test_url.h"
 #include "tests/support/service_bench.h"

@@ -1,9 +1,10 @@
+#include "services/arm/command_guard.h"
+
 #include <limits>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
 
-#include "services/arm/command_guard.h"
 #include "tests/arm/arm_bench.h"
 
 namespace puck {

@@ -1,3 +1,5 @@
+#include "services/bridge/bridge_service.h"
+
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -10,7 +12,6 @@
 #include <unistd.h>
 
 #include "common/messaging/host_time.h"
-#include "services/bridge/bridge_service.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/test_camera.h"
 

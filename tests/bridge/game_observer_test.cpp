@@ -1,6 +1,6 @@
-#include <doctest/doctest.h>
-
 #include "services/bridge/game_observer.h"
+
+#include <doctest/doctest.h>
 
 namespace puck {
 namespace {

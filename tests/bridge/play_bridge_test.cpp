@@ -1,3 +1,5 @@
+#include "services/bridge/play_bridge.h"
+
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -6,7 +8,6 @@
 
 #include <doctest/doctest.h>
 
-#include "services/bridge/play_bridge.h"
 #include "tests/bridge/bridge_bench.h"
 
 namespace puck {
@@ -200,8 +201,10 @@ TEST_CASE("A lone teleport is an outlier and does not send the arm away") {
 TEST_CASE("No commands while the head has turned, and the trajectory says so") {
   BridgeBench bench = following();
   head_state_t head{};
+  head.session = 5001;
+  head.seq = 7;
   head.yaw_deg = 3;
-  bench.bridge.hear(head);
+  bench.bridge.hear(head, bench.now);
   CHECK(bench.bridge.is_blind_to_head());
   CHECK_FALSE(commands_next(bench));
   bench.pass(1000);
@@ -209,8 +212,26 @@ TEST_CASE("No commands while the head has turned, and the trajectory says so") {
   bench.take();
   CHECK(bench.trajectory->head_known == 0);
   head.yaw_deg = 0.1;
-  bench.bridge.hear(head);
+  head.seq = 8;
+  bench.bridge.hear(head, bench.now);
   CHECK(commands_next(bench));
+}
+
+TEST_CASE("A late HEAD, or another robot's, does not say that the head is home again") {
+  BridgeBench bench = following();
+  head_state_t head{};
+  head.session = 5001;
+  head.seq = 7;
+  head.yaw_deg = 3;
+  bench.bridge.hear(head, bench.now);
+  head.yaw_deg = 0;
+  head.seq = 6;
+  bench.bridge.hear(head, bench.now);
+  CHECK(bench.bridge.is_blind_to_head());
+  head.session = 5002;
+  head.seq = 8;
+  bench.bridge.hear(head, bench.now);
+  CHECK(bench.bridge.is_blind_to_head());
 }
 
 TEST_CASE(

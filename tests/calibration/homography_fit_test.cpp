@@ -1,3 +1,5 @@
+#include "common/calibration/homography_fit.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,6 @@
 
 #include <doctest/doctest.h>
 
-#include "common/calibration/homography_fit.h"
 #include "tests/support/test_camera.h"
 
 namespace puck {

@@ -1,11 +1,11 @@
+#include "common/calibration/size_fit.h"
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include <doctest/doctest.h>
-
-#include "common/calibration/size_fit.h"
 
 namespace puck {
 namespace {

@@ -1,3 +1,5 @@
+#include "services/camera/camera_service.h"
+
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -6,7 +8,6 @@
 #include <doctest/doctest.h>
 #include <spdlog/sinks/ostream_sink.h>
 
-#include "services/camera/camera_service.h"
 #include "tests/camera/camera_fixtures.h"
 
 namespace puck {
@@ -175,6 +176,19 @@ TEST_CASE("events outside the sensor are counted in every packet and in STATUS")
   CHECK(run.packets_.front().events_dropped == 2);
   CHECK(run.last_counter("events_dropped") == 2);
   CHECK(run.log_text_.str().find("2 events lie outside the sensor") != std::string::npos);
+}
+
+TEST_CASE("a camera that waits for a gap in a recording to pass says so") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", {{1000, 1, 1, 0}, {2'500'000, 2, 2, 1}});
+  CameraRun run(file_settings(folder / "a.raw"));
+  run.run();
+  CHECK(run.events_.size() == 2);
+  const auto says_so = [](const service_status_t& status) {
+    return status.state == service_status_t::STATE_WAITING &&
+           status.state_text == "for the end of a gap in the sensor's time";
+  };
+  CHECK(std::any_of(run.statuses_.begin(), run.statuses_.end(), says_so));
 }
 
 TEST_CASE("the simulated table publishes events, truth and head") {

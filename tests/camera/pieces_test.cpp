@@ -74,6 +74,13 @@ TEST_CASE("sensor time comes at its speed on the host's clock") {
   CHECK(pacer.due({3000}) == start + microseconds(1000));
 }
 
+TEST_CASE("a sensor time beyond all clocks is due late, not in the past") {
+  Pacer pacer(0.001);
+  const Pacer::Clock::time_point start{};
+  pacer.start({0}, start);
+  CHECK(pacer.due({std::int64_t{1} << 53}) > start + std::chrono::hours(24 * 365));
+}
+
 TEST_CASE("a little late is made up for, hopelessly late is given up and told") {
   Pacer pacer(1);
   const Pacer::Clock::time_point start{};

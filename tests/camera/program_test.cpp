@@ -1,56 +1,40 @@
 // The program and its shipped configuration.
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
 #include "common/io/config.h"
 #include "services/camera/camera_settings.h"
 #include "tests/camera/camera_fixtures.h"
+#include "tests/support/child_process.h"
 
 namespace puck {
 namespace {
 
-struct Finished {
-  int exit_code = -1;
-  std::string output;
-};
-
-// On a bus that nobody else hears.
-Finished run_camera(const std::string& arguments) {
-  const char* folder = std::getenv("PUCK_BIN_DIR");
-  if (folder == nullptr) {
-    MESSAGE("skipped: PUCK_BIN_DIR does not tell where puck-camera is");
-    return {};
-  }
-  const std::string command =
-      std::string(folder) + "/puck-camera --lcm-url memq:// " + arguments + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  Finished finished;
-  std::array<char, 4096> buffer{};
-  for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    finished.output.append(buffer.data(), count);
-  }
-  const int status = pclose(pipe);
-  finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return finished;
+// On a bus that nobody else hears. What stdin has to say is in the file `input`.
+Finished run_camera(std::vector<std::string> arguments, const std::filesystem::path& input = {}) {
+  const std::string program = std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-camera";
+  arguments.insert(arguments.begin(), {program, "--lcm-url", "memq://"});
+  return run_program(arguments, {.input = input});
 }
 
-bool is_skipped() { return std::getenv("PUCK_BIN_DIR") == nullptr; }
+bool is_skipped() {
+  if (std::getenv("PUCK_BIN_DIR") != nullptr) return false;
+  MESSAGE("skipped: PUCK_BIN_DIR does not tell where puck-camera is");
+  return true;
+}
 
-void check_refused(const std::string& arguments, const std::string& part) {
-  CAPTURE(arguments);
+void check_refused(const std::vector<std::string>& arguments, const std::string& part) {
+  CAPTURE(part);
   const Finished finished = run_camera(arguments);
-  CAPTURE(finished.output);
+  CAPTURE(finished.errors);
   CHECK(finished.exit_code == 1);
-  CHECK(finished.output.find(part) != std::string::npos);
+  CHECK(finished.errors.find(part) != std::string::npos);
 }
 
 TEST_CASE("the camera refuses bad input with exit code 1 and a line that says what is wrong") {
@@ -58,27 +42,27 @@ TEST_CASE("the camera refuses bad input with exit code 1 and a line that says wh
   const CameraFolder folder;
   std::ofstream(folder / "a.png") << "\x89PNG\r\n\x1a\n";
   std::ofstream(folder / "a.toml") << "[camera]\nsauce = \"file\"\n";
-  check_refused("--set camera.source=file --set camera.file=/nowhere.raw",
+  check_refused({"--set", "camera.source=file", "--set", "camera.file=/nowhere.raw"},
                 "puck-camera: /nowhere.raw: cannot be opened: No such file or directory");
-  check_refused("--set camera.source=file --set camera.file=" + (folder / "a.png").string(),
-                "a.png: is a PNG image; expected a Prophesee RAW file");
-  check_refused("--config " + (folder / "a.toml").string(),
+  check_refused(
+      {"--set", "camera.source=file", "--set", "camera.file=" + (folder / "a.png").string()},
+      "a.png: is a PNG image; expected a Prophesee RAW file");
+  check_refused({"--config", folder / "a.toml"},
                 "a.toml:2: unknown key camera.sauce; the nearest known key is camera.source");
-  check_refused("--set camera.flush_us=soon",
+  check_refused({"--set", "camera.flush_us=soon"},
                 "--set camera.flush_us=soon: camera.flush_us must be an integer from 50 to 100000, "
                 "got \"soon\"");
-  check_refused("--set camera.source=stdin < /dev/null", "stdin: no Prophesee RAW header");
-  check_refused("--config /nowhere.toml", "/nowhere.toml: cannot be opened");
+  check_refused({"--set", "camera.source=stdin"}, "stdin: no Prophesee RAW header");
+  check_refused({"--config", "/nowhere.toml"}, "/nowhere.toml: cannot be opened");
 }
 
 TEST_CASE("a recording piped in is published to its end, which ends the camera") {
   if (is_skipped()) return;
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(5000, 0, 10));
-  const Finished finished =
-      run_camera("--set camera.source=stdin < " + (folder / "a.raw").string());
+  const Finished finished = run_camera({"--set", "camera.source=stdin"}, folder / "a.raw");
   CHECK(finished.exit_code == 0);
-  CHECK(finished.output.find("has ended after 5000 events") != std::string::npos);
+  CHECK(finished.errors.find("has ended after 5000 events") != std::string::npos);
 }
 
 TEST_CASE("config/camera.toml shows every key with its default") {

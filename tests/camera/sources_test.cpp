@@ -172,7 +172,12 @@ TEST_CASE("a TCP source connects again after a break, a refusal and rubbish, and
   CHECK(source.waiting_for().find("127.0.0.1:") != std::string::npos);
 
   server.serve(bytes);
-  auto events = take(source, 100);
+  EventSource::Chunk first;
+  while (source.next(first) != EventSource::Outcome::kEvents) continue;
+  CHECK(first.new_clock);
+  std::vector<SeenEvent> events;
+  append_seen(first.packet, events);
+  for (const SeenEvent& event : take(source, 100 - events.size())) events.push_back(event);
   CHECK(events == once);
   while (source.disconnections() < 1) source.next(chunk);
   while (source.waiting_for().find("events from") == std::string::npos) source.next(chunk);
@@ -187,6 +192,24 @@ TEST_CASE("a TCP source connects again after a break, a refusal and rubbish, and
   REQUIRE(events.size() == 100);
   CHECK(events.front().t_us == once.back().t_us + 1);
   CHECK(events.back().t_us - events.front().t_us == 990);
+}
+
+TEST_CASE("a later connection's clock is told to be new with its first events only") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", even_events(20000, 1000, 10));
+  const std::string bytes = content_of(folder / "a.raw");
+  const Server server;
+  TcpSource source("127.0.0.1", server.port(), {});
+  EventSource::Chunk chunk;
+  for (int connection = 0; connection < 2; ++connection) {
+    while (source.waiting_for().find("events from") == std::string::npos) source.next(chunk);
+    server.serve(bytes);
+    while (source.next(chunk) != EventSource::Outcome::kEvents) continue;
+    CHECK(chunk.new_clock);
+    while (source.next(chunk) != EventSource::Outcome::kEvents) continue;
+    CHECK_FALSE(chunk.new_clock);
+    while (source.disconnections() <= connection) source.next(chunk);
+  }
 }
 
 TEST_CASE("a host that does not exist is refused at the start") {

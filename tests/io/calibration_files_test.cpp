@@ -23,7 +23,7 @@ TEST_CASE("a size model reads back as it was written, below its provenance") {
   CHECK(again.height_0 == model.height_0);
   CHECK(again.height_x == model.height_x);
   CHECK(again.height_y == model.height_y);
-  CHECK(content_of(folder / "size.toml").starts_with("# fitted to 12 annotations\n# by hand\n"));
+  CHECK(read_text(folder / "size.toml").starts_with("# fitted to 12 annotations\n# by hand\n"));
 }
 
 TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused") {

@@ -1,8 +1,9 @@
+#include "common/io/config.h"
+
 #include <limits>
 
 #include <doctest/doctest.h>
 
-#include "common/io/config.h"
 #include "tests/io/io_fixtures.h"
 
 namespace puck {
@@ -199,6 +200,19 @@ TEST_CASE("a file that is missing, a folder or not TOML is refused") {
   CHECK(contains(refusal([&] { Config::from_file(path); }), "bad.toml:2: is not valid TOML"));
   CHECK(contains(refusal([] { Config::from_text("a = 1\na = 2\n", "f"); }),
                  "f:2: is not valid TOML"));
+}
+
+TEST_CASE("a line so long that its keys could nest without end is refused") {
+  std::string key = "a";
+  for (int i = 0; i < 100000; ++i) key += ".a";
+  CHECK(contains(refusal([&] { Config::from_text("b = 1\n" + key + " = 1\n", "f"); }),
+                 "f:2: is longer than 4096 bytes"));
+  CHECK(contains(refusal([&] { Config::from_text("[" + key + "]\n", "f"); }), "f:1: is longer"));
+  Config settings;
+  settings.override_with("text={" + key + "=1}");
+  std::string text;
+  settings.read("text", text);
+  CHECK(text == "{" + key + "=1}");
 }
 
 }  // namespace

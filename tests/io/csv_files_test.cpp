@@ -104,5 +104,14 @@ TEST_CASE("bad annotations and correspondences are refused by file and line") {
                  "none/a.csv: cannot be written: No such file"));
 }
 
+TEST_CASE("a byte order mark before the header is skipped") {
+  const TemporaryFolder folder;
+  const auto rows =
+      read_truth_file(folder.write("a.csv", "\xef\xbb\xbft_us,x,y,width,height\r\n1,2,3,4,5\r\n"));
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].time.us == 1);
+  CHECK(rows[0].size.height == 5);
+}
+
 }  // namespace
 }  // namespace puck

@@ -142,7 +142,7 @@ TEST_CASE("dense rows are written as vectors") {
   writer->write(packet_of(events));
   writer->close();
   // Time, row, and four words for each 32 pixels.
-  const std::string content = content_of(folder / "dense.raw");
+  const std::string content = read_text(folder / "dense.raw");
   const std::size_t words = (content.size() - content.find("% end\n") - 6) / 2;
   CHECK(words <= 5 + 4 * 20);
 }

@@ -1,6 +1,7 @@
+#include "common/io/evt2_decoder.h"
+
 #include <doctest/doctest.h>
 
-#include "common/io/evt2_decoder.h"
 #include "tests/io/io_fixtures.h"
 
 namespace puck {

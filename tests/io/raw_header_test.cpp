@@ -1,10 +1,11 @@
+#include "common/io/raw_header.h"
+
 #include <span>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
 
 #include "common/io/raw_event_stream.h"
-#include "common/io/raw_header.h"
 #include "tests/io/io_fixtures.h"
 
 namespace puck {

@@ -1,6 +1,7 @@
+#include "common/io/text_event_reader.h"
+
 #include <doctest/doctest.h>
 
-#include "common/io/text_event_reader.h"
 #include "tests/io/io_fixtures.h"
 
 namespace puck {
@@ -95,6 +96,22 @@ TEST_CASE("a text file that was cut gives all whole events and says so") {
   CHECK(read_all(*reader).size() == 1);
   CHECK(reader->counters().truncated_bytes == 3);
   CHECK(contains(reader->warnings().at(0), "cut.txt: cut off"));
+}
+
+TEST_CASE("a byte order mark before the first line is skipped") {
+  const TemporaryFolder folder;
+  const auto reader =
+      open_event_file(folder.write("a.txt", "\xef\xbb\xbf%geometry:240,180\n1 2 3 1\n"));
+  CHECK(read_all(*reader) == std::vector<PlainEvent>{{1, 2, 3, 1}});
+}
+
+TEST_CASE("times in s are not taken for µs because the first of them is a whole number") {
+  CHECK(contains(refusal("0 2 3 1\n0.25 2 3 1\n", {.text_unit = "auto"}),
+                 ":2: expected whole µs, because the first time has no decimal point"));
+  const TemporaryFolder folder;
+  const auto reader = open_event_file(folder.write("a.txt", "0 2 3 1\n0.25 2 3 1\n"),
+                                      {.sensor = kSensor, .text_unit = "s"});
+  CHECK(read_all(*reader) == std::vector<PlainEvent>{{0, 2, 3, 1}, {250000, 2, 3, 1}});
 }
 
 }  // namespace

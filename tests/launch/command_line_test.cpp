@@ -1,7 +1,7 @@
+#include "services/launch/command_line.h"
+
 #include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
-
-#include "services/launch/command_line.h"
 
 namespace puck {
 namespace {

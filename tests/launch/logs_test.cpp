@@ -1,3 +1,4 @@
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -6,6 +7,7 @@
 
 #include "services/launch/bus_watch.h"
 #include "services/launch/rate_limited_log.h"
+#include "tests/messaging/test_url.h"
 
 namespace puck {
 namespace {
@@ -59,8 +61,31 @@ TEST_CASE("troubles on the bus are logged once, and summed up for the status") {
   watch.report(report);
   using Counter = std::pair<std::string, std::int64_t>;
   CHECK(report.counters == std::vector<Counter>{{"messages_rejected", 0},
+                                                {"messages_lost", 0},
+                                                {"messages_late", 0},
                                                 {"handler_failures", 1},
                                                 {"publish_failures", 2}});
+}
+
+TEST_CASE("messages that never came or came late are summed up for the status, of every channel") {
+  ReadableLog readable;
+  Bus sender({.url = private_lcm_url()});
+  Bus receiver({.url = private_lcm_url()});
+  BusWatch watch(receiver, readable.log);
+  int heads = 0;
+  receiver.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { ++heads; });
+  REQUIRE(sender.start({}, [](const std::string&) {}));
+  REQUIRE(receiver.start({}, [](const std::string&) {}));
+  head_state_t head{};
+  head_state_t spoilt{};
+  spoilt.yaw_deg = std::numeric_limits<double>::quiet_NaN();
+  sender.publish(head);
+  sender.publish(spoilt);  // its number is missing for the receiver
+  sender.publish(head);
+  while (heads < 2) REQUIRE(receiver.handle(std::chrono::milliseconds(5000)) > 0);
+  StatusReport report;
+  watch.report(report);
+  CHECK(report.counters[1] == std::pair<std::string, std::int64_t>{"messages_lost", 1});
 }
 
 }  // namespace puck

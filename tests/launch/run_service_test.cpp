@@ -1,3 +1,5 @@
+#include "services/launch/run_service.h"
+
 #include <chrono>
 #include <csignal>
 #include <stdexcept>
@@ -6,7 +8,6 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
-#include "services/launch/run_service.h"
 #include "services/launch/stop_on_signal.h"
 
 namespace puck {

@@ -1,7 +1,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <random>
 #include <thread>
 
 #include <doctest/doctest.h>
@@ -12,7 +11,8 @@
 #include "common/messaging/message_codec.h"
 #include "common/messaging/status_check.h"
 #include "services/logger/logger_service.h"
-#include "tests/logger/child_process.h"
+#include "tests/support/child_process.h"
+#include "tests/support/temporary_folder.h"
 
 namespace puck {
 namespace {
@@ -24,24 +24,6 @@ std::string lcm_url(int which) {
   const int port = 20000 + static_cast<int>((getpid() * 4 + which) % 40000);
   return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
 }
-
-class TemporaryFolder {
- public:
-  TemporaryFolder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("puck_logger_" + std::to_string(getpid()) + "_" +
-               std::to_string(std::random_device{}()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A logger within the test, on a bus that hears only itself.
 struct LoggerBench {

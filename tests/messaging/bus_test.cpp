@@ -1,13 +1,14 @@
+#include "common/messaging/bus.h"
+
 #include <stdexcept>
 #include <thread>
 
 #include <doctest/doctest.h>
 #include <lcm/lcm.h>
 
-#include "common/messaging/bus.h"
 #include "common/messaging/event_packing.h"
-#include "tests/messaging/random_message.h"
 #include "tests/messaging/test_url.h"
+#include "tests/support/random_message.h"
 
 namespace puck {
 namespace {

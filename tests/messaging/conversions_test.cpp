@@ -1,6 +1,6 @@
-#include <doctest/doctest.h>
-
 #include "common/messaging/conversions.h"
+
+#include <doctest/doctest.h>
 
 namespace puck {
 

@@ -1,9 +1,10 @@
+#include "common/messaging/event_packing.h"
+
 #include <random>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
 
-#include "common/messaging/event_packing.h"
 #include "common/messaging/message_codec.h"
 
 namespace puck {

@@ -1,10 +1,11 @@
+#include "common/messaging/lcm_url.h"
+
 #include <string>
 
 #include <doctest/doctest.h>
 
 #include "common/messaging/bus_error.h"
 #include "common/messaging/channels.h"
-#include "common/messaging/lcm_url.h"
 
 namespace puck {
 namespace {

@@ -1,3 +1,5 @@
+#include "common/messaging/log_file.h"
+
 #include <fstream>
 #include <functional>
 #include <random>
@@ -6,7 +8,6 @@
 #include <lcm/eventlog.h>
 #include <unistd.h>
 
-#include "common/messaging/log_file.h"
 #include "common/messaging/message_codec.h"
 
 namespace puck {

@@ -1,8 +1,8 @@
+#include "common/messaging/loss_accounting.h"
+
 #include <limits>
 
 #include <doctest/doctest.h>
-
-#include "common/messaging/loss_accounting.h"
 
 namespace puck {
 

@@ -4,7 +4,7 @@
 
 #include "common/messaging/event_packing.h"
 #include "common/messaging/wire_layout.h"
-#include "tests/messaging/random_message.h"
+#include "tests/support/random_message.h"
 
 namespace puck {
 namespace {

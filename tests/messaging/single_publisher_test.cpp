@@ -1,6 +1,6 @@
-#include <doctest/doctest.h>
-
 #include "common/messaging/single_publisher.h"
+
+#include <doctest/doctest.h>
 
 namespace puck {
 namespace {
@@ -25,6 +25,15 @@ TEST_CASE("Late messages and duplicates are told, also after a silence, and keep
   CHECK(publisher.hear(7, 4, 400'000) == Verdict::kLate);
   CHECK(publisher.hear(7, 3, 900'000) == Verdict::kLate);
   CHECK(publisher.hear(8, 0, 900'001) == Verdict::kNewPublisher);
+}
+
+TEST_CASE("A publisher is silent 500 ms after its last accepted message, and before its first") {
+  SinglePublisher publisher;
+  CHECK(publisher.is_silent(0));
+  publisher.hear(7, 5, 1'000'000);
+  publisher.hear(7, 4, 1'400'000);
+  CHECK_FALSE(publisher.is_silent(1'500'000));
+  CHECK(publisher.is_silent(1'500'001));
 }
 
 TEST_CASE("A publisher that comes back after a silence goes on") {

@@ -1,3 +1,5 @@
+#include "common/messaging/wire_layout.h"
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -6,8 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "common/messaging/wire_layout.h"
-#include "tests/messaging/random_message.h"
+#include "tests/support/random_message.h"
 
 namespace puck {
 namespace {

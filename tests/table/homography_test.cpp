@@ -1,10 +1,11 @@
+#include "common/table/homography.h"
+
 #include <array>
 #include <limits>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
 
-#include "common/table/homography.h"
 #include "tests/support/test_camera.h"
 
 namespace puck {

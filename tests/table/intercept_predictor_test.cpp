@@ -1,10 +1,10 @@
+#include "common/table/intercept_predictor.h"
+
 #include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include <doctest/doctest.h>
-
-#include "common/table/intercept_predictor.h"
 
 namespace puck {
 namespace {

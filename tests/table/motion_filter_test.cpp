@@ -1,3 +1,5 @@
+#include "common/table/motion_filter.h"
+
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -5,8 +7,6 @@
 #include <stdexcept>
 
 #include <doctest/doctest.h>
-
-#include "common/table/motion_filter.h"
 
 namespace puck {
 namespace {

@@ -1,9 +1,9 @@
+#include "common/table/puck_motion.h"
+
 #include <cmath>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
-
-#include "common/table/puck_motion.h"
 
 namespace puck {
 namespace {

@@ -73,6 +73,8 @@ TEST_CASE("settings that cannot be are refused with the key and what was expecte
   CHECK(refusal("tracker.size_model=nowhere.toml").find("nowhere.toml") != std::string::npos);
   CHECK(refusal("tracker.detection_region=[1, 2]").find("tracker.detection_region") !=
         std::string::npos);
+  CHECK(refusal("tracker.detection_region=[1, 2, 3.5, 4]").find("must be whole numbers") !=
+        std::string::npos);
 }
 
 }  // namespace puck

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <lcm/lcm.h>
 #include <spdlog/sinks/null_sink.h>
 
 #include "common/messaging/event_packing.h"
+#include "tests/messaging/test_url.h"
+#include "tests/support/service_bench.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -22,8 +25,8 @@ constexpr SensorSize kSensor{160, 120};
 // A tracker on a bus of its own. The test publishes on the same bus, from its own thread.
 class RunningTracker {
  public:
-  RunningTracker() {
-    Config config;
+  explicit RunningTracker(const std::string& settings = "") {
+    Config config = Config::from_text(settings, "tracker.toml");
     TrackerServiceParams params = TrackerService::read_params(config);
     params.size_model = {25, 0, 0, 17, 0, 0};
     bus_.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate, const Receipt&) {
@@ -140,6 +143,98 @@ TEST_CASE("a packet from before the newest event and one of another sensor are d
   tracker.stop();
   CHECK(counter(tracker.service(), "packets_late") == 2);
   CHECK(counter(tracker.service(), "events_received") == 2 * 150);
+}
+
+TEST_CASE("a sensor's clock that begins anew begins a new track, and is not waited for") {
+  RunningTracker tracker;
+  tracker.publish(puck_at({80, 60}, 10'000'000));
+  REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 10'000'000; }));
+  std::int64_t t_us = 3'000;
+  CHECK(ServiceBench::until([&] { return tracker.estimates().back().sensor_us < 10'000'000; },
+                            [&] {
+                              tracker.publish(puck_at({80, 60}, t_us += 1000));
+                            }));
+  tracker.publish(puck_at({80, 60}, t_us += 1000));
+  CHECK(tracker.eventually([&](const auto& e) { return e.sensor_us == t_us; }));
+}
+
+TEST_CASE("a clock that jumps to and fro does not begin a track with every packet") {
+  RunningTracker tracker;
+  for (int i = 0; i < 100; ++i) {
+    tracker.publish(puck_at({80, 60}, i % 2 == 0 ? 10'000'000 + i : i));
+  }
+  REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 10'000'098; }));
+  tracker.stop();
+  CHECK(counter(tracker.service(), "packets_received") == 100);
+}
+
+TEST_CASE("a detection region of a large sensor is taken at the start, and left on a small one") {
+  RunningTracker tracker("[tracker]\ndetection_region = [1000, 600, 100, 100]\n");
+  tracker.publish(puck_at({80, 60}, 10'000));
+  REQUIRE(
+      tracker.eventually([](const auto& e) { return e.state == puck_estimate_t::STATE_TRACKING; }));
+  CHECK(std::abs(tracker.estimates().back().x_px - 80) < 2);
+}
+
+TEST_CASE("a log that is played twice is followed twice") {
+  const std::string url = private_lcm_url();
+  ServiceBench bench(url);
+  std::mutex mutex;
+  puck_estimate_t newest{};
+  bench.bus.subscribe<puck_estimate_t>([&](const puck_estimate_t& estimate, const Receipt&) {
+    const std::lock_guard lock(mutex);
+    newest = estimate;
+  });
+  Config config;
+  TrackerServiceParams params = TrackerService::read_params(config);
+  params.size_model = {25, 0, 0, 17, 0, 0};
+  bench.make<TrackerService>(params);
+  REQUIRE(bench.start());
+
+  // As a player does: the same bytes, with the session and the numbers of the first time.
+  const std::unique_ptr<lcm_t, void (*)(lcm_t*)> player(lcm_create(url.c_str()), &lcm_destroy);
+  REQUIRE(player);
+  EventPacker packer({.sensor = kSensor, .packet_bytes = 60000});
+  std::vector<std::vector<std::uint8_t>> log;
+  for (const std::int64_t t_us : {10'000, 20'000}) {
+    packer.pack({t_us}, puck_at({80, 60}, t_us).events, [&](event_packet_t& packet) {
+      packet.utime = 1;
+      packet.session = 77;
+      packet.seq = static_cast<std::int64_t>(log.size());
+      encode(packet, log.emplace_back());
+    });
+  }
+  REQUIRE(log.size() == 2);
+  const auto play = [&](std::size_t i) {
+    lcm_publish(player.get(), "PUCK_EVENTS", log[i].data(), static_cast<unsigned>(log[i].size()));
+    const std::int64_t t_us = i == 0 ? 10'000 : 20'000;
+    return ServiceBench::until(
+        [&] {
+          const std::lock_guard lock(mutex);
+          return newest.sensor_us == t_us;
+        },
+        [] {});
+  };
+  CHECK(play(0));
+  CHECK(play(1));
+  std::this_thread::sleep_for(milliseconds(600));
+  CHECK(play(0));
+  CHECK(play(1));
+  bench.stop();
+}
+
+TEST_CASE("a puck at rest is said to rest only as long as its camera is heard") {
+  RunningTracker tracker;
+  const auto is_resting = [](const puck_estimate_t& e) {
+    return (e.flags & puck_estimate_t::FLAG_RESTING) != 0;
+  };
+  for (int i = 1; i <= 60; ++i) {
+    tracker.publish(puck_at({80, 60}, i * 5'000));
+    std::this_thread::sleep_for(milliseconds(3));
+  }
+  REQUIRE(tracker.eventually([&](const auto& e) { return is_resting(e); }));
+  REQUIRE(tracker.eventually([&](const auto& e) { return !is_resting(e); }));
+  CHECK(tracker.estimates().back().state == puck_estimate_t::STATE_TRACKING);
 }
 
 TEST_CASE("estimates keep coming while there are no more events") {

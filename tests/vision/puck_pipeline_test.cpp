@@ -188,6 +188,17 @@ TEST_CASE("the puck is followed to the image's border and the region stays insid
   }
 }
 
+TEST_CASE("an estimate says which region was looked at: ROI_d first, then ROI_t around the puck") {
+  Scene scene(preset_params(Preset::kReference));
+  CHECK(scene.show({300, 190}).region == Region{60, 150, 500, 80});
+  const Region first = scene.show({300, 190}).region;
+  CHECK(first.width == 49);
+  CHECK(first.height == 31);
+  const Region next = scene.show({300, 190}).region;
+  CHECK(next.width == 3 * 37);  // of the nominal size, which is the authors' box
+  CHECK(next.contains(300, 190));
+}
+
 TEST_CASE("a detection region outside the sensor is refused") {
   PipelineParams params = preset_params(Preset::kReference);
   params.detector.region = {700, 10, 20, 20};

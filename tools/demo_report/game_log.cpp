@@ -1,5 +1,6 @@
 #include "tools/demo_report/game_log.h"
 
+#include "common/messaging/conversions.h"
 #include "common/messaging/log_file.h"
 #include "common/messaging/message_codec.h"
 
@@ -17,15 +18,12 @@ bool take_as(const LogRecord& record, const Take& take) {
 
 bool take_record(Channel channel, const LogRecord& record, GameLog& log) {
   switch (channel) {
-    case Channel::kEvents:
-      return take_as<event_packet_t>(record, [&](const auto& m) { log.events += m.count; });
     case Channel::kEstimate:
       return take_as<puck_estimate_t>(record, [&](const auto& m) { log.estimates.push_back(m); });
     case Channel::kTruth:
       return take_as<ground_truth_t>(record, [&](const ground_truth_t& m) {
         if (!log.truth.empty() && m.sensor_us <= log.truth.back().time.us) return;
-        log.truth.push_back(
-            {{m.sensor_us}, {m.x_px, m.y_px}, {m.width_px, m.height_px}, m.visible});
+        log.truth.push_back(from_message(m));
         log.last_truth = m;
       });
     case Channel::kGame:
@@ -37,6 +35,7 @@ bool take_record(Channel channel, const LogRecord& record, GameLog& log) {
           counters[m.counter_name[i]] = m.counter_value[i];
         }
       });
+    case Channel::kEvents:
     case Channel::kTrajectory:
     case Channel::kArmCommand:
     case Channel::kArmState:

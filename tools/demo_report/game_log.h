@@ -14,9 +14,8 @@
 
 namespace puck {
 
-/// What a log of a game says that a report needs. Events themselves are counted, not kept.
+/// What a log of a game says that a report needs.
 struct GameLog {
-  std::int64_t events = 0;  ///< Logged.
   std::vector<puck_estimate_t> estimates;
   std::vector<TruthRow> truth;
   std::optional<ground_truth_t> last_truth;

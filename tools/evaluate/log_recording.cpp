@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/log_file.h"
 #include "common/messaging/message_codec.h"
@@ -43,6 +44,7 @@ class EventLogReader final : public EventReader {
     newest_ = {};
     counters_ = {};
     malformed_packets_ = 0;
+    foreign_packets_ = 0;
     if (!next_packet()) {
       throw EventFileError(path_.string() + ": a log without events on PUCK_EVENTS");
     }
@@ -55,6 +57,12 @@ class EventLogReader final : public EventReader {
     if (malformed_packets_ > 0) {
       warnings.push_back(path_.string() + ": " + std::to_string(malformed_packets_) +
                          " malformed packets of events left out");
+    }
+    if (foreign_packets_ > 0) {
+      warnings.push_back(
+          path_.string() + ": " + std::to_string(foreign_packets_) +
+          " packets of events left out, of another camera or of one that was started "
+          "again: only the first session is read");
     }
     if (counters_.backwards > 0) {
       warnings.push_back(path_.string() + ": " + std::to_string(counters_.backwards) +
@@ -78,10 +86,11 @@ class EventLogReader final : public EventReader {
         session_ = message.session;
         sensor_ = {message.width, message.height};
       }
-      if (message.session != session_ || message.count == 0 ||
-          SensorSize{message.width, message.height} != sensor_) {
+      if (message.session != session_ || SensorSize{message.width, message.height} != sensor_) {
+        ++foreign_packets_;
         continue;
       }
+      if (message.count == 0) continue;
       if (Timestamp{message.first_event_us} < newest_) {
         counters_.backwards += message.count;
         continue;
@@ -104,6 +113,7 @@ class EventLogReader final : public EventReader {
   Timestamp newest_;
   EventCounters counters_;
   std::int64_t malformed_packets_ = 0;
+  std::int64_t foreign_packets_ = 0;
 };
 
 }  // namespace
@@ -130,7 +140,7 @@ std::vector<TruthRow> read_truth_log(const std::filesystem::path& path) {
     ground_truth_t m;
     if (record.channel != channel || decode(record.bytes, m)) continue;
     if (!rows.empty() && m.sensor_us <= rows.back().time.us) continue;
-    rows.push_back({{m.sensor_us}, {m.x_px, m.y_px}, {m.width_px, m.height_px}, m.visible});
+    rows.push_back(from_message(m));
   }
   return rows;
 }

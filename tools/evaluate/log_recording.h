@@ -13,8 +13,8 @@ namespace puck {
 bool is_lcm_log(const std::filesystem::path& path);
 
 /// The events that a log holds on the channel PUCK_EVENTS, in the order in which they were
-/// published; of its first publisher's run only. Malformed packets and those that come too late are
-/// left out and counted. Throws EventFileError when there are none.
+/// published; of its first publisher's run only. Packets of other runs, malformed ones and those
+/// that come too late are left out and counted. Throws EventFileError when there are none.
 std::unique_ptr<EventReader> open_event_log(const std::filesystem::path& path);
 
 /// The truth that a log of the simulated table holds on PUCK_TRUTH; none where the world was real.

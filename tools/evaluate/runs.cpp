@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "common/runtime/shared_surface.h"
@@ -20,6 +22,9 @@ using std::chrono::steady_clock;
 constexpr std::size_t kPacketEvents = 4096;
 // As a camera would send them: little at a time.
 constexpr std::int64_t kLivePacketUs = 500;
+// A longer pause is a damaged time: to ask at every tick of it, or to wait for its end, would take
+// for ever.
+constexpr std::int64_t kLongestPauseUs = std::int64_t{3600} * 1'000'000;
 
 // Counts events and their span as they go by.
 class Span {
@@ -45,13 +50,20 @@ class PacketCutter {
  public:
   explicit PacketCutter(EventReader& events) : events_(events) {}
 
-  // Time of the next event; nothing at the end.
+  // Time of the next event; nothing at the end. Throws std::runtime_error at too long a pause.
   std::optional<Timestamp> next_time() {
     if (used_ == packet_.events.size()) {
       used_ = 0;
       if (!events_.read(packet_, kPacketEvents)) return std::nullopt;
     }
-    return packet_.time_of(packet_.events[used_]);
+    const Timestamp next = packet_.time_of(packet_.events[used_]);
+    if (before_ && next - *before_ > kLongestPauseUs) {
+      throw std::runtime_error("the recording pauses from " + std::to_string(before_->us) + " to " +
+                               std::to_string(next.us) +
+                               " µs, more than an hour: is a time damaged?");
+    }
+    before_ = next;
+    return next;
   }
 
   // The next events up to and including `until`, at most what has been read already; there must be
@@ -70,6 +82,7 @@ class PacketCutter {
   EventReader& events_;
   EventPacket packet_;
   std::size_t used_ = 0;
+  std::optional<Timestamp> before_;  // What was told last.
 };
 
 std::int64_t us_since(steady_clock::time_point time) {

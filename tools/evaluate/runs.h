@@ -28,13 +28,14 @@ struct RunSummary {
 };
 
 /// Feeds the events up to each multiple of 1/rate of sensor time and asks for an estimate there.
-/// Deterministic to the bit.
+/// Deterministic to the bit. Throws std::runtime_error at a pause of more than an hour.
 RunSummary run_at_rate(EventReader& events, const TrackerSetup& setup, double rate_hz,
                        const OnTick& on_tick);
 
 /// Plays the events at the pace at which they were recorded and measures how long after its receipt
 /// a packet's newest event is in an estimate. PUCK runs in its two threads, the other algorithms in
-/// one. Ticks come from the tracking thread, one at a time.
+/// one. Ticks come from the tracking thread, one at a time. Throws std::runtime_error at a pause of
+/// more than an hour.
 RunSummary run_in_real_time(EventReader& events, const TrackerSetup& setup, const OnTick& on_tick);
 
 /// Feeds the events as fast as they are taken, without a tick, and measures how many that is a

@@ -7,6 +7,7 @@
 #include "common/baselines/cluster_tracker.h"
 #include "common/baselines/particle_filter.h"
 #include "common/baselines/particle_filter_eros.h"
+#include "common/io/config.h"
 #include "common/io/size_model_file.h"
 #include "common/vision/surface_tracker.h"
 
@@ -15,6 +16,10 @@ namespace {
 
 constexpr std::array kAlgorithms{Algorithm::kPuck, Algorithm::kCluster, Algorithm::kParticleFilter,
                                  Algorithm::kParticleFilterEros};
+
+bool holds_size_model(const std::filesystem::path& path) {
+  return std::filesystem::exists(path) && Config::from_file(path).has("size_model.width_0");
+}
 
 }  // namespace
 
@@ -65,8 +70,9 @@ std::unique_ptr<TrackingAlgorithm> TrackerSetup::make(SensorSize sensor) const {
 Region parse_region(const std::string& text) {
   Region region;
   char rest = 0;
-  const int read = std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &region.x, &region.y, &region.width,
-                               &region.height, &rest);
+  // Five digits are more than any sensor needs, and no sum of two such numbers overflows.
+  const int read = std::sscanf(text.c_str(), "%5d,%5d,%5d,%5d%c", &region.x, &region.y,
+                               &region.width, &region.height, &rest);
   if (read != 4 || region.empty()) {
     throw std::invalid_argument("expected a region as x,y,w,h in px, such as 60,150,500,80, got " +
                                 text);
@@ -79,11 +85,14 @@ PuckSizeModel find_size_model(const std::filesystem::path& recording,
   if (!given.empty()) return read_size_model_file(given);
   std::filesystem::path beside = recording;
   beside.replace_extension(".toml");
-  if (std::filesystem::exists(beside)) return read_size_model_file(beside);
   const std::filesystem::path fallback = "config/calibration/simulated_size.toml";
-  if (std::filesystem::exists(fallback)) return read_size_model_file(fallback);
+  if (holds_size_model(beside)) return read_size_model_file(beside);
+  if (holds_size_model(fallback)) {
+    std::fprintf(stderr, "puck-evaluate: the size model is that of %s\n", fallback.c_str());
+    return read_size_model_file(fallback);
+  }
   throw std::runtime_error("no size model: neither " + beside.string() + " nor " +
-                           fallback.string() + " exists; name one with --size-model");
+                           fallback.string() + " holds one; name one with --size-model");
 }
 
 }  // namespace puck

@@ -36,8 +36,8 @@ struct TrackerSetup {
 Region parse_region(const std::string& text);
 
 /// The size model that belongs to a recording: from `given` if not empty, else from BASE.toml
-/// beside it, else from config/calibration/simulated_size.toml below the working folder. Throws
-/// std::runtime_error when there is none.
+/// beside it if that holds one, else, which it says, from config/calibration/simulated_size.toml
+/// below the working folder. Throws std::runtime_error when there is none.
 PuckSizeModel find_size_model(const std::filesystem::path& recording,
                               const std::filesystem::path& given);
 

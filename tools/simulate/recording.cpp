@@ -3,13 +3,12 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "common/calibration/size_fit.h"
 #include "common/io/annotation_file.h"
+#include "common/io/calibration_text.h"
 #include "common/io/event_writer.h"
 #include "common/io/size_model_file.h"
 #include "common/io/table_file.h"
@@ -29,37 +28,26 @@ TruthRow row_of(const SimulatedTruth& truth, const TruthRow& before) {
   return {truth.time, truth.position_px, truth.size_px, truth.visible};
 }
 
-void append_file(const std::filesystem::path& to, const std::filesystem::path& from) {
-  std::ostringstream text;
-  text << std::ifstream(from).rdbuf();
-  std::ofstream file(to, std::ios::app);
-  file << text.str();
-  file.close();
-  if (!file) throw std::runtime_error(to.string() + ": cannot be written");
-}
-
-// Both parts of a calibration in one file; the writers of io each make a file of their own.
-bool write_calibration(const SimulateSettings& settings, const std::vector<Annotation>& marks,
-                       const TableCalibration& table) {
+// Both parts of a calibration in one file.
+bool write_calibration(const SimulateSettings& settings, bool moving_camera,
+                       const std::vector<Annotation>& marks, const TableCalibration& table) {
   const std::filesystem::path path = settings.output + ".toml";
   std::string note = settings.command;
-  if (settings.moving) note += "\nThe camera moves: the table is as seen from its home pose.";
-  write_table_file(path, table, note);
+  if (moving_camera) note += "\nThe camera moves: the table is as seen from its home pose.";
+  std::string text = table_text(table, note);
 
   std::vector<SizeAnnotation> sizes;
   for (const Annotation& mark : marks) sizes.push_back({mark.time, mark.centre, mark.size});
-  SizeFit fit;
+  bool has_size_model = false;
   try {
-    fit = fit_puck_size_model(sizes);
+    const SizeFit fit = fit_puck_size_model(sizes);
+    text += size_model_text(fit.model, "Fitted to " + std::to_string(marks.size()) + " marks.");
+    has_size_model = true;
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "puck-simulate: no size model in %s: %s\n", path.c_str(), error.what());
-    return false;
   }
-  const std::filesystem::path part = settings.output + ".size.toml";
-  write_size_model_file(part, fit.model, "Fitted to " + std::to_string(marks.size()) + " marks.");
-  append_file(path, part);
-  std::filesystem::remove(part);
-  return true;
+  write_calibration_text(path, text);
+  return has_size_model;
 }
 
 class Progress {
@@ -109,8 +97,8 @@ RecordingSummary record(const SimulateSettings& settings, const SimulationParams
   const std::vector<Annotation> marks = spread_marks(truth, kMarks);
   write_truth_file(settings.output + ".truth.csv", truth);
   write_annotation_file(settings.output + ".annotations.csv", marks);
-  summary.has_size_model =
-      write_calibration(settings, marks, {table.table_from_image(), params.table});
+  summary.has_size_model = write_calibration(settings, params.moving_camera, marks,
+                                             {table.table_from_image(), params.table});
   summary.seconds = static_cast<double>(table.now().us) * 1e-6;
   summary.took_s = progress.elapsed_s();
   summary.marks = static_cast<int>(marks.size());

@@ -1,4 +1,4 @@
-#include "tests/messaging/random_message.h"
+#include "tests/support/random_message.h"
 
 #include <algorithm>
 #include <bit>

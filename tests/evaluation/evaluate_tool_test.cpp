@@ -1,0 +1,108 @@
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/io/event_writer.h"
+#include "common/messaging/event_packing.h"
+#include "common/messaging/log_file.h"
+#include "common/messaging/message_codec.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/evaluate/log_recording.h"
+#include "tools/evaluate/runs.h"
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{64, 48};
+
+TrackerSetup setup() {
+  TrackerSetup setup;
+  setup.size_model.width_0 = 12;
+  setup.size_model.height_0 = 10;
+  return setup;
+}
+
+EventPacket one_event_at(std::int64_t t_us) {
+  EventPacket packet;
+  packet.start = {t_us};
+  packet.events.resize(1);
+  return packet;
+}
+
+// Two events so far apart.
+std::filesystem::path recording_with_pause(const TemporaryFolder& folder, std::int64_t pause_us) {
+  const std::filesystem::path path = folder / "pause.txt";
+  const auto writer = make_event_writer(path, "text", kSensor);
+  writer->write(one_event_at(1000));
+  writer->write(one_event_at(1000 + pause_us));
+  writer->close();
+  return path;
+}
+
+TEST_CASE("a recording with a pause is asked for an estimate at every tick of it") {
+  const TemporaryFolder folder;
+  const auto events = open_event_file(recording_with_pause(folder, 1'000'000));
+  std::vector<std::int64_t> ticks;
+  run_at_rate(*events, setup(), 10, [&](const EvaluatedTick& t) { ticks.push_back(t.tick.us); });
+  REQUIRE(ticks.size() == 11);
+  CHECK(ticks.front() == 100'000);
+  CHECK(ticks.back() == 1'100'000);
+}
+
+TEST_CASE("a recording with a damaged time is refused and does not run for ever") {
+  const TemporaryFolder folder;
+  const auto events = open_event_file(recording_with_pause(folder, 8'000'000'000'000'000));
+  const auto nothing = [](const EvaluatedTick&) {};
+  std::string at_rate;
+  try {
+    run_at_rate(*events, setup(), 1000, nothing);
+  } catch (const std::runtime_error& error) {
+    at_rate = error.what();
+  }
+  CHECK(at_rate ==
+        "the recording pauses from 1000 to 8000000000001000 µs, more than an hour: is a time "
+        "damaged?");
+  events->rewind();
+  CHECK_THROWS_AS(run_in_real_time(*events, setup(), nothing), std::runtime_error);
+}
+
+TEST_CASE("a log's events are those of its first session, and the others are told") {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "a.lcm";
+  {
+    LogWriter log(path);
+    EventPacker packer({.sensor = kSensor});
+    std::vector<std::uint8_t> bytes;
+    std::int64_t seq = 0;
+    for (const std::int64_t session : {7, 7, 8}) {
+      const EventPacket packet = one_event_at(1000 * (seq + 1));
+      packer.pack(packet.start, packet.events, [&](event_packet_t& message) {
+        message.utime = 1;
+        message.session = session;
+        message.seq = seq++;
+        encode(message, bytes);
+        log.write("PUCK_EVENTS", 1, bytes);
+      });
+    }
+  }
+  const auto events = open_event_log(path);
+  EventPacket packet;
+  std::vector<std::int64_t> times;
+  while (events->read(packet, 10)) times.push_back(packet.start.us);
+  CHECK(times == std::vector<std::int64_t>{1000, 2000});
+  REQUIRE(events->warnings().size() == 1);
+  CHECK(events->warnings()[0].find("1 packets of events left out") != std::string::npos);
+}
+
+TEST_CASE("a detection region is four numbers of at most five digits") {
+  CHECK(parse_region("60,150,500,80").right() == 560);
+  CHECK_THROWS_AS(parse_region("2147483647,1,2147483647,3"), std::invalid_argument);
+  CHECK_THROWS_AS(parse_region("60,150,500"), std::invalid_argument);
+  CHECK_THROWS_AS(parse_region("60,150,500,80,1"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,65 @@
+// What every service owes the one who starts and stops it.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/system/system_bench.h"
+
+namespace puck {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<std::string> settings_for(const std::string& service, const TemporaryFolder& folder) {
+  if (service != "puck-logger") return {};
+  return {"logger.path=" + (folder / "a.lcm").string()};
+}
+
+}  // namespace
+
+TEST_CASE("--check says 1 for a service that does not run") {
+  const std::string url = new_lcm_url();
+  std::vector<std::unique_ptr<ChildProcess>> checks;
+  for (const std::string& service : kServices) {
+    checks.push_back(std::make_unique<ChildProcess>(
+        std::vector<std::string>{program(service), "--lcm-url", url, "--check"},
+        ChildOptions{.folder = source_folder(), .output = "/dev/null"}));
+  }
+  for (auto& check : checks) CHECK(check->wait_for(std::chrono::seconds(20)) == 1);
+}
+
+TEST_CASE("--check says 0 while a service runs; SIGTERM and SIGINT end it with a last STATUS") {
+  for (const int signal : {SIGTERM, SIGINT}) {
+    for (const std::string& service : kServices) {
+      CAPTURE(service);
+      CAPTURE(signal);
+      const TemporaryFolder folder;
+      const std::string url = new_lcm_url();
+      BusListener bus(url);
+      ChildProcess child = start_service(service, url, settings_for(service, folder));
+      REQUIRE(bus.hears({service}));
+      CHECK(check_service_program(service, url) == 0);
+      // Nobody has asked for this one.
+      CHECK(child.is_running());
+
+      const auto began = Clock::now();
+      child.send(signal);
+      CHECK(child.wait_for(std::chrono::seconds(10)) == 0);
+      const auto took_ms =
+          std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - began).count();
+      std::printf("%s stopped %lld ms after signal %d\n", service.c_str(),
+                  static_cast<long long>(took_ms), signal);
+      CHECK(took_ms < 2000);
+      CHECK(
+          bus.until([&] { return bus.status(service)->state == service_status_t::STATE_STOPPING; },
+                    std::chrono::seconds(2)));
+    }
+  }
+}
+
+}  // namespace puck

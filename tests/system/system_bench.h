@@ -1,0 +1,67 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/messaging/bus.h"
+#include "tests/support/child_process.h"
+
+namespace puck {
+
+inline const std::vector<std::string> kServices{"puck-camera", "puck-tracker", "puck-bridge",
+                                                "puck-arm", "puck-logger"};
+
+/// Root of the source tree; where programs are started, as their settings name files from there.
+std::filesystem::path source_folder();
+/// Path of one of our programs.
+std::string program(const std::string& name);
+/// A bus on this host, on another port at every call.
+std::string new_lcm_url();
+/// The folder of real recordings, if it is there.
+std::optional<std::filesystem::path> recordings_folder();
+
+/// Command line of a service with its shipped settings, then those given: KEY=VALUE.
+std::vector<std::string> service_command(const std::string& name, const std::string& url,
+                                         const std::vector<std::string>& settings = {});
+/// Starts it, quiet unless something is wrong.
+ChildProcess start_service(const std::string& name, const std::string& url,
+                           const std::vector<std::string>& settings = {});
+/// Exit code of its --check.
+int check_service_program(const std::string& name, const std::string& url);
+
+/// Does `step` until `condition` holds; false after `timeout`.
+bool poll_until(const std::function<bool()>& condition, const std::function<void()>& step,
+                std::chrono::milliseconds timeout = std::chrono::seconds(20));
+
+/// Hears what the services say on a bus. One thread.
+class BusListener {
+ public:
+  explicit BusListener(const std::string& url);
+
+  /// Listens until `condition` holds; false after `timeout`.
+  bool until(const std::function<bool()>& condition,
+             std::chrono::milliseconds timeout = std::chrono::seconds(20));
+  /// Waits until all of them speak.
+  bool hears(const std::vector<std::string>& services);
+
+  /// The newest STATUS of a service; nothing while it has not spoken.
+  std::optional<service_status_t> status(const std::string& service) const;
+  /// From its newest STATUS; -1 while that does not have it.
+  std::int64_t counter(const std::string& service, const std::string& name) const;
+  /// ESTIMATEs with newer events than all before them.
+  std::int64_t fresh_estimates() const { return fresh_estimates_; }
+
+ private:
+  Bus bus_;
+  std::map<std::string, service_status_t> statuses_;
+  std::int64_t fresh_estimates_ = 0;
+  std::int64_t newest_event_us_ = -1;
+};
+
+}  // namespace puck

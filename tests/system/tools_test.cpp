@@ -1,0 +1,136 @@
+// From a simulated recording to figures: puck-simulate, puck-calibrate, puck-evaluate.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/system/system_bench.h"
+
+namespace puck {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A folder with a simulated recording of 2 s, named game.
+class ToolBench {
+ public:
+  ToolBench() { run("puck-simulate", {"--output", "game", "--seconds", "2", "--seed", "3"}); }
+
+  void run(const std::string& name, const std::vector<std::string>& arguments) const {
+    CAPTURE(name);
+    const Finished finished = call(name, arguments);
+    INFO(finished.errors);
+    REQUIRE(finished.exit_code == 0);
+  }
+  Finished call(const std::string& name, const std::vector<std::string>& arguments) const {
+    std::vector<std::string> command{program(name)};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    return run_program(command, {.folder = folder.path()});
+  }
+  /// With truth, and with the figures written to a file.
+  Json evaluate(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments{"game.raw", "--truth", "game.truth.csv", "--json", "a.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    run("puck-evaluate", arguments);
+    return Json::parse(read_text(folder / "a.json"));
+  }
+  std::string first_line(const std::string& file) const {
+    const std::string text = read_text(folder / file);
+    return text.substr(0, text.find('\n'));
+  }
+
+  TemporaryFolder folder;
+};
+
+void check_all_keys(const Json& json) {
+  for (const char* key :
+       {"algorithm", "preset", "events", "duration_s", "estimates", "mean_px", "median_px",
+        "p95_px", "within_2px_percent", "within_3p5px_percent", "within_4px_percent",
+        "lost_percent", "longest_loss_ms", "time_to_first_track_ms", "latency_p50_us",
+        "latency_p99_us", "throughput_mev_s"}) {
+    CAPTURE(key);
+    CHECK(json.contains(key));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a simulated recording is calibrated and evaluated, and two runs agree to the byte") {
+  const ToolBench bench;
+  for (const char* file : {"game.raw", "game.truth.csv", "game.annotations.csv", "game.toml"}) {
+    CAPTURE(file);
+    CHECK(std::filesystem::file_size(bench.folder / file) > 0);
+  }
+  CHECK(bench.first_line("game.truth.csv").starts_with("t_us,x,y,width,height"));
+  CHECK(bench.first_line("game.annotations.csv") == "t_us,x,y,width,height");
+  bench.run("puck-calibrate", {"size", "game.annotations.csv", "--output", "size.toml"});
+
+  const std::vector<std::string> options{"--size-model", "size.toml", "--rate", "1000", "--csv"};
+  auto first = options;
+  first.insert(first.end(), {"first.csv", "--plots", "plots"});
+  auto second = options;
+  second.emplace_back("second.csv");
+  const Json json = bench.evaluate(first);
+  CHECK(bench.evaluate(second) == json);
+  CHECK(bench.first_line("first.csv") == "t_us,x,y,width,height,score,state,latency_us");
+  CHECK(read_text(bench.folder / "first.csv").size() > 10'000);
+  CHECK(read_text(bench.folder / "first.csv") == read_text(bench.folder / "second.csv"));
+  CHECK_FALSE(std::filesystem::is_empty(bench.folder / "plots"));
+
+  check_all_keys(json);
+  CHECK(json["algorithm"] == "puck");
+  CHECK(json["preset"] == "default");
+  CHECK(json["duration_s"] == doctest::Approx(2.0).epsilon(0.01));
+  CHECK(json["estimates"] > 500);
+  CHECK(json["mean_px"] < 3.0);
+  CHECK(json["lost_percent"] < 5.0);
+  CHECK(json["latency_p50_us"].is_null());
+  CHECK(json["throughput_mev_s"].is_null());
+}
+
+TEST_CASE("every preset and every algorithm runs, and every mode measures what is its own") {
+  const ToolBench bench;
+  for (const char* preset : {"paper", "reference", "correlation", "default"}) {
+    CAPTURE(preset);
+    const Json json = bench.evaluate({"--preset", preset, "--rate", "200"});
+    check_all_keys(json);
+    CHECK(json["preset"] == preset);
+    CHECK(json["estimates"] > 100);
+    CHECK(json["mean_px"].is_number());
+  }
+  for (const char* algorithm : {"cluster", "particle-filter", "particle-filter-eros"}) {
+    CAPTURE(algorithm);
+    const Json json = bench.evaluate({"--algorithm", algorithm, "--rate", "200"});
+    check_all_keys(json);
+    CHECK(json["algorithm"] == algorithm);
+    CHECK(json["preset"].is_null());
+    CHECK(json["estimates"] > 100);
+  }
+  const Json real_time = bench.evaluate({"--real-time"});
+  check_all_keys(real_time);
+  CHECK(real_time["latency_p50_us"].is_number());
+  CHECK(real_time["throughput_mev_s"].is_null());
+  const Json fast = bench.evaluate({"--as-fast-as-possible"});
+  check_all_keys(fast);
+  CHECK(fast["throughput_mev_s"] > 0.0);
+  CHECK(fast["mean_px"].is_null());
+}
+
+TEST_CASE("the same seed gives the same recording, another seed another") {
+  const ToolBench bench;
+  bench.run("puck-simulate", {"--output", "a", "--seconds", "0.3", "--seed", "5"});
+  bench.run("puck-simulate", {"--output", "b", "--seconds", "0.3", "--seed", "5"});
+  bench.run("puck-simulate", {"--output", "c", "--seconds", "0.3", "--seed", "6"});
+  for (const char* kind : {".raw", ".truth.csv"}) {
+    const auto text_of = [&](const std::string& name) {
+      return read_text(bench.folder / (name + kind));
+    };
+    CHECK(text_of("a") == text_of("b"));
+    CHECK(text_of("a") != text_of("c"));
+  }
+}
+
+}  // namespace puck
