@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -34,6 +35,18 @@ std::array<std::uint8_t, 256> grey_table(const ErosParams& params) {
   return table;
 }
 
+using Vector = std::array<std::uint8_t, 16>;
+
+// The local copy tells the compiler that nothing overlaps, so that it uses vector instructions.
+void subtract_saturated(std::uint8_t* pixels, const Vector& amount) {
+  Vector values;
+  std::memcpy(values.data(), pixels, sizeof(values));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = static_cast<std::uint8_t>(values[i] - std::min(values[i], amount[i]));
+  }
+  std::memcpy(pixels, values.data(), sizeof(values));
+}
+
 }  // namespace
 
 ErosSurface::ErosSurface(SensorSize size, const ErosParams& params)
@@ -60,9 +73,9 @@ void ErosSurface::update(const Event& event) { update(std::span(&event, 1)); }
 
 void ErosSurface::update(std::span<const Event> events) {
   if (2 * half_width_ + 1 <= 16) {
-    apply<16>(events);
+    apply<1>(events);
   } else {
-    apply<32>(events);
+    apply<2>(events);
   }
   events_applied_ += static_cast<std::int64_t>(events.size());
 }
@@ -76,17 +89,18 @@ void ErosSurface::update(Timestamp start, std::span<const Event> events) {
   newest_event_ = start + events.back().offset_us;
 }
 
-template <int kLanes>
+template <int kVectors>
 void ErosSurface::apply(std::span<const Event> events) {
   const int rows = 2 * half_width_ + 1;
+  std::array<Vector, kVectors> window;
+  std::memcpy(window.data(), window_.data(), sizeof(window));
   for (const Event& event : events) {
-    // Algorithm 1, lines 2–6: decay the window. A whole vector is loaded and stored for each row;
+    // Algorithm 1, lines 2–6: decay the window. Whole vectors are loaded and stored for each row;
     // the columns beyond the window lose nothing.
     std::uint8_t* row = counts_.data() + event.y * stride_ + event.x;
     for (int r = 0; r < rows; ++r, row += stride_) {
-      for (int i = 0; i < kLanes; ++i) {
-        const auto lane = static_cast<std::size_t>(i);
-        row[i] = static_cast<std::uint8_t>(row[i] - std::min(row[i], window_[lane]));
+      for (std::size_t v = 0; v < kVectors; ++v) {
+        subtract_saturated(row + v * sizeof(Vector), window[v]);
       }
     }
     // Algorithm 1, line 7: the event's own pixel.

@@ -52,7 +52,7 @@ class ErosSurface {
   Timestamp newest_event() const { return newest_event_; }
 
  private:
-  template <int kLanes>
+  template <int kVectors>
   void apply(std::span<const Event> events);
 
   SensorSize size_;

@@ -62,7 +62,7 @@ TEST_CASE("preset paper has the constants of the paper's text") {
   CHECK_FALSE(p.kernels.whole_semi_axes);
   CHECK(p.detector.kernel == DetectionKernel::kSizeAtCentre);
   CHECK(p.detector.region == Region{60, 150, 500, 80});
-  CHECK(p.detector.threshold == 3000);
+  CHECK(p.detector.threshold == 5000);
   CHECK(p.tracker.first_region.empty());
   CHECK(p.tracker.region_factor == 1.5);
   CHECK(p.tracker.prior_sigma == 0.5);
