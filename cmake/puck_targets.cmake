@@ -27,6 +27,18 @@ if(PUCK_SANITIZE)
   target_compile_options(puck_options INTERFACE -Wno-maybe-uninitialized)
 endif()
 
+# What runs once or is a test is not worth the minutes that optimising it takes. With little
+# optimisation GCC's flow analysis loses its way.
+set(puck_quick_options -O1 -Wno-maybe-uninitialized)
+if(PUCK_SANITIZE)
+  set(puck_quick_options -O0)
+endif()
+
+# puck_compile_quickly(<source>...): sources of the current folder that need not be fast.
+function(puck_compile_quickly)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${puck_quick_options}")
+endfunction()
+
 # puck_library(<name> [LINKS <library>...] [PRIVATE_LINKS <library>...])
 # A static library of all the sources in the current folder.
 function(puck_library name)
@@ -50,6 +62,7 @@ add_custom_target(puck_programs)
 function(puck_program name)
   cmake_parse_arguments(arg "" "" "LINKS" ${ARGN})
   add_executable(${name} main.cpp)
+  puck_compile_quickly(main.cpp)
   target_link_libraries(${name} PRIVATE puck_options ${arg_LINKS})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
   add_dependencies(puck_programs ${name})
@@ -69,6 +82,9 @@ function(puck_test name)
     return()
   endif()
   add_executable(${name} ${sources})
+  if(NOT PUCK_SANITIZE)
+    target_compile_options(${name} PRIVATE ${puck_quick_options})
+  endif()
   target_link_libraries(${name} PRIVATE puck_options puck_test_main ${arg_LINKS})
   add_test(NAME ${name} COMMAND ${name})
   set(labels ${arg_LABELS})
