@@ -26,7 +26,7 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
         events.subspan(applied, std::min(kHandful, events.size() - applied));
     surface_.update(packet.start, handful);
     applied += handful.size();
-    if (watching_all_ || any_inside(handful, watched_)) report_news();
+    if (watched_.empty() || any_inside(handful, watched_)) report_news();
     if (requested_.load(std::memory_order_acquire)) serve_request(packet, applied);
   }
 }
@@ -68,7 +68,6 @@ void SharedSurface::copy_to(SharedSnapshot& out, const EventPacket* pending, std
   // Cleared first: what comes after the copy is news again.
   news_.store(false, std::memory_order_release);
   watched_ = requested_region_;
-  watching_all_ = requested_region_.empty();
   surface_.snapshot(requested_region_, out.surface);
   out.origin = origin_;
   out.backlog_us = 0;

@@ -83,10 +83,9 @@ class SharedSurface {
   // Held by the event thread while it applies a packet, and by the tracking thread when it serves
   // itself.
   std::mutex surface_mutex_;
-  ErosSurface surface_;       // by surface_mutex_
-  PacketOrigin origin_;       // by surface_mutex_
-  Region watched_;            // by surface_mutex_
-  bool watching_all_ = true;  // by surface_mutex_
+  ErosSurface surface_;  // by surface_mutex_
+  PacketOrigin origin_;  // by surface_mutex_
+  Region watched_;       // by surface_mutex_; empty: the whole sensor
 
   // The request: written by the tracking thread before it sets `requested_` (release), served by
   // whoever holds surface_mutex_ after seeing it (acquire), finished by clearing it (release).

@@ -151,14 +151,8 @@ TEST_CASE("a cluster with room for the whole contour follows the puck") {
   ClusterTracker tracker(kSensor, puck_cluster_params(), kSizeModel);
   RingScene scene(tracker);
   scene.show_until_detected(kStart);
-  double sum = 0;
   PuckEstimate estimate;
-  for (int i = 1; i <= 300; ++i) {
-    const Pixel truth{kStart.x + 0.6 * i, kStart.y + 0.3 * i};
-    estimate = scene.show(truth);
-    sum += test::distance_px(estimate, truth);
-  }
-  CHECK(sum / 300 < 4);
+  CHECK(scene.follow(kStart, 300, estimate) < 4);
   const PuckSize truth = kSizeModel.at({480, 280});
   CHECK(estimate.size.width == doctest::Approx(truth.width).epsilon(0.2));
   CHECK(estimate.size.height == doctest::Approx(truth.height).epsilon(0.2));

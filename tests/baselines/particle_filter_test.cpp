@@ -95,14 +95,8 @@ TEST_CASE("a particle filter follows the puck with either template") {
     ParticleFilter filter(kSensor, params, kSizeModel);
     RingScene scene(filter);
     scene.show_until_detected(kStart);
-    double sum = 0;
     PuckEstimate estimate;
-    for (int i = 1; i <= 200; ++i) {
-      const Pixel truth{kStart.x + 0.6 * i, kStart.y + 0.3 * i};
-      estimate = scene.show(truth);
-      sum += test::distance_px(estimate, truth);
-    }
-    CHECK(sum / 200 < 4);
+    CHECK(scene.follow(kStart, 200, estimate) < 4);
     CHECK(estimate.state == TrackState::kTracking);
     CHECK(estimate.size.width == doctest::Approx(kSizeModel.at({420, 250}).width).epsilon(0.3));
   }

@@ -17,6 +17,11 @@ inline constexpr SensorSize kSensor{640, 480};
 // About the authors' model: 29×20 px in the middle of their detection region.
 inline constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
 
+inline double distance_px(const PuckEstimate& estimate, Pixel truth) {
+  if (!estimate.position) return 1e9;
+  return std::hypot(estimate.position->x - truth.x, estimate.position->y - truth.y);
+}
+
 /// Shows a tracker the contour of a puck, a packet each millisecond, its events evenly spread over
 /// the millisecond and in an order that knows no direction.
 class RingScene {
@@ -49,6 +54,18 @@ class RingScene {
     return estimate;
   }
 
+  /// Moves the puck on from `start` for so many milliseconds; the mean distance to it, px. The last
+  /// estimate is put into `estimate`.
+  double follow(Pixel start, int milliseconds, PuckEstimate& estimate) {
+    double sum = 0;
+    for (int i = 1; i <= milliseconds; ++i) {
+      const Pixel truth{start.x + 0.6 * i, start.y + 0.3 * i};
+      estimate = show(truth);
+      sum += distance_px(estimate, truth);
+    }
+    return sum / milliseconds;
+  }
+
   Timestamp now() const { return now_; }
 
  private:
@@ -56,11 +73,6 @@ class RingScene {
   Timestamp now_;
   std::uint32_t order_ = 1;
 };
-
-inline double distance_px(const PuckEstimate& estimate, Pixel truth) {
-  if (!estimate.position) return 1e9;
-  return std::hypot(estimate.position->x - truth.x, estimate.position->y - truth.y);
-}
 
 /// An event that nothing of the puck in the detection region reaches.
 inline Event far_event() { return {600, 400, 1, 0}; }

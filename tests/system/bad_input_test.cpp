@@ -19,9 +19,9 @@ struct Refused {
 };
 
 std::string with_folder(std::string text, const TemporaryFolder& folder) {
-  const std::string placeholder = "FOLDER";
-  const auto at = text.find(placeholder);
-  if (at != std::string::npos) text.replace(at, placeholder.size(), folder.path().string());
+  const std::string marker = "FOLDER";
+  const auto at = text.find(marker);
+  if (at != std::string::npos) text.replace(at, marker.size(), folder.path().string());
   return text;
 }
 
