@@ -18,7 +18,8 @@ namespace puck {
 /// gets a thinner stream of events, not a torn one.
 class EventQueue {
  public:
-  /// Throws std::invalid_argument when there is room for less than two events.
+  /// The capacity is rounded up to a power of two. Throws std::invalid_argument when it is less
+  /// than two.
   explicit EventQueue(std::size_t capacity);
 
   /// Event thread only. Takes the events inside `region`, as many as there is room for; returns how
@@ -42,9 +43,10 @@ class EventQueue {
     Event event;
   };
 
-  Slot& slot(std::uint64_t position) { return slots_[position % slots_.size()]; }
+  Slot& slot(std::uint64_t position) { return slots_[position & (slots_.size() - 1)]; }
+  std::size_t one_event_in(std::size_t room) const;
 
-  std::vector<Slot> slots_;
+  std::vector<Slot> slots_;  // a power of two of them
   std::size_t skipped_ = 0;  // events kept out since the last one let in; event thread
 
   // Positions in the stream. Each is written by one thread alone, which reads its own one relaxed.

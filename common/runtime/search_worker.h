@@ -59,7 +59,8 @@ class SearchWorker {
   Region region_;
   SearchResult result_;
   std::counting_semaphore<2> posted_{0};  // one for a search, one for the end
-  std::atomic<bool> done_{false};  // Set with release after the result, read with acquire before it.
+  // Set with release after the result is written, seen with acquire before it is read.
+  std::atomic<bool> done_{false};
 
   std::jthread thread_;  // last: it uses what stands above
 };

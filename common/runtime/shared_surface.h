@@ -54,8 +54,8 @@ struct SharedSnapshot {
 /// Single events of a region that the tracking thread asks for come over in a queue.
 class SharedSurface {
  public:
-  /// The queue's room. A tracking thread that falls behind is behind by no more than so many events;
-  /// half as many may come at once without being thinned.
+  /// The queue's room. A tracking thread that falls behind is behind by no more than so many
+  /// events; half as many may come at once without being thinned.
   static constexpr std::size_t kQueuedEvents = 8192;
 
   SharedSurface(SensorSize sensor, const ErosParams& params) : surface_(sensor, params) {}
@@ -66,8 +66,8 @@ class SharedSurface {
   /// when an event lies in the region that it asked for last. The packet must not be empty.
   void update(const EventPacket& packet, const PacketOrigin& origin);
 
-  /// Tracking thread only. Copies `region`; from then on the events in `events` go to the queue, and
-  /// both are watched. When both are empty the whole sensor is watched.
+  /// Tracking thread only. Copies `region`; from then on the events in `events` go to the queue,
+  /// and both are watched. When both are empty the whole sensor is watched.
   void snapshot(const Region& region, const Region& events, SharedSnapshot& out);
 
   /// Tracking thread only. As ErosSurface::copy; what is watched stays as it is.

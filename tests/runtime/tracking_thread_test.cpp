@@ -49,7 +49,8 @@ TEST_CASE("the tracking thread sleeps while nothing is new, but never falls sile
   SharedSurface surface(kSensor, {});
   Published published;
   const TrackingThread thread(surface, default_pipeline(), default_search(),
-                              {.heartbeat = milliseconds(5)}, [&](const TrackedEstimate& e) { published.add(e); });
+                              {.heartbeat = milliseconds(5)},
+                              [&](const TrackedEstimate& e) { published.add(e); });
   CHECK(eventually([&] { return published.count() >= 5; }));
   for (const TrackedEstimate& e : published.all()) {
     CHECK(e.estimate.state == TrackState::kSearching);
