@@ -95,7 +95,8 @@ void PuckPipeline::coast(Timestamp now) {
     return;
   }
   plan_search(now);
-  region_ = search_region(now);
+  region_ = tracker_.region_around(position_, kernels_);
+  if (region_.empty()) lose(now);
 }
 
 void PuckPipeline::begin_track(const SearchCandidate& candidate, Timestamp time) {
