@@ -121,6 +121,7 @@ TEST_CASE("events come in and estimates go out, with the chain of times") {
   CHECK(last.image_width == kSensor.width);
   tracker.stop();
   CHECK(counter(tracker.service(), "events_lost") == 0);
+  CHECK(counter(tracker.service(), "events_thinned") == 0);
   CHECK(counter(tracker.service(), "estimates") ==
         static_cast<std::int64_t>(tracker.bus().counters<puck_estimate_t>().published));
 }
