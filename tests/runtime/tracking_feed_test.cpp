@@ -184,17 +184,22 @@ TEST_CASE("the tracking and its heartbeat go on while a large surface is searche
 
 TEST_CASE("a search that ends when there is nothing new is told all the same") {
   const PipelineParams params = preset_params(Preset::kCorrelation);
-  SharedSurface surface(kSensor, params.eros);
-  Published published;
-  const TrackingThread thread(surface, make_pipeline(kSensor, params, kSizeModel),
-                              default_search(), {},
-                              [&](const TrackedEstimate& e) { published.add(e); });
-  surface.update({{1000}, test::contour_events(kSensor, {80, 60}, kSizeModel.at({}), 150)}, {});
-  CHECK(eventually([&] {
-    const auto all = published.all();
-    return !all.empty() && all.back().estimate.state == TrackState::kTracking &&
-           all.back().estimate.newest_event == Timestamp{1000};
-  }));
+  // A small one is searched at once, a large one by the worker.
+  for (const SensorSize sensor : {SensorSize{120, 100}, SensorSize{640, 480}}) {
+    CAPTURE(sensor.width);
+    SharedSurface surface(sensor, params.eros);
+    Published published;
+    const TrackingThread thread(
+        surface, make_pipeline(sensor, params, kSizeModel),
+        PuckSearch(sensor, params.kernels, params.detector, kSizeModel), {},
+        [&](const TrackedEstimate& e) { published.add(e); });
+    surface.update({{1000}, test::contour_events(sensor, {60, 50}, kSizeModel.at({}), 150)}, {});
+    CHECK(eventually([&] {
+      const auto all = published.all();
+      return !all.empty() && all.back().estimate.state == TrackState::kTracking &&
+             all.back().estimate.newest_event == Timestamp{1000};
+    }));
+  }
 }
 
 }  // namespace puck
