@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "common/io/config.h"
+#include "common/io/contour_calibration_file.h"
 #include "common/io/size_model_file.h"
 #include "common/io/table_file.h"
 #include "tests/io/io_fixtures.h"
@@ -39,6 +40,30 @@ TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused")
                  "size.toml:7: size_model.height_y must be a number"));
   CHECK(contains(message_of<ConfigError>([&] { write_size_model_file(folder / "no/a", {}, ""); }),
                  "cannot be written"));
+}
+
+TEST_CASE("a contour calibration reads back as it was written, beside a size model") {
+  const TemporaryFolder folder;
+  const auto path =
+      folder.write("size.toml", kSizeModel + contour_calibration_text({390.5, 0.16, -0.25}, "lag"));
+  const auto again = read_contour_calibration(path);
+  REQUIRE(again.has_value());
+  CHECK(again->lag_us == 390.5);
+  CHECK(again->wall_share == 0.16);
+  CHECK(again->grow_px == -0.25);
+  CHECK(read_size_model_file(path).height_y == 6);
+}
+
+TEST_CASE("a file without a contour table has no contour calibration, a wrong value is refused") {
+  const TemporaryFolder folder;
+  CHECK_FALSE(read_contour_calibration(folder.write("size.toml", kSizeModel)).has_value());
+  const auto some = read_contour_calibration(folder.write("some.toml", "[contour]\nlag_us = 1\n"));
+  REQUIRE(some.has_value());
+  CHECK(some->lag_us == 1);
+  CHECK(some->grow_px == ContourCalibration{}.grow_px);
+  const auto wrong = folder.write("wrong.toml", "[contour]\nlag_us = 1e9\n");
+  CHECK(contains(message_of<ConfigError>([&] { read_contour_calibration(wrong); }),
+                 "wrong.toml:2: contour.lag_us must be a number from"));
 }
 
 TEST_CASE("a table reads back as it was written") {
