@@ -59,6 +59,32 @@ TEST_CASE("puck-calibrate size writes a size model and prints its residuals") {
   CHECK(contains(written, "puck-calibrate size a.csv --output size.toml"));
 }
 
+TEST_CASE("puck-calibrate size names bad cells by line and mistaken rows by number") {
+  const Tool tool;
+  tool.write("blank.csv", "t_us,x,y,width,height\n0,1,,20,10\n");
+  CHECK(tool.run("size blank.csv --output size.toml") == 1);
+  CHECK(contains(tool.read("said"), "blank.csv:2: y must be a number, got \"\""));
+  tool.write("order.csv", "t_us,x,y,width,height\n100.5,100,20,10,0\n");
+  CHECK(tool.run("size order.csv --output size.toml") == 1);
+  CHECK(contains(tool.read("said"), "order.csv:2: height must be from 0.1"));
+  std::string rows = "t_us,x,y,width,height\n";
+  for (int i = 0; i < 20; ++i) {
+    const int x = 30 * i;
+    const int y = 20 * (i % 5) + 100;
+    rows += std::to_string(i) + "," + std::to_string(x) + "," + std::to_string(y) + "," +
+            std::to_string(i == 6 ? 90 : 10 + y / 5) + "," + std::to_string(5 + y / 10) + "\n";
+  }
+  tool.write("many.csv", rows);
+  CHECK(tool.run("size many.csv --output size.toml --width 640 --height 480") == 0);
+  const std::string said = tool.read("said");
+  CHECK(contains(said, "20 annotations, 1 left out"));
+  CHECK(contains(said, "row 7 (t 6 us, at 180.0, 120.0): 90.0 x 17.0 px"));
+  CHECK(contains(said, "disc on a plane"));
+  CHECK(contains(said, "warning: the centres span only 89 %"));
+  CHECK(contains(tool.read("size.toml"), "[size_range]"));
+  CHECK(tool.run("size many.csv --output size.toml --width 640") == 1);
+}
+
 TEST_CASE("puck-calibrate table writes a homography and prints its residuals") {
   const Tool tool;
   tool.write("c.csv",
@@ -71,7 +97,7 @@ TEST_CASE("puck-calibrate table writes a homography and prints its residuals") {
 
 TEST_CASE("puck-calibrate refuses degenerate input with one line that names the file") {
   const Tool tool;
-  tool.write("a.csv", "t_us,x,y,width,height\n0,1,1,20,10\n1,2,2,20,10\n2,3,3,40,30\n");
+  tool.write("a.csv", "t_us,x,y,width,height\n0,101,101,20,10\n1,102,102,20,10\n2,103,103,40,30\n");
   CHECK(tool.run("size a.csv --output size.toml") == 1);
   const std::string said = tool.read("said");
   CHECK(contains(said, "a.csv: the annotated centres lie on one line"));

@@ -15,7 +15,10 @@ const std::string kSizeModel =
 
 TEST_CASE("a size model reads back as it was written, below its provenance") {
   const TemporaryFolder folder;
-  const PuckSizeModel model{20.1, 1.0 / 3, -0.01, 12, 1e-7, 0.025};
+  PuckSizeModel model{20.1, 1.0 / 3, -0.01, 12, 1e-7, 0.025};
+  model.smallest = {11.5, 4};
+  model.largest = {70, 1.0 / 3 + 60};
+  model.sensor = {1280, 720};
   write_size_model_file(folder / "size.toml", model, "fitted to 12 annotations\nby hand");
   const PuckSizeModel again = read_size_model_file(folder / "size.toml");
   CHECK(again.width_0 == model.width_0);
@@ -24,6 +27,11 @@ TEST_CASE("a size model reads back as it was written, below its provenance") {
   CHECK(again.height_0 == model.height_0);
   CHECK(again.height_x == model.height_x);
   CHECK(again.height_y == model.height_y);
+  CHECK(again.smallest.width == 11.5);
+  CHECK(again.smallest.height == 4);
+  CHECK(again.largest.width == 70);
+  CHECK(again.largest.height == model.largest.height);
+  CHECK(again.sensor == SensorSize{1280, 720});
   CHECK(read_text(folder / "size.toml").starts_with("# fitted to 12 annotations\n# by hand\n"));
 }
 
@@ -34,6 +42,10 @@ TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused")
     return message_of<ConfigError>([&] { read_size_model_file(path); });
   };
   CHECK(refusal(kSizeModel).empty());
+  CHECK(contains(refusal(kSizeModel + "[size_range]\nsmallest_height = 600\n"),
+                 "size.toml:9: size_range.smallest_height must not be above the largest"));
+  CHECK(contains(refusal(kSizeModel + "[size_range]\nsmallest_width = 0\n"),
+                 "size.toml:9: size_range.smallest_width must be a number from 1"));
   CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("height_y"))),
                  "size.toml: size_model.height_y is missing"));
   CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("6\n")) + "\"x\"\n"),
