@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -32,10 +33,11 @@ class Tool {
     return text.str();
   }
   // Output and errors land in the file `said`.
-  int run(const std::string& arguments) const {
+  int run(const std::string& arguments) const { return run("puck-calibrate", arguments); }
+  int run(const std::string& program, const std::string& arguments) const {
     const char* bin = std::getenv("PUCK_BIN_DIR");
     REQUIRE_MESSAGE(bin != nullptr, "PUCK_BIN_DIR must be set");
-    const std::string command = "cd '" + folder_.string() + "' && '" + bin + "/puck-calibrate' " +
+    const std::string command = "cd '" + folder_.string() + "' && '" + bin + "/" + program + "' " +
                                 arguments + " > said 2>&1";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -103,6 +105,47 @@ TEST_CASE("puck-calibrate refuses degenerate input with one line that names the 
   CHECK(contains(said, "a.csv: the annotated centres lie on one line"));
   CHECK(said.find('\n') == said.size() - 1);
   CHECK(tool.read("size.toml").empty());
+}
+
+TEST_CASE("puck-calibrate lag adds what it found to the size model, and replaces it the next time") {
+  const Tool tool;
+  REQUIRE(tool.run("puck-simulate", "--output game --seconds 3 --seed 5") == 0);
+  REQUIRE(tool.run("size game.annotations.csv --output size.toml") == 0);
+  const std::string size = tool.read("size.toml");
+  const std::string lag = "lag game.raw --truth game.truth.csv --size-model size.toml ";
+  REQUIRE(tool.run(lag + "--output size.toml") == 0);
+  const std::string once = tool.read("size.toml");
+  CHECK(once.starts_with(size));
+  CHECK(contains(once, "\n# puck-calibrate lag game.raw"));
+  const std::size_t place = once.find("lag_us = ");
+  REQUIRE(place != std::string::npos);
+  // The photoreceptor's time constant alone is 318 µs.
+  const double lag_us = std::stod(once.substr(place + 9));
+  CHECK(lag_us > 300);
+  CHECK(lag_us < 700);
+  CHECK(tool.run(lag + "--output size.toml") == 0);
+  CHECK(tool.read("size.toml") == once);
+
+  // Truth that ends before the events.
+  const std::string truth = tool.read("game.truth.csv");
+  tool.write("short.csv", truth.substr(0, truth.find('\n', truth.size() / 3) + 1));
+  CHECK(tool.run("lag game.raw --truth short.csv --size-model size.toml --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "it must last as long as they do"));
+
+  // A recording without the puck, and of another sensor.
+  REQUIRE(tool.run("size game.annotations.csv --output size.toml --width 640 --height 480") == 0);
+  std::string noise;
+  for (int ms = 0; ms < 3000; ms += 5) {
+    noise += std::to_string(1000 * ms) + " " + std::to_string(ms % 640) + " " +
+             std::to_string(ms % 7 * 60) + " 1\n";
+  }
+  tool.write("noise.txt", noise);
+  CHECK(tool.run("lag noise.txt --width 1280 --height 720 --truth game.truth.csv --size-model "
+                 "size.toml --output no.toml") == 1);
+  const std::string said = tool.read("said");
+  CHECK(contains(said, "noise.txt: there are no events on the contour"));
+  CHECK(contains(said, "fitted for a sensor of 640x480 px, this one has 1280x720"));
+  CHECK(tool.read("no.toml").empty());
 }
 
 TEST_CASE("puck-calibrate exits with 1 for a missing file and 2 for a wrong command line") {

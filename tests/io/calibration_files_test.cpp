@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "common/io/calibration_text.h"
 #include "common/io/config.h"
 #include "common/io/contour_calibration_file.h"
 #include "common/io/size_model_file.h"
@@ -64,6 +65,17 @@ TEST_CASE("a contour calibration reads back as it was written, beside a size mod
   CHECK(again->wall_share == 0.16);
   CHECK(again->grow_px == -0.25);
   CHECK(read_size_model_file(path).height_y == 6);
+}
+
+TEST_CASE("a table is taken out of a calibration with its comment, and nothing else") {
+  const std::string head = "# made by hand\n[a]\nx = 1  # [b]\n";
+  const std::string table = "# of the contour\n# two lines\n[contour]\nlag_us = 1\n# within\nx = 2\n";
+  const std::string tail = "# of c\n[c]\ny = 1\n";
+  CHECK(without_table(head + table + tail, "contour") == head + tail);
+  CHECK(without_table(head + table, "contour") == head);
+  CHECK(without_table(head + tail, "contour") == head + tail);
+  CHECK(without_table("[contour]\nz = 1", "contour").empty());
+  CHECK(without_table("x = 1\n# end", "contour") == "x = 1\n# end");
 }
 
 TEST_CASE("a file without a contour table has no contour calibration, a wrong value is refused") {

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/calibrate/lag_command.h"
 #include "tools/calibrate/size_command.h"
 #include "tools/calibrate/table_command.h"
 
@@ -17,6 +18,14 @@ std::string typed_command(int argc, char** argv) {
   std::string command = std::filesystem::path(argv[0]).filename();
   for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
   return command;
+}
+
+// What a recording may not say of itself.
+void add_file_options(CLI::App& command, EventFileOptions& file) {
+  command.add_option("--from", file.from, "format of the recording, where it does not say so")
+      ->check(CLI::IsMember({"evt2", "evt3", "text"}));
+  command.add_option("--width", file.sensor.width, "sensor, px, where the recording does not say");
+  command.add_option("--height", file.sensor.height, "sensor, px, where the recording does not say");
 }
 
 int run(int argc, char** argv) {
@@ -36,7 +45,16 @@ int run(int argc, char** argv) {
       app.add_subcommand("table", "The homography from the image to the table");
   table_app->add_option("correspondences", input, "CSV: x_px,y_px,x_m,y_m")->required();
 
-  for (CLI::App* command : {size_app, table_app}) {
+  LagCommand lag;
+  CLI::App* lag_app = app.add_subcommand(
+      "lag", "The sensor's lag, and how the puck's contour lies to its annotated size");
+  lag_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3) or text")->required();
+  lag_app->add_option("--truth", lag.truth, "CSV: t_us,x,y,width,height[,visible]")->required();
+  lag_app->add_option("--size-model", lag.size_model, "TOML made by puck-calibrate size")
+      ->required();
+  add_file_options(*lag_app, lag.file);
+
+  for (CLI::App* command : {size_app, table_app, lag_app}) {
     command->add_option("--output", output, "TOML file to write")->required();
   }
   try {
@@ -51,6 +69,10 @@ int run(int argc, char** argv) {
       size.annotations = input;
       size.output = output;
       calibrate_size(size, typed);
+    } else if (lag_app->parsed()) {
+      lag.recording = input;
+      lag.output = output;
+      calibrate_lag(lag, typed);
     } else {
       calibrate_table(input, output, typed);
     }
