@@ -148,6 +148,27 @@ TEST_CASE("puck-calibrate lag adds what it found to the size model, and replaces
   CHECK(tool.read("no.toml").empty());
 }
 
+TEST_CASE("puck-calibrate hot-pixels writes a mask and says how much it masks") {
+  const Tool tool;
+  std::string events;
+  for (int ms = 0; ms < 2000; ms += 4) {
+    events += std::to_string(1000 * ms) + " 12 34 1\n";
+    if (ms % 40 == 0) events += std::to_string(1000 * ms) + " " + std::to_string(ms % 64) + " 5 0\n";
+  }
+  tool.write("a.txt", events);
+  REQUIRE(tool.run("hot-pixels a.txt --width 64 --height 48 --output mask.toml") == 0);
+  const std::string said = tool.read("said");
+  CHECK(contains(said, "1 hot pixels in 2.0 s"));
+  CHECK(contains(said, "they made 500 of 550 events, 90.91 %"));
+  CHECK(contains(said, "  12   34     250.5"));
+  const std::string mask = tool.read("mask.toml");
+  CHECK(mask.starts_with("# puck-calibrate hot-pixels a.txt"));
+  CHECK(contains(mask, "width = 64\nheight = 48\npixels = [\n  12, 34,\n]\n"));
+  tool.write("short.txt", "0 1 1 1\n500 1 1 1\n");
+  CHECK(tool.run("hot-pixels short.txt --width 64 --height 48 --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "short.txt: hot pixels need a second of events or more"));
+}
+
 TEST_CASE("puck-calibrate exits with 1 for a missing file and 2 for a wrong command line") {
   const Tool tool;
   CHECK(tool.run("table nowhere.csv --output table.toml") == 1);

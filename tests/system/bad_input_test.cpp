@@ -171,6 +171,7 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
   write_text(folder / "scene.toml", "[world]\nsede = 1\n");
   write_text(folder / "scene2.toml", "[world]\nseed = \"one\"\n");
   write_text(folder / "scene3.toml", "[table]\n\nlength_m = -1.0\n");
+  write_text(folder / "mask.toml", "[pixel_mask]\nwidth = 64\nheight = 48\npixels = []\n");
   write_text(folder / "model.toml", "[size_model]\nwidth_0 = \"wide\"\n");
   REQUIRE(run("puck-simulate", {"--output", "FOLDER/a", "--seconds", "0.1"}, folder).exit_code ==
           0);
@@ -228,6 +229,17 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
        {"FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model",
         "config/calibration/simulated_size.toml", "--detection-region", "1,2,3"},
        {"1,2,3"}},
+      {"puck-evaluate",
+       {"FOLDER/a.raw", "--as-fast-as-possible", "--size-model",
+        "config/calibration/simulated_size.toml", "--hot-pixel-mask", "FOLDER/mask.toml"},
+       {"FOLDER/mask.toml is of a sensor of 64x48 px, the events are of one of 640x480 px"}},
+      {"puck-calibrate",
+       {"lag", "FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model",
+        "config/calibration/simulated_size.toml", "--output", "FOLDER/x.toml"},
+       {"FOLDER/a.raw: "}},
+      {"puck-calibrate",
+       {"hot-pixels", "FOLDER/a.raw", "--output", "FOLDER/x.toml"},
+       {"FOLDER/a.raw: hot pixels need a second of events or more"}},
       {"puck-demo-report", {"FOLDER/nowhere.lcm"}, {"FOLDER/nowhere.lcm: cannot be read"}},
       {"puck-demo-report", {"FOLDER/a.raw"}, {"FOLDER/a.raw: is not an LCM log"}},
   };

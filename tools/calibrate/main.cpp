@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/calibrate/hot_pixels_command.h"
 #include "tools/calibrate/lag_command.h"
 #include "tools/calibrate/size_command.h"
 #include "tools/calibrate/table_command.h"
@@ -29,7 +30,7 @@ void add_file_options(CLI::App& command, EventFileOptions& file) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Fits the puck's size in the image and the place of the table.", "puck-calibrate");
+  CLI::App app("Fits what the trackers must know of a camera and its table.", "puck-calibrate");
   app.set_version_flag("--version", PUCK_VERSION);
   app.require_subcommand(1);
   std::filesystem::path input;
@@ -54,7 +55,12 @@ int run(int argc, char** argv) {
       ->required();
   add_file_options(*lag_app, lag.file);
 
-  for (CLI::App* command : {size_app, table_app, lag_app}) {
+  HotPixelsCommand hot;
+  CLI::App* hot_app = app.add_subcommand("hot-pixels", "A mask of the pixels that fire all the time");
+  hot_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3) or text")->required();
+  add_file_options(*hot_app, hot.file);
+
+  for (CLI::App* command : {size_app, table_app, lag_app, hot_app}) {
     command->add_option("--output", output, "TOML file to write")->required();
   }
   try {
@@ -73,6 +79,10 @@ int run(int argc, char** argv) {
       lag.recording = input;
       lag.output = output;
       calibrate_lag(lag, typed);
+    } else if (hot_app->parsed()) {
+      hot.recording = input;
+      hot.output = output;
+      calibrate_hot_pixels(hot, typed);
     } else {
       calibrate_table(input, output, typed);
     }
