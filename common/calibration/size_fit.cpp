@@ -15,9 +15,9 @@ constexpr std::size_t kMinAnnotations = 3;
 // Standard deviation of the centres across their main direction, px.
 constexpr double kMinSpreadPx = 1.0;
 
-// Beyond the annotated sizes, so that what is marked a little off, or somewhat farther away, is not
-// cut.
-constexpr double kMargin = 1.5;
+// Beyond the annotated sizes, so that places beyond the marked ones keep their own size, within
+// reason.
+constexpr double kMargin = 2;
 
 void check_values(std::span<const Annotation> annotations) {
   if (annotations.size() < kMinAnnotations) {

@@ -9,8 +9,7 @@
 namespace puck {
 
 struct SizeFit {
-  /// Its sizes are limited to between two thirds of the smallest annotated ones and one and a half
-  /// times the largest.
+  /// Its sizes are limited to between half the smallest annotated ones and twice the largest.
   PuckSizeModel model;
   SizeResiduals width;
   SizeResiduals height;

@@ -131,10 +131,10 @@ TEST_CASE("the limits of the size lie around the annotated sizes") {
   const std::vector<Annotation> annotations{
       {{0}, {100, 100}, {20, 10}}, {{1}, {300, 100}, {20, 12}}, {{2}, {100, 300}, {40, 30}}};
   const PuckSizeModel model = calibrate_size(annotations, kSensor).planes.model;
-  CHECK(model.smallest.width == doctest::Approx(20 / 1.5));
-  CHECK(model.smallest.height == doctest::Approx(10 / 1.5));
-  CHECK(model.largest.width == doctest::Approx(60));
-  CHECK(model.largest.height == doctest::Approx(45));
+  CHECK(model.smallest.width == doctest::Approx(10.0));
+  CHECK(model.smallest.height == doctest::Approx(5.0));
+  CHECK(model.largest.width == doctest::Approx(80));
+  CHECK(model.largest.height == doctest::Approx(60));
   CHECK(model.sensor == kSensor);
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("little coverage, clamping inside the image and swapped columns are wa
   const std::vector<Annotation> few{
       {{0}, {100, 200}, {20, 10}}, {{1}, {300, 200}, {20, 10}}, {{2}, {100, 100}, {40, 30}}};
   CHECK(warned(few, "only 31 % of the image's width and 21 % of its height"));
-  CHECK(warned(few, "at (0, 479), where 13.3 x 6.7 px are used"));
+  CHECK(warned(few, "at (0, 479), where 10.0 x 5.0 px are used"));
   CHECK_FALSE(warned(few, "swapped"));
   std::vector<Annotation> all = Camera().annotations();
   CHECK_FALSE(warned(all, "only"));
