@@ -52,7 +52,7 @@ void ContourSamples::add(const Event& event, Timestamp time) {
   const RingOffset offset = ring_offset(sample.place, kRough, sample.dx, sample.dy);
   const double normal_speed =
       offset.normal_x * state->velocity.x + offset.normal_y * state->velocity.y;
-  const double distance = offset.distance_px + kRough.lag_us * 1e-6 * normal_speed;
+  const double distance = offset.distance_px + kRough.behind_px(normal_speed);
   if (std::abs(distance) < kRingPx) ++ring_events_;
   if (distance > kOutsideFromPx && distance < kOutsideToPx) ++outside_events_;
   if (std::abs(distance) < kGatePx && std::abs(normal_speed) >= kLeastNormalShare * speed) {

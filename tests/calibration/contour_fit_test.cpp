@@ -17,9 +17,11 @@ namespace {
 constexpr SensorSize kSensor{640, 480};
 constexpr PuckSizeModel kSize{40, 0, 0, 28, 0, 0};
 
-// A puck that goes round in a circle, and the events of its contour by a known calibration.
+// A puck that goes round in a circle, ever faster where asked for, and the events of its contour by
+// a known calibration.
 struct Circling {
   double speed_px_s = 1500;
+  double faster_px_s2 = 0;
   double seconds = 1;
   double events_per_ms = 30;
   ContourCalibration calibration{400, 0, 0.5};
@@ -27,8 +29,11 @@ struct Circling {
 
   static constexpr double kRadius = 100;
 
+  double angle_at(double t_s) const {
+    return (speed_px_s + faster_px_s2 * t_s / 2) * t_s / kRadius;
+  }
   Pixel centre_at(double t_s) const {
-    const double angle = speed_px_s / kRadius * t_s;
+    const double angle = angle_at(t_s);
     return {320 + kRadius * std::cos(angle), 240 + kRadius * std::sin(angle)};
   }
 
@@ -52,12 +57,13 @@ struct Circling {
     const double step_us = 1000 / (events_per_ms + beside_per_ms);
     for (double t_us = 0; t_us < 1e6 * seconds; t_us += step_us) {
       const Pixel c = centre_at((t_us - calibration.lag_us) * 1e-6);
-      const double heading = speed_px_s / kRadius * t_us * 1e-6 + std::numbers::pi / 2;
+      const double heading = angle_at(t_us * 1e-6) + std::numbers::pi / 2;
       const double beside = share(random) < beside_per_ms / (events_per_ms + beside_per_ms) ? 5 : 0;
       // An edge makes events as fast as it sweeps over the image.
       double angle = turn(random);
       double nx = 0;
       double ny = 0;
+      double along = 0;
       do {
         angle = turn(random);
         nx = std::cos(angle) / a;
@@ -65,8 +71,9 @@ struct Circling {
         const double length = std::hypot(nx, ny);
         nx /= length;
         ny /= length;
-      } while (share(random) > std::abs(nx * std::cos(heading) + ny * std::sin(heading)));
-      const double out = beside + noise(random);
+        along = nx * std::cos(heading) + ny * std::sin(heading);
+      } while (share(random) > std::abs(along));
+      const double out = beside + noise(random) - std::copysign(calibration.trail_px, along);
       Event event;
       event.x = static_cast<std::uint16_t>(
           std::lround(c.x + a * std::cos(angle) + nx * out));
@@ -101,6 +108,17 @@ TEST_CASE("the lag, the wall's share and the growth that made the events are fou
   CHECK(std::abs(fit.front_px) < 0.05);
   CHECK(std::abs(fit.lower_px) < 0.1);
   CHECK(fit.events > 20'000);
+}
+
+TEST_CASE("what lags in time and what trails in space are told apart where the speed varies") {
+  Circling scene;
+  scene.speed_px_s = 300;
+  scene.faster_px_s2 = 3000;
+  scene.calibration = {350, 0, 0.3, 0.25};
+  const ContourFit fit = fit_of(scene);
+  CHECK(std::abs(fit.calibration.lag_us - 350) < 25);
+  CHECK(std::abs(fit.calibration.trail_px - 0.25) < 0.03);
+  CHECK(std::abs(fit.calibration.lag_us - 350) < 4 * fit.standard_error.lag_us);
 }
 
 TEST_CASE("a sensor without lag and a contour as annotated are found, too") {

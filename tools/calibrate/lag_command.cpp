@@ -58,6 +58,7 @@ void print(const ContourFit& fit, const ContourSamples& samples) {
   std::printf("lag_us      %8.1f +- %.1f\n", c.lag_us, e.lag_us);
   std::printf("wall_share  %8.4f +- %.4f\n", c.wall_share, e.wall_share);
   std::printf("grow_px     %8.3f +- %.3f\n", c.grow_px, e.grow_px);
+  std::printf("trail_px    %8.4f +- %.4f\n", c.trail_px, e.trail_px);
   std::printf("events lie %.3f px from where they are expected, %.3f px before the fit\n",
               fit.spread_px, fit.spread_before_px);
   std::printf("left over, px: front %+.3f, back %+.3f, upper edge %+.3f, lower edge %+.3f\n",
