@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/io/pixel_mask_file.h"
 #include "common/io/size_model_file.h"
 #include "common/vision/presets.h"
 
@@ -58,6 +59,10 @@ TrackerServiceParams read_tracker_params(Config& config) {
   config.read("tracker.size_model", size_model);
   params.size_model =
       size_model.empty() ? authors_static_size_model() : read_size_model_file(size_model);
+
+  std::string hot_pixel_mask;
+  config.read("tracker.hot_pixel_mask", hot_pixel_mask);
+  if (!hot_pixel_mask.empty()) params.hot_pixels = read_pixel_mask_file(hot_pixel_mask);
   return params;
 }
 
