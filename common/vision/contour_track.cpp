@@ -64,7 +64,7 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   ContourOffset offset = ring_.offset(dx, dy, filter_.growth_px());
   const double normal_speed = offset.normal_x * velocity.x + offset.normal_y * velocity.y;
   // The event shows where the contour was a little earlier.
-  if (context.ingredients.lag) offset.distance_px += context.contour.lag_s() * normal_speed;
+  if (context.ingredients.lag) offset.distance_px += context.contour.behind_px(normal_speed);
   const double distance = std::abs(offset.distance_px);
   if (offset.distance_px > RingEvidence::kReach_px) return 0;
 

@@ -76,7 +76,10 @@ class PuckContour {
   /// other way round.
   double other_wall_share() const;
   PuckSize size_at(Pixel centre) const { return size_model_.at(centre); }
-  double lag_s() const { return calibration_.lag_us * 1e-6; }
+  /// ContourCalibration::behind_px.
+  double behind_px(double normal_speed_px_s) const {
+    return calibration_.behind_px(normal_speed_px_s);
+  }
 
  private:
   PuckSizeModel size_model_;
