@@ -61,7 +61,8 @@ SceneRenderer::SceneRenderer(const StaticScene& scene, const CameraView& home, S
       to_draw_(static_cast<std::size_t>(size.height)),
       shares_(static_cast<std::size_t>(size.width)),
       light_(static_cast<std::size_t>(size.width)),
-      left_over_(static_cast<std::size_t>(size.width)) {
+      left_over_(static_cast<std::size_t>(size.width)),
+      shares_before_(static_cast<std::size_t>(size.width)) {
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       background_(x, y) = panorama_.at(static_cast<float>(x), static_cast<float>(y));
@@ -223,11 +224,15 @@ void SceneRenderer::draw_columns(int y, Columns columns, const std::vector<Scene
   std::fill(light_.begin() + columns.begin, light_.begin() + columns.end, 0.0f);
   std::fill(left_over_.begin() + columns.begin, left_over_.begin() + columns.end, 1.0f);
   for (const int body : nearest_first) {
+    Columns before;  // Where `shares_before_` holds those of the shape before.
     for (const SceneShape& shape : bodies[static_cast<std::size_t>(body)].shapes) {
       const Columns touched = shape.outline().touched(y);
       const int begin = std::max(columns.begin, touched.begin);
       const int end = std::min(columns.end, touched.end);
-      if (begin >= end) continue;
+      if (begin >= end) {
+        before = {};
+        continue;
+      }
       const Columns inside = shape.outline().inside(y);
       const int inside_begin = inside.empty() ? end : std::clamp(inside.begin, begin, end);
       const int inside_end = inside.empty() ? end : std::clamp(inside.end, inside_begin, end);
@@ -235,12 +240,15 @@ void SceneRenderer::draw_columns(int y, Columns columns, const std::vector<Scene
       shape.coverage(y, begin, inside_begin - begin, shares + begin);
       std::fill(shares + inside_begin, shares + inside_end, 1.0f);
       shape.coverage(y, inside_end, end - inside_end, shares + inside_end);
+      if (shape.holds_previous) leave_out_before(before, {begin, end});
       for (int i = begin; i < end; ++i) {
         const auto x = static_cast<std::size_t>(i);
         const float share = left_over_[x] * shares[i];
         light_[x] += share * shape.luminance;
         left_over_[x] -= share;
       }
+      before = {begin, end};
+      shares_.swap(shares_before_);
     }
   }
   for (int x = columns.begin; x < columns.end; ++x) {
@@ -253,6 +261,16 @@ void SceneRenderer::draw_columns(int y, Columns columns, const std::vector<Scene
           std::log(light_[static_cast<std::size_t>(x)] + left_over * std::exp(background_(x, y)));
     }
     sensor.change(x, y, log_light, from, to);
+  }
+}
+
+// Of a pixel the shape before has left (1 − its share); this one takes what its own share is larger
+// by.
+void SceneRenderer::leave_out_before(Columns before, Columns columns) {
+  for (int i = std::max(before.begin, columns.begin); i < std::min(before.end, columns.end); ++i) {
+    const auto x = static_cast<std::size_t>(i);
+    const float left = 1 - shares_before_[x];
+    shares_[x] = left > 0 ? std::max(0.0f, (shares_[x] - shares_before_[x]) / left) : 0;
   }
 }
 

@@ -56,6 +56,8 @@ class SceneRenderer {
                     const std::vector<int>& nearest_first, Timestamp from, Timestamp to,
                     EventSensor& sensor);
 
+  void leave_out_before(Columns before, Columns columns);
+
   CameraView home_;
   SensorSize size_;
   Panorama panorama_;
@@ -70,6 +72,7 @@ class SceneRenderer {
   std::vector<float> shares_;  // Scratch, one row.
   std::vector<float> light_;
   std::vector<float> left_over_;
+  std::vector<float> shares_before_;
 };
 
 }  // namespace puck

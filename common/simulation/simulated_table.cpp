@@ -20,8 +20,6 @@ namespace puck {
 namespace {
 
 constexpr std::uint64_t kHeadStream = 20;
-constexpr std::int64_t kPhysicsStep_us = 25;
-static_assert(PuckPhysics::kStep_s * 1e6 == kPhysicsStep_us);
 // The static scene is drawn for so long at once: a head at 20 °/s turns a quarter of a pixel.
 constexpr std::int64_t kCameraStep_us = 1000;
 // No edge moves farther than this between two drawings.
@@ -66,29 +64,30 @@ class SimulatedTable::World {
         renderer_(StaticScene(params.table, params.scene), home_, params.sensor_size,
                   params.moving_camera ? margin_of(home_, params.sensor_size, head_motion_.limits())
                                        : Panorama::Margin{}),
-        sensor_(params.sensor, renderer_.background(), params.seed),
+        sensor_(params.sensor, renderer_.background(), params.seed, params.light),
         bodies_(WorldView::kBodyCount),
         drawn_at_(WorldView::kBodyCount) {
     // The sensor starts settled on the whole picture, not with a flash of all that appears in it.
     if (params.moving_camera) renderer_.turn_camera(view_, 0, now_, now_, sensor_);
     draw_bodies(now_, now_);
-    sensor_ = EventSensor(params.sensor, log_intensity().view(), params.seed);
+    sensor_ = EventSensor(params.sensor, log_intensity().view(), params.seed, params.light);
   }
 
   void advance(EventPacket& packet) {
     const Timestamp start = now_;
     const Timestamp end = now_ + params_.slice_us;
-    const double slice_px = fastest_px_s() * static_cast<double>(params_.slice_us) * 1e-6;
+    const double slice_s = static_cast<double>(params_.slice_us) * 1e-6;
+    const double slice_px = fastest_px_s(slice_s) * slice_s;
     if (params_.moving_camera && camera_turned_until_ <= start) turn_camera();
-    const std::int64_t physics_steps = params_.slice_us / kPhysicsStep_us;
+    const std::int64_t physics_steps = params_.slice_us / PuckPhysics::kStep_us;
     const std::int64_t drawings = std::clamp<std::int64_t>(
         static_cast<std::int64_t>(std::ceil(slice_px / kLongestMove_px)), 1, physics_steps);
     for (std::int64_t i = 0; i < drawings; ++i) {
       const std::int64_t first = physics_steps * i / drawings;
       const std::int64_t last = physics_steps * (i + 1) / drawings;
       for (std::int64_t step = first; step < last; ++step) game_.step();
-      const Timestamp from = start + first * kPhysicsStep_us;
-      const Timestamp to = start + last * kPhysicsStep_us;
+      const Timestamp from = start + first * PuckPhysics::kStep_us;
+      const Timestamp to = start + last * PuckPhysics::kStep_us;
       view_ = view_at(to);
       draw_bodies(from, to);
       sensor_.settle(to);
@@ -144,7 +143,7 @@ class SimulatedTable::World {
     const std::int64_t slices = (kCameraStep_us + params_.slice_us - 1) / params_.slice_us;
     camera_turned_until_ = from + slices * params_.slice_us;
     const double step_s = static_cast<double>(camera_turned_until_ - from) * 1e-6;
-    const int reach_px = static_cast<int>(std::ceil(fastest_px_s() * step_s)) + 2;
+    const int reach_px = static_cast<int>(std::ceil(fastest_px_s(step_s) * step_s)) + 2;
     renderer_.turn_camera(view_at(camera_turned_until_), reach_px, from, camera_turned_until_,
                           sensor_);
   }
@@ -155,17 +154,46 @@ class SimulatedTable::World {
     return params_.moving_camera ? home_.turned(head_motion_.pose_at(seconds(time))) : home_;
   }
 
-  // An upper bound for the speed of anything on the table in the image; a hit within the coming
-  // slice is not foreseen, and blurs that slice a little.
-  double fastest_px_s() const {
+  // An upper bound for the speed in the image of anything that moves, within `ahead_s` from now.
+  double fastest_px_s(double ahead_s) const {
     double fastest = 0;
-    for (const DiscState* disc : {game_.puck() ? &*game_.puck() : nullptr, &game_.robot_mallet(),
-                                  &game_.opponent_mallet()}) {
-      if (disc == nullptr) continue;
-      const auto seen = view_.project({disc->position.x_m, disc->position.y_m, 0});
-      if (!seen) continue;
-      fastest = std::max(fastest, std::hypot(disc->velocity.x_m_s, disc->velocity.y_m_s) *
-                                      params_.camera.focal_px / seen->depth_m);
+    const auto see = [&](Vector3 place, double speed_m_s) {
+      if (const auto seen = view_.project(place)) {
+        fastest = std::max(fastest, speed_m_s * params_.camera.focal_px / seen->depth_m);
+      }
+    };
+    const auto see_disc = [&](const DiscState& disc, double speed_m_s) {
+      see({disc.position.x_m, disc.position.y_m, 0}, speed_m_s);
+    };
+    see_disc(game_.robot_mallet(), speed_of(game_.robot_mallet()));
+    see_disc(game_.opponent_mallet(), speed_of(game_.opponent_mallet()));
+    if (game_.puck()) see_disc(*game_.puck(), fastest_soon_m_s(*game_.puck(), ahead_s));
+    if (const auto& second = game_.second_puck()) {
+      see_disc(second->state(), fastest_soon_m_s(second->state(), ahead_s));
+    }
+    if (const auto& hand = game_.free_hand().place()) {
+      const Vector3 velocity = game_.free_hand().velocity_m_s();
+      see(*hand, std::sqrt(dot(velocity, velocity)));
+    }
+    return fastest;
+  }
+
+  static double speed_of(const DiscState& disc) {
+    return std::hypot(disc.velocity.x_m_s, disc.velocity.y_m_s);
+  }
+
+  // A puck's speed, or what a hit would make it, if a mallet can come to it within that time.
+  double fastest_soon_m_s(const DiscState& puck, double ahead_s) const {
+    double fastest = speed_of(puck);
+    for (const DiscState* mallet : {&game_.robot_mallet(), &game_.opponent_mallet()}) {
+      const double gap_m = std::hypot(puck.position.x_m - mallet->position.x_m,
+                                      puck.position.y_m - mallet->position.y_m) -
+                           params_.table.puck_radius_m - params_.table.mallet_radius_m;
+      const double closing_m_s = speed_of(puck) + speed_of(*mallet);
+      if (gap_m > closing_m_s * ahead_s) continue;
+      const double hit_m_s =
+          speed_of(puck) + (1 + params_.physics.mallet_restitution) * closing_m_s;
+      fastest = std::max(fastest, std::min(hit_m_s, params_.physics.max_speed_m_s));
     }
     return fastest;
   }
