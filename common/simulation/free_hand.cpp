@@ -32,12 +32,13 @@ void FreeHand::step(const std::optional<DiscState>& puck, double dt_s) {
   if (!place_) return;
   if (!is_here) hide_s_ = 0;
   if (hide_s_ <= 0) {
-    move_towards(home, dt_s);
+    move_towards(home, {}, dt_s);
     if (length_of(*place_ - home) < kAway_m) place_.reset();
     return;
   }
   const Vector3 target = place_that_hides(puck->position);
-  move_towards(target, dt_s);
+  const Vector3 puck_m_s{puck->velocity.x_m_s, puck->velocity.y_m_s, 0};
+  move_towards(target, (1 - kHeight_m / eye_.z) * puck_m_s, dt_s);
   if (length_of(*place_ - target) < kThere_m) hide_s_ -= dt_s;
 }
 
@@ -46,10 +47,10 @@ Vector3 FreeHand::place_that_hides(TablePoint puck) const {
   return on_table + (kHeight_m / eye_.z) * (eye_ - on_table);
 }
 
-void FreeHand::move_towards(Vector3 target, double dt_s) {
+void FreeHand::move_towards(Vector3 target, Vector3 target_m_s, double dt_s) {
   const Vector3 way = target - *place_;
   const double gain_1_s = std::min(kStiffness_1_s, kFastest_m_s / std::max(length_of(way), 1e-9));
-  const Vector3 change = gain_1_s * way - velocity_m_s_;
+  const Vector3 change = target_m_s + gain_1_s * way - velocity_m_s_;
   const double share =
       std::min(1.0, kAcceleration_m_s2 * dt_s / std::max(length_of(change), 1e-12));
   velocity_m_s_ = velocity_m_s_ + share * change;

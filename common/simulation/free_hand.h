@@ -18,13 +18,16 @@ class FreeHand {
 
   void step(const std::optional<DiscState>& puck, double dt_s);
 
+  /// The opponent does not strike meanwhile.
+  bool is_hiding() const { return hide_s_ > 0; }
   /// The middle of the hand; nothing while it is away.
   const std::optional<Vector3>& place() const { return place_; }
   Vector3 velocity_m_s() const { return velocity_m_s_; }
 
  private:
   Vector3 place_that_hides(TablePoint puck) const;
-  void move_towards(Vector3 target, double dt_s);
+  /// Follows a target that moves with `target_m_s`.
+  void move_towards(Vector3 target, Vector3 target_m_s, double dt_s);
 
   TableGeometry table_;
   GameParams params_;

@@ -43,7 +43,7 @@ void TableGame::step() {
   if (!puck_ && time_s() - off_since_s_ >= params_.serve_after_s) serve();
   move_robot();
   rest_.step(puck_, PuckPhysics::kStep_s);
-  opponent_.step(puck_, PuckPhysics::kStep_s, rest_.is_on());
+  opponent_.step(puck_, PuckPhysics::kStep_s, waits_on_purpose());
   free_hand_.step(puck_, PuckPhysics::kStep_s);
   if (second_puck_) second_puck_->step(robot_, opponent_.mallet());
   if (puck_) move_puck();
@@ -119,7 +119,7 @@ bool TableGame::is_stuck() {
   constexpr double kPatience = 3;
   const double speed_m_s = std::hypot(puck_->velocity.x_m_s, puck_->velocity.y_m_s);
   if (speed_m_s > kResting_m_s) last_moving_s_ = time_s();
-  if (rest_.is_on()) last_moving_s_ = last_attack_s_ = time_s();
+  if (waits_on_purpose()) last_moving_s_ = last_attack_s_ = time_s();
   return time_s() - last_moving_s_ > params_.stuck_after_s ||
          time_s() - last_attack_s_ > kPatience * params_.stuck_after_s;
 }

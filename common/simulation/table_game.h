@@ -41,6 +41,7 @@ class TableGame {
   void move_robot();
   void think_for_robot();
   void move_puck();
+  bool waits_on_purpose() const { return rest_.is_on() || free_hand_.is_hiding(); }
   bool is_stuck();
   void take_puck_off(GoalEntered goal);
   void serve();

@@ -1,0 +1,223 @@
+#include <cmath>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+#include "common/simulation/camera_view.h"
+#include "common/simulation/simulated_table.h"
+#include "common/simulation/static_scene.h"
+#include "common/simulation/table_game.h"
+#include "common/simulation/world_view.h"
+#include "tests/simulation/test_worlds.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kStepsPerSecond = 1'000'000 / PuckPhysics::kStep_us;
+
+double speed_of(const DiscState& disc) {
+  return std::hypot(disc.velocity.x_m_s, disc.velocity.y_m_s);
+}
+
+SimulationParams quiet_world() {
+  SimulationParams params = small_world();
+  params.sensor.noise_hz = 0;
+  params.sensor.hot_pixel_fraction = 0;
+  return params;
+}
+
+double luminance_at(const SimulationParams& params, double x_m, double y_m) {
+  return StaticScene(params.table, params.scene).luminance({x_m, y_m, 1}, {0, 0, -1});
+}
+
+}  // namespace
+
+TEST_CASE("A puck whose side is as bright as the table shows only its top") {
+  SimulationParams params = small_world();
+  params.scene.puck_luminance = 0.85;
+  params.scene.puck_side_luminance = params.scene.table_luminance;
+  const WorldView world(params.table, params.scene, params.sensor_size);
+  const CameraView view(params.camera, params.sensor_size);
+  TableGame game(params);
+  game.place_puck({{0.5, 0}, {0, 0}});
+  SimulatedTable table(params);
+  // At the serve nothing else is near it.
+  const SimulatedTruth truth = table.truth();
+  const Image<float> image = table.log_intensity();
+  const auto light_at = [&](double dx_px, double dy_px) {
+    return std::exp(image(static_cast<int>(std::lround(truth.position_px.x + dx_px)),
+                          static_cast<int>(std::lround(truth.position_px.y + dy_px))));
+  };
+  CHECK(light_at(0, -1) == doctest::Approx(0.85).epsilon(0.001));
+  const SceneBody body = world.body(WorldView::kPuck, game, view);
+  REQUIRE(body.shapes.size() == 2);
+  CHECK(body.shapes[0].luminance == doctest::Approx(0.85));
+  CHECK(body.shapes[1].luminance == doctest::Approx(0.6));
+  // The lowest row is the side's.
+  const float bottom = light_at(0, truth.size_px.height / 2 - 0.5);
+  CHECK(bottom == doctest::Approx(0.6).epsilon(0.02));
+}
+
+TEST_CASE("Logos stand on the plain table, away from the markings") {
+  SimulationParams params;
+  params.scene.logo_count = SceneParams::kMostLogos;
+  params.scene.logo_luminance = 0.123;
+  SimulationParams plain = params;
+  plain.scene.logo_count = 0;
+  double area_m2 = 0;
+  constexpr double kStep_m = 0.0025;
+  for (double x_m = 0; x_m < params.table.length_m; x_m += kStep_m) {
+    for (double y_m = -0.61; y_m < 0.61; y_m += kStep_m) {
+      if (luminance_at(params, x_m, y_m) != 0.123) continue;
+      area_m2 += kStep_m * kStep_m;
+      // 2 cm around it nothing else is printed.
+      for (int i = 0; i < 8; ++i) {
+        const double angle = std::numbers::pi / 4 * i;
+        CHECK(luminance_at(plain, x_m + 0.02 * std::cos(angle), y_m + 0.02 * std::sin(angle)) ==
+              plain.scene.table_luminance);
+      }
+    }
+  }
+  const double logo_m2 = std::numbers::pi * 0.0325 * 0.0325;
+  CHECK(area_m2 == doctest::Approx(8 * logo_m2).epsilon(0.01));
+}
+
+TEST_CASE("A puck left to rest lies still for as long as asked, is never taken off, and is hit") {
+  SimulationParams params = small_world(3);
+  params.game.rest_probability = 1;
+  params.game.rest_min_s = 2.5;  // Longer than a stuck puck would be left.
+  params.game.rest_max_s = 2.5;
+  TableGame game(params);
+  double still_s = 0;
+  double longest_s = 0;
+  int rests = 0;
+  for (std::int64_t i = 0; i < 40 * kStepsPerSecond; ++i) {
+    game.step();
+    if (game.puck() && speed_of(*game.puck()) == 0) {
+      still_s += PuckPhysics::kStep_s;
+      longest_s = std::max(longest_s, still_s);
+      continue;
+    }
+    rests += still_s > 2.4;
+    still_s = 0;
+  }
+  CHECK(rests >= 4);
+  CHECK(longest_s > 2.5);
+  CHECK(longest_s < 3.6);  // And the swing.
+  CHECK(game.counts().shots >= 3);
+}
+
+TEST_CASE("The free hand hides the puck from the camera, and goes away again") {
+  SimulationParams params = small_world(3);
+  params.game.reach_probability = 1;
+  params.game.reach_min_s = params.game.reach_max_s = 0.4;
+  TableGame game(params);
+  const WorldView world(params.table, params.scene, params.sensor_size);
+  const CameraView view(params.camera, params.sensor_size);
+  int hidden_ms = 0;
+  int away_ms = 0;
+  int reaches = 0;
+  bool was_away = true;
+  for (int ms = 0; ms < 15'000; ++ms) {
+    for (std::int64_t i = 0; i < kStepsPerSecond / 1000; ++i) game.step();
+    const bool away = !game.free_hand().place();
+    away_ms += away;
+    reaches += was_away && !away;
+    was_away = away;
+    if (away || !game.puck() || game.puck()->position.x_m < 1.1 || ms % 10 != 0) continue;
+    hidden_ms += 10 * (world.visible_share(game, view) < 0.1);
+  }
+  CHECK(reaches >= 3);
+  CHECK(hidden_ms >= 250 * reaches);
+  CHECK(away_ms > 3000);
+}
+
+TEST_CASE("A second puck glides on at its speed, stays on the table, and apart from the first") {
+  SimulationParams params = small_world(3);
+  params.game.second_puck_speed_m_s = 1.2;
+  TableGame game(params);
+  REQUIRE(game.second_puck());
+  double mean_m_s = 0;
+  double nearest_m = 1;
+  bool inside = true;
+  constexpr int kSeconds = 30;
+  for (std::int64_t i = 0; i < kSeconds * kStepsPerSecond; ++i) {
+    game.step();
+    const DiscState& second = game.second_puck()->state();
+    mean_m_s += speed_of(second) / (kSeconds * kStepsPerSecond);
+    inside &= params.table.contains(second.position, -0.02);
+    if (!game.puck()) continue;
+    nearest_m = std::min(nearest_m,
+                         std::hypot(second.position.x_m - game.puck()->position.x_m,
+                                    second.position.y_m - game.puck()->position.y_m));
+  }
+  CHECK(mean_m_s == doctest::Approx(1.2).epsilon(0.15));
+  CHECK(inside);
+  CHECK(nearest_m > 0.06);
+  CHECK(game.counts().shots > 5);
+  // Truth is about the other one.
+  SimulatedTable table(params);
+  const TablePoint first = table.truth().position;
+  CHECK(first.x_m > 0.6 * params.table.length_m);
+}
+
+TEST_CASE("Two pucks of one mass share what a bounce between them changes") {
+  SecondPuck second({}, {}, 1, Random(1, 1));
+  const DiscState before = second.state();
+  DiscState puck{before.position, {0, 0}};
+  puck.position.x_m += 0.05 * before.velocity.x_m_s;
+  puck.position.y_m += 0.05 * before.velocity.y_m_s;
+  CHECK(second.collide(puck));
+  // Head-on at 1 m/s with a restitution of 0.9.
+  CHECK(speed_of(puck) == doctest::Approx(0.95));
+  CHECK(speed_of(second.state()) == doctest::Approx(0.05));
+  CHECK(std::hypot(puck.position.x_m - second.state().position.x_m,
+                   puck.position.y_m - second.state().position.y_m) ==
+        doctest::Approx(0.065).epsilon(1e-6));
+  puck.position.x_m += 0.001;
+  puck.position.y_m += 0.001;
+  CHECK_FALSE(second.collide(puck));
+}
+
+TEST_CASE("Shots are as fast as asked, to 15 m/s") {
+  SimulationParams params = small_world(2);
+  params.game.shot_speed_min_m_s = 14;
+  params.game.shot_speed_max_m_s = 15;
+  TableGame game(params);
+  double fastest_m_s = 0;
+  for (std::int64_t i = 0; i < 20 * kStepsPerSecond; ++i) {
+    game.step();
+    if (game.puck()) fastest_m_s = std::max(fastest_m_s, speed_of(*game.puck()));
+  }
+  CHECK(fastest_m_s > 13.5);
+  CHECK(fastest_m_s <= 15);
+  CHECK(game.counts().shots >= 3);
+}
+
+TEST_CASE("Under a moving camera the puck leaves the image at the near side, and visible says so") {
+  SimulationParams params = quiet_world();
+  params.moving_camera = true;
+  const WorldView world(params.table, params.scene, params.sensor_size);
+  TableGame game(params);
+  game.place_puck({{0.06, -0.5}, {0, 0}});
+  const CameraView home(params.camera, params.sensor_size);
+  CHECK(world.visible_share(game, home) < 0.05);
+  CHECK(world.puck_box({0.06, -0.5}, home).centre.x > 320);
+  // In the other direction the head's own turn brings it back.
+  CHECK(world.visible_share(game, home.turned({8, 0, 0, 0, 0, 0})) > 0.9);
+}
+
+TEST_CASE("Dim light makes the same edge's events later") {
+  const auto events_of = [](double lux) {
+    SimulationParams params = quiet_world();
+    params.light.illuminance_lux = lux;
+    SimulatedTable table(params);
+    EventPacket packet;
+    while (table.now().us < 700'000) table.advance(packet);
+    return packet.events.size();
+  };
+  // A third of the cutoff: what passes in less than its time constant is lost.
+  CHECK(events_of(30) < events_of(300));
+}
+
+}  // namespace puck
