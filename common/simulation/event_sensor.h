@@ -32,9 +32,10 @@ class EventSensor {
   /// times: one that ends before a pixel's last one did takes effect at that one's end.
   void change(int x, int y, float log_intensity, Timestamp from, Timestamp to) {
     const auto index = static_cast<std::uint32_t>(index_of(x, y));
-    if (std::abs(log_intensity - light_[index]) < kNoChange) return;
-    ramp(index, log_intensity, from, to);
+    if (is_change(light_[index], log_intensity)) ramp(index, log_intensity, from, to);
   }
+  /// Whether `change` would do anything.
+  static bool is_change(float before, float after) { return std::abs(after - before) >= kNoChange; }
   /// Lets all pixels settle on under the light that they have, up to `to`.
   void settle(Timestamp to);
   /// Ends the present slice: settles, adds noise, and appends the slice's events to the packet, in
@@ -44,6 +45,8 @@ class EventSensor {
   SensorSize size() const { return size_; }
   /// But for the flicker.
   float log_intensity(int x, int y) const { return light_[index_of(x, y)]; }
+  /// Of a row of pixels.
+  const float* log_intensities(int y) const { return &light_[index_of(0, y)]; }
   /// Events that the readout could not take.
   std::int64_t lost() const { return readout_.lost(); }
 

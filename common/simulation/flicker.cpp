@@ -33,8 +33,7 @@ Flicker::Flicker(double modulation, double frequency_hz, double cutoff_hz)
   }
 }
 
-float Flicker::response_at(double time_us) const {
-  if (is_off()) return 0;
+float Flicker::interpolated(double time_us) const {
   const double periods = time_us / period_us_;
   const double place = (periods - std::floor(periods)) * kSteps;
   const auto step = static_cast<std::size_t>(place);

@@ -13,9 +13,11 @@ class Flicker {
 
   bool is_off() const { return modulation_ == 0; }
   double period_us() const { return period_us_; }
-  float response_at(double time_us) const;
+  float response_at(double time_us) const { return is_off() ? 0 : interpolated(time_us); }
 
  private:
+  float interpolated(double time_us) const;
+
   double modulation_;
   double period_us_;
   std::vector<float> response_;  ///< Over one period; the last one is the first one again.

@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-constexpr int kBlock_px = 8;
+constexpr int kBlock_px = Panorama::kRun;
 // A turned camera reads the panorama between its points, which a finer grid keeps sharp.
 constexpr int kNodesPerPixelTurned = 2;
 // Beyond this share nothing behind can be seen.
@@ -114,17 +114,23 @@ void SceneRenderer::draw_block(const Region& block, const Warp& warp, Timestamp 
     const Place first = warped(warp, static_cast<float>(block.x), row);
     const Place last = warped(warp, static_cast<float>(block.right() - 1), row);
     const Place step{(last.x - first.x) * per_step, (last.y - first.y) * per_step};
-    std::array<float, kBlock_px> light;
-    for (int i = 0; i < block.width; ++i) {
-      const float steps = static_cast<float>(i);
-      light[static_cast<std::size_t>(i)] =
-          panorama_.at(first.x + steps * step.x, first.y + steps * step.y);
-    }
-    std::copy_n(light.begin(), block.width, background_.row(y) + block.x);
+    std::array<float, Panorama::kRun> light;
+    panorama_.along(first.x, first.y, step.x, step.y, light);
     const std::uint8_t* reserved = reserved_.row(y) + block.x;
+    float* background = background_.row(y) + block.x;
+    const float* drawn = sensor.log_intensities(y) + block.x;
+    std::array<bool, kBlock_px> changed;
+    bool any_changed = false;
     for (int i = 0; i < block.width; ++i) {
-      if (reserved[i] != 0) continue;
-      sensor.change(block.x + i, y, light[static_cast<std::size_t>(i)], from, to);
+      const auto at = static_cast<std::size_t>(i);
+      background[i] = light[at];
+      changed[at] = (reserved[i] == 0) & EventSensor::is_change(drawn[i], light[at]);
+      any_changed |= changed[at];
+    }
+    if (!any_changed) continue;
+    for (int i = 0; i < block.width; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (changed[at]) sensor.change(block.x + i, y, light[at], from, to);
     }
   }
 }
