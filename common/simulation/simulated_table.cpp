@@ -117,6 +117,7 @@ class SimulatedTable::World {
     return truth;
   }
 
+  std::int64_t events_lost() const { return sensor_.lost(); }
   void set_robot_mallet(double y_m) { game_.set_robot_mallet(y_m); }
   SensorSize sensor_size() const { return params_.sensor_size; }
   Homography table_from_image() const {
@@ -244,6 +245,7 @@ SimulatedTable& SimulatedTable::operator=(SimulatedTable&&) noexcept = default;
 void SimulatedTable::advance(EventPacket& packet) { world_->advance(packet); }
 Timestamp SimulatedTable::now() const { return world_->now(); }
 SimulatedTruth SimulatedTable::truth() const { return world_->truth(); }
+std::int64_t SimulatedTable::events_lost() const { return world_->events_lost(); }
 void SimulatedTable::set_robot_mallet(double y_m) { world_->set_robot_mallet(y_m); }
 SensorSize SimulatedTable::sensor_size() const { return world_->sensor_size(); }
 Homography SimulatedTable::table_from_image() const { return world_->table_from_image(); }
