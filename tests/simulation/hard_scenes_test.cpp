@@ -225,7 +225,7 @@ TEST_CASE("A 15 m/s shot's events do not depend on how much is computed at once"
     different += std::abs(fine[ms] - usual[ms]);
   }
   CHECK(all > 20'000);
-  CHECK(different < 0.05 * all);
+  CHECK(different < 0.01 * all);
 }
 
 TEST_CASE("A puck that leaves the image at the near side is not visible, and comes back") {
