@@ -97,7 +97,9 @@ void EventSensor::settle_step(Timestamp to) {
   for (const std::uint32_t index : unsettled_) {
     Pixel& pixel = pixels_[index];
     if (pixel.time_us < to_us) run(index, light_[index], to_us);
-    if (is_settled(index, flicker)) {
+    // With flicker, one that has been computed beyond this step must not be woken within.
+    const bool may_sleep = flicker_.is_off() || pixel.time_us <= to_us;
+    if (may_sleep && is_settled(index, flicker)) {
       pixel.response = light_[index];
       pixel.is_unsettled = false;
       if (flicker_.is_off()) continue;
@@ -162,7 +164,7 @@ double EventSensor::decay_over(double duration_us) {
   return memoised_decay_;
 }
 
-// The low-pass's exact answer to a ramp of the light; crossings are interpolated between its ends.
+// The low-pass's exact answer to a ramp of the light.
 void EventSensor::run(std::uint32_t index, float light_at_end, double to_us) {
   Pixel& pixel = pixels_[index];
   const float light_before = light_[index];
@@ -171,32 +173,45 @@ void EventSensor::run(std::uint32_t index, float light_at_end, double to_us) {
   const double duration_us = to_us - from_us;
   if (!(duration_us > 0)) return;
   pixel.time_us = to_us;
-  const double lag = (light_at_end - light_before) / duration_us * time_constant_us_;
-  const double left_over = (pixel.response - light_before + lag) * decay_over(duration_us);
-  const float before = pixel.response + flicker_.response_at(from_us);
-  pixel.response = static_cast<float>(light_at_end - lag + left_over);
-  const float after = pixel.response + flicker_.response_at(to_us);
+  const double slope = (light_at_end - light_before) / duration_us;
+  const double lag = slope * time_constant_us_;
+  const double excess = pixel.response - light_before + lag;
+  const float flicker_before = flicker_.response_at(from_us);
+  const float flicker_after = flicker_.response_at(to_us);
+  const float before = pixel.response + flicker_before;
+  pixel.response = static_cast<float>(light_at_end - lag + excess * decay_over(duration_us));
+  const float after = pixel.response + flicker_after;
 
+  // Newton's method from the straight line between the ends.
   const auto crossing_us = [&](float level) {
-    const float way = after - before;
-    const double share = way == 0 ? 0 : std::clamp((level - before) / way, 0.0f, 1.0f);
-    return std::max(from_us + share * duration_us, pixel.silent_until_us);
+    constexpr int kIterations = 3;
+    const double flicker_slope = (flicker_after - flicker_before) / duration_us;
+    double t_us = duration_us * (level - before) / (after - before);
+    for (int i = 0; i < kIterations; ++i) {
+      const double decayed = excess * std::exp(-t_us / time_constant_us_);
+      const double response = light_before - lag + slope * t_us + decayed;
+      const double flicker = flicker_before + flicker_slope * t_us;
+      const double rate = slope + flicker_slope - decayed / time_constant_us_;
+      const double step_us = (response + flicker - level) / rate;
+      if (!(std::abs(step_us) < duration_us)) break;
+      t_us = std::clamp(t_us - step_us, 0.0, duration_us);
+    }
+    return from_us + t_us;
+  };
+  const auto fire_at = [&](float level, bool is_late, bool polarity) {
+    const double t_us = std::max(is_late ? from_us : crossing_us(level), pixel.silent_until_us);
+    if (t_us >= to_us) return false;
+    pixel.reference = level;
+    fire(pixel, index, polarity, t_us);
+    return true;
   };
   while (after >= pixel.reference + pixel.threshold_on) {
     const float level = pixel.reference + pixel.threshold_on;
-    const double t_us =
-        before >= level ? std::max(from_us, pixel.silent_until_us) : crossing_us(level);
-    if (t_us >= to_us) return;
-    pixel.reference = level;
-    fire(pixel, index, true, t_us);
+    if (!fire_at(level, before >= level, true)) return;
   }
   while (after <= pixel.reference - pixel.threshold_off) {
     const float level = pixel.reference - pixel.threshold_off;
-    const double t_us =
-        before <= level ? std::max(from_us, pixel.silent_until_us) : crossing_us(level);
-    if (t_us >= to_us) return;
-    pixel.reference = level;
-    fire(pixel, index, false, t_us);
+    if (!fire_at(level, before <= level, false)) return;
   }
 }
 

@@ -36,9 +36,7 @@ class EventSensor {
   }
   /// Whether `change` would do anything.
   static bool is_change(float before, float after) { return std::abs(after - before) >= kNoChange; }
-  /// Lets all pixels settle on under the light that they have, up to `to`.
-  void settle(Timestamp to);
-  /// Ends the present slice: settles, adds noise, and appends the slice's events to the packet, in
+  /// Ends the present slice: lets all pixels settle on, adds noise, and appends the slice's events to the packet, in
   /// the order of their times, from the end of the slice before up to, but not including, `end`.
   void finish_slice(Timestamp end, EventPacket& packet);
 
@@ -76,6 +74,7 @@ class EventSensor {
   void ramp(std::uint32_t index, float log_intensity, Timestamp from, Timestamp to);
   void run(std::uint32_t index, float light_at_end, double to_us);
   void fire(Pixel& pixel, std::uint32_t index, bool polarity, double t_us);
+  void settle(Timestamp to);
   bool is_settled(std::uint32_t index, float flicker) const;
   void settle_step(Timestamp to);
   void wake_by_flicker(Timestamp to);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -90,7 +91,6 @@ class SimulatedTable::World {
       const Timestamp to = start + last * PuckPhysics::kStep_us;
       view_ = view_at(to);
       draw_bodies(from, to);
-      sensor_.settle(to);
     }
     now_ = end;
     sensor_.finish_slice(end, packet);
@@ -204,22 +204,27 @@ class SimulatedTable::World {
     for (int i = 0; i < WorldView::kBodyCount; ++i) {
       const auto which = static_cast<WorldView::Body>(i);
       const auto index = static_cast<std::size_t>(i);
-      const auto place = WorldView::place_of(which, game_);
-      moved[index] = params_.moving_camera || has_moved(place, drawn_at_[index]);
+      const auto seen_at = place_in_image(which);
+      moved[index] = has_moved(drawn_at_[index], seen_at);
       if (!moved[index]) continue;
       bodies_[index] = world_view_.body(which, game_, view_);
-      drawn_at_[index] = place;
+      drawn_at_[index] = seen_at;
     }
     renderer_.draw_bodies(bodies_, world_view_.nearest_first(game_), moved, from, to, sensor_);
   }
 
-  bool has_moved(const std::optional<TablePoint>& now,
-                 const std::optional<TablePoint>& then) const {
-    if (!now || !then) return now.has_value() != then.has_value();
-    const auto a = view_.project({now->x_m, now->y_m, 0});
-    const auto b = view_.project({then->x_m, then->y_m, 0});
-    if (!a || !b) return true;
-    return std::hypot(a->pixel.x - b->pixel.x, a->pixel.y - b->pixel.y) > kShortestMove_px;
+  // Of what is there; behind the camera it is not a number.
+  std::optional<Pixel> place_in_image(WorldView::Body which) const {
+    const auto place = WorldView::place_of(which, game_);
+    if (!place) return std::nullopt;
+    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+    const auto seen = view_.project({place->x_m, place->y_m, 0});
+    return seen ? seen->pixel : Pixel{kNowhere, kNowhere};
+  }
+
+  static bool has_moved(const std::optional<Pixel>& from, const std::optional<Pixel>& to) {
+    if (!from || !to) return from.has_value() != to.has_value();
+    return !(std::hypot(to->x - from->x, to->y - from->y) <= kShortestMove_px);
   }
 
   SimulationParams params_;
@@ -231,7 +236,7 @@ class SimulatedTable::World {
   SceneRenderer renderer_;
   EventSensor sensor_;
   std::vector<SceneBody> bodies_;
-  std::vector<std::optional<TablePoint>> drawn_at_;
+  std::vector<std::optional<Pixel>> drawn_at_;
   Timestamp now_;
   Timestamp camera_turned_until_;
 };
