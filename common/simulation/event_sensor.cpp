@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/simulation/photoreceptor.h"
+
 namespace puck {
 namespace {
 
@@ -164,42 +166,27 @@ double EventSensor::decay_over(double duration_us) {
   return memoised_decay_;
 }
 
-// The low-pass's exact answer to a ramp of the light.
 void EventSensor::run(std::uint32_t index, float light_at_end, double to_us) {
   Pixel& pixel = pixels_[index];
   const float light_before = light_[index];
   light_[index] = light_at_end;
   const double from_us = pixel.time_us;
-  const double duration_us = to_us - from_us;
-  if (!(duration_us > 0)) return;
+  if (!(to_us > from_us)) return;
   pixel.time_us = to_us;
-  const double slope = (light_at_end - light_before) / duration_us;
-  const double lag = slope * time_constant_us_;
-  const double excess = pixel.response - light_before + lag;
-  const float flicker_before = flicker_.response_at(from_us);
-  const float flicker_after = flicker_.response_at(to_us);
-  const float before = pixel.response + flicker_before;
-  pixel.response = static_cast<float>(light_at_end - lag + excess * decay_over(duration_us));
-  const float after = pixel.response + flicker_after;
+  const PhotoreceptorRamp ramp{to_us - from_us,
+                               time_constant_us_,
+                               pixel.response,
+                               light_before,
+                               light_at_end,
+                               flicker_.response_at(from_us),
+                               flicker_.response_at(to_us)};
+  const float before = ramp.response + ramp.flicker_before;
+  pixel.response = ramp.response_after(decay_over(ramp.duration_us));
+  const float after = pixel.response + ramp.flicker_after;
 
-  // Newton's method from the straight line between the ends.
-  const auto crossing_us = [&](float level) {
-    constexpr int kIterations = 3;
-    const double flicker_slope = (flicker_after - flicker_before) / duration_us;
-    double t_us = duration_us * (level - before) / (after - before);
-    for (int i = 0; i < kIterations; ++i) {
-      const double decayed = excess * std::exp(-t_us / time_constant_us_);
-      const double response = light_before - lag + slope * t_us + decayed;
-      const double flicker = flicker_before + flicker_slope * t_us;
-      const double rate = slope + flicker_slope - decayed / time_constant_us_;
-      const double step_us = (response + flicker - level) / rate;
-      if (!(std::abs(step_us) < duration_us)) break;
-      t_us = std::clamp(t_us - step_us, 0.0, duration_us);
-    }
-    return from_us + t_us;
-  };
   const auto fire_at = [&](float level, bool is_late, bool polarity) {
-    const double t_us = std::max(is_late ? from_us : crossing_us(level), pixel.silent_until_us);
+    const double crossed_us = is_late ? from_us : from_us + ramp.crossing_us(level, before, after);
+    const double t_us = std::max(crossed_us, pixel.silent_until_us);
     if (t_us >= to_us) return false;
     pixel.reference = level;
     fire(pixel, index, polarity, t_us);

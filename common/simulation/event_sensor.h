@@ -36,8 +36,9 @@ class EventSensor {
   }
   /// Whether `change` would do anything.
   static bool is_change(float before, float after) { return std::abs(after - before) >= kNoChange; }
-  /// Ends the present slice: lets all pixels settle on, adds noise, and appends the slice's events to the packet, in
-  /// the order of their times, from the end of the slice before up to, but not including, `end`.
+  /// Ends the present slice: lets all pixels settle on, adds noise, and appends the slice's events
+  /// to the packet, in the order of their times, from the end of the slice before up to, but not
+  /// including, `end`.
   void finish_slice(Timestamp end, EventPacket& packet);
 
   SensorSize size() const { return size_; }

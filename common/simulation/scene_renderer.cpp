@@ -9,8 +9,6 @@ namespace {
 constexpr int kBlock_px = Panorama::kRun;
 // A turned camera reads the panorama between its points, which a finer grid keeps sharp.
 constexpr int kNodesPerPixelTurned = 2;
-// Beyond this share nothing behind can be seen.
-constexpr float kOpaque = 0.9995f;
 
 struct Place {
   float x = 0;
@@ -59,10 +57,7 @@ SceneRenderer::SceneRenderer(const StaticScene& scene, const CameraView& home, S
       background_(size.width, size.height),
       reserved_(size.width, size.height),
       to_draw_(static_cast<std::size_t>(size.height)),
-      shares_(static_cast<std::size_t>(size.width)),
-      light_(static_cast<std::size_t>(size.width)),
-      left_over_(static_cast<std::size_t>(size.width)),
-      shares_before_(static_cast<std::size_t>(size.width)) {
+      blend_(size.width) {
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       background_(x, y) = panorama_.at(static_cast<float>(x), static_cast<float>(y));
@@ -227,56 +222,10 @@ void SceneRenderer::draw_bodies(const std::vector<SceneBody>& bodies,
 void SceneRenderer::draw_columns(int y, Columns columns, const std::vector<SceneBody>& bodies,
                                  const std::vector<int>& nearest_first, Timestamp from,
                                  Timestamp to, EventSensor& sensor) {
-  std::fill(light_.begin() + columns.begin, light_.begin() + columns.end, 0.0f);
-  std::fill(left_over_.begin() + columns.begin, left_over_.begin() + columns.end, 1.0f);
-  for (const int body : nearest_first) {
-    Columns before;  // Where `shares_before_` holds those of the shape before.
-    for (const SceneShape& shape : bodies[static_cast<std::size_t>(body)].shapes) {
-      const Columns touched = shape.outline().touched(y);
-      const int begin = std::max(columns.begin, touched.begin);
-      const int end = std::min(columns.end, touched.end);
-      if (begin >= end) {
-        before = {};
-        continue;
-      }
-      const Columns inside = shape.outline().inside(y);
-      const int inside_begin = inside.empty() ? end : std::clamp(inside.begin, begin, end);
-      const int inside_end = inside.empty() ? end : std::clamp(inside.end, inside_begin, end);
-      float* shares = shares_.data();
-      shape.coverage(y, begin, inside_begin - begin, shares + begin);
-      std::fill(shares + inside_begin, shares + inside_end, 1.0f);
-      shape.coverage(y, inside_end, end - inside_end, shares + inside_end);
-      if (shape.holds_previous) leave_out_before(before, {begin, end});
-      for (int i = begin; i < end; ++i) {
-        const auto x = static_cast<std::size_t>(i);
-        const float share = left_over_[x] * shares[i];
-        light_[x] += share * shape.luminance;
-        left_over_[x] -= share;
-      }
-      before = {begin, end};
-      shares_.swap(shares_before_);
-    }
-  }
+  blend_.start(y, columns);
+  for (const int body : nearest_first) blend_.add(bodies[static_cast<std::size_t>(body)]);
   for (int x = columns.begin; x < columns.end; ++x) {
-    const float left_over = left_over_[static_cast<std::size_t>(x)];
-    float log_light = background_(x, y);
-    if (left_over < 1 - kOpaque) {
-      log_light = std::log(light_[static_cast<std::size_t>(x)]);
-    } else if (left_over < kOpaque) {
-      log_light =
-          std::log(light_[static_cast<std::size_t>(x)] + left_over * std::exp(background_(x, y)));
-    }
-    sensor.change(x, y, log_light, from, to);
-  }
-}
-
-// Of a pixel the shape before has left (1 − its share); this one takes what its own share is larger
-// by.
-void SceneRenderer::leave_out_before(Columns before, Columns columns) {
-  for (int i = std::max(before.begin, columns.begin); i < std::min(before.end, columns.end); ++i) {
-    const auto x = static_cast<std::size_t>(i);
-    const float left = 1 - shares_before_[x];
-    shares_[x] = left > 0 ? std::max(0.0f, (shares_[x] - shares_before_[x]) / left) : 0;
+    sensor.change(x, y, blend_.log_light_over(x, background_(x, y)), from, to);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "common/simulation/camera_view.h"
 #include "common/simulation/event_sensor.h"
+#include "common/simulation/fastest_motion.h"
 #include "common/simulation/head_motion.h"
 #include "common/simulation/panorama.h"
 #include "common/simulation/random.h"
@@ -78,7 +79,7 @@ class SimulatedTable::World {
     const Timestamp start = now_;
     const Timestamp end = now_ + params_.slice_us;
     const double slice_s = static_cast<double>(params_.slice_us) * 1e-6;
-    const double slice_px = fastest_px_s(slice_s) * slice_s;
+    const double slice_px = fastest_px_s(game_, params_, view_, slice_s) * slice_s;
     if (params_.moving_camera && camera_turned_until_ <= start) turn_camera();
     const std::int64_t physics_steps = params_.slice_us / PuckPhysics::kStep_us;
     const std::int64_t drawings = std::clamp<std::int64_t>(
@@ -144,7 +145,8 @@ class SimulatedTable::World {
     const std::int64_t slices = (kCameraStep_us + params_.slice_us - 1) / params_.slice_us;
     camera_turned_until_ = from + slices * params_.slice_us;
     const double step_s = static_cast<double>(camera_turned_until_ - from) * 1e-6;
-    const int reach_px = static_cast<int>(std::ceil(fastest_px_s(step_s) * step_s)) + 2;
+    const double fastest = fastest_px_s(game_, params_, view_, step_s);
+    const int reach_px = static_cast<int>(std::ceil(fastest * step_s)) + 2;
     renderer_.turn_camera(view_at(camera_turned_until_), reach_px, from, camera_turned_until_,
                           sensor_);
   }
@@ -153,50 +155,6 @@ class SimulatedTable::World {
 
   CameraView view_at(Timestamp time) const {
     return params_.moving_camera ? home_.turned(head_motion_.pose_at(seconds(time))) : home_;
-  }
-
-  // An upper bound for the speed in the image of anything that moves, within `ahead_s` from now.
-  double fastest_px_s(double ahead_s) const {
-    double fastest = 0;
-    const auto see = [&](Vector3 place, double speed_m_s) {
-      if (const auto seen = view_.project(place)) {
-        fastest = std::max(fastest, speed_m_s * params_.camera.focal_px / seen->depth_m);
-      }
-    };
-    const auto see_disc = [&](const DiscState& disc, double speed_m_s) {
-      see({disc.position.x_m, disc.position.y_m, 0}, speed_m_s);
-    };
-    see_disc(game_.robot_mallet(), speed_of(game_.robot_mallet()));
-    see_disc(game_.opponent_mallet(), speed_of(game_.opponent_mallet()));
-    if (game_.puck()) see_disc(*game_.puck(), fastest_soon_m_s(*game_.puck(), ahead_s));
-    if (const auto& second = game_.second_puck()) {
-      see_disc(second->state(), fastest_soon_m_s(second->state(), ahead_s));
-    }
-    if (const auto& hand = game_.free_hand().place()) {
-      const Vector3 velocity = game_.free_hand().velocity_m_s();
-      see(*hand, std::sqrt(dot(velocity, velocity)));
-    }
-    return fastest;
-  }
-
-  static double speed_of(const DiscState& disc) {
-    return std::hypot(disc.velocity.x_m_s, disc.velocity.y_m_s);
-  }
-
-  // A puck's speed, or what a hit would make it, if a mallet can come to it within that time.
-  double fastest_soon_m_s(const DiscState& puck, double ahead_s) const {
-    double fastest = speed_of(puck);
-    for (const DiscState* mallet : {&game_.robot_mallet(), &game_.opponent_mallet()}) {
-      const double gap_m = std::hypot(puck.position.x_m - mallet->position.x_m,
-                                      puck.position.y_m - mallet->position.y_m) -
-                           params_.table.puck_radius_m - params_.table.mallet_radius_m;
-      const double closing_m_s = speed_of(puck) + speed_of(*mallet);
-      if (gap_m > closing_m_s * ahead_s) continue;
-      const double hit_m_s =
-          speed_of(puck) + (1 + params_.physics.mallet_restitution) * closing_m_s;
-      fastest = std::max(fastest, std::min(hit_m_s, params_.physics.max_speed_m_s));
-    }
-    return fastest;
   }
 
   void draw_bodies(Timestamp from, Timestamp to) {

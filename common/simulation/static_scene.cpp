@@ -17,7 +17,7 @@ struct Spot {
   double y_m = 0;
 };
 constexpr std::array<Spot, SceneParams::kMostLogos> kLogos{
-    Spot{0.75, -0.35}, Spot{1.40, -0.05}, Spot{0.55, 0.30},   Spot{1.30, 0.40},
+    Spot{0.75, -0.35}, Spot{1.40, -0.05}, Spot{0.55, 0.30},  Spot{1.30, 0.40},
     Spot{0.60, -0.05}, Spot{1.28, -0.38}, Spot{1.70, -0.42}, Spot{1.85, 0.45}};
 
 bool is_odd(double cell) { return std::fmod(std::floor(cell), 2.0) != 0; }

@@ -33,9 +33,9 @@ SceneBody WorldView::body(Body which, const TableGame& game, const CameraView& v
   if (which != kFreeHand) return mallet_body(which, *place, view);
   const Vector3 hand = *game.free_hand().place();
   SceneBody body;
-  body.shapes.push_back({ProjectedCapsule(view, hand, kReachingRadius_m, hand + kReachingElbow,
-                                          kReachingRadius_m),
-                         static_cast<float>(scene_.skin_luminance)});
+  body.shapes.push_back(
+      {ProjectedCapsule(view, hand, kReachingRadius_m, hand + kReachingElbow, kReachingRadius_m),
+       static_cast<float>(scene_.skin_luminance)});
   return body;
 }
 

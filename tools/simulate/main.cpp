@@ -35,8 +35,9 @@ int run(int argc, char** argv) {
 
   CLI::App app("Writes an event recording of a simulated game, with exact truth.", "puck-simulate");
   app.set_version_flag("--version", PUCK_VERSION);
-  app.add_option("--output", settings.output,
-                 "BASE: writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv, BASE.toml");
+  app.add_option(
+      "--output", settings.output,
+      "BASE: writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv, BASE.toml");
   app.add_option("--sensor-checks", settings.sensor_checks,
                  "DIR: measures the scene's sensor as a real one would be, and writes plots");
   app.add_option("--scene", settings.scene, "TOML with the scene; see config/scene.toml");

@@ -1,6 +1,7 @@
 #include "tools/simulate/sensor_bench.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace puck {
 namespace {
@@ -14,6 +15,31 @@ Image<float> dark_image(SensorSize size) {
 }
 
 }  // namespace
+
+SensorBench::Set SensorBench::Set::without_noise() const {
+  Set set = *this;
+  set.sensor.noise_hz = 0;
+  set.sensor.hot_pixel_fraction = 0;
+  return set;
+}
+
+SensorBench::Set SensorBench::Set::without_queue() const {
+  Set set = without_noise();
+  set.sensor.readout_mev_s = 1e6;
+  return set;
+}
+
+SensorBench::Set SensorBench::Set::without_pauses() const {
+  Set set = without_queue();
+  set.sensor.refractory_us = 0;
+  set.sensor.jitter_us = 0;
+  return set;
+}
+
+double SensorBench::Set::time_constant_us() const {
+  const double cutoff_hz = sensor.cutoff_hz * light.illuminance_lux / LightParams::kReference_lux;
+  return 1e6 / (2 * std::numbers::pi * cutoff_hz);
+}
 
 SensorBench::SensorBench(const Set& set)
     : sensor_(set.sensor, dark_image(set.size).view(), set.seed, set.light) {}

@@ -17,6 +17,14 @@ class SensorBench {
     LightParams light;
     SensorSize size{64, 48};
     std::int64_t seed = 1;
+
+    /// Nothing happens by itself.
+    Set without_noise() const;
+    /// All pixels fire at once on the bench, which no readout is made for: nor does it matter.
+    Set without_queue() const;
+    /// Only the photoreceptor and the threshold are left to be seen.
+    Set without_pauses() const;
+    double time_constant_us() const;
   };
 
   explicit SensorBench(const Set& set);
