@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/simulation/photoreceptor.h"
+
 namespace puck {
 namespace {
 
@@ -12,14 +14,27 @@ constexpr std::uint64_t kNoiseStream = 11;
 // A response this near to the light has settled: a hundredth of a usual threshold.
 constexpr float kSettled = 0.002f;
 constexpr double kLowestThreshold = 0.01;
+// The flicker is taken as straight between so many points of its period.
+constexpr double kFlickerSteps = 40;
+
+// A photoreceptor's bandwidth goes with its current, the noise of which goes with the root.
+EventSensorParams in_light(EventSensorParams params, const LightParams& light) {
+  const double brighter = light.illuminance_lux / LightParams::kReference_lux;
+  params.cutoff_hz *= brighter;
+  params.noise_hz /= std::sqrt(brighter);
+  params.jitter_us /= std::sqrt(brighter);
+  return params;
+}
 
 }  // namespace
 
 EventSensor::EventSensor(const EventSensorParams& params, ImageView<const float> log_intensity,
-                         std::int64_t seed)
-    : params_(params),
+                         std::int64_t seed, const LightParams& light)
+    : params_(in_light(params, light)),
       size_{log_intensity.width(), log_intensity.height()},
-      time_constant_us_(1e6 / (2 * std::numbers::pi * params.cutoff_hz)),
+      time_constant_us_(1e6 / (2 * std::numbers::pi * params_.cutoff_hz)),
+      flicker_(light.flicker_modulation, light.flicker_hz, params_.cutoff_hz),
+      readout_(params.readout_mev_s, size_),
       random_(seed, kNoiseStream),
       pixels_(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height)),
       light_(pixels_.size()) {
@@ -39,6 +54,11 @@ EventSensor::EventSensor(const EventSensorParams& params, ImageView<const float>
       pixel.reference = pixel.response + static_cast<float>(mismatch.uniform(-0.5, 0.5)) *
                                              std::min(pixel.threshold_on, pixel.threshold_off) *
                                              (params.threshold_mismatch > 0 ? 1.0f : 0.0f);
+      pixel.reference += flicker_.response_at(0);
+      if (flicker_.is_off()) continue;
+      const Reach reach = reach_of(pixel);
+      reach_up_.push_back(reach.up);
+      reach_down_.push_back(reach.down);
     }
   }
   const int count = static_cast<int>(pixels_.size());
@@ -59,19 +79,68 @@ void EventSensor::ramp(std::uint32_t index, float log_intensity, Timestamp from,
 }
 
 void EventSensor::settle(Timestamp to) {
+  if (flicker_.is_off()) {
+    settle_step(to);
+    return;
+  }
+  const auto step_us = static_cast<std::int64_t>(flicker_.period_us() / kFlickerSteps);
+  while (flickered_until_ < to) {
+    const Timestamp next = std::min(to, flickered_until_ + step_us);
+    wake_by_flicker(next);
+    settle_step(next);
+    flickered_until_ = next;
+  }
+}
+
+void EventSensor::settle_step(Timestamp to) {
   const double to_us = static_cast<double>(to.us);
+  const float flicker = flicker_.response_at(to_us);
   std::size_t kept = 0;
   for (const std::uint32_t index : unsettled_) {
     Pixel& pixel = pixels_[index];
     if (pixel.time_us < to_us) run(index, light_[index], to_us);
-    if (is_settled(index)) {
+    // With flicker, one that has been computed beyond this step must not be woken within.
+    const bool may_sleep = flicker_.is_off() || pixel.time_us <= to_us;
+    if (may_sleep && is_settled(index, flicker)) {
       pixel.response = light_[index];
       pixel.is_unsettled = false;
+      if (flicker_.is_off()) continue;
+      const Reach reach = reach_of(pixel);
+      reach_up_[index] = reach.up;
+      reach_down_[index] = reach.down;
     } else {
       unsettled_[kept++] = index;
     }
   }
   unsettled_.resize(kept);
+}
+
+EventSensor::Reach EventSensor::reach_of(const Pixel& pixel) const {
+  const float rest = pixel.reference - pixel.response;
+  return {rest + pixel.threshold_on, rest - pixel.threshold_off};
+}
+
+void EventSensor::wake_by_flicker(Timestamp to) {
+  constexpr std::size_t kTogether = 64;
+  const float from_level = flicker_.response_at(static_cast<double>(flickered_until_.us));
+  const float to_level = flicker_.response_at(static_cast<double>(to.us));
+  const float highest = std::max(from_level, to_level);
+  const float lowest = std::min(from_level, to_level);
+  for (std::size_t first = 0; first < pixels_.size(); first += kTogether) {
+    const std::size_t end = std::min(pixels_.size(), first + kTogether);
+    int within_reach = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      within_reach += (reach_up_[i] <= highest) | (reach_down_[i] >= lowest);
+    }
+    if (within_reach == 0) continue;
+    for (std::size_t i = first; i < end; ++i) {
+      Pixel& pixel = pixels_[i];
+      if (pixel.is_unsettled || (reach_up_[i] > highest && reach_down_[i] < lowest)) continue;
+      pixel.is_unsettled = true;
+      pixel.time_us = static_cast<double>(flickered_until_.us);
+      unsettled_.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
 }
 
 void EventSensor::finish_slice(Timestamp end, EventPacket& packet) {
@@ -81,9 +150,9 @@ void EventSensor::finish_slice(Timestamp end, EventPacket& packet) {
   slice_start_ = end;
 }
 
-bool EventSensor::is_settled(std::uint32_t index) const {
+bool EventSensor::is_settled(std::uint32_t index, float flicker) const {
   const Pixel& pixel = pixels_[index];
-  const float moved = light_[index] - pixel.reference;
+  const float moved = light_[index] + flicker - pixel.reference;
   return std::abs(light_[index] - pixel.response) < kSettled && moved < pixel.threshold_on &&
          -moved < pixel.threshold_off;
 }
@@ -97,40 +166,39 @@ double EventSensor::decay_over(double duration_us) {
   return memoised_decay_;
 }
 
-// The low-pass's exact answer to a ramp of the light; crossings are interpolated between its ends.
 void EventSensor::run(std::uint32_t index, float light_at_end, double to_us) {
   Pixel& pixel = pixels_[index];
   const float light_before = light_[index];
   light_[index] = light_at_end;
   const double from_us = pixel.time_us;
-  const double duration_us = to_us - from_us;
-  if (!(duration_us > 0)) return;
+  if (!(to_us > from_us)) return;
   pixel.time_us = to_us;
-  const float before = pixel.response;
-  const double lag = (light_at_end - light_before) / duration_us * time_constant_us_;
-  const double after = light_at_end - lag + (before - light_before + lag) * decay_over(duration_us);
-  pixel.response = static_cast<float>(after);
+  const PhotoreceptorRamp ramp{to_us - from_us,
+                               time_constant_us_,
+                               pixel.response,
+                               light_before,
+                               light_at_end,
+                               flicker_.response_at(from_us),
+                               flicker_.response_at(to_us)};
+  const float before = ramp.response + ramp.flicker_before;
+  pixel.response = ramp.response_after(decay_over(ramp.duration_us));
+  const float after = pixel.response + ramp.flicker_after;
 
-  const auto crossing_us = [&](float level) {
-    const float way = pixel.response - before;
-    const double share = way == 0 ? 0 : std::clamp((level - before) / way, 0.0f, 1.0f);
-    return std::max(from_us + share * duration_us, pixel.silent_until_us);
+  const auto fire_at = [&](float level, bool is_late, bool polarity) {
+    const double crossed_us = is_late ? from_us : from_us + ramp.crossing_us(level, before, after);
+    const double t_us = std::max(crossed_us, pixel.silent_until_us);
+    if (t_us >= to_us) return false;
+    pixel.reference = level;
+    fire(pixel, index, polarity, t_us);
+    return true;
   };
-  while (pixel.response >= pixel.reference + pixel.threshold_on) {
+  while (after >= pixel.reference + pixel.threshold_on) {
     const float level = pixel.reference + pixel.threshold_on;
-    const double t_us =
-        before >= level ? std::max(from_us, pixel.silent_until_us) : crossing_us(level);
-    if (t_us >= to_us) return;
-    pixel.reference = level;
-    fire(pixel, index, true, t_us);
+    if (!fire_at(level, before >= level, true)) return;
   }
-  while (pixel.response <= pixel.reference - pixel.threshold_off) {
+  while (after <= pixel.reference - pixel.threshold_off) {
     const float level = pixel.reference - pixel.threshold_off;
-    const double t_us =
-        before <= level ? std::max(from_us, pixel.silent_until_us) : crossing_us(level);
-    if (t_us >= to_us) return;
-    pixel.reference = level;
-    fire(pixel, index, false, t_us);
+    if (!fire_at(level, before <= level, false)) return;
   }
 }
 
@@ -166,48 +234,26 @@ void EventSensor::add_noise(Timestamp end) {
 
 void EventSensor::write_slice(Timestamp end, EventPacket& packet) {
   // Those that an earlier slice left over go first.
-  std::vector<TimedEvent>& due = sorted_;
-  due.clear();
+  due_.clear();
   std::size_t kept = 0;
-  for (const TimedEvent& event : pending_) {
+  for (const PixelEvent& event : pending_) {
     if (event.t_us < end.us) {
-      due.push_back(event);
+      due_.push_back(event);
     } else {
       pending_[kept++] = event;
     }
   }
   pending_.resize(kept);
-  for (const TimedEvent& event : slice_) {
+  for (const PixelEvent& event : slice_) {
     if (event.t_us < end.us) {
-      due.push_back(event);
+      due_.push_back(event);
     } else {
       pending_.push_back(event);
     }
   }
   slice_.clear();
-
-  // A counting sort: there are only as many different times as µs in the slice.
-  const auto slots = static_cast<std::size_t>(end - slice_start_);
-  const auto slot_of = [&](const TimedEvent& event) {
-    return static_cast<std::size_t>(std::max<std::int64_t>(0, event.t_us - slice_start_.us));
-  };
-  first_at_.assign(slots + 1, 0);
-  for (const TimedEvent& event : due) ++first_at_[slot_of(event) + 1];
-  for (std::size_t i = 1; i <= slots; ++i) first_at_[i] += first_at_[i - 1];
-
-  if (packet.events.empty()) packet.start = slice_start_;
-  const std::size_t already = packet.events.size();
-  packet.events.resize(already + due.size());
-  const auto start_offset_us = static_cast<std::uint32_t>(slice_start_ - packet.start);
-  const auto width = static_cast<std::uint32_t>(size_.width);
-  for (const TimedEvent& event : due) {
-    const std::size_t slot = slot_of(event);
-    Event& written = packet.events[already + first_at_[slot]++];
-    written.x = static_cast<std::uint16_t>(event.pixel % width);
-    written.y = static_cast<std::uint16_t>(event.pixel / width) & 0x7fffu;
-    written.polarity = event.polarity ? 1 : 0;
-    written.offset_us = start_offset_us + static_cast<std::uint32_t>(slot);
-  }
+  for (PixelEvent& event : due_) event.t_us = std::max(event.t_us, slice_start_.us);
+  readout_.read(due_, slice_start_, end, packet);
 }
 
 }  // namespace puck

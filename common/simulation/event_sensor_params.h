@@ -2,7 +2,8 @@
 
 namespace puck {
 
-/// An event sensor in room light. Contrast is in units of ln(intensity).
+/// An event sensor in room light of LightParams::kReference_lux. Contrast is in units of
+/// ln(intensity).
 struct EventSensorParams {
   double threshold = 0.2;            ///< Change of ln(intensity) that makes one event.
   double threshold_mismatch = 0.03;  ///< Standard deviation of the threshold from pixel to pixel.
@@ -12,6 +13,7 @@ struct EventSensorParams {
   double hot_pixel_fraction = 2e-5;  ///< Pixels that fire all the time.
   double hot_pixel_hz = 500;         ///< How often each of them fires.
   double jitter_us = 20;             ///< Timestamps are late by 0 to 2 × this, on average by this.
+  double readout_mev_s = 50;         ///< No more events than this leave the sensor; others wait.
 };
 
 }  // namespace puck

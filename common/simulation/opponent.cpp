@@ -32,7 +32,7 @@ Opponent::Opponent(const PuckPhysics& physics, const GameParams& params, std::in
   mallet_.position = {physics_.table().length_m - kGuardDistance_m, 0};
 }
 
-void Opponent::step(const std::optional<DiscState>& puck, double dt_s) {
+void Opponent::step(const std::optional<DiscState>& puck, double dt_s, bool leave_it_alone) {
   if (swing_) {
     follow_swing(dt_s);
     return;
@@ -46,7 +46,7 @@ void Opponent::step(const std::optional<DiscState>& puck, double dt_s) {
   }
   puck_is_here_ = is_here;
   strike_in_s_ -= dt_s;
-  if (!is_here || strike_in_s_ > 0) return;
+  if (!is_here || strike_in_s_ > 0 || leave_it_alone) return;
   swing_ = plan(*puck);
   if (!swing_) {
     strike_in_s_ = kPlanEvery_s;

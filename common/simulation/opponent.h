@@ -15,8 +15,9 @@ class Opponent {
  public:
   Opponent(const PuckPhysics& physics, const GameParams& params, std::int64_t seed);
 
-  /// Moves the mallet on; `puck` is nothing while none is in play.
-  void step(const std::optional<DiscState>& puck, double dt_s);
+  /// Moves the mallet on; `puck` is nothing while none is in play. No swing starts while it is to
+  /// leave the puck alone.
+  void step(const std::optional<DiscState>& puck, double dt_s, bool leave_it_alone = false);
 
   const DiscState& mallet() const { return mallet_; }
 

@@ -87,6 +87,44 @@ void Panorama::find_busy_cells() {
   }
 }
 
+// A turned camera looks here for a hundred thousand pixels a ms. Each loop is free of branches, so
+// that the compiler computes several places side by side.
+void Panorama::along(float x, float y, float step_x, float step_y,
+                     std::array<float, kRun>& light) const {
+  const float scale = static_cast<float>(nodes_per_px_);
+  const float from_x = (x + static_cast<float>(margin_.x_px)) * scale;
+  const float from_y = (y + static_cast<float>(margin_.y_px)) * scale;
+  const float last_x = static_cast<float>(nodes_.width() - 2);
+  const float last_y = static_cast<float>(nodes_.height() - 2);
+  std::array<float, kRun> share_x, share_y;
+  std::array<int, kRun> place;
+  for (int i = 0; i < kRun; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const float steps = static_cast<float>(i) * scale;
+    const float node_x = std::min(std::max(from_x + steps * step_x, 0.0f), last_x);
+    const float node_y = std::min(std::max(from_y + steps * step_y, 0.0f), last_y);
+    const int left = static_cast<int>(node_x);
+    const int top = static_cast<int>(node_y);
+    share_x[at] = node_x - static_cast<float>(left);
+    share_y[at] = node_y - static_cast<float>(top);
+    place[at] = top * nodes_.width() + left;
+  }
+  const float* nodes = nodes_.row(0);
+  const float* below_nodes = nodes_.row(1);
+  std::array<float, kRun> a, b, c, d;
+  for (std::size_t i = 0; i < kRun; ++i) {
+    a[i] = nodes[place[i]];
+    b[i] = nodes[place[i] + 1];
+    c[i] = below_nodes[place[i]];
+    d[i] = below_nodes[place[i] + 1];
+  }
+  for (std::size_t i = 0; i < kRun; ++i) {
+    const float above = a[i] + share_x[i] * (b[i] - a[i]);
+    const float below = c[i] + share_x[i] * (d[i] - c[i]);
+    light[i] = above + share_y[i] * (below - above);
+  }
+}
+
 bool Panorama::is_busy(float left, float top, float right, float bottom) const {
   const float cell = static_cast<float>(kCell_px);
   const int columns = busy_before_.width() - 1;

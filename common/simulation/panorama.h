@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "common/events/sensor_size.h"
 #include "common/simulation/camera_view.h"
@@ -24,7 +25,6 @@ class Panorama {
            int nodes_per_px);
 
   /// Interpolated between the nearest points. Beyond the margin the outermost ones are taken.
-  /// Inline: a turned camera looks here for a hundred thousand pixels a slice.
   float at(float x, float y) const {
     const float scale = static_cast<float>(nodes_per_px_);
     const float node_x = std::clamp((x + static_cast<float>(margin_.x_px)) * scale, 0.0f,
@@ -41,6 +41,10 @@ class Panorama {
     const float below = lower[0] + share_x * (lower[1] - lower[0]);
     return above + share_y * (below - above);
   }
+
+  /// As `at` for kRun places along a line.
+  static constexpr int kRun = 8;
+  void along(float x, float y, float step_x, float step_y, std::array<float, kRun>& light) const;
 
   /// Whether anything but one flat tone is seen in the rectangle, ends included.
   bool is_busy(float left, float top, float right, float bottom) const;

@@ -66,6 +66,9 @@ class ProjectedCapsule {
 struct SceneShape {
   std::variant<ProjectedCylinder, ProjectedCapsule> shape;
   float luminance = 0;
+  /// It is the shape before it and more: a puck's top and then the whole of it, of which only the
+  /// side is left to be seen.
+  bool holds_previous = false;
 
   const ConvexOutline& outline() const {
     return std::visit([](const auto& s) -> const ConvexOutline& { return s.outline(); }, shape);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "common/simulation/physics_params.h"
 #include "common/table/table_geometry.h"
 #include "common/table/table_point.h"
@@ -19,7 +21,8 @@ enum class GoalEntered { kNone, kRobots, kOpponents };
 class PuckPhysics {
  public:
   /// The world's step. At 15 m/s the puck moves 0.4 mm in it, so nothing is ever tunnelled through.
-  static constexpr double kStep_s = 25e-6;
+  static constexpr std::int64_t kStep_us = 25;
+  static constexpr double kStep_s = kStep_us / 1e6;
 
   PuckPhysics(const TableGeometry& table, const PhysicsParams& params);
 

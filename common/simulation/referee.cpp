@@ -21,6 +21,10 @@ void Referee::robot_touched(const DiscState& before, double t_s) {
   last_contact_s_ = t_s;
 }
 
+void Referee::puck_deflected(const DiscState& after) {
+  if (shot_under_way_) shot_under_way_ = physics_.would_enter_robots_goal(after);
+}
+
 void Referee::watch(const DiscState& puck, double t_s) {
   if (open_hit_ != Hit::kNone && t_s - last_contact_s_ > kHitOver_s) judge(puck);
 }

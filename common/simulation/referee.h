@@ -17,6 +17,9 @@ class Referee {
   // Each contact at the time it happens, with the puck as it was just before it.
   void opponent_touched(const DiscState& before, double t_s);
   void robot_touched(const DiscState& before, double t_s);
+  /// Something that is no mallet has changed the puck's way: a shot that it turned away is none any
+  /// more, and no save.
+  void puck_deflected(const DiscState& after);
   /// Once a step, with the puck as it is after it.
   void watch(const DiscState& puck, double t_s);
   /// The puck has entered a goal, or with kNone has been taken off the table.

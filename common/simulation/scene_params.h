@@ -10,12 +10,19 @@ struct SceneParams {
   double rail_luminance = 0.30;
   double goal_luminance = 0.10;  ///< The openings in the end rails.
   double puck_luminance = 0.18;
+  double puck_side_luminance = 0;  ///< Of its side wall; 0: as its top.
   double mallet_luminance = 0.42;
   double skin_luminance = 0.50;   ///< Hand and forearm of the opponent.
   double robot_luminance = 0.70;  ///< Hand and forearm of the robot.
   double floor_luminance = 0.20;
   double floor_contrast = 0.8;   ///< Of the floor's tiles, ln.
   double wall_luminance = 0.45;  ///< Behind the opponent.
+
+  /// Round spots printed on the table, at fixed places away from the markings and each other.
+  static constexpr int kMostLogos = 8;
+  int logo_count = 0;
+  double logo_radius_m = 0.0325;
+  double logo_luminance = 0.18;
 
   double line_width_m = 0.012;
   double circle_radius_m = 0.15;    ///< Of the circle in the middle.

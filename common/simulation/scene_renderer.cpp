@@ -6,11 +6,9 @@
 namespace puck {
 namespace {
 
-constexpr int kBlock_px = 8;
+constexpr int kBlock_px = Panorama::kRun;
 // A turned camera reads the panorama between its points, which a finer grid keeps sharp.
 constexpr int kNodesPerPixelTurned = 2;
-// Beyond this share nothing behind can be seen.
-constexpr float kOpaque = 0.9995f;
 
 struct Place {
   float x = 0;
@@ -59,9 +57,7 @@ SceneRenderer::SceneRenderer(const StaticScene& scene, const CameraView& home, S
       background_(size.width, size.height),
       reserved_(size.width, size.height),
       to_draw_(static_cast<std::size_t>(size.height)),
-      shares_(static_cast<std::size_t>(size.width)),
-      light_(static_cast<std::size_t>(size.width)),
-      left_over_(static_cast<std::size_t>(size.width)) {
+      blend_(size.width) {
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       background_(x, y) = panorama_.at(static_cast<float>(x), static_cast<float>(y));
@@ -113,17 +109,23 @@ void SceneRenderer::draw_block(const Region& block, const Warp& warp, Timestamp 
     const Place first = warped(warp, static_cast<float>(block.x), row);
     const Place last = warped(warp, static_cast<float>(block.right() - 1), row);
     const Place step{(last.x - first.x) * per_step, (last.y - first.y) * per_step};
-    std::array<float, kBlock_px> light;
-    for (int i = 0; i < block.width; ++i) {
-      const float steps = static_cast<float>(i);
-      light[static_cast<std::size_t>(i)] =
-          panorama_.at(first.x + steps * step.x, first.y + steps * step.y);
-    }
-    std::copy_n(light.begin(), block.width, background_.row(y) + block.x);
+    std::array<float, Panorama::kRun> light;
+    panorama_.along(first.x, first.y, step.x, step.y, light);
     const std::uint8_t* reserved = reserved_.row(y) + block.x;
+    float* background = background_.row(y) + block.x;
+    const float* drawn = sensor.log_intensities(y) + block.x;
+    std::array<bool, kBlock_px> changed;
+    bool any_changed = false;
     for (int i = 0; i < block.width; ++i) {
-      if (reserved[i] != 0) continue;
-      sensor.change(block.x + i, y, light[static_cast<std::size_t>(i)], from, to);
+      const auto at = static_cast<std::size_t>(i);
+      background[i] = light[at];
+      changed[at] = (reserved[i] == 0) & EventSensor::is_change(drawn[i], light[at]);
+      any_changed |= changed[at];
+    }
+    if (!any_changed) continue;
+    for (int i = 0; i < block.width; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (changed[at]) sensor.change(block.x + i, y, light[at], from, to);
     }
   }
 }
@@ -220,39 +222,10 @@ void SceneRenderer::draw_bodies(const std::vector<SceneBody>& bodies,
 void SceneRenderer::draw_columns(int y, Columns columns, const std::vector<SceneBody>& bodies,
                                  const std::vector<int>& nearest_first, Timestamp from,
                                  Timestamp to, EventSensor& sensor) {
-  std::fill(light_.begin() + columns.begin, light_.begin() + columns.end, 0.0f);
-  std::fill(left_over_.begin() + columns.begin, left_over_.begin() + columns.end, 1.0f);
-  for (const int body : nearest_first) {
-    for (const SceneShape& shape : bodies[static_cast<std::size_t>(body)].shapes) {
-      const Columns touched = shape.outline().touched(y);
-      const int begin = std::max(columns.begin, touched.begin);
-      const int end = std::min(columns.end, touched.end);
-      if (begin >= end) continue;
-      const Columns inside = shape.outline().inside(y);
-      const int inside_begin = inside.empty() ? end : std::clamp(inside.begin, begin, end);
-      const int inside_end = inside.empty() ? end : std::clamp(inside.end, inside_begin, end);
-      float* shares = shares_.data();
-      shape.coverage(y, begin, inside_begin - begin, shares + begin);
-      std::fill(shares + inside_begin, shares + inside_end, 1.0f);
-      shape.coverage(y, inside_end, end - inside_end, shares + inside_end);
-      for (int i = begin; i < end; ++i) {
-        const auto x = static_cast<std::size_t>(i);
-        const float share = left_over_[x] * shares[i];
-        light_[x] += share * shape.luminance;
-        left_over_[x] -= share;
-      }
-    }
-  }
+  blend_.start(y, columns);
+  for (const int body : nearest_first) blend_.add(bodies[static_cast<std::size_t>(body)]);
   for (int x = columns.begin; x < columns.end; ++x) {
-    const float left_over = left_over_[static_cast<std::size_t>(x)];
-    float log_light = background_(x, y);
-    if (left_over < 1 - kOpaque) {
-      log_light = std::log(light_[static_cast<std::size_t>(x)]);
-    } else if (left_over < kOpaque) {
-      log_light =
-          std::log(light_[static_cast<std::size_t>(x)] + left_over * std::exp(background_(x, y)));
-    }
-    sensor.change(x, y, log_light, from, to);
+    sensor.change(x, y, blend_.log_light_over(x, background_(x, y)), from, to);
   }
 }
 

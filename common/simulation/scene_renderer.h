@@ -8,17 +8,11 @@
 #include "common/simulation/convex_outline.h"
 #include "common/simulation/event_sensor.h"
 #include "common/simulation/panorama.h"
-#include "common/simulation/projected_shape.h"
+#include "common/simulation/row_blend.h"
 #include "common/vision/image.h"
 #include "common/vision/region.h"
 
 namespace puck {
-
-/// Shapes that move together: the puck; a mallet with the hand on it. The first one hides the ones
-/// after it.
-struct SceneBody {
-  std::vector<SceneShape> shapes;
-};
 
 /// Draws the bodies over the static scene and tells the sensor what changed; pixels on which
 /// nothing can have changed are left alone.
@@ -67,9 +61,7 @@ class SceneRenderer {
   Image<std::uint8_t> reserved_;               ///< Left to `draw_bodies` by `turn_camera`.
   std::vector<std::vector<Columns>> to_draw_;  ///< For each row.
 
-  std::vector<float> shares_;  // Scratch, one row.
-  std::vector<float> light_;
-  std::vector<float> left_over_;
+  RowBlend blend_;
 };
 
 }  // namespace puck

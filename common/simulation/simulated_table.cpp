@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "common/simulation/camera_view.h"
 #include "common/simulation/event_sensor.h"
+#include "common/simulation/fastest_motion.h"
 #include "common/simulation/head_motion.h"
 #include "common/simulation/panorama.h"
 #include "common/simulation/random.h"
@@ -20,8 +22,6 @@ namespace puck {
 namespace {
 
 constexpr std::uint64_t kHeadStream = 20;
-constexpr std::int64_t kPhysicsStep_us = 25;
-static_assert(PuckPhysics::kStep_s * 1e6 == kPhysicsStep_us);
 // The static scene is drawn for so long at once: a head at 20 °/s turns a quarter of a pixel.
 constexpr std::int64_t kCameraStep_us = 1000;
 // No edge moves farther than this between two drawings.
@@ -66,32 +66,32 @@ class SimulatedTable::World {
         renderer_(StaticScene(params.table, params.scene), home_, params.sensor_size,
                   params.moving_camera ? margin_of(home_, params.sensor_size, head_motion_.limits())
                                        : Panorama::Margin{}),
-        sensor_(params.sensor, renderer_.background(), params.seed),
+        sensor_(params.sensor, renderer_.background(), params.seed, params.light),
         bodies_(WorldView::kBodyCount),
         drawn_at_(WorldView::kBodyCount) {
     // The sensor starts settled on the whole picture, not with a flash of all that appears in it.
     if (params.moving_camera) renderer_.turn_camera(view_, 0, now_, now_, sensor_);
     draw_bodies(now_, now_);
-    sensor_ = EventSensor(params.sensor, log_intensity().view(), params.seed);
+    sensor_ = EventSensor(params.sensor, log_intensity().view(), params.seed, params.light);
   }
 
   void advance(EventPacket& packet) {
     const Timestamp start = now_;
     const Timestamp end = now_ + params_.slice_us;
-    const double slice_px = fastest_px_s() * static_cast<double>(params_.slice_us) * 1e-6;
+    const double slice_s = static_cast<double>(params_.slice_us) * 1e-6;
+    const double slice_px = fastest_px_s(game_, params_, view_, slice_s) * slice_s;
     if (params_.moving_camera && camera_turned_until_ <= start) turn_camera();
-    const std::int64_t physics_steps = params_.slice_us / kPhysicsStep_us;
+    const std::int64_t physics_steps = params_.slice_us / PuckPhysics::kStep_us;
     const std::int64_t drawings = std::clamp<std::int64_t>(
         static_cast<std::int64_t>(std::ceil(slice_px / kLongestMove_px)), 1, physics_steps);
     for (std::int64_t i = 0; i < drawings; ++i) {
       const std::int64_t first = physics_steps * i / drawings;
       const std::int64_t last = physics_steps * (i + 1) / drawings;
       for (std::int64_t step = first; step < last; ++step) game_.step();
-      const Timestamp from = start + first * kPhysicsStep_us;
-      const Timestamp to = start + last * kPhysicsStep_us;
+      const Timestamp from = start + first * PuckPhysics::kStep_us;
+      const Timestamp to = start + last * PuckPhysics::kStep_us;
       view_ = view_at(to);
       draw_bodies(from, to);
-      sensor_.settle(to);
     }
     now_ = end;
     sensor_.finish_slice(end, packet);
@@ -118,6 +118,7 @@ class SimulatedTable::World {
     return truth;
   }
 
+  std::int64_t events_lost() const { return sensor_.lost(); }
   void set_robot_mallet(double y_m) { game_.set_robot_mallet(y_m); }
   SensorSize sensor_size() const { return params_.sensor_size; }
   Homography table_from_image() const {
@@ -144,7 +145,8 @@ class SimulatedTable::World {
     const std::int64_t slices = (kCameraStep_us + params_.slice_us - 1) / params_.slice_us;
     camera_turned_until_ = from + slices * params_.slice_us;
     const double step_s = static_cast<double>(camera_turned_until_ - from) * 1e-6;
-    const int reach_px = static_cast<int>(std::ceil(fastest_px_s() * step_s)) + 2;
+    const double fastest = fastest_px_s(game_, params_, view_, step_s);
+    const int reach_px = static_cast<int>(std::ceil(fastest * step_s)) + 2;
     renderer_.turn_camera(view_at(camera_turned_until_), reach_px, from, camera_turned_until_,
                           sensor_);
   }
@@ -155,42 +157,32 @@ class SimulatedTable::World {
     return params_.moving_camera ? home_.turned(head_motion_.pose_at(seconds(time))) : home_;
   }
 
-  // An upper bound for the speed of anything on the table in the image; a hit within the coming
-  // slice is not foreseen, and blurs that slice a little.
-  double fastest_px_s() const {
-    double fastest = 0;
-    for (const DiscState* disc : {game_.puck() ? &*game_.puck() : nullptr, &game_.robot_mallet(),
-                                  &game_.opponent_mallet()}) {
-      if (disc == nullptr) continue;
-      const auto seen = view_.project({disc->position.x_m, disc->position.y_m, 0});
-      if (!seen) continue;
-      fastest = std::max(fastest, std::hypot(disc->velocity.x_m_s, disc->velocity.y_m_s) *
-                                      params_.camera.focal_px / seen->depth_m);
-    }
-    return fastest;
-  }
-
   void draw_bodies(Timestamp from, Timestamp to) {
     std::vector<bool> moved(WorldView::kBodyCount);
     for (int i = 0; i < WorldView::kBodyCount; ++i) {
       const auto which = static_cast<WorldView::Body>(i);
       const auto index = static_cast<std::size_t>(i);
-      const auto place = WorldView::place_of(which, game_);
-      moved[index] = params_.moving_camera || has_moved(place, drawn_at_[index]);
+      const auto seen_at = place_in_image(which);
+      moved[index] = has_moved(drawn_at_[index], seen_at);
       if (!moved[index]) continue;
       bodies_[index] = world_view_.body(which, game_, view_);
-      drawn_at_[index] = place;
+      drawn_at_[index] = seen_at;
     }
     renderer_.draw_bodies(bodies_, world_view_.nearest_first(game_), moved, from, to, sensor_);
   }
 
-  bool has_moved(const std::optional<TablePoint>& now,
-                 const std::optional<TablePoint>& then) const {
-    if (!now || !then) return now.has_value() != then.has_value();
-    const auto a = view_.project({now->x_m, now->y_m, 0});
-    const auto b = view_.project({then->x_m, then->y_m, 0});
-    if (!a || !b) return true;
-    return std::hypot(a->pixel.x - b->pixel.x, a->pixel.y - b->pixel.y) > kShortestMove_px;
+  // Of what is there; behind the camera it is not a number.
+  std::optional<Pixel> place_in_image(WorldView::Body which) const {
+    const auto place = WorldView::place_of(which, game_);
+    if (!place) return std::nullopt;
+    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+    const auto seen = view_.project({place->x_m, place->y_m, 0});
+    return seen ? seen->pixel : Pixel{kNowhere, kNowhere};
+  }
+
+  static bool has_moved(const std::optional<Pixel>& from, const std::optional<Pixel>& to) {
+    if (!from || !to) return from.has_value() != to.has_value();
+    return !(std::hypot(to->x - from->x, to->y - from->y) <= kShortestMove_px);
   }
 
   SimulationParams params_;
@@ -202,7 +194,7 @@ class SimulatedTable::World {
   SceneRenderer renderer_;
   EventSensor sensor_;
   std::vector<SceneBody> bodies_;
-  std::vector<std::optional<TablePoint>> drawn_at_;
+  std::vector<std::optional<Pixel>> drawn_at_;
   Timestamp now_;
   Timestamp camera_turned_until_;
 };
@@ -216,6 +208,7 @@ SimulatedTable& SimulatedTable::operator=(SimulatedTable&&) noexcept = default;
 void SimulatedTable::advance(EventPacket& packet) { world_->advance(packet); }
 Timestamp SimulatedTable::now() const { return world_->now(); }
 SimulatedTruth SimulatedTable::truth() const { return world_->truth(); }
+std::int64_t SimulatedTable::events_lost() const { return world_->events_lost(); }
 void SimulatedTable::set_robot_mallet(double y_m) { world_->set_robot_mallet(y_m); }
 SensorSize SimulatedTable::sensor_size() const { return world_->sensor_size(); }
 Homography SimulatedTable::table_from_image() const { return world_->table_from_image(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "common/events/event_packet.h"
@@ -32,6 +33,9 @@ class SimulatedTable {
   Timestamp now() const;
   /// At `now()`.
   SimulatedTruth truth() const;
+
+  /// Events so far that the sensor's readout could not take.
+  std::int64_t events_lost() const;
 
   /// Where the arm holds the robot's mallet: y on the robot's line. The mallet glides there within
   /// a few ms. Clamped to the line; ignored for an autonomous robot and when not finite.

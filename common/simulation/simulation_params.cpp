@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/simulation/puck_physics.h"
 #include "common/simulation/visit_parameters.h"
 
 namespace puck {
@@ -35,9 +36,10 @@ void check(const SimulationParams& params) {
   SimulationParams copy = params;
   visit_parameters(checker, copy);
 
-  constexpr std::int64_t kPhysicsStep_us = 25;
-  require(params.slice_us % kPhysicsStep_us == 0,
-          "world.slice_us must be a multiple of 25, got " + std::to_string(params.slice_us));
+  constexpr std::int64_t kStep_us = PuckPhysics::kStep_us;
+  require(params.slice_us % kStep_us == 0, "world.slice_us must be a multiple of " +
+                                               std::to_string(kStep_us) + ", got " +
+                                               std::to_string(params.slice_us));
   require(params.table.goal_width_m < params.table.width_m,
           "table.goal_width_m must be less than table.width_m");
   require(params.table.robot_line_half_m + params.table.mallet_radius_m <= params.table.width_m / 2,
@@ -46,6 +48,10 @@ void check(const SimulationParams& params) {
           "game.shot_speed_min_m_s must not be more than game.shot_speed_max_m_s");
   require(params.game.wait_min_s <= params.game.wait_max_s,
           "game.wait_min_s must not be more than game.wait_max_s");
+  require(params.game.rest_min_s <= params.game.rest_max_s,
+          "game.rest_min_s must not be more than game.rest_max_s");
+  require(params.game.reach_min_s <= params.game.reach_max_s,
+          "game.reach_min_s must not be more than game.reach_max_s");
 }
 
 }  // namespace puck

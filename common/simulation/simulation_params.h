@@ -7,6 +7,7 @@
 #include "common/simulation/event_sensor_params.h"
 #include "common/simulation/game_params.h"
 #include "common/simulation/head_motion_params.h"
+#include "common/simulation/light_params.h"
 #include "common/simulation/physics_params.h"
 #include "common/simulation/scene_params.h"
 #include "common/simulation/simulated_arm_params.h"
@@ -28,6 +29,7 @@ struct SimulationParams {
   CameraParams camera;
   HeadMotionParams head_motion;
   EventSensorParams sensor;
+  LightParams light;
   SceneParams scene;
   PhysicsParams physics;
   GameParams game;

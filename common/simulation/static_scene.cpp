@@ -1,6 +1,7 @@
 #include "common/simulation/static_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,14 @@ namespace {
 constexpr double kWallBehind_m = 1.6;  // Beyond the opponent's end.
 constexpr double kTile_m = 0.4;
 constexpr double kPanel_m = 0.7;
+
+struct Spot {
+  double x_m = 0;
+  double y_m = 0;
+};
+constexpr std::array<Spot, SceneParams::kMostLogos> kLogos{
+    Spot{0.75, -0.35}, Spot{1.40, -0.05}, Spot{0.55, 0.30},  Spot{1.30, 0.40},
+    Spot{0.60, -0.05}, Spot{1.28, -0.38}, Spot{1.70, -0.42}, Spot{1.85, 0.45}};
 
 bool is_odd(double cell) { return std::fmod(std::floor(cell), 2.0) != 0; }
 
@@ -49,6 +58,7 @@ double StaticScene::table_luminance(double x_m, double y_m) const {
   if (on_side_rail || on_end_rail) return params_.rail_luminance;
   if (on_line(x_m, y_m)) return params_.line_luminance;
   if (on_star(x_m, y_m)) return params_.star_luminance;
+  if (on_logo(x_m, y_m)) return params_.logo_luminance;
   return params_.table_luminance;
 }
 
@@ -78,6 +88,12 @@ bool StaticScene::on_star(double x_m, double y_m) const {
     if (inside >= 4) return true;
   }
   return false;
+}
+
+bool StaticScene::on_logo(double x_m, double y_m) const {
+  return std::any_of(kLogos.begin(), kLogos.begin() + params_.logo_count, [&](const Spot& logo) {
+    return std::hypot(x_m - logo.x_m, y_m - logo.y_m) < params_.logo_radius_m;
+  });
 }
 
 double StaticScene::floor_luminance(double x_m, double y_m) const {

@@ -20,6 +20,7 @@ class StaticScene {
   double table_luminance(double x_m, double y_m) const;
   bool on_line(double x_m, double y_m) const;
   bool on_star(double x_m, double y_m) const;
+  bool on_logo(double x_m, double y_m) const;
   double floor_luminance(double x_m, double y_m) const;
   double wall_luminance(double y_m, double z_m) const;
 

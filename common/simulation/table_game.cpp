@@ -7,6 +7,9 @@ namespace puck {
 namespace {
 
 constexpr std::uint64_t kServeStream = 3;
+constexpr std::uint64_t kFreeHandStream = 4;
+constexpr std::uint64_t kRestStream = 5;
+constexpr std::uint64_t kSecondPuckStream = 6;
 constexpr double kResting_m_s = 0.08;
 // The mallet of a live arm follows its reports, which come every few ms.
 constexpr double kFollowGain_1_s = 200;
@@ -22,9 +25,16 @@ TableGame::TableGame(const SimulationParams& params)
       autonomous_robot_(params.autonomous_robot),
       random_(params.seed, kServeStream),
       opponent_(physics_, params.game, params.seed),
+      free_hand_(params.table, params.game, {-params.camera.behind_m, 0, params.camera.height_m},
+                 Random(params.seed, kFreeHandStream)),
+      rest_(params.table, params.game, Random(params.seed, kRestStream)),
       referee_(physics_),
       arm_(params.arm, params.table.robot_line_half_m) {
   robot_.position.x_m = params.table.robot_line_x_m;
+  if (params.game.second_puck_speed_m_s > 0) {
+    second_puck_.emplace(params.table, params.physics, params.game.second_puck_speed_m_s,
+                         Random(params.seed, kSecondPuckStream));
+  }
   serve();
 }
 
@@ -32,7 +42,10 @@ void TableGame::step() {
   ++steps_;
   if (!puck_ && time_s() - off_since_s_ >= params_.serve_after_s) serve();
   move_robot();
-  opponent_.step(puck_, PuckPhysics::kStep_s);
+  rest_.step(puck_, PuckPhysics::kStep_s);
+  opponent_.step(puck_, PuckPhysics::kStep_s, waits_on_purpose());
+  free_hand_.step(puck_, PuckPhysics::kStep_s);
+  if (second_puck_) second_puck_->step(robot_, opponent_.mallet());
   if (puck_) move_puck();
 }
 
@@ -88,6 +101,7 @@ void TableGame::move_puck() {
     referee_.opponent_touched(before_opponent, time_s());
     last_attack_s_ = time_s();
   }
+  if (second_puck_ && second_puck_->collide(*puck_)) referee_.puck_deflected(*puck_);
   // After the mallets, so that a mallet cannot press the puck through a rail.
   physics_.glide(*puck_, PuckPhysics::kStep_s);
   referee_.watch(*puck_, time_s());
@@ -105,6 +119,7 @@ bool TableGame::is_stuck() {
   constexpr double kPatience = 3;
   const double speed_m_s = std::hypot(puck_->velocity.x_m_s, puck_->velocity.y_m_s);
   if (speed_m_s > kResting_m_s) last_moving_s_ = time_s();
+  if (waits_on_purpose()) last_moving_s_ = last_attack_s_ = time_s();
   return time_s() - last_moving_s_ > params_.stuck_after_s ||
          time_s() - last_attack_s_ > kPatience * params_.stuck_after_s;
 }

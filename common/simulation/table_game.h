@@ -3,10 +3,13 @@
 #include <cstdint>
 #include <optional>
 
+#include "common/simulation/free_hand.h"
 #include "common/simulation/opponent.h"
 #include "common/simulation/puck_physics.h"
+#include "common/simulation/puck_rest.h"
 #include "common/simulation/random.h"
 #include "common/simulation/referee.h"
+#include "common/simulation/second_puck.h"
 #include "common/simulation/simulated_arm.h"
 #include "common/simulation/simulation_params.h"
 
@@ -29,12 +32,16 @@ class TableGame {
   const std::optional<DiscState>& puck() const { return puck_; }
   const DiscState& robot_mallet() const { return robot_; }
   const DiscState& opponent_mallet() const { return opponent_.mallet(); }
+  /// Nothing unless the game has one.
+  const std::optional<SecondPuck>& second_puck() const { return second_puck_; }
+  const FreeHand& free_hand() const { return free_hand_; }
   const GameCounts& counts() const { return referee_.counts(); }
 
  private:
   void move_robot();
   void think_for_robot();
   void move_puck();
+  bool waits_on_purpose() const { return rest_.is_on() || free_hand_.is_hiding(); }
   bool is_stuck();
   void take_puck_off(GoalEntered goal);
   void serve();
@@ -45,11 +52,14 @@ class TableGame {
   bool autonomous_robot_;
   Random random_;
   Opponent opponent_;
+  FreeHand free_hand_;
+  PuckRest rest_;
   Referee referee_;
   SimulatedArm arm_;
   DiscState robot_;
   double robot_target_y_m_ = 0;
   std::optional<DiscState> puck_;
+  std::optional<SecondPuck> second_puck_;
   std::int64_t steps_ = 0;
   double off_since_s_ = 0;
   double last_moving_s_ = 0;  ///< Last time the puck did not rest.

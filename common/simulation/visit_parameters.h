@@ -53,6 +53,12 @@ void visit_parameters(Reader& reader, SimulationParams& params) {
   reader.read("sensor.hot_pixel_fraction", sensor.hot_pixel_fraction, 0.0, 0.01);
   reader.read("sensor.hot_pixel_hz", sensor.hot_pixel_hz, 0.0, 10'000.0);
   reader.read("sensor.jitter_us", sensor.jitter_us, 0.0, 1000.0);
+  reader.read("sensor.readout_mev_s", sensor.readout_mev_s, 0.01, 1000.0);
+
+  LightParams& light = params.light;
+  reader.read("light.illuminance_lux", light.illuminance_lux, 1.0, 100'000.0);
+  reader.read("light.flicker_modulation", light.flicker_modulation, 0.0, 0.9);
+  reader.read("light.flicker_hz", light.flicker_hz, 10.0, 1000.0);
 
   SceneParams& scene = params.scene;
   constexpr double kDarkest = 0.001;
@@ -63,12 +69,16 @@ void visit_parameters(Reader& reader, SimulationParams& params) {
   reader.read("scene.rail_luminance", scene.rail_luminance, kDarkest, kBrightest);
   reader.read("scene.goal_luminance", scene.goal_luminance, kDarkest, kBrightest);
   reader.read("scene.puck_luminance", scene.puck_luminance, kDarkest, kBrightest);
+  reader.read("scene.puck_side_luminance", scene.puck_side_luminance, 0.0, kBrightest);
   reader.read("scene.mallet_luminance", scene.mallet_luminance, kDarkest, kBrightest);
   reader.read("scene.skin_luminance", scene.skin_luminance, kDarkest, kBrightest);
   reader.read("scene.robot_luminance", scene.robot_luminance, kDarkest, kBrightest);
   reader.read("scene.floor_luminance", scene.floor_luminance, kDarkest, kBrightest);
   reader.read("scene.floor_contrast", scene.floor_contrast, 0.0, 3.0);
   reader.read("scene.wall_luminance", scene.wall_luminance, kDarkest, kBrightest);
+  reader.read("scene.logo_luminance", scene.logo_luminance, kDarkest, kBrightest);
+  reader.read("scene.logo_count", scene.logo_count, 0, SceneParams::kMostLogos);
+  reader.read("scene.logo_radius_m", scene.logo_radius_m, 0.005, 0.06);
   reader.read("scene.line_width_m", scene.line_width_m, 0.0, 0.2);
   reader.read("scene.circle_radius_m", scene.circle_radius_m, 0.0, 1.0);
   reader.read("scene.goal_arc_radius_m", scene.goal_arc_radius_m, 0.0, 1.0);
@@ -92,6 +102,13 @@ void visit_parameters(Reader& reader, SimulationParams& params) {
   reader.read("game.aim_error_deg", game.aim_error_deg, 0.0, 30.0);
   reader.read("game.wait_min_s", game.wait_min_s, 0.0, 10.0);
   reader.read("game.wait_max_s", game.wait_max_s, 0.0, 10.0);
+  reader.read("game.rest_probability", game.rest_probability, 0.0, 1.0);
+  reader.read("game.rest_min_s", game.rest_min_s, 0.0, 60.0);
+  reader.read("game.rest_max_s", game.rest_max_s, 0.0, 60.0);
+  reader.read("game.reach_probability", game.reach_probability, 0.0, 1.0);
+  reader.read("game.reach_min_s", game.reach_min_s, 0.0, 60.0);
+  reader.read("game.reach_max_s", game.reach_max_s, 0.0, 60.0);
+  reader.read("game.second_puck_speed_m_s", game.second_puck_speed_m_s, 0.0, 5.0);
   reader.read("game.serve_after_s", game.serve_after_s, 0.0, 60.0);
   reader.read("game.stuck_after_s", game.stuck_after_s, 0.5, 60.0);
 

@@ -13,6 +13,9 @@ constexpr double kKnobTop_m = 0.075;
 constexpr double kHandRadius_m = 0.03;
 constexpr double kHandHeight_m = 0.07;
 constexpr double kElbowRadius_m = 0.035;
+// Of the free hand, with its fingers spread.
+constexpr double kReachingRadius_m = 0.05;
+constexpr Vector3 kReachingElbow{0.35, -0.08, 0.12};
 
 }  // namespace
 
@@ -24,17 +27,36 @@ ProjectedCylinder WorldView::puck_shape(TablePoint puck, const CameraView& view)
 }
 
 SceneBody WorldView::body(Body which, const TableGame& game, const CameraView& view) const {
-  const auto luminance = [](double value) { return static_cast<float>(value); };
+  const auto place = place_of(which, game);
+  if (!place) return {};
+  if (which == kPuck || which == kSecondPuck) return puck_body(*place, view);
+  if (which != kFreeHand) return mallet_body(which, *place, view);
+  const Vector3 hand = *game.free_hand().place();
   SceneBody body;
-  if (which == kPuck) {
-    if (game.puck()) {
-      body.shapes.push_back(
-          {puck_shape(game.puck()->position, view), luminance(scene_.puck_luminance)});
-    }
+  body.shapes.push_back(
+      {ProjectedCapsule(view, hand, kReachingRadius_m, hand + kReachingElbow, kReachingRadius_m),
+       static_cast<float>(scene_.skin_luminance)});
+  return body;
+}
+
+SceneBody WorldView::puck_body(TablePoint puck, const CameraView& view) const {
+  SceneBody body;
+  const double side = scene_.puck_side_luminance;
+  const auto top_luminance = static_cast<float>(scene_.puck_luminance);
+  if (side == 0 || side == scene_.puck_luminance) {
+    body.shapes.push_back({puck_shape(puck, view), top_luminance});
     return body;
   }
-  const TablePoint mallet =
-      which == kRobot ? game.robot_mallet().position : game.opponent_mallet().position;
+  const double height_m = scene_.puck_height_m;
+  body.shapes.push_back(
+      {ProjectedCylinder(view, puck, table_.puck_radius_m, height_m, height_m), top_luminance});
+  body.shapes.push_back({puck_shape(puck, view), static_cast<float>(side), true});
+  return body;
+}
+
+SceneBody WorldView::mallet_body(Body which, TablePoint mallet, const CameraView& view) const {
+  const auto luminance = [](double value) { return static_cast<float>(value); };
+  SceneBody body;
   // The robot reaches down from its shoulder, the opponent over the far rail.
   const Vector3 elbow = which == kRobot ? Vector3{mallet.x_m - 0.35, 0.5 * mallet.y_m - 0.15, 0.22}
                                         : Vector3{mallet.x_m + 0.32, mallet.y_m + 0.12, 0.2};
@@ -52,19 +74,33 @@ SceneBody WorldView::body(Body which, const TableGame& game, const CameraView& v
 }
 
 std::optional<TablePoint> WorldView::place_of(Body which, const TableGame& game) {
-  if (which == kRobot) return game.robot_mallet().position;
-  if (which == kOpponent) return game.opponent_mallet().position;
+  switch (which) {
+    case kRobot:
+      return game.robot_mallet().position;
+    case kOpponent:
+      return game.opponent_mallet().position;
+    case kFreeHand:
+      if (!game.free_hand().place()) return std::nullopt;
+      return TablePoint{game.free_hand().place()->x, game.free_hand().place()->y};
+    case kSecondPuck:
+      if (!game.second_puck()) return std::nullopt;
+      return game.second_puck()->state().position;
+    case kPuck:
+    case kBodyCount:
+      break;
+  }
   if (!game.puck()) return std::nullopt;
   return game.puck()->position;
 }
 
 std::vector<int> WorldView::nearest_first(const TableGame& game) const {
-  std::vector<int> order{kPuck, kRobot, kOpponent};
+  std::vector<int> order{kPuck, kRobot, kOpponent, kFreeHand, kSecondPuck};
   const auto distance = [&](int body) {
     const auto place = place_of(static_cast<Body>(body), game);
     return place ? place->x_m : 0;
   };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return distance(a) < distance(b); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return distance(a) < distance(b); });
   return order;
 }
 
@@ -77,8 +113,9 @@ double WorldView::visible_share(const TableGame& game, const CameraView& view) c
   if (!game.puck()) return 0;
   const ProjectedCylinder puck = puck_shape(game.puck()->position, view);
   std::vector<SceneShape> covers;
-  for (const Body other : {kRobot, kOpponent}) {
-    if (place_of(other, game)->x_m > game.puck()->position.x_m) continue;
+  for (const Body other : {kRobot, kOpponent, kFreeHand, kSecondPuck}) {
+    const auto place = place_of(other, game);
+    if (!place || place->x_m > game.puck()->position.x_m) continue;
     for (SceneShape& shape : body(other, game, view).shapes) covers.push_back(std::move(shape));
   }
   const PixelBox box = puck.box();

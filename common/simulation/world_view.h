@@ -19,12 +19,12 @@ class WorldView {
  public:
   WorldView(const TableGeometry& table, const SceneParams& scene, SensorSize size);
 
-  /// Bodies in a fixed order; see `nearest_first`. A puck off the table is a body without shapes.
-  enum Body { kPuck, kRobot, kOpponent, kBodyCount };
+  /// Bodies in a fixed order; see `nearest_first`. What is not there is a body without shapes.
+  enum Body { kPuck, kRobot, kOpponent, kFreeHand, kSecondPuck, kBodyCount };
 
   SceneBody body(Body which, const TableGame& game, const CameraView& view) const;
   std::vector<int> nearest_first(const TableGame& game) const;
-  /// Where the body stands, on the table; nothing for a puck off it.
+  /// Where the body stands, on the table; nothing for what is not there.
   static std::optional<TablePoint> place_of(Body which, const TableGame& game);
 
   /// The puck's silhouette in the image.
@@ -34,6 +34,8 @@ class WorldView {
 
  private:
   ProjectedCylinder puck_shape(TablePoint puck, const CameraView& view) const;
+  SceneBody puck_body(TablePoint puck, const CameraView& view) const;
+  SceneBody mallet_body(Body which, TablePoint mallet, const CameraView& view) const;
 
   TableGeometry table_;
   SceneParams scene_;

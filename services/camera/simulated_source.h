@@ -19,6 +19,8 @@ class SimulatedSource final : public EventSource {
 
   Outcome next(Chunk& chunk) override;
   std::optional<SensorSize> sensor_size() const override { return table_.sensor_size(); }
+  /// What the simulated sensor's readout could not take.
+  std::int64_t events_dropped() const override { return table_.events_lost(); }
 
   /// y on the robot's line, m. Stays where it is until the next call.
   void set_robot_mallet(double y_m) { table_.set_robot_mallet(y_m); }

@@ -64,10 +64,7 @@ TEST_CASE("The low-pass delays a small step's event by its exact exponential") {
   params.refractory_us = 0;
   EventSensor sensor(params, flat(4, 4).view(), 1);
   sensor.change(0, 0, 0.4f, {0}, {1});
-  EventPacket packet;
-  // Slices of 25 µs, so that the interpolation within one does not matter.
-  for (std::int64_t end_us = 25; end_us <= 1000; end_us += 25)
-    sensor.finish_slice({end_us}, packet);
+  const EventPacket packet = run_slices(sensor, 0, 4);
   REQUIRE(packet.events.size() == 1);
   // 0.4 (1 − e^(−t/τ)) = 0.2 at t = τ ln 2 = 220.6 µs, and the step lasted 1 µs.
   CHECK(std::abs(static_cast<double>(packet.newest().us) - 221) < 3);

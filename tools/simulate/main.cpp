@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/simulate/recording.h"
+#include "tools/simulate/sensor_plots.h"
 #include "tools/simulate/simulate_settings.h"
 
 namespace puck {
@@ -16,6 +17,10 @@ void print(const SimulateSettings& settings, const RecordingSummary& summary) {
   std::printf("%s: %lld events in %.3f s, %.0f kev/s\n", settings.output.c_str(),
               static_cast<long long>(summary.events), summary.seconds,
               events / summary.seconds * 1e-3);
+  if (summary.lost > 0) {
+    std::printf("%lld events more were lost at the sensor's readout\n",
+                static_cast<long long>(summary.lost));
+  }
   std::printf("shots %d, saves %d, goals against %d, goals for %d\n", summary.counts.shots,
               summary.counts.saves, summary.counts.goals_against, summary.counts.goals_for);
   std::printf("%d marks%s; took %.1f s, %.2f of the time played\n", summary.marks,
@@ -30,9 +35,11 @@ int run(int argc, char** argv) {
 
   CLI::App app("Writes an event recording of a simulated game, with exact truth.", "puck-simulate");
   app.set_version_flag("--version", PUCK_VERSION);
-  app.add_option("--output", settings.output,
-                 "BASE: writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv, BASE.toml")
-      ->required();
+  app.add_option(
+      "--output", settings.output,
+      "BASE: writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv, BASE.toml");
+  app.add_option("--sensor-checks", settings.sensor_checks,
+                 "DIR: measures the scene's sensor as a real one would be, and writes plots");
   app.add_option("--scene", settings.scene, "TOML with the scene; see config/scene.toml");
   app.add_option("--seed", settings.seed, "The same seed gives the same game and events")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}));
@@ -45,12 +52,20 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   try {
     app.parse(argc, argv);
+    if (settings.output.empty() && settings.sensor_checks.empty()) {
+      throw CLI::RequiredError("--output");
+    }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
 
   try {
-    print(settings, record(settings, simulation_params_of(settings)));
+    const SimulationParams params = simulation_params_of(settings);
+    if (!settings.sensor_checks.empty()) {
+      write_sensor_plots({.sensor = params.sensor, .light = params.light, .seed = params.seed},
+                         settings.sensor_checks);
+    }
+    if (!settings.output.empty()) print(settings, record(settings, params));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "puck-simulate: %s\n", error.what());
     return 1;

@@ -9,9 +9,10 @@ namespace puck {
 
 struct RecordingSummary {
   std::int64_t events = 0;
-  double seconds = 0;  ///< Of sensor time.
-  double took_s = 0;   ///< Of wall time.
-  int marks = 0;       ///< Rows of BASE.annotations.csv.
+  std::int64_t lost = 0;  ///< Events that the sensor's readout could not take.
+  double seconds = 0;     ///< Of sensor time.
+  double took_s = 0;      ///< Of wall time.
+  int marks = 0;          ///< Rows of BASE.annotations.csv.
   bool has_size_model = false;
   GameCounts counts;
 };

@@ -10,7 +10,8 @@ namespace puck {
 
 /// What the command line asks for.
 struct SimulateSettings {
-  std::string output;  ///< BASE of the files that are written.
+  std::string output;                   ///< BASE of the files that are written.
+  std::filesystem::path sensor_checks;  ///< Folder for the plots; empty: none.
   std::filesystem::path scene;
   std::optional<std::int64_t> seed;
   double seconds = 10;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+namespace puck {
+
+/// What a flickering lamp adds to the photoreceptors' responses: ln(1 + modulation · sin) through
+/// their low-pass, which has long forgotten its start. It is the same for every pixel, since the
+/// low-pass is linear in ln(intensity).
+class Flicker {
+ public:
+  Flicker(double modulation, double frequency_hz, double cutoff_hz);
+
+  bool is_off() const { return modulation_ == 0; }
+  double period_us() const { return period_us_; }
+  float response_at(double time_us) const { return is_off() ? 0 : interpolated(time_us); }
+
+ private:
+  float interpolated(double time_us) const;
+
+  double modulation_;
+  double period_us_;
+  std::vector<float> response_;  ///< Over one period; the last one is the first one again.
+};
+
+}  // namespace puck

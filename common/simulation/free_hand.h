@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "common/simulation/game_params.h"
+#include "common/simulation/puck_physics.h"
+#include "common/simulation/random.h"
+#include "common/simulation/vector3.h"
+
+namespace puck {
+
+/// The opponent's other hand. Some of the times that the puck comes to him it reaches over the
+/// puck, between it and the camera's eye, stays there for a while, and goes back.
+class FreeHand {
+ public:
+  /// `eye`: where the camera is.
+  FreeHand(const TableGeometry& table, const GameParams& params, Vector3 eye, Random random);
+
+  void step(const std::optional<DiscState>& puck, double dt_s);
+
+  /// The opponent does not strike meanwhile.
+  bool is_hiding() const { return hide_s_ > 0; }
+  /// The middle of the hand; nothing while it is away.
+  const std::optional<Vector3>& place() const { return place_; }
+  Vector3 velocity_m_s() const { return velocity_m_s_; }
+
+ private:
+  Vector3 place_that_hides(TablePoint puck) const;
+  /// Follows a target that moves with `target_m_s`.
+  void move_towards(Vector3 target, Vector3 target_m_s, double dt_s);
+
+  TableGeometry table_;
+  GameParams params_;
+  Vector3 eye_;
+  Random random_;
+  bool puck_is_here_ = false;
+  double hide_s_ = 0;  ///< Goes on hiding the puck for so long.
+  std::optional<Vector3> place_;
+  Vector3 velocity_m_s_;
+};
+
+}  // namespace puck

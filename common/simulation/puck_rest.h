@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "common/simulation/game_params.h"
+#include "common/simulation/puck_physics.h"
+#include "common/simulation/random.h"
+
+namespace puck {
+
+/// Some of the times that the puck comes to the opponent it is let come to rest, in the middle of
+/// his half where he can strike it well, and is left alone for a while.
+class PuckRest {
+ public:
+  PuckRest(const TableGeometry& table, const GameParams& params, Random random);
+
+  /// To be called once a step. Slows a puck that is to rest.
+  void step(std::optional<DiscState>& puck, double dt_s);
+
+  /// The opponent is to leave the puck alone.
+  bool is_on() const { return is_on_; }
+
+ private:
+  bool is_in_reach(TablePoint place) const;
+
+  TableGeometry table_;
+  GameParams params_;
+  Random random_;
+  bool puck_is_here_ = false;
+  bool is_on_ = false;
+  double rest_s_ = 0;  ///< Rests for so long, once it does.
+};
+
+}  // namespace puck

@@ -1,0 +1,73 @@
+#include "common/simulation/row_blend.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace puck {
+namespace {
+
+// Beyond this share nothing behind can be seen.
+constexpr float kOpaque = 0.9995f;
+
+}  // namespace
+
+RowBlend::RowBlend(int width)
+    : light_(static_cast<std::size_t>(width)),
+      left_over_(static_cast<std::size_t>(width)),
+      shares_(static_cast<std::size_t>(width)),
+      shares_before_(static_cast<std::size_t>(width)) {}
+
+void RowBlend::start(int y, Columns columns) {
+  y_ = y;
+  columns_ = columns;
+  std::fill(light_.begin() + columns.begin, light_.begin() + columns.end, 0.0f);
+  std::fill(left_over_.begin() + columns.begin, left_over_.begin() + columns.end, 1.0f);
+}
+
+void RowBlend::add(const SceneBody& body) {
+  Columns before;  // Where `shares_before_` holds those of the shape before.
+  for (const SceneShape& shape : body.shapes) {
+    const Columns touched = shape.outline().touched(y_);
+    const int begin = std::max(columns_.begin, touched.begin);
+    const int end = std::min(columns_.end, touched.end);
+    if (begin >= end) {
+      before = {};
+      continue;
+    }
+    const Columns inside = shape.outline().inside(y_);
+    const int inside_begin = inside.empty() ? end : std::clamp(inside.begin, begin, end);
+    const int inside_end = inside.empty() ? end : std::clamp(inside.end, inside_begin, end);
+    float* shares = shares_.data();
+    shape.coverage(y_, begin, inside_begin - begin, shares + begin);
+    std::fill(shares + inside_begin, shares + inside_end, 1.0f);
+    shape.coverage(y_, inside_end, end - inside_end, shares + inside_end);
+    if (shape.holds_previous) leave_out_before(before, {begin, end});
+    for (int i = begin; i < end; ++i) {
+      const auto x = static_cast<std::size_t>(i);
+      const float share = left_over_[x] * shares[i];
+      light_[x] += share * shape.luminance;
+      left_over_[x] -= share;
+    }
+    before = {begin, end};
+    shares_.swap(shares_before_);
+  }
+}
+
+// Of a pixel the shape before has left (1 − its share); this one takes what its own share is larger
+// by.
+void RowBlend::leave_out_before(Columns before, Columns columns) {
+  for (int i = std::max(before.begin, columns.begin); i < std::min(before.end, columns.end); ++i) {
+    const auto x = static_cast<std::size_t>(i);
+    const float left = 1 - shares_before_[x];
+    shares_[x] = left > 0 ? std::max(0.0f, (shares_[x] - shares_before_[x]) / left) : 0;
+  }
+}
+
+float RowBlend::log_light_over(int x, float background) const {
+  const auto at = static_cast<std::size_t>(x);
+  if (left_over_[at] >= kOpaque) return background;
+  if (left_over_[at] < 1 - kOpaque) return std::log(light_[at]);
+  return std::log(light_[at] + left_over_[at] * std::exp(background));
+}
+
+}  // namespace puck

@@ -1,0 +1,156 @@
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/simulation/camera_view.h"
+#include "common/simulation/head_motion.h"
+#include "common/simulation/simulated_table.h"
+#include "common/simulation/static_scene.h"
+#include "common/simulation/table_game.h"
+#include "common/simulation/world_view.h"
+#include "tests/simulation/test_worlds.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kStepsPerSecond = 1'000'000 / PuckPhysics::kStep_us;
+
+SimulationParams quiet_world() {
+  SimulationParams params = small_world();
+  params.sensor.noise_hz = 0;
+  params.sensor.hot_pixel_fraction = 0;
+  return params;
+}
+
+double luminance_at(const SimulationParams& params, double x_m, double y_m) {
+  return StaticScene(params.table, params.scene).luminance({x_m, y_m, 1}, {0, 0, -1});
+}
+
+}  // namespace
+
+TEST_CASE("A puck whose side is as bright as the table shows only its top") {
+  SimulationParams params = small_world();
+  params.scene.puck_luminance = 0.85;
+  params.scene.puck_side_luminance = params.scene.table_luminance;
+  const WorldView world(params.table, params.scene, params.sensor_size);
+  const CameraView view(params.camera, params.sensor_size);
+  TableGame game(params);
+  game.place_puck({{0.5, 0}, {0, 0}});
+  SimulatedTable table(params);
+  // At the serve nothing else is near it.
+  const SimulatedTruth truth = table.truth();
+  const Image<float> image = table.log_intensity();
+  const auto light_at = [&](double dx_px, double dy_px) {
+    return std::exp(image(static_cast<int>(std::lround(truth.position_px.x + dx_px)),
+                          static_cast<int>(std::lround(truth.position_px.y + dy_px))));
+  };
+  CHECK(light_at(0, -1) == doctest::Approx(0.85).epsilon(0.001));
+  const SceneBody body = world.body(WorldView::kPuck, game, view);
+  REQUIRE(body.shapes.size() == 2);
+  CHECK(body.shapes[0].luminance == doctest::Approx(0.85));
+  CHECK(body.shapes[1].luminance == doctest::Approx(0.6));
+  // The lowest row is the side's.
+  const float bottom = light_at(0, truth.size_px.height / 2 - 0.5);
+  CHECK(bottom == doctest::Approx(0.6).epsilon(0.02));
+}
+
+TEST_CASE("Logos stand on the plain table, away from the markings") {
+  SimulationParams params;
+  params.scene.logo_count = SceneParams::kMostLogos;
+  params.scene.logo_luminance = 0.123;
+  SimulationParams plain = params;
+  plain.scene.logo_count = 0;
+  double area_m2 = 0;
+  constexpr double kStep_m = 0.0025;
+  for (double x_m = 0; x_m < params.table.length_m; x_m += kStep_m) {
+    for (double y_m = -0.61; y_m < 0.61; y_m += kStep_m) {
+      if (luminance_at(params, x_m, y_m) != 0.123) continue;
+      area_m2 += kStep_m * kStep_m;
+      // 2 cm around it nothing else is printed.
+      for (int i = 0; i < 8; ++i) {
+        const double angle = std::numbers::pi / 4 * i;
+        CHECK(luminance_at(plain, x_m + 0.02 * std::cos(angle), y_m + 0.02 * std::sin(angle)) ==
+              plain.scene.table_luminance);
+      }
+    }
+  }
+  const double logo_m2 = std::numbers::pi * 0.0325 * 0.0325;
+  CHECK(area_m2 == doctest::Approx(8 * logo_m2).epsilon(0.01));
+}
+
+TEST_CASE("A 15 m/s shot's events do not depend on how much is computed at once") {
+  // 25 µs a slice: nothing moves more than 0.2 px between two drawings.
+  const auto events_by_ms = [](std::int64_t slice_us) {
+    SimulationParams params = quiet_world();
+    params.seed = 2;
+    params.slice_us = slice_us;
+    params.sensor.jitter_us = 0;
+    params.game.shot_speed_min_m_s = params.game.shot_speed_max_m_s = 15;
+    params.game.wait_min_s = params.game.wait_max_s = 0;
+    SimulatedTable table(params);
+    std::vector<int> counts(600);
+    while (table.now().us < 600'000) {
+      EventPacket packet;
+      table.advance(packet);
+      for (const Event& event : packet.events) {
+        ++counts[static_cast<std::size_t>(packet.time_of(event).us / 1000)];
+      }
+    }
+    return counts;
+  };
+  const std::vector<int> fine = events_by_ms(25);
+  const std::vector<int> usual = events_by_ms(500);
+  double all = 0;
+  double different = 0;
+  for (std::size_t ms = 0; ms < fine.size(); ++ms) {
+    all += fine[ms];
+    different += std::abs(fine[ms] - usual[ms]);
+  }
+  CHECK(all > 20'000);
+  CHECK(different < 0.01 * all);
+}
+
+TEST_CASE("A puck that leaves the image at the near side is not visible, and comes back") {
+  SimulationParams params = quiet_world();
+  params.camera.pitch_deg = 18;
+  params.moving_camera = true;
+  TableGame game(params);
+  const WorldView world(params.table, params.scene, params.sensor_size);
+  const CameraView home(params.camera, params.sensor_size);
+  const HeadMotion motion(params.head_motion, Random(params.seed, 20));
+  int unseen_ms = 0;
+  int exits = 0;
+  bool was_inside = true;
+  for (int ms = 0; ms < 20'000; ++ms) {
+    for (std::int64_t i = 0; i < kStepsPerSecond / 1000; ++i) game.step();
+    if (!game.puck()) continue;
+    const CameraView view = home.turned(motion.pose_at(1e-3 * ms));
+    const PixelBox box = world.puck_box(game.puck()->position, view);
+    const bool inside = box.centre.y < params.sensor_size.height;
+    exits += was_inside && !inside;
+    was_inside = inside;
+    if (box.centre.y < params.sensor_size.height + box.size.height / 2) continue;
+    ++unseen_ms;
+    CHECK(world.visible_share(game, view) < 0.01);
+  }
+  CHECK(exits >= 4);
+  CHECK(unseen_ms > 200);
+  CHECK(was_inside);
+}
+
+TEST_CASE("Dim light makes the same edge's events later") {
+  const auto events_of = [](double lux) {
+    SimulationParams params = quiet_world();
+    params.light.illuminance_lux = lux;
+    SimulatedTable table(params);
+    EventPacket packet;
+    while (table.now().us < 700'000) table.advance(packet);
+    return packet.events.size();
+  };
+  // A third of the cutoff: what passes in less than its time constant is lost.
+  CHECK(events_of(30) < events_of(300));
+}
+
+}  // namespace puck

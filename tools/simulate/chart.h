@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/simulate/sensor_checks.h"
+
+namespace puck {
+
+/// A picture of some curves over one pair of axes, which reach as far as the curves do.
+class Chart {
+ public:
+  Chart(std::string title, std::string x_label) : title_(title), x_label_(x_label) {}
+
+  void add(Curve curve) { curves_.push_back(std::move(curve)); }
+  /// For x more than 0 only.
+  void make_x_logarithmic() { log_x_ = true; }
+  /// As PNG. Throws std::runtime_error when it cannot be written.
+  void save(const std::filesystem::path& path) const;
+
+ private:
+  std::string title_;
+  std::string x_label_;
+  bool log_x_ = false;
+  std::vector<Curve> curves_;
+};
+
+}  // namespace puck
