@@ -35,7 +35,7 @@ TableGame::TableGame(const SimulationParams& params)
     second_puck_.emplace(params.table, params.physics, params.game.second_puck_speed_m_s,
                          Random(params.seed, kSecondPuckStream));
   }
-  serve();
+  puck_ = DiscState{place_to_serve(), {}};
 }
 
 void TableGame::step() {
@@ -46,7 +46,12 @@ void TableGame::step() {
   opponent_.step(puck_, PuckPhysics::kStep_s, waits_on_purpose());
   free_hand_.step(puck_, PuckPhysics::kStep_s);
   if (second_puck_) second_puck_->step(robot_, opponent_.mallet());
-  if (puck_) move_puck();
+  if (serve_.is_under_way()) {
+    puck_ = serve_.step(PuckPhysics::kStep_s);
+    last_moving_s_ = last_attack_s_ = time_s();
+  } else if (puck_) {
+    move_puck();
+  }
 }
 
 void TableGame::set_robot_mallet(double y_m) {
@@ -56,6 +61,7 @@ void TableGame::set_robot_mallet(double y_m) {
 }
 
 void TableGame::place_puck(const DiscState& puck) {
+  serve_ = {};
   if (puck_) referee_.puck_left(*puck_, GoalEntered::kNone);
   puck_ = puck;
   last_moving_s_ = last_attack_s_ = time_s();
@@ -130,12 +136,16 @@ void TableGame::take_puck_off(GoalEntered goal) {
   off_since_s_ = time_s();
 }
 
+TablePoint TableGame::place_to_serve() {
+  const TableGeometry& table = physics_.table();
+  const double x_m = random_.uniform(0.64, 0.76) * table.length_m;
+  return {x_m, random_.uniform(-0.25, 0.25) * table.width_m};
+}
+
 void TableGame::serve() {
   const TableGeometry& table = physics_.table();
-  puck_ = DiscState{
-      {random_.uniform(0.64, 0.76) * table.length_m, random_.uniform(-0.25, 0.25) * table.width_m},
-      {}};
-  last_moving_s_ = last_attack_s_ = time_s();
+  serve_ = PuckServe({table.length_m + table.puck_radius_m, 0}, place_to_serve());
+  puck_ = serve_.step(0);
 }
 
 }  // namespace puck

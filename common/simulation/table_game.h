@@ -7,6 +7,7 @@
 #include "common/simulation/opponent.h"
 #include "common/simulation/puck_physics.h"
 #include "common/simulation/puck_rest.h"
+#include "common/simulation/puck_serve.h"
 #include "common/simulation/random.h"
 #include "common/simulation/referee.h"
 #include "common/simulation/second_puck.h"
@@ -41,9 +42,12 @@ class TableGame {
   void move_robot();
   void think_for_robot();
   void move_puck();
-  bool waits_on_purpose() const { return rest_.is_on() || free_hand_.is_hiding(); }
+  bool waits_on_purpose() const {
+    return serve_.is_under_way() || rest_.is_on() || free_hand_.is_hiding();
+  }
   bool is_stuck();
   void take_puck_off(GoalEntered goal);
+  TablePoint place_to_serve();
   void serve();
   double time_s() const { return static_cast<double>(steps_) * PuckPhysics::kStep_s; }
 
@@ -59,6 +63,7 @@ class TableGame {
   DiscState robot_;
   double robot_target_y_m_ = 0;
   std::optional<DiscState> puck_;
+  PuckServe serve_;
   std::optional<SecondPuck> second_puck_;
   std::int64_t steps_ = 0;
   double off_since_s_ = 0;
