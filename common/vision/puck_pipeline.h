@@ -5,6 +5,7 @@
 #include <span>
 
 #include "common/events/sensor_size.h"
+#include "common/vision/contour_pipeline.h"
 #include "common/vision/correlation.h"
 #include "common/vision/eros_surface.h"
 #include "common/vision/gaussian_blur.h"
@@ -42,6 +43,11 @@ struct PipelineParams {
   TrackerParams tracker;
   PixelMotionParams motion;
   LossParams loss;
+  /// A contour filter on single events follows the puck (ContourPipeline); correlation only searches
+  /// for it then. Of the parameters above, only those of the surface, the kernels and the detector
+  /// count.
+  bool follows_contour = false;
+  ContourPipelineParams contour;
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
   /// the published position is the filtered one.
   bool predicts = false;

@@ -39,11 +39,11 @@ class Published {
 };
 
 inline std::unique_ptr<TrackingPipeline> default_pipeline() {
-  return make_pipeline(kSensor, preset_params(Preset::kDefault), kSizeModel);
+  return make_pipeline(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
 }
 
 inline PuckSearch default_search() {
-  return make_search(kSensor, preset_params(Preset::kDefault), kSizeModel);
+  return make_search(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
 }
 
 template <typename Condition>
