@@ -16,8 +16,8 @@ using std::chrono::system_clock;
 
 // Events taken from the queue at once.
 constexpr std::size_t kHandful = 256;
-// How long events are taken without a word in between: a fraction of the heartbeat.
-constexpr microseconds kLongestTake{2'000};
+// How long events are taken before the next estimate, when there are more than can be taken.
+constexpr microseconds kLongestTake{1'000};
 // While nothing is looked at there is no more to see than that time goes by, and whether the search
 // has ended.
 constexpr microseconds kIdleLook{1'000};
@@ -51,8 +51,8 @@ void TrackingThread::run(const std::stop_token& stop) {
   next_publish_ = Clock::now();
   heartbeat_due_ = next_publish_;
   while (!stop.stop_requested()) {
-    if (!events_left_) take_search_result();
-    if (look_anyway_ || events_left_ || wait_for_news()) look();
+    take_search_result();
+    if (look_anyway_ || wait_for_news()) look();
     if (worker_.is_copying()) worker_.copy_more(surface_);
     publish_if_due();
   }
@@ -84,14 +84,9 @@ void TrackingThread::take_search_result() {
 }
 
 void TrackingThread::look() {
-  if (!events_left_) {
-    newest_.tracking_started = system_clock::now();
-    surface_.snapshot(pipeline_->region_needed(), pipeline_->events_needed(), snapshot_);
-    look_anyway_ = false;
-    events_left_ = true;
-  }
-  if (!take_events()) return;
-  events_left_ = false;
+  newest_.tracking_started = system_clock::now();
+  surface_.snapshot(pipeline_->region_needed(), pipeline_->events_needed(), snapshot_);
+  look_anyway_ = !take_events();
   newest_.estimate = pipeline_->step(snapshot_.surface);
   begin_search_if_wanted();
   newest_.origin = snapshot_.origin;
@@ -103,7 +98,8 @@ void TrackingThread::look() {
   }
 }
 
-// Hands over the events that the snapshot shows; false when time is up before all are taken.
+// Hands over the events that the snapshot shows. False when time is up before all are taken: the
+// estimate then rests on those that are, and says so.
 bool TrackingThread::take_events() {
   const auto time_up = Clock::now() + kLongestTake;
   while (true) {
@@ -121,7 +117,12 @@ bool TrackingThread::take_events() {
                      pipeline_->take(start, wanted_);
                      begin_search_if_wanted();
                    });
-    if (Clock::now() >= time_up) return false;
+    if (Clock::now() >= time_up) {
+      const Timestamp newest_taken = start + events_.back().offset_us;
+      snapshot_.backlog_us += snapshot_.surface.newest_event - newest_taken;
+      snapshot_.surface.newest_event = newest_taken;
+      return false;
+    }
   }
 }
 

@@ -72,7 +72,6 @@ class TrackingThread {
   SharedSnapshot snapshot_;
   std::vector<Event> events_;    // of the queue, a handful at a time
   std::vector<Event> wanted_;    // of a piece of them
-  bool events_left_ = false;     // of those that `snapshot_` shows
   bool look_anyway_ = false;     // also when there is no news
   Clock::time_point next_look_;  // not before
   TrackedEstimate newest_;

@@ -13,4 +13,9 @@ std::unique_ptr<TrackingPipeline> make_pipeline(SensorSize sensor, const Pipelin
   return std::make_unique<PuckPipeline>(sensor, params, size_model);
 }
 
+PuckSearch make_search(SensorSize sensor, const PipelineParams& params,
+                       const PuckSizeModel& size_model) {
+  return PuckSearch(sensor, params.kernels, params.detector, size_model);
+}
+
 }  // namespace puck

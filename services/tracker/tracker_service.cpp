@@ -37,10 +37,9 @@ StatusLatency named(const char* name, const LatencyHistogram& histogram) {
 TrackerService::Track::Track(SensorSize sensor, const TrackerServiceParams& params,
                              TrackingThread::Publish publish)
     : surface(sensor, params.pipeline.eros),
-      thread(
-          surface, make_pipeline(sensor, params.pipeline, params.size_model),
-          PuckSearch(sensor, params.pipeline.kernels, params.pipeline.detector, params.size_model),
-          params.thread, std::move(publish)) {}
+      thread(surface, make_pipeline(sensor, params.pipeline, params.size_model),
+             make_search(sensor, params.pipeline, params.size_model), params.thread,
+             std::move(publish)) {}
 
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
     : params_(params), context_(context) {

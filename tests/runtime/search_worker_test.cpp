@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/vision/make_pipeline.h"
 #include "common/vision/presets.h"
 #include "tests/vision/puck_picture.h"
 
@@ -14,8 +15,7 @@ namespace {
 constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
 
 PuckSearch search_for(SensorSize sensor) {
-  const PipelineParams params = preset_params(Preset::kCorrelation);
-  return PuckSearch(sensor, params.kernels, params.detector, kSizeModel);
+  return make_search(sensor, preset_params(Preset::kCorrelation), kSizeModel);
 }
 
 SearchResult result_of(SearchWorker& worker, SharedSurface& surface) {

@@ -25,9 +25,8 @@ struct Life {
   std::vector<std::size_t> events_at_step;  // how many it had taken at each step
   std::vector<Timestamp> stamps;            // of each step
   std::int64_t pieces_across = 0;           // with a multiple of the period inside
-  int searches = 0;
-  std::vector<int> steps_during_search;
-  std::atomic<int> results{0};
+  std::atomic<int> results{0};              // of searches
+  std::atomic<int> steps_during_search{0};  // at most
 };
 
 // Wants single events and searches, and does no more with them than remember.
@@ -54,15 +53,12 @@ class LivingPipeline final : public TrackingPipeline {
     return estimate;
   }
   Region search_wanted() override {
-    if (!search_.empty()) {
-      ++life_.searches;
-      steps_ = 0;
-    }
+    steps_ = 0;
     return search_;
   }
   void take(const SearchResult& result) override {
     CHECK(result.region == search_);
-    life_.steps_during_search.push_back(steps_);
+    life_.steps_during_search = std::max(life_.steps_during_search.load(), steps_);
     ++life_.results;
   }
 
@@ -92,7 +88,7 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
       return !all.empty() && all.back().estimate.newest_event == Timestamp{0} &&
              all.back().tracking_started != std::chrono::system_clock::time_point{};
     }));
-    for (int i = 1; i <= 200; ++i) {
+    for (int i = 1; i <= 100; ++i) {
       EventPacket packet{{i * 1000}, {}};
       for (std::uint32_t k = 0; k < 50; ++k) {
         const auto x = static_cast<std::uint16_t>((i * 7 + k * 13) % 160);
@@ -102,10 +98,10 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
       surface.update(packet, {});
       if (i % 10 == 0) std::this_thread::sleep_for(milliseconds(1));
     }
-    surface.update({{201'000}, {{50, 50, 1, 0}}}, {});
-    sent.push_back(201'000);
+    surface.update({{101'000}, {{50, 50, 1, 0}}}, {});
+    sent.push_back(101'000);
     CHECK(eventually([&] {
-      return published.all().back().estimate.newest_event == Timestamp{201'000};
+      return published.all().back().estimate.newest_event == Timestamp{101'000};
     }));
   }
   CHECK(surface.events_thinned() == 0);
@@ -155,12 +151,14 @@ TEST_CASE("a tracking thread that falls behind gets fewer events, and the others
   CHECK(taken + surface.events_thinned() == kPackets * kEach);
   CHECK(std::is_sorted(life.event_times.begin(), life.event_times.end()));
   // The newest ones are there, too, only fewer of them.
-  CHECK(life.event_times.back() > 20'000);
+  CHECK(life.event_times.back() > 10'000);
 }
 
 TEST_CASE("the tracking and its heartbeat go on while a large surface is searched") {
-  // A search of all of it takes some hundred times as long as a step.
+  // A search of all of it takes far longer than the surface's copy, with some twenty steps in
+  // between, and some hundred times as long as a step.
   constexpr SensorSize kLarge{SensorSize::kMax, SensorSize::kMax};
+  constexpr int kManySteps = 60;
   const PipelineParams params = preset_params(Preset::kCorrelation);
   SharedSurface surface(kLarge, params.eros);
   Published published;
@@ -169,16 +167,15 @@ TEST_CASE("the tracking and its heartbeat go on while a large surface is searche
     const TrackingThread thread(
         surface,
         std::make_unique<LivingPipeline>(life, Region{0, 0, 200, 200}, Region::all_of(kLarge)),
-        PuckSearch(kLarge, params.kernels, params.detector, kSizeModel),
-        {.max_publish_hz = 1000, .heartbeat = milliseconds(2)},
+        make_search(kLarge, params, kSizeModel), {.heartbeat = milliseconds(2)},
         [&](const TrackedEstimate& e) { published.add(e); });
-    for (int i = 1; life.results < 2; ++i) {
+    // A single search may happen to meet a machine that is busy with something else.
+    for (int i = 1; life.steps_during_search < kManySteps && life.results < 20; ++i) {
       surface.update({{i * 1000}, {{100, 100, 1, 0}, {1500, 1500, 1, 1}}}, {});
-      std::this_thread::sleep_for(microseconds(200));
+      std::this_thread::sleep_for(microseconds(50));
     }
   }
-  CHECK(life.searches >= 2);
-  for (const int steps : life.steps_during_search) CHECK(steps >= 5);
+  CHECK(life.steps_during_search >= kManySteps);
   CHECK(published.count() >= 10);
 }
 
@@ -191,7 +188,7 @@ TEST_CASE("a search that ends when there is nothing new is told all the same") {
     Published published;
     const TrackingThread thread(
         surface, make_pipeline(sensor, params, kSizeModel),
-        PuckSearch(sensor, params.kernels, params.detector, kSizeModel), {},
+        make_search(sensor, params, kSizeModel), {},
         [&](const TrackedEstimate& e) { published.add(e); });
     surface.update({{1000}, test::contour_events(sensor, {60, 50}, kSizeModel.at({}), 150)}, {});
     CHECK(eventually([&] {

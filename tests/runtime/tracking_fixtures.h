@@ -43,8 +43,7 @@ inline std::unique_ptr<TrackingPipeline> default_pipeline() {
 }
 
 inline PuckSearch default_search() {
-  const PipelineParams params = preset_params(Preset::kCorrelation);
-  return PuckSearch(kSensor, params.kernels, params.detector, kSizeModel);
+  return make_search(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
 }
 
 template <typename Condition>
