@@ -28,7 +28,7 @@ constexpr double kSmallestSpreadPx = 0.05;
 // How far from the defaults values may lie; weighs as much as a single event.
 const Parameters kFree(1, 0.3, 2, 0.2);
 // With speeds that are all alike, lag and trail cannot be told apart.
-const Parameters kNoTrail(1, 0.3, 2, 1e-9);
+const Parameters kUsualTrail(1, 0.3, 2, 1e-9);
 // For slopes.
 constexpr double kStep = 1e-3;
 
@@ -187,7 +187,7 @@ ContourFit fit_contour(std::span<const ContourSample> samples) {
                                 std::to_string(kFewestEvents) + " are needed");
   }
   ContourFit fit = fit_freely(samples, kFree);
-  if (!(fit.standard_error.lag_us < kLargestErrorUs)) fit = fit_freely(samples, kNoTrail);
+  if (!(fit.standard_error.lag_us < kLargestErrorUs)) fit = fit_freely(samples, kUsualTrail);
   if (!(fit.standard_error.lag_us < kLargestErrorUs)) {
     throw std::invalid_argument(
         "the puck is too slow to tell the lag: nine tenths of its contour's events move at less "
