@@ -47,8 +47,7 @@ struct Residual {
 Residual residual_of(const ContourSample& sample, const Parameters& p) {
   const ContourCalibration calibration = calibration_of(p);
   const RingOffset offset = ring_offset(sample.place, calibration, sample.dx, sample.dy);
-  const double speed =
-      offset.normal_x * sample.velocity.x + offset.normal_y * sample.velocity.y;
+  const double speed = offset.normal_x * sample.velocity.x + offset.normal_y * sample.velocity.y;
   return {offset.distance_px + calibration.behind_px(speed), speed, offset.normal_y};
 }
 

@@ -20,8 +20,7 @@ ContourPlaces::ContourPlaces(SensorSize sensor, const PuckSizeModel& size_model)
       is_plane_(size_model.width_y > kLeastGrowth) {
   // There the width has shrunk to nothing.
   if (is_plane_) {
-    horizon_row_ =
-        -(size_model.width_0 + size_model.width_x * middle_column_) / size_model.width_y;
+    horizon_row_ = -(size_model.width_0 + size_model.width_x * middle_column_) / size_model.width_y;
   }
 }
 
@@ -43,8 +42,8 @@ RingOffset ring_offset(const ContourPlace& place, const ContourCalibration& cali
   // A wall does not slant.
   const double shear =
       place.shear * std::clamp((silhouette - kWallOfWidth * width) / (2 * b), 0.0, 1.0);
-  const double a = std::sqrt(std::max(width * width / 4 - shear * shear * b * b,
-                                      kSmallestSemiPx * kSmallestSemiPx));
+  const double a = std::sqrt(
+      std::max(width * width / 4 - shear * shear * b * b, kSmallestSemiPx * kSmallestSemiPx));
   const double y = dy + wall / 2;
   const double u = (dx - shear * y) / a;
   const double v = y / b;

@@ -5,8 +5,8 @@
 namespace puck {
 
 /// How the events of the puck's contour lie to the ellipse that the size model gives: what
-/// `puck-calibrate lag` fits to a recording with truth. The defaults suit a sensor in good light and
-/// a puck whose side wall makes events, too.
+/// `puck-calibrate lag` fits to a recording with truth. The defaults suit a sensor in good light
+/// and a puck whose side wall makes events, too.
 struct ContourCalibration {
   /// Events appear where the contour was so long ago, µs.
   double lag_us = 300;

@@ -107,7 +107,7 @@ TEST_CASE("puck-calibrate refuses degenerate input with one line that names the 
   CHECK(tool.read("size.toml").empty());
 }
 
-TEST_CASE("puck-calibrate lag adds what it found to the size model, and replaces it the next time") {
+TEST_CASE("puck-calibrate lag adds what it found to the size model, or replaces it") {
   const Tool tool;
   REQUIRE(tool.run("puck-simulate", "--output game --seconds 3 --seed 5") == 0);
   REQUIRE(tool.run("size game.annotations.csv --output size.toml") == 0);
@@ -153,7 +153,8 @@ TEST_CASE("puck-calibrate hot-pixels writes a mask and says how much it masks") 
   std::string events;
   for (int ms = 0; ms < 2000; ms += 4) {
     events += std::to_string(1000 * ms) + " 12 34 1\n";
-    if (ms % 40 == 0) events += std::to_string(1000 * ms) + " " + std::to_string(ms % 64) + " 5 0\n";
+    if (ms % 40 == 0)
+      events += std::to_string(1000 * ms) + " " + std::to_string(ms % 64) + " 5 0\n";
   }
   tool.write("a.txt", events);
   REQUIRE(tool.run("hot-pixels a.txt --width 64 --height 48 --output mask.toml") == 0);

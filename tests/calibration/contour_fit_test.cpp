@@ -75,11 +75,10 @@ struct Circling {
       } while (share(random) > std::abs(along));
       const double out = beside + noise(random) - std::copysign(calibration.trail_px, along);
       Event event;
-      event.x = static_cast<std::uint16_t>(
-          std::lround(c.x + a * std::cos(angle) + nx * out));
-      event.y = static_cast<std::uint16_t>(
-                    std::lround(c.y - wall / 2 + b * std::sin(angle) + ny * out)) &
-                0x7fff;
+      event.x = static_cast<std::uint16_t>(std::lround(c.x + a * std::cos(angle) + nx * out));
+      event.y =
+          static_cast<std::uint16_t>(std::lround(c.y - wall / 2 + b * std::sin(angle) + ny * out)) &
+          0x7fff;
       event.offset_us = static_cast<std::uint32_t>(t_us);
       packet.events.push_back(event);
     }

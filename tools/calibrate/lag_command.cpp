@@ -51,10 +51,11 @@ void check_puck(const TruthMotion& truth, const ContourSamples& samples) {
 void print(const ContourFit& fit, const ContourSamples& samples) {
   const ContourCalibration& c = fit.calibration;
   const ContourCalibration& e = fit.standard_error;
-  std::printf("%zu contour events from %.1f s in which nothing else fired near the moving puck, of "
-              "%.1f s\n",
-              fit.events, 2e-3 * static_cast<double>(samples.clear_windows()),
-              2e-3 * static_cast<double>(samples.windows()));
+  std::printf(
+      "%zu contour events from %.1f s in which nothing else fired near the moving puck, of "
+      "%.1f s\n",
+      fit.events, 2e-3 * static_cast<double>(samples.clear_windows()),
+      2e-3 * static_cast<double>(samples.windows()));
   std::printf("lag_us      %8.1f +- %.1f\n", c.lag_us, e.lag_us);
   std::printf("wall_share  %8.4f +- %.4f\n", c.wall_share, e.wall_share);
   std::printf("grow_px     %8.3f +- %.3f\n", c.grow_px, e.grow_px);
