@@ -39,7 +39,9 @@ void check_puck(const TruthMotion& truth, const ContourSamples& samples) {
   }
   if (samples.windows() == 0) {
     throw std::invalid_argument(
-        "the truth has no puck that moves steadily at 60 px/s or more, so there is no lag to see");
+        "the truth has no puck that moves steadily at 60 px/s or more, in rows at most 50 ms "
+        "apart, "
+        "so there is no lag to see");
   }
   if (samples.clear_windows() == 0) {
     throw std::invalid_argument(
