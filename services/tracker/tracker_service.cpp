@@ -7,6 +7,8 @@
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
+#include "common/vision/make_pipeline.h"
+#include "common/vision/surface_tracker.h"
 
 namespace puck {
 namespace {
@@ -35,16 +37,17 @@ StatusLatency named(const char* name, const LatencyHistogram& histogram) {
 TrackerService::Track::Track(SensorSize sensor, const TrackerServiceParams& params,
                              TrackingThread::Publish publish)
     : surface(sensor, params.pipeline.eros),
-      thread(surface, PuckPipeline(sensor, params.pipeline, params.size_model), params.thread,
-             std::move(publish)) {}
+      thread(
+          surface, make_pipeline(sensor, params.pipeline, params.size_model),
+          PuckSearch(sensor, params.pipeline.kernels, params.pipeline.detector, params.size_model),
+          params.thread, std::move(publish)) {}
 
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
     : params_(params), context_(context) {
   // Parameters that cannot work are refused at the start, not with the first packet.
   // On the largest sensor, since it is not known yet how far the detection region may reach.
-  const PuckPipeline trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
-                           params.size_model);
-  const ErosSurface trial_surface({1, 1}, params.pipeline.eros);
+  const SurfaceTracker trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
+                             params.size_model);
   context_.bus.subscribe<event_packet_t>(
       [this](const event_packet_t& packet, const Receipt& receipt) { receive(packet, receipt); });
 }
@@ -53,8 +56,10 @@ void TrackerService::run(std::stop_token stop) {
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
     watch_input();
+    count_thinned();
     poll_status(context_, *this);
   }
+  count_thinned();
   track_.reset();
 }
 
@@ -113,6 +118,7 @@ void TrackerService::begin(const event_packet_t& packet, const Receipt& receipt)
   packets_ = {};
   dropped_packets_ = 0;
   events_received_ = 0;
+  events_thinned_ = 0;
   events_masked_ = 0;
   context_.log.info("following events of session {:x}, sensor {}x{}", packet.session, packet.width,
                     packet.height);
@@ -196,6 +202,10 @@ void TrackerService::watch_input() {
   }
 }
 
+void TrackerService::count_thinned() {
+  if (track_) events_thinned_ = track_->surface.events_thinned();
+}
+
 void TrackerService::report(StatusReport& report) const {
   const LossCounters& counters = packets_.counters();
   report.counters = {
@@ -207,6 +217,7 @@ void TrackerService::report(StatusReport& report) const {
       {"packets_rejected", rejected_packets_},
       {"packets_of_others", others_packets_},
       {"events_lost", counters.items_lost},
+      {"events_thinned", events_thinned_},
       {"estimates", context_.bus.counters<puck_estimate_t>().published},
   };
   report.latencies = {named("packet_to_estimate", packet_to_estimate_),
