@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "common/calibration/contour_samples.h"
 #include "common/vision/contour_calibration.h"
@@ -37,6 +36,6 @@ struct ContourFit {
 /// out. What the events leave open stays at its default. Throws std::invalid_argument with the
 /// reason when there are fewer than 1000 events, or the contour was too slow to tell the lag to
 /// 50 µs.
-ContourFit fit_contour(std::span<const ContourSample> samples);
+ContourFit fit_contour(const ContourSamples& samples);
 
 }  // namespace puck

@@ -88,11 +88,10 @@ struct Circling {
 
 ContourFit fit_of(const Circling& scene, const PuckSizeModel& size = kSize) {
   const TruthMotion truth(scene.truth());
-  const ContourPlaces places(kSensor, size);
-  ContourSamples samples(truth, places);
+  ContourSamples samples(truth, kSensor, size);
   samples.add(scene.events());
   samples.finish();
-  return fit_contour(samples.samples());
+  return fit_contour(samples);
 }
 
 TEST_CASE("the lag, the wall's share and the growth that made the events are found") {
@@ -144,8 +143,7 @@ TEST_CASE("times when something fires beside the puck are left out") {
   Circling scene;
   scene.beside_per_ms = 15;
   const TruthMotion truth(scene.truth());
-  const ContourPlaces places(kSensor, kSize);
-  ContourSamples samples(truth, places);
+  ContourSamples samples(truth, kSensor, kSize);
   samples.add(scene.events());
   samples.finish();
   CHECK(samples.windows() > 450);

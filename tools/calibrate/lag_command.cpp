@@ -79,8 +79,7 @@ void calibrate_lag(const LagCommand& command, const std::string& typed) {
     std::fprintf(stderr, "puck-calibrate: %s: %s\n", command.size_model.c_str(), doubt.c_str());
   }
 
-  const ContourPlaces places(events->sensor_size(), size_model);
-  ContourSamples samples(truth, places);
+  ContourSamples samples(truth, events->sensor_size(), size_model);
   EventPacket packet;
   std::optional<Timestamp> first;
   Timestamp last;
@@ -93,7 +92,7 @@ void calibrate_lag(const LagCommand& command, const std::string& typed) {
   if (!first) throw std::invalid_argument("there are no events");
   check_overlap(truth, *first, last);
   check_puck(truth, samples);
-  const ContourFit fit = fit_contour(samples.samples());
+  const ContourFit fit = fit_contour(samples);
 
   std::string text = without_table(read_calibration_text(command.size_model), "contour");
   text += contour_calibration_text(fit.calibration, typed);
