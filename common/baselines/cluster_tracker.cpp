@@ -51,8 +51,7 @@ PuckEstimate ClusterTracker::estimate() {
   if (detector_) {
     const PuckEstimate detected = detector_->estimate();
     if (detected.state != TrackState::kTracking) return detected;
-    start({*detected.position, size_model_.at(*detected.position)},
-          detected.newest_event);
+    start({*detected.position, size_model_.at(*detected.position)}, detected.newest_event);
     detector_.reset();
   }
   PuckEstimate estimate;

@@ -28,7 +28,7 @@ constexpr double kSmallestSpreadPx = 0.05;
 // How far from the defaults values may lie; weighs as much as a single event.
 const Parameters kFree(1, 0.3, 2, 0.2);
 // With speeds that are all alike, lag and trail cannot be told apart.
-const Parameters kNoTrail(1, 0.3, 2, 1e-9);
+const Parameters kUsualTrail(1, 0.3, 2, 1e-9);
 // For slopes.
 constexpr double kStep = 1e-3;
 
@@ -44,13 +44,23 @@ struct Residual {
   double normal_y = 0;
 };
 
-Residual residual_of(const ContourSample& sample, const Parameters& p) {
-  const ContourCalibration calibration = calibration_of(p);
-  const RingOffset offset = ring_offset(sample.place, calibration, sample.dx, sample.dy);
-  const double speed =
-      offset.normal_x * sample.velocity.x + offset.normal_y * sample.velocity.y;
-  return {offset.distance_px + calibration.behind_px(speed), speed, offset.normal_y};
-}
+// Where events are expected with a calibration.
+class Expectation {
+ public:
+  Expectation(const ContourSamples& samples, const Parameters& p)
+      : calibration_(calibration_of(p)), contour_(samples.contour(calibration_)) {}
+
+  Residual residual_of(const ContourSample& sample) const {
+    const ContourOffset offset =
+        contour_.ring_at(sample.centre, calibration_.wall_share).offset(sample.dx, sample.dy, 0);
+    const double speed = offset.normal_x * sample.velocity.x + offset.normal_y * sample.velocity.y;
+    return {offset.distance_px + calibration_.behind_px(speed), speed, offset.normal_y};
+  }
+
+ private:
+  ContourCalibration calibration_;
+  PuckContour contour_;
+};
 
 double median_of(std::vector<double>& values) {
   if (values.empty()) return 0;
@@ -59,10 +69,11 @@ double median_of(std::vector<double>& values) {
   return *middle;
 }
 
-double spread_of(std::span<const ContourSample> samples, const Parameters& p) {
+double spread_of(const ContourSamples& samples, const Parameters& p) {
+  const Expectation expectation(samples, p);
   std::vector<double> sizes;
-  for (const ContourSample& sample : samples) {
-    const double size = std::abs(residual_of(sample, p).value_px);
+  for (const ContourSample& sample : samples.samples()) {
+    const double size = std::abs(expectation.residual_of(sample).value_px);
     if (size < kGatePx) sizes.push_back(size);
   }
   return std::max(kSigmaOfMedian * median_of(sizes), kSmallestSpreadPx);
@@ -91,18 +102,21 @@ NormalEquations prior_of(const Parameters& p, double spread_px, const Parameters
   return prior;
 }
 
-NormalEquations equations_of(std::span<const ContourSample> samples, const Parameters& p,
-                             double spread_px) {
+// Of some of the samples.
+NormalEquations equations_of(const ContourSamples& samples, std::span<const ContourSample> some,
+                             const Parameters& p, double spread_px) {
+  const Expectation expectation(samples, p);
+  std::vector<Expectation> moved;
+  for (int i = 0; i < 4; ++i) moved.emplace_back(samples, p + kStep * Parameters::Unit(i));
   NormalEquations sum;
   const double scale = kCauchy * spread_px;
-  for (const ContourSample& sample : samples) {
-    const Residual r = residual_of(sample, p);
+  for (const ContourSample& sample : some) {
+    const Residual r = expectation.residual_of(sample);
     if (std::abs(r.value_px) > kGatePx) continue;
     Parameters slope;
     for (int i = 0; i < 4; ++i) {
-      Parameters moved = p;
-      moved(i) += kStep;
-      slope(i) = (residual_of(sample, moved).value_px - r.value_px) / kStep;
+      const double there = moved[static_cast<std::size_t>(i)].residual_of(sample).value_px;
+      slope(i) = (there - r.value_px) / kStep;
     }
     const double ratio = r.value_px / scale;
     const double weight = 1 / (1 + ratio * ratio);
@@ -114,14 +128,15 @@ NormalEquations equations_of(std::span<const ContourSample> samples, const Param
 
 // One more step of the fit without one part of the recording, for each part: their scatter tells
 // the error, however much the events of a part depend on each other.
-Parameters standard_error_of(std::span<const ContourSample> samples, const Parameters& p,
-                             double spread_px, const Parameters& freedom) {
+Parameters standard_error_of(const ContourSamples& samples, const Parameters& p, double spread_px,
+                             const Parameters& freedom) {
   std::array<NormalEquations, kParts> parts;
   NormalEquations all = prior_of(p, spread_px, freedom);
   for (std::size_t i = 0; i < kParts; ++i) {
-    const std::size_t begin = samples.size() * i / kParts;
-    const std::size_t end = samples.size() * (i + 1) / kParts;
-    parts[i] = equations_of(samples.subspan(begin, end - begin), p, spread_px);
+    const std::span<const ContourSample> events = samples.samples();
+    const std::size_t begin = events.size() * i / kParts;
+    const std::size_t end = events.size() * (i + 1) / kParts;
+    parts[i] = equations_of(samples, events.subspan(begin, end - begin), p, spread_px);
     all += parts[i];
   }
   Eigen::Matrix4d scatter = Eigen::Matrix4d::Zero();
@@ -134,14 +149,15 @@ Parameters standard_error_of(std::span<const ContourSample> samples, const Param
   return (scatter + independent).diagonal().cwiseSqrt();
 }
 
-void describe(std::span<const ContourSample> samples, const Parameters& p, ContourFit& fit) {
+void describe(const ContourSamples& samples, const Parameters& p, ContourFit& fit) {
+  const Expectation expectation(samples, p);
   std::vector<double> front;
   std::vector<double> back;
   std::vector<double> upper;
   std::vector<double> lower;
   std::vector<double> speeds;
-  for (const ContourSample& sample : samples) {
-    const Residual r = residual_of(sample, p);
+  for (const ContourSample& sample : samples.samples()) {
+    const Residual r = expectation.residual_of(sample);
     if (std::abs(r.value_px) > kGatePx) continue;
     (r.normal_speed_px_s > 0 ? front : back).push_back(r.value_px);
     if (r.normal_y < -0.7) upper.push_back(r.value_px);
@@ -158,13 +174,13 @@ void describe(std::span<const ContourSample> samples, const Parameters& p, Conto
   fit.fast_px_s = *fast;
 }
 
-ContourFit fit_freely(std::span<const ContourSample> samples, const Parameters& freedom) {
+ContourFit fit_freely(const ContourSamples& samples, const Parameters& freedom) {
   Parameters p = parameters_of(ContourCalibration{});
   double spread_px = spread_of(samples, p);
   ContourFit fit;
   fit.spread_before_px = spread_px;
   for (int i = 0; i < kIterations; ++i) {
-    NormalEquations equations = equations_of(samples, p, spread_px);
+    NormalEquations equations = equations_of(samples, samples.samples(), p, spread_px);
     equations += prior_of(p, spread_px, freedom);
     const Parameters step = equations.matrix.ldlt().solve(equations.side);
     p += step;
@@ -180,14 +196,14 @@ ContourFit fit_freely(std::span<const ContourSample> samples, const Parameters& 
 
 }  // namespace
 
-ContourFit fit_contour(std::span<const ContourSample> samples) {
-  if (samples.size() < kFewestEvents) {
-    throw std::invalid_argument("only " + std::to_string(samples.size()) +
+ContourFit fit_contour(const ContourSamples& samples) {
+  if (samples.samples().size() < kFewestEvents) {
+    throw std::invalid_argument("only " + std::to_string(samples.samples().size()) +
                                 " events of the contour of a moving puck, at least " +
                                 std::to_string(kFewestEvents) + " are needed");
   }
   ContourFit fit = fit_freely(samples, kFree);
-  if (!(fit.standard_error.lag_us < kLargestErrorUs)) fit = fit_freely(samples, kNoTrail);
+  if (!(fit.standard_error.lag_us < kLargestErrorUs)) fit = fit_freely(samples, kUsualTrail);
   if (!(fit.standard_error.lag_us < kLargestErrorUs)) {
     throw std::invalid_argument(
         "the puck is too slow to tell the lag: nine tenths of its contour's events move at less "

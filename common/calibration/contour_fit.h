@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "common/calibration/contour_samples.h"
 #include "common/vision/contour_calibration.h"
@@ -32,11 +31,11 @@ struct ContourFit {
 /// Fits the sensor's lag τ, the trail, the wall's share and the ring's growth at once: an event's
 /// distance from the ring is expected to be −τ n·v − trail sign(n·v), because events appear where
 /// the contour was τ ago. Where the speeds are too much alike to tell τ and trail apart, the trail
-/// stays 0.
+/// keeps its default.
 /// Iteratively reweighted least squares with Cauchy's weights; events more than 4 px off are left
 /// out. What the events leave open stays at its default. Throws std::invalid_argument with the
 /// reason when there are fewer than 1000 events, or the contour was too slow to tell the lag to
 /// 50 µs.
-ContourFit fit_contour(std::span<const ContourSample> samples);
+ContourFit fit_contour(const ContourSamples& samples);
 
 }  // namespace puck

@@ -23,8 +23,9 @@ constexpr ContourCalibration kRough{};
 
 }  // namespace
 
-ContourSamples::ContourSamples(const TruthMotion& truth, const ContourPlaces& places)
-    : truth_(truth), places_(places) {}
+ContourSamples::ContourSamples(const TruthMotion& truth, SensorSize sensor,
+                               const PuckSizeModel& size_model)
+    : truth_(truth), sensor_(sensor), size_model_(size_model), rough_(contour(kRough)) {}
 
 void ContourSamples::add(const EventPacket& packet) {
   for (const Event& event : packet.events) add(event, packet.time_of(event));
@@ -44,12 +45,13 @@ void ContourSamples::add(const Event& event, Timestamp time) {
   ContourSample sample;
   sample.dx = event.x - state->position.x;
   sample.dy = event.y - state->position.y;
-  sample.place = places_.at(state->position);
-  const double reach = sample.place.size.width / 2 + kOutsideToPx + kGatePx;
+  sample.centre = state->position;
+  const double reach = rough_.size_at(sample.centre).width / 2 + kOutsideToPx + kGatePx;
   if (std::abs(sample.dx) > reach || std::abs(sample.dy) > reach) return;
   sample.velocity = state->velocity;
 
-  const RingOffset offset = ring_offset(sample.place, kRough, sample.dx, sample.dy);
+  const ContourOffset offset =
+      rough_.ring_at(sample.centre, kRough.wall_share).offset(sample.dx, sample.dy, 0);
   const double normal_speed =
       offset.normal_x * state->velocity.x + offset.normal_y * state->velocity.y;
   const double distance = offset.distance_px + kRough.behind_px(normal_speed);

@@ -5,9 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "common/calibration/contour_ring.h"
 #include "common/calibration/truth_motion.h"
 #include "common/events/event_packet.h"
+#include "common/events/sensor_size.h"
+#include "common/vision/contour_calibration.h"
+#include "common/vision/puck_contour.h"
+#include "common/vision/puck_size_model.h"
 
 namespace puck {
 
@@ -15,15 +18,16 @@ namespace puck {
 struct ContourSample {
   double dx = 0;  ///< From the puck's true centre, px.
   double dy = 0;
+  Pixel centre;  ///< The true one.
   PixelVelocity velocity;
-  ContourPlace place;
 };
 
 /// Gathers the events that tell where the contour of a moving puck fires. Those of times when
 /// something else fires beside the puck are left out; with too many, they are thinned evenly.
 class ContourSamples {
  public:
-  ContourSamples(const TruthMotion& truth, const ContourPlaces& places);
+  /// The truth must outlive it.
+  ContourSamples(const TruthMotion& truth, SensorSize sensor, const PuckSizeModel& size_model);
 
   /// Packets in the order of their times.
   void add(const EventPacket& packet);
@@ -31,6 +35,10 @@ class ContourSamples {
   void finish() { close_window(); }
 
   std::span<const ContourSample> samples() const { return samples_; }
+  /// The contour that the trackers would expect with this calibration.
+  PuckContour contour(const ContourCalibration& calibration) const {
+    return {sensor_, size_model_, calibration, true};
+  }
   /// Stretches of 2 ms in which truth told the motion of a puck that was fast enough, and those of
   /// them in which its contour fired and nothing beside it did.
   std::int64_t windows() const { return windows_; }
@@ -41,7 +49,9 @@ class ContourSamples {
   void close_window();
 
   const TruthMotion& truth_;
-  const ContourPlaces& places_;
+  SensorSize sensor_;
+  PuckSizeModel size_model_;
+  PuckContour rough_;
 
   std::int64_t window_ = -1;
   bool has_motion_ = false;

@@ -31,8 +31,7 @@ DiscModel model_of(const Eigen::VectorXd& parameters, Pixel middle) {
   DiscModel model;
   model.width_x = parameters(kGrowthX);
   model.width_y = parameters(kGrowthY);
-  model.width_0 =
-      parameters(kWidth) - model.width_x * middle.x - model.width_y * middle.y;
+  model.width_0 = parameters(kWidth) - model.width_x * middle.x - model.width_y * middle.y;
   model.face_on_px = std::max(parameters(kFaceOn), kSmallestWidthPx);
   model.thickness = parameters(kThickness);
   model.principal_point = {parameters(kColumn), middle.y};

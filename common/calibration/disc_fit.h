@@ -17,12 +17,12 @@ namespace puck {
 ///   w = D f / H · (n·d),                                affine in x and y, zero at the horizon.
 /// A length along the plane away from the camera is shortened once more by n·d:
 ///   disc height = w (n·d) = w² / face_on,               face_on = D f / H,
-/// and slants with κ = dx/dy = (x − cx) / (y − horizon), which widens the box to √(w² + κ² height²).
-/// A thickness T = thickness · D adds w T/D (1 / cos φ − (n·d) tan φ) to the height, φ being the
-/// tilt of the optical axis below the horizon: sin φ is n·d in the principal point. To the sides the
-/// upper rim leans outward by w T/D sin φ |x − cx| / f, which widens the box, too. So the boxes'
-/// widths and heights fix w's three coefficients, face_on, the thickness, and, weakly, cx; f is
-/// face_on cos φ over w's growth from row to row.
+/// and slants with κ = dx/dy = (x − cx) / (y − horizon), which widens the box to √(w² + κ²
+/// height²). A thickness T = thickness · D adds w T/D (1 / cos φ − (n·d) tan φ) to the height, φ
+/// being the tilt of the optical axis below the horizon: sin φ is n·d in the principal point. To
+/// the sides the upper rim leans outward by w T/D sin φ |x − cx| / f, which widens the box, too. So
+/// the boxes' widths and heights fix w's three coefficients, face_on, the thickness, and, weakly,
+/// cx; f is face_on cos φ over w's growth from row to row.
 struct DiscModel {
   double width_0 = 0;  ///< w at the image's top left corner, px, and its growth, px/px.
   double width_x = 0;

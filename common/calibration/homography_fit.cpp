@@ -10,17 +10,18 @@
 
 #include <Eigen/Dense>
 
+#include "common/calibration/least_squares.h"
+
 namespace puck {
 namespace {
 
 using Points = Eigen::Matrix2Xd;
-using Parameters = Eigen::Matrix<double, 8, 1>;
+using Parameters = Eigen::VectorXd;  // Eight; the ninth element is 1.
 
 constexpr std::size_t kMinCorrespondences = 4;
 // Of the second smallest singular value of the linear system to its largest. In normalised
 // coordinates a good layout reaches 0.1; points on one line stay near the noise of the marking.
 constexpr double kMinConditioning = 1e-3;
-constexpr int kMaxRefinements = 50;
 
 struct Normalised {
   Points points;
@@ -72,53 +73,18 @@ Eigen::Matrix3d to_matrix(const Parameters& p) {
   return matrix;
 }
 
-Eigen::VectorXd residuals_of(const Parameters& p, const Points& from, const Points& to) {
-  const Points carried = (to_matrix(p) * from.colwise().homogeneous()).colwise().hnormalized();
-  return (carried - to).reshaped();
-}
-
-Eigen::MatrixXd jacobian_of(const Parameters& p, const Points& from) {
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(2 * from.cols(), 8);
-  const Eigen::Matrix3d h = to_matrix(p);
-  for (Eigen::Index i = 0; i < from.cols(); ++i) {
-    const Eigen::RowVector3d q = from.col(i).homogeneous().transpose();
-    const Eigen::Vector3d carried = h * q.transpose();
-    const double w = carried.z();
-    jacobian.block<1, 3>(2 * i, 0) = q / w;
-    jacobian.block<1, 3>(2 * i + 1, 3) = q / w;
-    jacobian.block<1, 2>(2 * i, 6) = -carried.x() / (w * w) * q.head<2>();
-    jacobian.block<1, 2>(2 * i + 1, 6) = -carried.y() / (w * w) * q.head<2>();
-  }
-  return jacobian;
-}
-
-// Levenberg-Marquardt on the distances between `to` and the carried `from`.
+// Smallest squared distances between `to` and the carried `from`.
 Eigen::Matrix3d refined(const Eigen::Matrix3d& start, const Points& from, const Points& to) {
   const Eigen::Matrix3d scaled = start / start(2, 2);
-  Parameters best;
-  best << scaled(0, 0), scaled(0, 1), scaled(0, 2), scaled(1, 0), scaled(1, 1), scaled(1, 2),
+  Parameters parameters(8);
+  parameters << scaled(0, 0), scaled(0, 1), scaled(0, 2), scaled(1, 0), scaled(1, 1), scaled(1, 2),
       scaled(2, 0), scaled(2, 1);
-  double best_cost = residuals_of(best, from, to).squaredNorm();
-  double damping = 1e-3;
-  for (int i = 0; i < kMaxRefinements; ++i) {
-    const Eigen::MatrixXd jacobian = jacobian_of(best, from);
-    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-    normal.diagonal() *= 1 + damping;
-    const Parameters step =
-        normal.ldlt().solve(-jacobian.transpose() * residuals_of(best, from, to));
-    const double cost = residuals_of(best + step, from, to).squaredNorm();
-    if (cost < best_cost) {
-      best += step;
-      const bool converged = best_cost - cost <= 1e-14 * best_cost;
-      best_cost = cost;
-      damping /= 10;
-      if (converged) break;
-    } else {
-      damping *= 10;
-      if (damping > 1e9) break;
-    }
-  }
-  return to_matrix(best);
+  return to_matrix(least_squares(
+      parameters, to.size(), [&](const Eigen::VectorXd& p, Eigen::VectorXd& residuals) {
+        const Points carried =
+            (to_matrix(p) * from.colwise().homogeneous()).colwise().hnormalized();
+        residuals = (carried - to).reshaped();
+      }));
 }
 
 Homography to_homography(const Eigen::Matrix3d& table_from_image) {

@@ -52,8 +52,7 @@ std::vector<double> excesses_of(std::span<const Annotation> annotations, const S
     for (const Annotation& a : annotations) {
       errors.push_back(std::abs(a.size.*side - size_at(a.centre).*side));
     }
-    const double allowed =
-        std::max(kOutlierPx, kOutlierSigmas * kSigmaOfMedian * median(errors));
+    const double allowed = std::max(kOutlierPx, kOutlierSigmas * kSigmaOfMedian * median(errors));
     for (std::size_t i = 0; i < errors.size(); ++i) {
       excesses[i] = std::max(excesses[i], errors[i] / allowed);
     }
@@ -64,8 +63,8 @@ std::vector<double> excesses_of(std::span<const Annotation> annotations, const S
 // An error of one of the models is none of the annotation.
 std::optional<std::size_t> worst_outlier(std::span<const Annotation> annotations,
                                          const Fits& fits) {
-  const std::vector<double> by_planes = excesses_of(
-      annotations, [&](Pixel p) { return fits.planes.model.extrapolated_at(p); });
+  const std::vector<double> by_planes =
+      excesses_of(annotations, [&](Pixel p) { return fits.planes.model.extrapolated_at(p); });
   const std::vector<double> by_disc =
       excesses_of(annotations, [&](Pixel p) { return fits.disc.model.at(p); });
   std::size_t worst = 0;

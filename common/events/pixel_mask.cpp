@@ -18,8 +18,7 @@ PixelMask::PixelMask(SensorSize sensor, std::span<const PixelPlace> pixels) : se
                                 std::to_string(SensorSize::kMax) + " px each way, got " +
                                 text_of(sensor));
   }
-  covered_.resize(static_cast<std::size_t>(sensor.width) *
-                  static_cast<std::size_t>(sensor.height));
+  covered_.resize(static_cast<std::size_t>(sensor.width) * static_cast<std::size_t>(sensor.height));
   for (const PixelPlace pixel : pixels) {
     if (!sensor.contains(pixel.x, pixel.y)) {
       throw std::invalid_argument("the masked pixel (" + std::to_string(pixel.x) + ", " +

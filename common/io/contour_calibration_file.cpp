@@ -27,7 +27,8 @@ std::optional<ContourCalibration> read_contour_calibration(const std::filesystem
 std::string contour_calibration_text(const ContourCalibration& calibration,
                                      std::string_view provenance) {
   return toml_comment(provenance) +
-         "# How the contour's events lie to the puck's ellipse: late by lag_us, and trail_px behind at\n"
+         "# How the contour's events lie to the puck's ellipse: late by lag_us, and trail_px "
+         "behind at\n"
          "# any speed; on a ring larger by grow_px in both axes and lower by wall_share times the\n"
          "# width, its upper edge staying where it is.\n"
          "[contour]\nlag_us = " +

@@ -14,8 +14,8 @@ namespace puck {
 /// The events of another reader without those of masked pixels.
 class MaskedReader final : public EventReader {
  public:
-  /// Throws std::invalid_argument when the mask is of another sensor; `name`: what the message calls
-  /// the mask.
+  /// Throws std::invalid_argument when the mask is of another sensor; `name`: what the message
+  /// calls the mask.
   MaskedReader(std::unique_ptr<EventReader> events, PixelMask mask, std::string_view name);
 
   SensorSize sensor_size() const override { return events_->sensor_size(); }

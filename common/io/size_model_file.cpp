@@ -46,9 +46,9 @@ void read_range(Config& config, PuckSizeModel& model) {
   }
   for (double PuckSize::*side : {&PuckSize::width, &PuckSize::height}) {
     if (model.smallest.*side <= model.largest.*side) continue;
-    config.fail(side == &PuckSize::width ? "size_range.smallest_width"
-                                         : "size_range.smallest_height",
-                "must not be above the largest");
+    config.fail(
+        side == &PuckSize::width ? "size_range.smallest_width" : "size_range.smallest_height",
+        "must not be above the largest");
   }
   config.read("size_range.sensor_width", model.sensor.width, 0, SensorSize::kMax);
   config.read("size_range.sensor_height", model.sensor.height, 0, SensorSize::kMax);
@@ -78,8 +78,9 @@ std::string size_model_text(const PuckSizeModel& model, std::string_view provena
   for (const Coefficient& coefficient : kCoefficients) {
     text += entry(coefficient.key, toml_number(model.*coefficient.member));
   }
-  text += "# Whatever those say, the puck is never smaller or larger, px. Sensor: 0 if not known.\n"
-          "[size_range]\n";
+  text +=
+      "# Whatever those say, the puck is never smaller or larger, px. Sensor: 0 if not known.\n"
+      "[size_range]\n";
   for (const Limit& limit : kLimits) {
     text += entry(limit.key, toml_number(model.*limit.which.*limit.side));
   }

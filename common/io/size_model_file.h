@@ -14,8 +14,8 @@ namespace puck {
 /// hold a whole calibration. Throws ConfigError.
 PuckSizeModel read_size_model_file(const std::filesystem::path& path);
 
-/// The tables [size_model] and [size_range] as `read_size_model_file` reads it. `provenance`: where the model comes
-/// from; becomes a comment.
+/// The tables [size_model] and [size_range] as `read_size_model_file` reads it. `provenance`: where
+/// the model comes from; becomes a comment.
 std::string size_model_text(const PuckSizeModel& model, std::string_view provenance);
 
 /// Writes that into a file of its own. Throws ConfigError when it cannot be written.

@@ -18,7 +18,7 @@ struct ContourCalibration {
   double grow_px = 0.5;
   /// How far behind the contour its events lie besides, at any speed, px: a pixel fires only once
   /// the edge has covered some of it, more of it where the contrast is low.
-  double trail_px = 0;
+  double trail_px = 0.1;
 
   /// How far behind the contour an event is to be expected, px: inside where the contour moves
   /// outwards with this speed along its normal, outside where the speed is negative.

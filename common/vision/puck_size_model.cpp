@@ -56,8 +56,7 @@ std::vector<std::string> doubts_about(const PuckSizeModel& model, SensorSize sen
   if (most > 0) {
     doubts.push_back("the size model says " + text_of(model.extrapolated_at(worst)) + " at (" +
                      std::to_string(std::lround(worst.x)) + ", " +
-                     std::to_string(std::lround(worst.y)) + "), where " +
-                     text_of(model.at(worst)) +
+                     std::to_string(std::lround(worst.y)) + "), where " + text_of(model.at(worst)) +
                      " are used: it is extrapolated there, annotate more of the image");
   }
   return doubts;

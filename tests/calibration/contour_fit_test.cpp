@@ -75,11 +75,10 @@ struct Circling {
       } while (share(random) > std::abs(along));
       const double out = beside + noise(random) - std::copysign(calibration.trail_px, along);
       Event event;
-      event.x = static_cast<std::uint16_t>(
-          std::lround(c.x + a * std::cos(angle) + nx * out));
-      event.y = static_cast<std::uint16_t>(
-                    std::lround(c.y - wall / 2 + b * std::sin(angle) + ny * out)) &
-                0x7fff;
+      event.x = static_cast<std::uint16_t>(std::lround(c.x + a * std::cos(angle) + nx * out));
+      event.y =
+          static_cast<std::uint16_t>(std::lround(c.y - wall / 2 + b * std::sin(angle) + ny * out)) &
+          0x7fff;
       event.offset_us = static_cast<std::uint32_t>(t_us);
       packet.events.push_back(event);
     }
@@ -89,11 +88,10 @@ struct Circling {
 
 ContourFit fit_of(const Circling& scene, const PuckSizeModel& size = kSize) {
   const TruthMotion truth(scene.truth());
-  const ContourPlaces places(kSensor, size);
-  ContourSamples samples(truth, places);
+  ContourSamples samples(truth, kSensor, size);
   samples.add(scene.events());
   samples.finish();
-  return fit_contour(samples.samples());
+  return fit_contour(samples);
 }
 
 TEST_CASE("the lag, the wall's share and the growth that made the events are found") {
@@ -145,8 +143,7 @@ TEST_CASE("times when something fires beside the puck are left out") {
   Circling scene;
   scene.beside_per_ms = 15;
   const TruthMotion truth(scene.truth());
-  const ContourPlaces places(kSensor, kSize);
-  ContourSamples samples(truth, places);
+  ContourSamples samples(truth, kSensor, kSize);
   samples.add(scene.events());
   samples.finish();
   CHECK(samples.windows() > 450);

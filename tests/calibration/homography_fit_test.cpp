@@ -15,7 +15,7 @@ namespace puck {
 namespace {
 
 std::vector<Correspondence> correspondences_of(const Homography& homography,
-                                                    const std::vector<TablePoint>& points) {
+                                               const std::vector<TablePoint>& points) {
   std::vector<Correspondence> correspondences;
   for (const TablePoint point : points) {
     correspondences.push_back({*homography.to_image(point), point});
@@ -45,8 +45,7 @@ TEST_CASE("The table fit averages the marking's error and reports it in pixels a
   std::vector<Correspondence> noisy = correspondences_of(truth, points);
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 1);
-  for (Correspondence& c : noisy)
-    c.image = {c.image.x + noise(random), c.image.y + noise(random)};
+  for (Correspondence& c : noisy) c.image = {c.image.x + noise(random), c.image.y + noise(random)};
   const HomographyFit fit = fit_homography(noisy);
   // Two coordinates of unit variance, less what the eight parameters explain: just below sqrt(2).
   CHECK(fit.rms_px > 1.0);

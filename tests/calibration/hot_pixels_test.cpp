@@ -20,9 +20,7 @@ constexpr SensorSize kSensor{64, 48};
 // Events in any order, handed over in the order of their times.
 class Recording {
  public:
-  void add(double t_us, int x, int y) {
-    events_.push_back({t_us, {x, y}});
-  }
+  void add(double t_us, int x, int y) { events_.push_back({t_us, {x, y}}); }
   // At random times, so often on average.
   void add_noise(int x, int y, double rate_hz, double seconds) {
     std::exponential_distribution<double> gap(rate_hz);

@@ -153,8 +153,8 @@ TEST_CASE("the eyes of a robot that hang upside down see upright") {
 TEST_CASE("events of masked pixels are dropped before any rotation, and counted") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", {{0, 5, 6, 1}, {1, 58, 41, 0}, {2, 5, 6, 0}, {3, 9, 9, 1}});
-  write_pixel_mask_file(folder / "mask.toml",
-                        PixelMask({64, 48}, std::vector<PixelPlace>{{5, 6}}), "");
+  write_pixel_mask_file(folder / "mask.toml", PixelMask({64, 48}, std::vector<PixelPlace>{{5, 6}}),
+                        "");
   const std::string mask = "hot_pixel_mask = \"" + (folder / "mask.toml").string() + "\"\n";
   CameraRun run(file_settings(folder / "a.raw", "rotate_180 = true\n" + mask));
   run.run();
@@ -271,9 +271,10 @@ TEST_CASE("settings that make no sense are refused with their key") {
                  "/nowhere.toml: cannot be opened"));
   const CameraFolder folder;
   write_pixel_mask_file(folder / "mask.toml", PixelMask({64, 48}, {}), "");
-  CHECK(contains(refusal("[camera]\nhot_pixel_mask = \"" + (folder / "mask.toml").string() + "\"\n"),
-                 "camera.hot_pixel_mask is of a sensor of 64x48 px, the events are of one of "
-                 "640x480 px"));
+  CHECK(
+      contains(refusal("[camera]\nhot_pixel_mask = \"" + (folder / "mask.toml").string() + "\"\n"),
+               "camera.hot_pixel_mask is of a sensor of 64x48 px, the events are of one of "
+               "640x480 px"));
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused")
 
 TEST_CASE("a contour calibration reads back as it was written, beside a size model") {
   const TemporaryFolder folder;
-  const auto path =
-      folder.write("size.toml", kSizeModel + contour_calibration_text({390.5, 0.16, -0.25, 0.08}, "lag"));
+  const auto path = folder.write(
+      "size.toml", kSizeModel + contour_calibration_text({390.5, 0.16, -0.25, 0.08}, "lag"));
   const auto again = read_contour_calibration(path);
   REQUIRE(again.has_value());
   CHECK(again->lag_us == 390.5);
@@ -70,7 +70,8 @@ TEST_CASE("a contour calibration reads back as it was written, beside a size mod
 
 TEST_CASE("a table is taken out of a calibration with its comment, and nothing else") {
   const std::string head = "# made by hand\n[a]\nx = 1  # [b]\n";
-  const std::string table = "# of the contour\n# two lines\n[contour]\nlag_us = 1\n# within\nx = 2\n";
+  const std::string table =
+      "# of the contour\n# two lines\n[contour]\nlag_us = 1\n# within\nx = 2\n";
   const std::string tail = "# of c\n[c]\ny = 1\n";
   CHECK(without_table(head + table + tail, "contour") == head + tail);
   CHECK(without_table(head + table, "contour") == head);

@@ -33,14 +33,15 @@ TEST_CASE("a pixel mask with a half pair, a fraction, a stray pixel or no sensor
   };
   const std::string sensor = "width = 64\nheight = 48\n";
   CHECK(refusal(sensor + "pixels = [1, 2]\n").empty());
-  CHECK(contains(refusal(sensor + "pixels = [1, 2, 3]\n"), "mask.toml:4: pixel_mask.pixels must be "
-                                                           "pairs of x and y"));
+  CHECK(contains(refusal(sensor + "pixels = [1, 2, 3]\n"),
+                 "mask.toml:4: pixel_mask.pixels must be "
+                 "pairs of x and y"));
   CHECK(contains(refusal(sensor + "pixels = [1, 2.5]\n"), "must be whole numbers"));
   CHECK(contains(refusal(sensor + "pixels = [1, 48]\n"), "(1, 48) lies outside the sensor"));
   CHECK(contains(refusal("height = 48\npixels = []\n"), "pixel_mask.width is missing"));
 }
 
-TEST_CASE("a masked reader leaves out masked events, counts them, and never says the end too soon") {
+TEST_CASE("a masked reader leaves out masked events, counts them, and does not end too soon") {
   const TemporaryFolder folder;
   std::vector<PlainEvent> events;
   for (int i = 0; i < 50; ++i) events.push_back({i, i < 40 ? 9 : i, 5, 1});

@@ -171,10 +171,10 @@ TEST_CASE("a size model of another sensor, or one that is clamped in the image, 
              "[size_model]\nwidth_0 = -30\nwidth_x = 0\nwidth_y = 0.2\nheight_0 = -20\n"
              "height_x = 0\nheight_y = 0.15\n[size_range]\nsensor_width = 1280\n"
              "sensor_height = 720\n");
-  const Finished finished = run("puck-evaluate",
-                                {"FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model",
-                                 "FOLDER/model.toml"},
-                                folder);
+  const Finished finished =
+      run("puck-evaluate",
+          {"FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model", "FOLDER/model.toml"},
+          folder);
   CAPTURE(finished.errors);
   CHECK(finished.exit_code == 0);
   CHECK(finished.errors.find("fitted for a sensor of 1280x720 px, this one has 640x480") !=

@@ -151,9 +151,7 @@ TEST_CASE("a packet from before the newest event and one of another sensor are d
   CHECK(counter(tracker.service(), "events_received") == 2 * 150);
 }
 
-TEST_CASE(
-    "masked pixels do not reach the surface and are counted; a mask of another sensor is not "
-    "used") {
+TEST_CASE("events of masked pixels are dropped and counted, but not by another sensor's mask") {
   const TemporaryFolder folder;
   const auto settings = [&](SensorSize sensor) {
     const std::vector<PixelPlace> pixels{{1, 1}, {2, 1}};

@@ -16,8 +16,8 @@ constexpr std::size_t kPrinted = 10;
 void print(const HotPixelReport& report) {
   std::printf("%zu hot pixels in %.1f s; half of all pixels fire at %.2f Hz or less\n",
               report.pixels.size(), report.seconds, report.median_rate_hz);
-  std::printf("they made %lld of %lld events, %.2f %%\n",
-              static_cast<long long>(report.hot_events), static_cast<long long>(report.events),
+  std::printf("they made %lld of %lld events, %.2f %%\n", static_cast<long long>(report.hot_events),
+              static_cast<long long>(report.events),
               100.0 * static_cast<double>(report.hot_events) / static_cast<double>(report.events));
   if (report.pixels.empty()) return;
   std::printf("   x    y        Hz  active %%\n");

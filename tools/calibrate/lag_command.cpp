@@ -39,7 +39,9 @@ void check_puck(const TruthMotion& truth, const ContourSamples& samples) {
   }
   if (samples.windows() == 0) {
     throw std::invalid_argument(
-        "the truth has no puck that moves steadily at 60 px/s or more, so there is no lag to see");
+        "the truth has no puck that moves steadily at 60 px/s or more, in rows at most 50 ms "
+        "apart, "
+        "so there is no lag to see");
   }
   if (samples.clear_windows() == 0) {
     throw std::invalid_argument(
@@ -51,10 +53,11 @@ void check_puck(const TruthMotion& truth, const ContourSamples& samples) {
 void print(const ContourFit& fit, const ContourSamples& samples) {
   const ContourCalibration& c = fit.calibration;
   const ContourCalibration& e = fit.standard_error;
-  std::printf("%zu contour events from %.1f s in which nothing else fired near the moving puck, of "
-              "%.1f s\n",
-              fit.events, 2e-3 * static_cast<double>(samples.clear_windows()),
-              2e-3 * static_cast<double>(samples.windows()));
+  std::printf(
+      "%zu contour events from %.1f s in which nothing else fired near the moving puck, of "
+      "%.1f s\n",
+      fit.events, 2e-3 * static_cast<double>(samples.clear_windows()),
+      2e-3 * static_cast<double>(samples.windows()));
   std::printf("lag_us      %8.1f +- %.1f\n", c.lag_us, e.lag_us);
   std::printf("wall_share  %8.4f +- %.4f\n", c.wall_share, e.wall_share);
   std::printf("grow_px     %8.3f +- %.3f\n", c.grow_px, e.grow_px);
@@ -76,8 +79,7 @@ void calibrate_lag(const LagCommand& command, const std::string& typed) {
     std::fprintf(stderr, "puck-calibrate: %s: %s\n", command.size_model.c_str(), doubt.c_str());
   }
 
-  const ContourPlaces places(events->sensor_size(), size_model);
-  ContourSamples samples(truth, places);
+  ContourSamples samples(truth, events->sensor_size(), size_model);
   EventPacket packet;
   std::optional<Timestamp> first;
   Timestamp last;
@@ -90,7 +92,7 @@ void calibrate_lag(const LagCommand& command, const std::string& typed) {
   if (!first) throw std::invalid_argument("there are no events");
   check_overlap(truth, *first, last);
   check_puck(truth, samples);
-  const ContourFit fit = fit_contour(samples.samples());
+  const ContourFit fit = fit_contour(samples);
 
   std::string text = without_table(read_calibration_text(command.size_model), "contour");
   text += contour_calibration_text(fit.calibration, typed);

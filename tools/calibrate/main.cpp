@@ -26,7 +26,8 @@ void add_file_options(CLI::App& command, EventFileOptions& file) {
   command.add_option("--from", file.from, "format of the recording, where it does not say so")
       ->check(CLI::IsMember({"evt2", "evt3", "text"}));
   command.add_option("--width", file.sensor.width, "sensor, px, where the recording does not say");
-  command.add_option("--height", file.sensor.height, "sensor, px, where the recording does not say");
+  command.add_option("--height", file.sensor.height,
+                     "sensor, px, where the recording does not say");
 }
 
 int run(int argc, char** argv) {
@@ -42,8 +43,7 @@ int run(int argc, char** argv) {
   size_app->add_option("--width", size.sensor.width, "of the sensor, px: tells the coverage");
   size_app->add_option("--height", size.sensor.height, "of the sensor, px");
 
-  CLI::App* table_app =
-      app.add_subcommand("table", "The homography from the image to the table");
+  CLI::App* table_app = app.add_subcommand("table", "The homography from the image to the table");
   table_app->add_option("correspondences", input, "CSV: x_px,y_px,x_m,y_m")->required();
 
   LagCommand lag;
@@ -56,7 +56,8 @@ int run(int argc, char** argv) {
   add_file_options(*lag_app, lag.file);
 
   HotPixelsCommand hot;
-  CLI::App* hot_app = app.add_subcommand("hot-pixels", "A mask of the pixels that fire all the time");
+  CLI::App* hot_app =
+      app.add_subcommand("hot-pixels", "A mask of the pixels that fire all the time");
   hot_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3) or text")->required();
   add_file_options(*hot_app, hot.file);
 

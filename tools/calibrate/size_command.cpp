@@ -11,8 +11,8 @@ namespace puck {
 namespace {
 
 void print_residuals(const char* model, const SizeResiduals& width, const SizeResiduals& height) {
-  std::printf("%-16s %9.3f %8.3f %10.3f %8.3f\n", model, width.rms_px, width.max_px,
-              height.rms_px, height.max_px);
+  std::printf("%-16s %9.3f %8.3f %10.3f %8.3f\n", model, width.rms_px, width.max_px, height.rms_px,
+              height.max_px);
 }
 
 void print_disc(const DiscModel& disc) {
@@ -20,9 +20,10 @@ void print_disc(const DiscModel& disc) {
     std::printf("the sizes grow too little towards the camera to tell how it is tilted\n");
     return;
   }
-  std::printf("the disc implies a camera that is tilted down by %.1f deg, with a focal length of "
-              "%.0f px, and a puck %.2f diameters thick\n",
-              disc.tilt_deg(), disc.focal_px(), disc.thickness);
+  std::printf(
+      "the disc implies a camera that is tilted down by %.1f deg, with a focal length of "
+      "%.0f px, and a puck %.2f diameters thick\n",
+      disc.tilt_deg(), disc.focal_px(), disc.thickness);
 }
 
 void print_coverage(const SizeCalibration& calibration, SensorSize sensor) {
@@ -45,10 +46,11 @@ void print(const SizeCalibration& calibration, std::size_t rows, SensorSize sens
   std::printf("%zu annotations, %zu left out\n", rows, calibration.outliers.size());
   for (const SizeOutlier& outlier : calibration.outliers) {
     const Annotation& a = outlier.annotation;
-    std::printf("  row %zu (t %lld us, at %.1f, %.1f): %.1f x %.1f px, where the others imply "
-                "%.1f x %.1f\n",
-                outlier.row, static_cast<long long>(a.time.us), a.centre.x, a.centre.y,
-                a.size.width, a.size.height, outlier.expected.width, outlier.expected.height);
+    std::printf(
+        "  row %zu (t %lld us, at %.1f, %.1f): %.1f x %.1f px, where the others imply "
+        "%.1f x %.1f\n",
+        outlier.row, static_cast<long long>(a.time.us), a.centre.x, a.centre.y, a.size.width,
+        a.size.height, outlier.expected.width, outlier.expected.height);
   }
   std::printf("residuals, px    width rms      max height rms      max\n");
   print_residuals("Equation (2)", calibration.planes.width, calibration.planes.height);
