@@ -316,15 +316,25 @@ void ContourPipeline::judge_challengers(std::int64_t time_us) {
       return;
     }
   }
+  dismiss_hopeless(time_us);
   const ContourFilter& main = main_->filter();
   std::erase_if(challengers_, [&](const Challenger& challenger) {
     const ContourFilter& filter = challenger.track().filter();
     return challenger.age_us(time_us) > life_us(challenger.kind()) ||
-           is_hopeless(challenger, time_us) ||
            (challenger.kind() != Challenger::Kind::kWall &&
             distance(filter.position(), main.position()) < kSame_px &&
             std::hypot(filter.velocity().x - main.velocity().x,
                        filter.velocity().y - main.velocity().y) < kSame_px_s);
+  });
+}
+
+void ContourPipeline::dismiss_hopeless(std::int64_t time_us) {
+  std::erase_if(challengers_, [&](const Challenger& challenger) {
+    const bool is_over = challenger.kind() == Challenger::Kind::kSearch &&
+                         (challenger.age_us(time_us) > kSearchLife_us ||
+                          is_hopeless(challenger, time_us));
+    if (is_over) refuted_.add(challenger.track().filter().position(), time_us);
+    return is_over;
   });
 }
 
@@ -362,9 +372,11 @@ bool ContourPipeline::is_convincing(const Challenger& challenger, std::int64_t t
   const double reach_px =
       std::min(kFarthestTakeover_px,
                kTakeoverRadius_px + kSearchGrowth_px_us * static_cast<double>(time_us - good_us_));
-  if (age_us <= 6'000 || track.quality() <= 0.5 || track.strength() <= 10 ||
-      track.quality() <= main_->quality() + 0.1 ||
-      distance(track.filter().position(), main_->filter().position()) > reach_px) {
+  // The farther away, the better it must look.
+  const double distance_px = distance(track.filter().position(), main_->filter().position());
+  const double least_quality = 0.5 + 0.3 * distance_px / kFarthestTakeover_px;
+  if (age_us <= 6'000 || track.quality() <= least_quality || track.strength() <= 10 ||
+      track.quality() <= main_->quality() + 0.1 || distance_px > reach_px) {
     return false;
   }
   if (main_->quality() < 0.35 && main_strength < std::max(15.0, track.strength() / 2)) return true;
@@ -389,9 +401,7 @@ void ContourPipeline::confirm_first(std::int64_t time_us) {
     enthrone(*best, time_us);
     return;
   }
-  std::erase_if(challengers_, [&](const Challenger& challenger) {
-    return challenger.age_us(time_us) > kSearchLife_us || is_hopeless(challenger, time_us);
-  });
+  dismiss_hopeless(time_us);
 }
 
 void ContourPipeline::enthrone(std::size_t index, std::int64_t time_us) {
@@ -503,7 +513,7 @@ void ContourPipeline::take(const SearchResult& result) {
                  distance(candidate.position, challenger.track().filter().position()) <
                      2 * kSame_px;
         });
-    if (known) continue;
+    if (known || refuted_.contains(candidate.position, now_us_)) continue;
     const double calibrated = context_.contour.calibrated_wall_share();
     challenge(Challenger::Kind::kSearch, start, now_us_, calibrated);
     if (!context_.ingredients.wall) continue;

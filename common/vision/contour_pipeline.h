@@ -11,6 +11,7 @@
 #include "common/vision/contour_track.h"
 #include "common/vision/event_history.h"
 #include "common/vision/puck_size_model.h"
+#include "common/vision/refuted_places.h"
 #include "common/vision/tracking_pipeline.h"
 
 namespace puck {
@@ -57,6 +58,7 @@ class ContourPipeline final : public TrackingPipeline {
                  double wall_share);
   ContourFilter::Start shifted_for_wall(ContourFilter::Start start, double from, double to) const;
   void judge_challengers(std::int64_t time_us);
+  void dismiss_hopeless(std::int64_t time_us);
   bool takes_over(Challenger& challenger, std::int64_t time_us);
   bool is_convincing(const Challenger& challenger, std::int64_t time_us) const;
   void confirm_first(std::int64_t time_us);
@@ -76,6 +78,7 @@ class ContourPipeline final : public TrackingPipeline {
   std::optional<ContourTrack> main_;
   BlobWitness witness_{Pixel{}};
   std::vector<Challenger> challengers_;
+  RefutedPlaces refuted_;
 
   TrackState state_ = TrackState::kSearching;
   bool resting_ = false;

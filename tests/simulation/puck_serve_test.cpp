@@ -27,7 +27,7 @@ TEST_CASE("A served puck is pushed from one place to another and left there at r
   CHECK(puck.position.x_m == doctest::Approx(to.x_m));
   CHECK(puck.position.y_m == doctest::Approx(to.y_m));
   CHECK(std::hypot(puck.velocity.x_m_s, puck.velocity.y_m_s) < 1e-6);
-  // Half a cosine is π/2 times as fast in its middle as on average.
+  // A quarter of a sine is π/2 times as fast at its start as on average.
   CHECK(fastest_m_s == doctest::Approx(0.7 / 0.5 * 1.5708).epsilon(0.01));
 }
 
