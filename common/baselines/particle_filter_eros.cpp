@@ -20,10 +20,14 @@ ParticleFilterEros::ParticleFilterEros(SensorSize sensor, const ParticleFilterEr
   require_share("particle_filter.lowest_likelihood", params.lowest_likelihood);
 }
 
+void ParticleFilterEros::update(const EventPacket& packet) {
+  surface_.update(packet);
+  if (detector_) detector_->update(packet);
+}
+
 PuckEstimate ParticleFilterEros::estimate() {
   if (detector_) {
-    surface_.snapshot(detector_->region_needed(), snapshot_);
-    const PuckEstimate detected = detector_->step(snapshot_);
+    const PuckEstimate detected = detector_->estimate();
     if (detected.state != TrackState::kTracking) return detected;
     start({*detected.position, usable_size_at(size_model_, *detected.position)});
     detector_.reset();

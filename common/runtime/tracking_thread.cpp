@@ -12,10 +12,12 @@ using std::chrono::microseconds;
 using std::chrono::steady_clock;
 using std::chrono::system_clock;
 
-TrackingThread::TrackingThread(SharedSurface& surface, PuckPipeline pipeline,
-                               const TrackingThreadParams& params, Publish publish)
+TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingPipeline> pipeline,
+                               PuckSearch search, const TrackingThreadParams& params,
+                               Publish publish)
     : surface_(surface),
       pipeline_(std::move(pipeline)),
+      search_(std::move(search)),
       params_(params),
       publish_(std::move(publish)) {
   if (params.max_publish_hz < 1 || params.heartbeat <= microseconds::zero()) {
@@ -44,8 +46,12 @@ void TrackingThread::run(const std::stop_token& stop) {
     const auto left = duration_cast<microseconds>(due - steady_clock::now());
     if (surface_.wait_for_news(std::max(left, microseconds::zero()))) {
       newest.tracking_started = system_clock::now();
-      surface_.snapshot(pipeline_.region_needed(), snapshot);
-      newest.estimate = pipeline_.step(snapshot.surface);
+      surface_.snapshot(pipeline_->region_needed(), snapshot);
+      newest.estimate = pipeline_->step(snapshot.surface);
+      if (search_if_wanted()) {
+        surface_.snapshot(pipeline_->region_needed(), snapshot);
+        newest.estimate = pipeline_->step(snapshot.surface);
+      }
       newest.origin = snapshot.origin;
       newest.backlog_us = snapshot.backlog_us;
       newest.backlog_events = snapshot.backlog_events;
@@ -63,6 +69,15 @@ void TrackingThread::run(const std::stop_token& stop) {
       heartbeat_due = now + params_.heartbeat;
     }
   }
+}
+
+bool TrackingThread::search_if_wanted() {
+  const Region wanted = pipeline_->search_wanted();
+  if (wanted.empty()) return false;
+  SharedSnapshot snapshot;
+  surface_.snapshot(search_.snapshot_region(wanted), snapshot);
+  pipeline_->take(search_.search(snapshot.surface, wanted));
+  return true;
 }
 
 }  // namespace puck

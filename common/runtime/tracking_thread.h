@@ -3,10 +3,12 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <thread>
 
 #include "common/runtime/shared_surface.h"
-#include "common/vision/puck_pipeline.h"
+#include "common/vision/puck_search.h"
+#include "common/vision/tracking_pipeline.h"
 
 namespace puck {
 
@@ -38,8 +40,8 @@ class TrackingThread {
 
   /// Starts the thread. `publish` is called on it and must not throw. The surface must outlive this
   /// object.
-  TrackingThread(SharedSurface& surface, PuckPipeline pipeline, const TrackingThreadParams& params,
-                 Publish publish);
+  TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingPipeline> pipeline,
+                 PuckSearch search, const TrackingThreadParams& params, Publish publish);
   /// Stops the thread and waits for it.
   ~TrackingThread();
   TrackingThread(const TrackingThread&) = delete;
@@ -47,9 +49,11 @@ class TrackingThread {
 
  private:
   void run(const std::stop_token& stop);
+  bool search_if_wanted();
 
   SharedSurface& surface_;
-  PuckPipeline pipeline_;
+  std::unique_ptr<TrackingPipeline> pipeline_;
+  PuckSearch search_;
   TrackingThreadParams params_;
   Publish publish_;
   std::jthread thread_;

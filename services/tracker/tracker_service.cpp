@@ -6,6 +6,8 @@
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
+#include "common/vision/make_pipeline.h"
+#include "common/vision/surface_tracker.h"
 
 namespace puck {
 namespace {
@@ -34,16 +36,17 @@ StatusLatency named(const char* name, const LatencyHistogram& histogram) {
 TrackerService::Track::Track(SensorSize sensor, const TrackerServiceParams& params,
                              TrackingThread::Publish publish)
     : surface(sensor, params.pipeline.eros),
-      thread(surface, PuckPipeline(sensor, params.pipeline, params.size_model), params.thread,
-             std::move(publish)) {}
+      thread(surface, make_pipeline(sensor, params.pipeline, params.size_model),
+             PuckSearch(sensor, params.pipeline.kernels, params.pipeline.detector,
+                        params.size_model),
+             params.thread, std::move(publish)) {}
 
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
     : params_(params), context_(context) {
   // Parameters that cannot work are refused at the start, not with the first packet.
   // On the largest sensor, since it is not known yet how far the detection region may reach.
-  const PuckPipeline trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
-                           params.size_model);
-  const ErosSurface trial_surface({1, 1}, params.pipeline.eros);
+  const SurfaceTracker trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
+                             params.size_model);
   context_.bus.subscribe<event_packet_t>(
       [this](const event_packet_t& packet, const Receipt& receipt) { receive(packet, receipt); });
 }

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/vision/make_pipeline.h"
 #include "common/vision/presets.h"
 #include "tests/vision/puck_picture.h"
 
@@ -40,8 +41,13 @@ class Published {
   std::vector<TrackedEstimate> estimates_;
 };
 
-PuckPipeline default_pipeline() {
-  return PuckPipeline(kSensor, preset_params(Preset::kDefault), kSizeModel);
+std::unique_ptr<TrackingPipeline> default_pipeline() {
+  return make_pipeline(kSensor, preset_params(Preset::kDefault), kSizeModel);
+}
+
+PuckSearch default_search() {
+  const PipelineParams params = preset_params(Preset::kDefault);
+  return PuckSearch(kSensor, params.kernels, params.detector, kSizeModel);
 }
 
 template <typename Condition>
@@ -59,7 +65,7 @@ TEST_CASE("the two threads follow the puck and stamp estimates with the packet t
   const PipelineParams params = preset_params(Preset::kDefault);
   SharedSurface surface(kSensor, params.eros);
   Published published;
-  const TrackingThread thread(surface, default_pipeline(), {},
+  const TrackingThread thread(surface, default_pipeline(), default_search(), {},
                               [&](const TrackedEstimate& e) { published.add(e); });
   Pixel truth;
   for (int i = 1; i <= 300; ++i) {
@@ -86,8 +92,8 @@ TEST_CASE("the two threads follow the puck and stamp estimates with the packet t
 TEST_CASE("the tracking thread sleeps while nothing is new, but never falls silent") {
   SharedSurface surface(kSensor, {});
   Published published;
-  const TrackingThread thread(surface, default_pipeline(), {.heartbeat = milliseconds(5)},
-                              [&](const TrackedEstimate& e) { published.add(e); });
+  const TrackingThread thread(surface, default_pipeline(), default_search(),
+                              {.heartbeat = milliseconds(5)}, [&](const TrackedEstimate& e) { published.add(e); });
   CHECK(eventually([&] { return published.count() >= 5; }));
   for (const TrackedEstimate& e : published.all()) {
     CHECK(e.estimate.state == TrackState::kSearching);
@@ -101,7 +107,7 @@ TEST_CASE("estimates are published no more often than asked for") {
   Published published;
   const auto begin = std::chrono::steady_clock::now();
   {
-    const TrackingThread thread(surface, default_pipeline(),
+    const TrackingThread thread(surface, default_pipeline(), default_search(),
                                 {.max_publish_hz = 100, .heartbeat = milliseconds(1000)},
                                 [&](const TrackedEstimate& e) { published.add(e); });
     for (int i = 1; i <= 200; ++i) {
@@ -120,15 +126,16 @@ TEST_CASE("estimates are published no more often than asked for") {
 TEST_CASE("a tracking thread ends promptly when it is destroyed asleep") {
   SharedSurface surface(kSensor, {});
   {
-    const TrackingThread thread(surface, default_pipeline(), {}, [](const TrackedEstimate&) {});
+    const TrackingThread thread(surface, default_pipeline(), default_search(), {},
+                                [](const TrackedEstimate&) {});
   }
   CHECK(surface.size() == kSensor);
 }
 
 TEST_CASE("a publishing rate below one is refused") {
   SharedSurface surface(kSensor, {});
-  CHECK_THROWS_WITH_AS(TrackingThread(surface, default_pipeline(), {.max_publish_hz = 0},
-                                      [](const TrackedEstimate&) {}),
+  CHECK_THROWS_WITH_AS(TrackingThread(surface, default_pipeline(), default_search(),
+                                      {.max_publish_hz = 0}, [](const TrackedEstimate&) {}),
                        "tracker.max_publish_hz must be at least 1, got 0", std::invalid_argument);
 }
 

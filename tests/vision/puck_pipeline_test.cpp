@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "common/vision/presets.h"
+#include "common/vision/surface_tracker.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -20,7 +21,7 @@ constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
 class Scene {
  public:
   explicit Scene(const PipelineParams& params)
-      : surface_(kSensor, params.eros), pipeline_(kSensor, params, kSizeModel) {}
+      : tracker_(kSensor, params, kSizeModel) {}
 
   PuckEstimate show(Pixel centre) {
     return apply(test::contour_events(kSensor, centre, kSizeModel.at(centre), 150));
@@ -37,24 +38,21 @@ class Scene {
     return apply(std::move(events));
   }
 
-  PuckEstimate step_without_events() {
-    surface_.snapshot(pipeline_.region_needed(), snapshot_);
-    return pipeline_.step(snapshot_);
-  }
+  PuckEstimate step_without_events() { return tracker_.estimate(); }
 
-  std::int64_t events_applied() const { return surface_.events_applied(); }
+  std::int64_t events_applied() const { return events_applied_; }
 
  private:
   PuckEstimate apply(std::vector<Event> events) {
     now_ = now_ + 1000;
     EventPacket packet{now_, std::move(events)};
-    surface_.update(packet);
+    tracker_.update(packet);
+    events_applied_ += static_cast<std::int64_t>(packet.events.size());
     return step_without_events();
   }
 
-  ErosSurface surface_;
-  PuckPipeline pipeline_;
-  SurfaceSnapshot snapshot_;
+  SurfaceTracker tracker_;
+  std::int64_t events_applied_ = 0;
   Timestamp now_;
   unsigned clutter_ = 1;
 };
@@ -165,16 +163,14 @@ TEST_CASE("a size model that leads nowhere is clamped, not followed into a crash
   for (const PuckSizeModel& model :
        {PuckSizeModel{1e9, 0, 0, 1e9, 0, 0}, PuckSizeModel{-50, 0, 0, -50, 0, 0},
         PuckSizeModel{std::nan(""), 0, 0, std::nan(""), 0, 0}}) {
-    ErosSurface surface(kSensor, params.eros);
-    PuckPipeline pipeline(kSensor, params, model);
-    SurfaceSnapshot snapshot;
+    SurfaceTracker tracker(kSensor, params, model);
+    PuckEstimate estimate;
     for (int i = 1; i < 20; ++i) {
       EventPacket packet{{i * 1000}, test::contour_events(kSensor, {320, 190}, {37, 25}, 100)};
-      surface.update(packet);
-      surface.snapshot(pipeline.region_needed(), snapshot);
-      pipeline.step(snapshot);
+      tracker.update(packet);
+      estimate = tracker.estimate();
     }
-    CHECK(surface.events_applied() > 0);
+    CHECK(estimate.events_applied > 0);
   }
 }
 
