@@ -23,7 +23,7 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PipelineParams& params,
       params_(params),
       size_model_(size_model),
       kernels_(params.kernels),
-      tracker_(sensor, params.tracker, size_model),
+      tracker_(sensor, params.tracker, size_model, params.calibration),
       motion_(params.motion),
       detection_region_(detection_region(sensor, params.detector)) {
   if (params.loss.coast_us < 0 || params.loss.search_period_us < 0) {
@@ -49,7 +49,7 @@ PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {
     if (state_ == TrackState::kTracking && !snapshot.region.empty()) {
       blur_.apply(snapshot.grey.view(), blurred_);
       picture_.set_picture(blurred_.view(), snapshot.region);
-      track(now_);
+      track(snapshot);
     }
     if (state_ != TrackState::kTracking) plan_search(now_);
     if (looked_at_.empty()) looked_at_ = search_;
@@ -66,13 +66,15 @@ Region PuckPipeline::search_wanted() {
 void PuckPipeline::take(const SearchResult& result) {
   // A track that has recovered meanwhile knows better.
   if (result.candidates.empty() || (state_ == TrackState::kTracking && !coasting_)) return;
+  if (params_.loss.enabled && result.candidates.front().score < params_.loss.lowest_start_score) return;
   begin_track(result.candidates.front(), result.time);
   looked_at_ = result.region;
 }
 
-void PuckPipeline::track(Timestamp now) {
+void PuckPipeline::track(const SurfaceSnapshot& snapshot) {
+  const Timestamp now = snapshot.newest_event;
   const Pixel expected = params_.predicts ? motion_.expected_at(now) : position_;
-  const PuckTracker::Step found = tracker_.step(picture_, region_, expected, kernels_);
+  const PuckTracker::Step found = tracker_.step(picture_, snapshot, region_, expected, kernels_);
   score_ = found.score;
   motion_.measure(found.position, now);
   position_ = params_.predicts ? motion_.position() : found.position;
@@ -144,7 +146,7 @@ PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
   estimate.left_image = left_image_;
   if (state_ != TrackState::kTracking) return estimate;
 
-  estimate.position = position_;
+  estimate.position = led(position_, motion_.velocity(), params_.calibration.lag_us, params_.lead);
   estimate.velocity = motion_.velocity();
   estimate.covariance = motion_.covariance();
   estimate.size = size_model_.at(position_);

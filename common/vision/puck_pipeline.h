@@ -5,10 +5,12 @@
 #include <span>
 
 #include "common/events/sensor_size.h"
+#include "common/vision/contour_calibration.h"
 #include "common/vision/correlation.h"
 #include "common/vision/eros_surface.h"
 #include "common/vision/gaussian_blur.h"
 #include "common/vision/kernel_bank.h"
+#include "common/vision/motion_lead.h"
 #include "common/vision/pixel_motion.h"
 #include "common/vision/puck_detector.h"
 #include "common/vision/puck_estimate.h"
@@ -24,6 +26,8 @@ struct LossParams {
   bool enabled = true;
   /// A place that scores less is weak evidence.
   double lowest_score = 0.36;
+  /// What a search finds must score so much to be tracked.
+  double lowest_start_score = 0;
   /// How long weak evidence is followed, while something better is looked for around it, before the
   /// puck counts as lost, sensor time.
   std::int64_t coast_us = 50'000;
@@ -42,6 +46,9 @@ struct PipelineParams {
   TrackerParams tracker;
   PixelMotionParams motion;
   LossParams loss;
+  MotionLeadParams lead;
+  /// Of the camera and the puck, not of the preset.
+  ContourCalibration calibration;
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
   /// the published position is the filtered one.
   bool predicts = false;
@@ -67,7 +74,7 @@ class PuckPipeline final : public TrackingPipeline {
   void take(const SearchResult& result) override;
 
  private:
-  void track(Timestamp now);
+  void track(const SurfaceSnapshot& snapshot);
   void coast(Timestamp now);
   void begin_track(const SearchCandidate& candidate, Timestamp time);
   void lose(Timestamp now);

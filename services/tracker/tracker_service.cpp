@@ -37,8 +37,7 @@ TrackerService::Track::Track(SensorSize sensor, const TrackerServiceParams& para
                              TrackingThread::Publish publish)
     : surface(sensor, params.pipeline.eros),
       thread(surface, make_pipeline(sensor, params.pipeline, params.size_model),
-             PuckSearch(sensor, params.pipeline.kernels, params.pipeline.detector,
-                        params.size_model),
+             PuckSearch(sensor, params.pipeline, params.size_model),
              params.thread, std::move(publish)) {}
 
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)

@@ -47,7 +47,7 @@ std::unique_ptr<TrackingPipeline> default_pipeline() {
 
 PuckSearch default_search() {
   const PipelineParams params = preset_params(Preset::kDefault);
-  return PuckSearch(kSensor, params.kernels, params.detector, kSizeModel);
+  return PuckSearch(kSensor, params, kSizeModel);
 }
 
 template <typename Condition>

@@ -147,7 +147,7 @@ RunSummary run_in_real_time(EventReader& events, const TrackerSetup& setup, cons
     SharedSurface surface(sensor, params.eros);
     Timestamp newest{-1};
     const TrackingThread thread(surface, make_pipeline(sensor, params, setup.size_model),
-                                PuckSearch(sensor, params.kernels, params.detector, setup.size_model), {},
+                                PuckSearch(sensor, params, setup.size_model), {},
                                 [&](const TrackedEstimate& tracked) {
                                   if (tracked.estimate.newest_event <= newest) return;
                                   newest = tracked.estimate.newest_event;
@@ -192,7 +192,7 @@ RunSummary run_as_fast_as_possible(EventReader& events, const TrackerSetup& setu
     const PipelineParams params = setup.pipeline_params();
     SharedSurface surface(sensor, params.eros);
     const TrackingThread thread(surface, make_pipeline(sensor, params, setup.size_model),
-                                PuckSearch(sensor, params.kernels, params.detector, setup.size_model), {},
+                                PuckSearch(sensor, params, setup.size_model), {},
                                 [](const TrackedEstimate&) {});
     feed([&](const EventPacket& p) { surface.update(p, {}); });
   } else {

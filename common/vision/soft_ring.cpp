@@ -1,0 +1,34 @@
+#include "common/vision/soft_ring.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "common/vision/ring_score.h"
+
+namespace puck {
+
+SoftRing::SoftRing(SensorSize sensor, const SoftRingParams& params, const PuckSizeModel& size_model,
+                   const ContourCalibration& calibration)
+    : refinement_(params.refinement),
+      contour_(sensor, size_model, calibration, params.sheared) {
+  if (!(refinement_.half_width_px > 0)) {
+    throw std::invalid_argument("tracker.ring.refinement.half_width_px must be above 0, got " +
+                                std::to_string(refinement_.half_width_px));
+  }
+  if (refinement_.iterations < 1) {
+    throw std::invalid_argument("tracker.ring.refinement.iterations must be at least 1, got " +
+                                std::to_string(refinement_.iterations));
+  }
+}
+
+SoftRing::Fit SoftRing::fit(ImageView<const std::uint8_t> picture, const Region& place,
+                            Pixel start) {
+  samples_.gather(picture, place, contour_.ring_at(start), start);
+  Fit fit;
+  fit.peak = refine_peak(samples_, refinement_);
+  fit.position = {start.x + fit.peak.shift.x, start.y + fit.peak.shift.y};
+  fit.score = ring_score(samples_, fit.peak.shift);
+  return fit;
+}
+
+}  // namespace puck
