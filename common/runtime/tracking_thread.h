@@ -5,7 +5,9 @@
 #include <functional>
 #include <memory>
 #include <thread>
+#include <vector>
 
+#include "common/runtime/search_worker.h"
 #include "common/runtime/shared_surface.h"
 #include "common/vision/puck_search.h"
 #include "common/vision/tracking_pipeline.h"
@@ -33,7 +35,9 @@ struct TrackedEstimate {
 };
 
 /// The paper's second thread (Figure 2): takes the newest surface, detects or tracks, as fast as it
-/// can while there is something new in its region; sleeps while there is nothing.
+/// can while there is something new in its region; sleeps while there is nothing. Where its
+/// pipeline takes single events it gets those that the surface shows before the surface itself.
+/// Searches run on a thread of their own, of low priority, and are never waited for.
 class TrackingThread {
  public:
   using Publish = std::function<void(const TrackedEstimate&)>;
@@ -48,15 +52,36 @@ class TrackingThread {
   TrackingThread& operator=(const TrackingThread&) = delete;
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void run(const std::stop_token& stop);
-  bool search_if_wanted();
+  bool wait();
+  void take_search_result();
+  void look();
+  bool take_events();
+  void begin_search_if_wanted();
+  void publish_if_due();
 
   SharedSurface& surface_;
   std::unique_ptr<TrackingPipeline> pipeline_;
-  PuckSearch search_;
+  SearchWorker worker_;
   TrackingThreadParams params_;
+  std::chrono::microseconds publish_period_{};
   Publish publish_;
-  std::jthread thread_;
+
+  SharedSnapshot snapshot_;
+  std::vector<Event> events_;         // of the queue, a handful at a time
+  std::vector<Event> wanted_;         // of a piece of them
+  bool events_left_ = false;          // of those that `snapshot_` shows
+  bool look_anyway_ = false;          // also when there is no news
+  Clock::time_point next_look_;       // not before
+  TrackedEstimate newest_;
+  bool unpublished_ = true;           // the first word is that the search has begun
+  TrackState published_state_ = TrackState::kSearching;
+  Clock::time_point next_publish_;
+  Clock::time_point heartbeat_due_;
+
+  std::jthread thread_;  // last: it uses what stands above
 };
 
 }  // namespace puck

@@ -43,15 +43,19 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
   }
 }
 
-ContourRing PuckContour::ring_at(Pixel centre) const {
+double PuckContour::other_wall_share() const {
+  return calibration_.wall_share > kWallOfWidth / 2 ? 0 : kWallOfWidth;
+}
+
+ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
   const PuckSize size = size_model_.at(centre);
   const double width = size.width + calibration_.grow_px;
   const double silhouette = size.height + calibration_.grow_px;
-  const double height = silhouette - calibration_.wall_share * width;
+  const double height = silhouette - wall_share * width;
   ContourRing ring;
   ring.semi_x = std::max(width / 2, kSmallestSemi_px);
   ring.semi_y = std::max(height / 2, kSmallestSemi_px);
-  ring.rise = calibration_.wall_share * width / 2;
+  ring.rise = wall_share * width / 2;
   const double below_horizon = centre.y - horizon_row_;
   if (sheared_ && below_horizon > width) {
     ring.shear = (centre.x - middle_column_) / below_horizon *

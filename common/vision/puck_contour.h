@@ -68,7 +68,13 @@ class PuckContour {
   PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
               const ContourCalibration& calibration, bool sheared);
 
-  ContourRing ring_at(Pixel centre) const;
+  /// `wall_share`: by how much of its width the ring is lower than the puck's silhouette, because
+  /// the puck's side wall makes no events: calibrated_wall_share() or other_wall_share().
+  ContourRing ring_at(Pixel centre, double wall_share) const;
+  double calibrated_wall_share() const { return calibration_.wall_share; }
+  /// What it would be if the wall made events where the calibration says that it does not, or the
+  /// other way round.
+  double other_wall_share() const;
   PuckSize size_at(Pixel centre) const { return size_model_.at(centre); }
   double lag_s() const { return calibration_.lag_us * 1e-6; }
 

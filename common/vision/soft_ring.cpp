@@ -23,7 +23,7 @@ SoftRing::SoftRing(SensorSize sensor, const SoftRingParams& params, const PuckSi
 
 SoftRing::Fit SoftRing::fit(ImageView<const std::uint8_t> picture, const Region& place,
                             Pixel start) {
-  samples_.gather(picture, place, contour_.ring_at(start), start);
+  samples_.gather(picture, place, contour_.ring_at(start, contour_.calibrated_wall_share()), start);
   Fit fit;
   fit.peak = refine_peak(samples_, refinement_);
   fit.position = {start.x + fit.peak.shift.x, start.y + fit.peak.shift.y};

@@ -34,8 +34,8 @@ struct SearchResult {
 ///     pipeline.step(snapshot);       // a copy of region_needed(), not older than these events
 ///
 /// and after each of the two looks at search_wanted(). A search may take long and runs elsewhere;
-/// its result comes back when it is done: offline at once, live some steps later. A step follows it,
-/// even when there is nothing new, so that what was found is told at once.
+/// its result comes back when it is done: offline at once, live some steps later. A step follows
+/// it, even when there is nothing new, so that what was found is told at once.
 ///
 /// A plain object without thread, clock or surface of its own. The same calls give the same
 /// estimates, to the bit. One thread at a time.

@@ -54,8 +54,10 @@ void TrackerService::run(std::stop_token stop) {
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
     watch_input();
+    count_thinned();
     poll_status(context_, *this);
   }
+  count_thinned();
   track_.reset();
 }
 
@@ -113,6 +115,7 @@ void TrackerService::begin(const event_packet_t& packet, const Receipt& receipt)
   packets_ = {};
   dropped_packets_ = 0;
   events_received_ = 0;
+  events_thinned_ = 0;
   context_.log.info("following events of session {:x}, sensor {}x{}", packet.session, packet.width,
                     packet.height);
   TrackerServiceParams params = params_;
@@ -180,6 +183,10 @@ void TrackerService::watch_input() {
   }
 }
 
+void TrackerService::count_thinned() {
+  if (track_) events_thinned_ = track_->surface.events_thinned();
+}
+
 void TrackerService::report(StatusReport& report) const {
   const LossCounters& counters = packets_.counters();
   report.counters = {
@@ -190,6 +197,7 @@ void TrackerService::report(StatusReport& report) const {
       {"packets_rejected", rejected_packets_},
       {"packets_of_others", others_packets_},
       {"events_lost", counters.items_lost},
+      {"events_thinned", events_thinned_},
       {"estimates", context_.bus.counters<puck_estimate_t>().published},
   };
   report.latencies = {named("packet_to_estimate", packet_to_estimate_),

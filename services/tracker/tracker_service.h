@@ -47,6 +47,7 @@ class TrackerService : public Service {
   PacketOrigin origin_of(const event_packet_t& packet, const Receipt& receipt) const;
   void publish(const TrackedEstimate& tracked);
   void watch_input();
+  void count_thinned();
 
   TrackerServiceParams params_;
   ServiceContext& context_;
@@ -58,6 +59,7 @@ class TrackerService : public Service {
   SensorSize sensor_;
   Timestamp newest_event_;
   std::int64_t events_received_ = 0;
+  std::int64_t events_thinned_ = 0;    // kept from the tracking thread, which was behind
   std::int64_t others_packets_ = 0;    // of publishers that are not followed
   std::int64_t dropped_packets_ = 0;   // late, or older than what is on the surface
   std::int64_t rejected_packets_ = 0;  // malformed

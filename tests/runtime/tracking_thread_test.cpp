@@ -1,63 +1,19 @@
 #include "common/runtime/tracking_thread.h"
 
 #include <cmath>
-#include <mutex>
 #include <stdexcept>
-#include <vector>
 
 #include <doctest/doctest.h>
 
-#include "common/vision/make_pipeline.h"
 #include "common/vision/presets.h"
+#include "tests/runtime/tracking_fixtures.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
 namespace {
 
 using std::chrono::milliseconds;
-
-// Small, so that a search of all of it is quick under ThreadSanitizer too.
-constexpr SensorSize kSensor{160, 120};
-constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
-
-// Collects what the tracking thread publishes.
-class Published {
- public:
-  void add(const TrackedEstimate& estimate) {
-    const std::lock_guard lock(mutex_);
-    estimates_.push_back(estimate);
-  }
-  std::vector<TrackedEstimate> all() const {
-    const std::lock_guard lock(mutex_);
-    return estimates_;
-  }
-  std::size_t count() const {
-    const std::lock_guard lock(mutex_);
-    return estimates_.size();
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<TrackedEstimate> estimates_;
-};
-
-std::unique_ptr<TrackingPipeline> default_pipeline() {
-  return make_pipeline(kSensor, preset_params(Preset::kDefault), kSizeModel);
-}
-
-PuckSearch default_search() {
-  const PipelineParams params = preset_params(Preset::kDefault);
-  return PuckSearch(kSensor, params, kSizeModel);
-}
-
-template <typename Condition>
-bool eventually(const Condition& condition) {
-  for (int i = 0; i < 10'000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(milliseconds(1));
-  }
-  return false;
-}
+using namespace test;
 
 }  // namespace
 
@@ -93,7 +49,8 @@ TEST_CASE("the tracking thread sleeps while nothing is new, but never falls sile
   SharedSurface surface(kSensor, {});
   Published published;
   const TrackingThread thread(surface, default_pipeline(), default_search(),
-                              {.heartbeat = milliseconds(5)}, [&](const TrackedEstimate& e) { published.add(e); });
+                              {.heartbeat = milliseconds(5)},
+                              [&](const TrackedEstimate& e) { published.add(e); });
   CHECK(eventually([&] { return published.count() >= 5; }));
   for (const TrackedEstimate& e : published.all()) {
     CHECK(e.estimate.state == TrackState::kSearching);
