@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "common/vision/pixel.h"
 
 namespace puck {
@@ -15,9 +17,25 @@ struct MotionLeadParams {
   double slow_px_s = 200;
   /// What the last events of an edge that passes lag behind its first ones, µs.
   double edge_us = 130;
+  /// How much more of both lags there is at an edge trail of length 1 (EdgeTrail).
+  double trail_gain = 2.5;
+  /// Standard deviations of the lags from one puck and light to another, px and µs.
+  double edge_sigma_px = 0.05;
+  double lag_sigma_us = 30;
+  /// Standard deviation that a trail of length 1 adds in every direction, px.
+  double trail_sigma_px = 0.6;
 };
 
-/// Moves a position forward to where the puck is by now. `lag_us`: the sensor's.
-Pixel led(Pixel position, PixelVelocity velocity, double lag_us, const MotionLeadParams& params);
+/// A position and its covariance, of (x, y, vx, vy) row by row.
+struct LedPosition {
+  Pixel position;
+  std::array<double, 16> covariance{};
+};
+
+/// Moves a position forward to where the puck is by now. `lag_us`: the sensor's. `trail`:
+/// EdgeTrail::length. What is not known of velocity and lags goes into the covariance.
+LedPosition lead_forward(Pixel position, PixelVelocity velocity,
+                         const std::array<double, 16>& covariance, double lag_us,
+                         double trail, const MotionLeadParams& params);
 
 }  // namespace puck

@@ -25,6 +25,7 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PipelineParams& params,
       kernels_(params.kernels),
       tracker_(sensor, params.tracker, size_model, params.calibration),
       motion_(params.motion),
+      trail_(params.trail),
       detection_region_(detection_region(sensor, params.detector)) {
   if (params.loss.coast_us < 0 || params.loss.search_period_us < 0) {
     throw std::invalid_argument(
@@ -76,7 +77,7 @@ void PuckPipeline::track(const SurfaceSnapshot& snapshot) {
   const Pixel expected = params_.predicts ? motion_.expected_at(now) : position_;
   const PuckTracker::Step found = tracker_.step(picture_, snapshot, region_, expected, kernels_);
   score_ = found.score;
-  motion_.measure(found.position, now);
+  motion_.measure(found.position, now, found.variance);
   position_ = params_.predicts ? motion_.position() : found.position;
   if (params_.loss.enabled && found.score < params_.loss.lowest_score) {
     coast(now);
@@ -84,6 +85,7 @@ void PuckPipeline::track(const SurfaceSnapshot& snapshot) {
   }
   coasting_ = false;
   last_good_ = now;
+  trail_.learn(found.spread_px, speed_of(motion_.velocity()), now);
   if (speed_of(motion_.velocity()) > kRestingPxPerS) resting_since_ = now;
   region_ = tracker_.region_around(position_, kernels_);
   if (region_.empty()) lose(now);
@@ -146,9 +148,12 @@ PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
   estimate.left_image = left_image_;
   if (state_ != TrackState::kTracking) return estimate;
 
-  estimate.position = led(position_, motion_.velocity(), params_.calibration.lag_us, params_.lead);
+  const LedPosition led = lead_forward(position_, motion_.velocity(), motion_.covariance(),
+                                       params_.calibration.lag_us, trail_.length(),
+                                       params_.lead);
+  estimate.position = led.position;
   estimate.velocity = motion_.velocity();
-  estimate.covariance = motion_.covariance();
+  estimate.covariance = led.covariance;
   estimate.size = size_model_.at(position_);
   estimate.score = score_;
   estimate.coasting = coasting_;

@@ -7,6 +7,7 @@
 #include "common/events/sensor_size.h"
 #include "common/vision/contour_calibration.h"
 #include "common/vision/correlation.h"
+#include "common/vision/edge_trail.h"
 #include "common/vision/eros_surface.h"
 #include "common/vision/gaussian_blur.h"
 #include "common/vision/kernel_bank.h"
@@ -47,6 +48,7 @@ struct PipelineParams {
   PixelMotionParams motion;
   LossParams loss;
   MotionLeadParams lead;
+  EdgeTrailParams trail;
   /// Of the camera and the puck, not of the preset.
   ContourCalibration calibration;
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
@@ -88,6 +90,7 @@ class PuckPipeline final : public TrackingPipeline {
   KernelBank kernels_;
   PuckTracker tracker_;
   PixelMotion motion_;
+  EdgeTrail trail_;
   GaussianBlur blur_;
   Correlation picture_;
   Image<std::uint8_t> blurred_;

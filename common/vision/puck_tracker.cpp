@@ -119,7 +119,8 @@ PuckTracker::Step PuckTracker::step(Correlation& picture, const SurfaceSnapshot&
     const SoftRing::Fit fit = ring_.fit(surface.grey.view(), surface.region, result.position);
     result.position = fit.position;
     result.score = fit.score;
-    result.peak = fit.peak;
+    result.spread_px = fit.spread_px;
+    result.variance = measurement_variance(fit.peak, params_.noise);
   }
   result.size = size_model_.at(result.position);
   return result;

@@ -7,6 +7,7 @@
 #include "common/vision/correlation.h"
 #include "common/vision/contour_calibration.h"
 #include "common/vision/kernel_bank.h"
+#include "common/vision/measurement_noise.h"
 #include "common/vision/pixel.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/region.h"
@@ -39,6 +40,7 @@ struct TrackerParams {
   /// A soft ring at the true contour takes over from the peak and places it between pixels; its
   /// score is then the step's.
   SoftRingParams ring;
+  MeasurementNoiseParams noise;
 };
 
 /// Follows the puck from one picture to the next: the response of the kernel of the size that
@@ -50,7 +52,8 @@ class PuckTracker {
     Pixel position;
     PuckSize size;     ///< What the size model gives there.
     double score = 0;  ///< EllipseKernel::contrast at the nearest pixel, or the soft ring's score.
-    std::optional<RefinedPeak> peak;  ///< The soft ring's.
+    std::optional<PixelVariance> variance;  ///< Of the position; known where the ring is soft.
+    double spread_px = 0;  ///< The soft ring's.
   };
 
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.

@@ -28,6 +28,7 @@ SoftRing::Fit SoftRing::fit(ImageView<const std::uint8_t> picture, const Region&
   fit.peak = refine_peak(samples_, refinement_);
   fit.position = {start.x + fit.peak.shift.x, start.y + fit.peak.shift.y};
   fit.score = ring_score(samples_, fit.peak.shift);
+  fit.spread_px = ring_spread(samples_, fit.peak.shift);
   return fit;
 }
 

@@ -26,7 +26,8 @@ class SoftRing {
   struct Fit {
     Pixel position;
     RefinedPeak peak;
-    double score = 0;  ///< ring_score there.
+    double score = 0;      ///< ring_score there.
+    double spread_px = 0;  ///< ring_spread there.
   };
 
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
