@@ -55,6 +55,8 @@ PipelineParams correlation() {
   params.detector.threshold = 0.35;
   params.tracker.centred_window = true;
   params.tracker.shift_to_lowest = false;
+  // The prediction centres it, so it need not reach far.
+  params.tracker.region_factor = 2;
   params.tracker.ring.enabled = true;
   params.motion.measurement_sigma_px = 0.2;
   params.motion.surprise_sigmas = 6;

@@ -1,11 +1,19 @@
 #include "common/vision/soft_ring.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "common/vision/ring_score.h"
 
 namespace puck {
+namespace {
+
+// Distances from the ring are linear in a shift only for a short way; after a longer one the ring is
+// laid anew.
+constexpr double kFarShift_px = 0.5;
+
+}  // namespace
 
 SoftRing::SoftRing(SensorSize sensor, const SoftRingParams& params, const PuckSizeModel& size_model,
                    const ContourCalibration& calibration)
@@ -23,13 +31,21 @@ SoftRing::SoftRing(SensorSize sensor, const SoftRingParams& params, const PuckSi
 
 SoftRing::Fit SoftRing::fit(ImageView<const std::uint8_t> picture, const Region& place,
                             Pixel start) {
-  samples_.gather(picture, place, contour_.ring_at(start, contour_.calibrated_wall_share()), start);
   Fit fit;
-  fit.peak = refine_peak(samples_, refinement_);
-  fit.position = {start.x + fit.peak.shift.x, start.y + fit.peak.shift.y};
+  look(picture, place, start, fit);
+  if (std::hypot(fit.peak.shift.x, fit.peak.shift.y) > kFarShift_px) {
+    look(picture, place, fit.position, fit);
+  }
   fit.score = ring_score(samples_, fit.peak.shift);
   fit.spread_px = ring_spread(samples_, fit.peak.shift);
   return fit;
+}
+
+void SoftRing::look(ImageView<const std::uint8_t> picture, const Region& place, Pixel start,
+                    Fit& fit) {
+  samples_.gather(picture, place, contour_.ring_at(start, contour_.calibrated_wall_share()), start);
+  fit.peak = refine_peak(samples_, refinement_);
+  fit.position = {start.x + fit.peak.shift.x, start.y + fit.peak.shift.y};
 }
 
 }  // namespace puck

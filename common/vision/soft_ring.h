@@ -39,6 +39,8 @@ class SoftRing {
   Fit fit(ImageView<const std::uint8_t> picture, const Region& place, Pixel start);
 
  private:
+  void look(ImageView<const std::uint8_t> picture, const Region& place, Pixel start, Fit& fit);
+
   PeakRefinementParams refinement_;
   PuckContour contour_;
   RingSamples samples_;
