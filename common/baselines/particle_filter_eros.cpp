@@ -29,7 +29,7 @@ PuckEstimate ParticleFilterEros::estimate() {
   if (detector_) {
     const PuckEstimate detected = detector_->estimate();
     if (detected.state != TrackState::kTracking) return detected;
-    start({*detected.position, usable_size_at(size_model_, *detected.position)});
+    start({*detected.position, size_model_.at(*detected.position)});
     detector_.reset();
   } else if (surface_.events_applied() != events_seen_) {
     step();
@@ -54,7 +54,7 @@ void ParticleFilterEros::start(const PuckSeed& seed) {
 void ParticleFilterEros::step() {
   surface_.snapshot(region_needed(), snapshot_);
   blur_.apply(snapshot_.grey.view(), blurred_);
-  template_.fit(usable_size_at(size_model_, set_.mean_position()));
+  template_.fit(size_model_.at(set_.mean_position()));
 
   const double highest = template_.positive_pixels();
   std::size_t i = 0;

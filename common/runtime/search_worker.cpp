@@ -13,6 +13,9 @@ namespace {
 // What is copied at once: some ten microseconds' worth.
 constexpr int kPixelsAtOnce = 65'536;
 
+// What is searched at once: some 200 µs' worth.
+constexpr int kSmallPixels = 24'576;
+
 // A tenth of what others get when there is not enough for all: little enough that whoever wakes up
 // comes first at once, enough not to starve beside a busy process.
 constexpr int kNice = 10;
@@ -53,7 +56,11 @@ void SearchWorker::copy_more(SharedSurface& surface) {
   surface.copy_part({all.x, all.y + copied, all.width, rows}, snapshot_);
   if (copied + rows < all.height) return;
   stage_ = Stage::kSearching;
-  posted_.release();
+  if (all.width * all.height <= kSmallPixels) {
+    search();
+  } else {
+    posted_.release();
+  }
 }
 
 const SearchResult* SearchWorker::poll() {
@@ -69,9 +76,13 @@ void SearchWorker::run(const std::stop_token& stop) {
   while (true) {
     posted_.acquire();
     if (stop.stop_requested()) return;
-    result_ = search_.search(snapshot_, region_);
-    done_.store(true, std::memory_order_release);
+    search();
   }
+}
+
+void SearchWorker::search() {
+  result_ = search_.search(snapshot_, region_);
+  done_.store(true, std::memory_order_release);
 }
 
 }  // namespace puck

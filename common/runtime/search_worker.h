@@ -20,7 +20,9 @@ namespace puck {
 ///     while (worker.is_copying()) worker.copy_more(surface);  // the tracking goes on in between
 ///     … worker.poll() …                                       // until there is the result
 ///
-/// Tracking thread only. Nothing here waits for the worker, which holds no lock.
+/// A search that takes no longer than a few steps of the tracking is made at once, on the caller's
+/// thread, so that what is near is not looked at too late. Tracking thread only. Nothing here waits
+/// for the worker, which holds no lock.
 class SearchWorker {
  public:
   /// Starts the thread.
@@ -38,9 +40,9 @@ class SearchWorker {
   /// Begins to search for the puck in `region`, which is not empty. Only when idle.
   void begin(const Region& region);
 
-  /// Copies the next few rows; with the last ones the search starts. Only while copying. A few rows
-  /// at a time, because both the event and the tracking thread stand still meanwhile; between the
-  /// first and the last ones the puck moves on by a pixel at most.
+  /// Copies the next few rows; with the last ones the search starts, or, if it is small, is made.
+  /// Only while copying. A few rows at a time, because both the event and the tracking thread stand
+  /// still meanwhile; between the first and the last ones the puck moves on by a pixel at most.
   void copy_more(SharedSurface& surface);
 
   /// The result once there is one, which lasts until the next search begins; nullptr before.
@@ -50,11 +52,12 @@ class SearchWorker {
   enum class Stage : std::uint8_t { kIdle, kCopying, kSearching };
 
   void run(const std::stop_token& stop);
+  void search();
 
-  PuckSearch search_;
   Stage stage_ = Stage::kIdle;  // tracking thread
 
   // The tracking thread's until it releases `posted_`; then the worker's until it sets `done_`.
+  PuckSearch search_;
   SurfaceSnapshot snapshot_;
   Region region_;
   SearchResult result_;

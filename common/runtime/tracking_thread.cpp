@@ -51,17 +51,15 @@ void TrackingThread::run(const std::stop_token& stop) {
   next_publish_ = Clock::now();
   heartbeat_due_ = next_publish_;
   while (!stop.stop_requested()) {
-    const bool news = wait();
     if (!events_left_) take_search_result();
-    if (news || events_left_ || look_anyway_) look();
+    if (look_anyway_ || events_left_ || wait_for_news()) look();
     if (worker_.is_copying()) worker_.copy_more(surface_);
     publish_if_due();
   }
 }
 
-// True when there is something new to look at.
-bool TrackingThread::wait() {
-  if (events_left_) return true;
+// True when there is something new to look at; false when something else is due.
+bool TrackingThread::wait_for_news() {
   const auto now = Clock::now();
   auto until = unpublished_ ? std::min(next_publish_, heartbeat_due_) : heartbeat_due_;
   if (worker_.is_copying()) {

@@ -55,7 +55,7 @@ class TrackingThread {
   using Clock = std::chrono::steady_clock;
 
   void run(const std::stop_token& stop);
-  bool wait();
+  bool wait_for_news();
   void take_search_result();
   void look();
   bool take_events();
@@ -70,13 +70,13 @@ class TrackingThread {
   Publish publish_;
 
   SharedSnapshot snapshot_;
-  std::vector<Event> events_;         // of the queue, a handful at a time
-  std::vector<Event> wanted_;         // of a piece of them
-  bool events_left_ = false;          // of those that `snapshot_` shows
-  bool look_anyway_ = false;          // also when there is no news
-  Clock::time_point next_look_;       // not before
+  std::vector<Event> events_;    // of the queue, a handful at a time
+  std::vector<Event> wanted_;    // of a piece of them
+  bool events_left_ = false;     // of those that `snapshot_` shows
+  bool look_anyway_ = false;     // also when there is no news
+  Clock::time_point next_look_;  // not before
   TrackedEstimate newest_;
-  bool unpublished_ = true;           // the first word is that the search has begun
+  bool unpublished_ = true;  // the first word is that the search has begun
   TrackState published_state_ = TrackState::kSearching;
   Clock::time_point next_publish_;
   Clock::time_point heartbeat_due_;

@@ -11,7 +11,7 @@ struct MotionLeadParams {
   /// Off: positions are where the surface shows the puck.
   bool enabled = false;
   /// A contour pixel stays bright until its neighbours have fired in turn, which takes some way
-  /// rather than some time, px …
+  /// rather than some time, px; what single events lie behind at any speed is part of it …
   double edge_px = 0.27;
   /// … for a puck faster than this, px/s; nearly none for a slower one.
   double slow_px_s = 200;

@@ -38,8 +38,7 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
       sheared_(sheared && size_model.width_y > kLeastSlope) {
   // On a plane a disc's width shrinks linearly to nothing at the horizon.
   if (sheared_) {
-    horizon_row_ =
-        -(size_model.width_0 + size_model.width_x * middle_column_) / size_model.width_y;
+    horizon_row_ = -(size_model.width_0 + size_model.width_x * middle_column_) / size_model.width_y;
   }
 }
 

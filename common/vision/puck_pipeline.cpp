@@ -23,7 +23,7 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PipelineParams& params,
       params_(params),
       size_model_(size_model),
       kernels_(params.kernels),
-      tracker_(sensor, params.tracker, size_model, params.calibration),
+      tracker_(sensor, params.tracker, size_model, params.contour.calibration),
       motion_(params.motion),
       trail_(params.trail),
       detection_region_(detection_region(sensor, params.detector)) {
@@ -99,7 +99,8 @@ void PuckPipeline::coast(Timestamp now) {
     return;
   }
   plan_search(now);
-  region_ = search_region(now);
+  region_ = tracker_.region_around(position_, kernels_);
+  if (region_.empty()) lose(now);
 }
 
 void PuckPipeline::begin_track(const SearchCandidate& candidate, Timestamp time) {
@@ -149,7 +150,7 @@ PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
   if (state_ != TrackState::kTracking) return estimate;
 
   const LedPosition led = lead_forward(position_, motion_.velocity(), motion_.covariance(),
-                                       params_.calibration.lag_us, trail_.length(),
+                                       params_.contour.calibration.lag_us, trail_.length(),
                                        params_.lead);
   estimate.position = led.position;
   estimate.velocity = motion_.velocity();

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "common/events/sensor_size.h"
-#include "common/vision/contour_calibration.h"
+#include "common/vision/contour_pipeline.h"
 #include "common/vision/correlation.h"
 #include "common/vision/edge_trail.h"
 #include "common/vision/eros_surface.h"
@@ -49,8 +49,12 @@ struct PipelineParams {
   LossParams loss;
   MotionLeadParams lead;
   EdgeTrailParams trail;
-  /// Of the camera and the puck, not of the preset.
-  ContourCalibration calibration;
+  /// A contour filter on single events follows the puck (ContourPipeline); correlation only searches
+  /// for it then. Of the parameters above, only those of the surface, the kernels and the detector
+  /// count.
+  bool follows_contour = false;
+  /// Its calibration is also that of the correlation's soft ring.
+  ContourPipelineParams contour;
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
   /// the published position is the filtered one.
   bool predicts = false;

@@ -12,7 +12,7 @@ PuckSearch::PuckSearch(SensorSize sensor, const PipelineParams& params,
       kernels_(params.kernels),
       detector_(params.detector, size_model),
       has_ring_(params.tracker.ring.enabled),
-      ring_(sensor, params.tracker.ring, size_model, params.calibration) {}
+      ring_(sensor, params.tracker.ring, size_model, params.contour.calibration) {}
 
 Region PuckSearch::snapshot_region(const Region& search) const {
   if (search.empty()) return {};

@@ -1,6 +1,7 @@
 #include "services/tracker/tracker_service.h"
 
 #include <chrono>
+#include <stdexcept>
 #include <string>
 
 #include "common/messaging/conversions.h"
@@ -95,9 +96,10 @@ void TrackerService::receive(const event_packet_t& packet, const Receipt& receip
     return;
   }
   heard_us_ = receipt.monotonic_us;
+  events_received_ += packet.count;
+  if (masks_hot_pixels_) events_masked_ += params_.hot_pixels.remove_from(events_);
   if (events_.empty()) return;
   newest_event_ = events_.newest();
-  events_received_ += packet.count;
   track_->surface.update(events_, origin_of(packet, receipt));
 }
 
@@ -116,8 +118,10 @@ void TrackerService::begin(const event_packet_t& packet, const Receipt& receipt)
   dropped_packets_ = 0;
   events_received_ = 0;
   events_thinned_ = 0;
+  events_masked_ = 0;
   context_.log.info("following events of session {:x}, sensor {}x{}", packet.session, packet.width,
                     packet.height);
+  check_calibration();
   TrackerServiceParams params = params_;
   const Region& wanted = params.pipeline.detector.region;
   if (!wanted.empty() && wanted.intersect(Region::all_of(sensor_)).empty()) {
@@ -126,6 +130,20 @@ void TrackerService::begin(const event_packet_t& packet, const Receipt& receipt)
   }
   track_ =
       std::make_unique<Track>(sensor_, params, [this](const TrackedEstimate& t) { publish(t); });
+}
+
+// A camera that nobody calibrated for is followed all the same, as well as it can be.
+void TrackerService::check_calibration() {
+  for (const std::string& doubt : doubts_about(params_.size_model, sensor_)) {
+    context_.log.warn("tracker.size_model: {}", doubt);
+  }
+  masks_hot_pixels_ = true;
+  try {
+    params_.hot_pixels.check_sensor(sensor_, "tracker.hot_pixel_mask");
+  } catch (const std::invalid_argument& error) {
+    masks_hot_pixels_ = false;
+    context_.log.error("{}: it is not used", error.what());
+  }
 }
 
 PacketOrigin TrackerService::origin_of(const event_packet_t& packet, const Receipt& receipt) const {
@@ -191,6 +209,7 @@ void TrackerService::report(StatusReport& report) const {
   const LossCounters& counters = packets_.counters();
   report.counters = {
       {"events_received", events_received_},
+      {"events_masked", events_masked_},
       {"packets_received", counters.received},
       {"packets_lost", counters.lost},
       {"packets_late", dropped_packets_},

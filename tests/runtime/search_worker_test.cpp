@@ -30,8 +30,8 @@ SearchResult result_of(SearchWorker& worker, SharedSurface& surface) {
 
 }  // namespace
 
-TEST_CASE("a worker finds the same as a search at once, time after time") {
-  constexpr SensorSize kSensor{160, 120};
+TEST_CASE("a worker finds the same as a search at once, far and near, time after time") {
+  constexpr SensorSize kSensor{320, 240};
   const ErosParams eros = preset_params(Preset::kCorrelation).eros;
   SharedSurface shared(kSensor, eros);
   ErosSurface alone(kSensor, eros);
@@ -78,7 +78,7 @@ TEST_CASE("a large surface is copied a few rows at a time") {
 }
 
 TEST_CASE("a worker ends while it searches, copies, or has nothing to do") {
-  constexpr SensorSize kSensor{160, 120};
+  constexpr SensorSize kSensor{320, 240};
   SharedSurface shared(kSensor, {});
   const SearchWorker idle(search_for(kSensor));
   CHECK(idle.is_idle());

@@ -117,6 +117,47 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
   }
 }
 
+TEST_CASE("a tracking thread that falls behind gets fewer events, and the others are counted") {
+  SharedSurface surface(kSensor, {});
+  Published published;
+  Life life;
+  constexpr int kPackets = 40;
+  constexpr std::uint32_t kEach = 1000;
+  {
+    std::atomic<bool> stuck{true};
+    std::atomic<int> steps{0};
+    const TrackingThread thread(
+        surface, std::make_unique<LivingPipeline>(life, Region::all_of(kSensor), Region{}),
+        default_search(), {.heartbeat = milliseconds(5)}, [&](const TrackedEstimate& e) {
+          // From the first estimate with an event on, until all events have come.
+          while (stuck && e.tracking_started != std::chrono::system_clock::time_point{}) {
+            ++steps;
+            std::this_thread::sleep_for(microseconds(100));
+          }
+          published.add(e);
+        });
+    surface.update({{0}, {{1, 1, 0, 0}}}, {});
+    REQUIRE(eventually([&] { return steps > 0; }));
+    for (int i = 1; i <= kPackets; ++i) {
+      EventPacket packet{{i * 1000}, {}};
+      for (std::uint32_t k = 0; k < kEach; ++k) packet.events.push_back({5, 5, 1, k});
+      surface.update(packet, {});
+    }
+    stuck = false;
+    CHECK(eventually([&] {
+      const auto all = published.all();
+      return !all.empty() && all.back().estimate.newest_event == Timestamp{kPackets * 1000 + 999};
+    }));
+  }
+  const auto taken = static_cast<std::int64_t>(life.event_times.size());
+  CHECK(taken <= static_cast<std::int64_t>(SharedSurface::kQueuedEvents));
+  CHECK(taken > static_cast<std::int64_t>(SharedSurface::kQueuedEvents) * 9 / 10);
+  CHECK(taken + surface.events_thinned() == kPackets * kEach);
+  CHECK(std::is_sorted(life.event_times.begin(), life.event_times.end()));
+  // The newest ones are there, too, only fewer of them.
+  CHECK(life.event_times.back() > 20'000);
+}
+
 TEST_CASE("the tracking and its heartbeat go on while a large surface is searched") {
   // A search of all of it takes some hundred times as long as a step.
   constexpr SensorSize kLarge{SensorSize::kMax, SensorSize::kMax};
@@ -143,17 +184,22 @@ TEST_CASE("the tracking and its heartbeat go on while a large surface is searche
 
 TEST_CASE("a search that ends when there is nothing new is told all the same") {
   const PipelineParams params = preset_params(Preset::kCorrelation);
-  SharedSurface surface(kSensor, params.eros);
-  Published published;
-  const TrackingThread thread(surface, make_pipeline(kSensor, params, kSizeModel),
-                              default_search(), {},
-                              [&](const TrackedEstimate& e) { published.add(e); });
-  surface.update({{1000}, test::contour_events(kSensor, {80, 60}, kSizeModel.at({}), 150)}, {});
-  CHECK(eventually([&] {
-    const auto all = published.all();
-    return !all.empty() && all.back().estimate.state == TrackState::kTracking &&
-           all.back().estimate.newest_event == Timestamp{1000};
-  }));
+  // A small one is searched at once, a large one by the worker.
+  for (const SensorSize sensor : {SensorSize{120, 100}, SensorSize{640, 480}}) {
+    CAPTURE(sensor.width);
+    SharedSurface surface(sensor, params.eros);
+    Published published;
+    const TrackingThread thread(
+        surface, make_pipeline(sensor, params, kSizeModel),
+        PuckSearch(sensor, params, kSizeModel), {},
+        [&](const TrackedEstimate& e) { published.add(e); });
+    surface.update({{1000}, test::contour_events(sensor, {60, 50}, kSizeModel.at({}), 150)}, {});
+    CHECK(eventually([&] {
+      const auto all = published.all();
+      return !all.empty() && all.back().estimate.state == TrackState::kTracking &&
+             all.back().estimate.newest_event == Timestamp{1000};
+    }));
+  }
 }
 
 }  // namespace puck

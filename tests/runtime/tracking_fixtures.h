@@ -39,12 +39,11 @@ class Published {
 };
 
 inline std::unique_ptr<TrackingPipeline> default_pipeline() {
-  return make_pipeline(kSensor, preset_params(Preset::kDefault), kSizeModel);
+  return make_pipeline(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
 }
 
 inline PuckSearch default_search() {
-  const PipelineParams params = preset_params(Preset::kDefault);
-  return PuckSearch(kSensor, params, kSizeModel);
+  return PuckSearch(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
 }
 
 template <typename Condition>

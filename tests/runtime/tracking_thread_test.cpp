@@ -18,7 +18,7 @@ using namespace test;
 }  // namespace
 
 TEST_CASE("the two threads follow the puck and stamp estimates with the packet they rest on") {
-  const PipelineParams params = preset_params(Preset::kDefault);
+  const PipelineParams params = preset_params(Preset::kCorrelation);
   SharedSurface surface(kSensor, params.eros);
   Published published;
   const TrackingThread thread(surface, default_pipeline(), default_search(), {},

@@ -63,7 +63,7 @@ TEST_CASE("what does not exceed the threshold is not detected") {
 }
 
 TEST_CASE("a search with the size of each row finds the puck near and far") {
-  const PipelineParams params = preset_params(Preset::kDefault);
+  const PipelineParams params = preset_params(Preset::kCorrelation);
   const KernelBank bank(params.kernels);
   const PuckSizeModel model{17, 0, 0.09, 8, 0, 0.09};
   for (const Pixel truth : {Pixel{101, 31}, {320, 190}, {500, 401}}) {
@@ -82,7 +82,7 @@ TEST_CASE("a search with the size of each row finds the puck near and far") {
 }
 
 TEST_CASE("a search tells of every puck, best first, and of no place twice") {
-  const PipelineParams params = preset_params(Preset::kDefault);
+  const PipelineParams params = preset_params(Preset::kCorrelation);
   const KernelBank bank(params.kernels);
   const PuckSizeModel model{25, 0, 0, 17, 0, 0};
   const EllipseKernel& ring = bank.nearest(model.at({}));
@@ -115,7 +115,7 @@ TEST_CASE("a search tells of every puck, best first, and of no place twice") {
 }
 
 TEST_CASE("nothing is detected in an empty region") {
-  const PipelineParams params = preset_params(Preset::kDefault);
+  const PipelineParams params = preset_params(Preset::kCorrelation);
   const KernelBank bank(params.kernels);
   PuckDetector detector(params.detector, authors_static_size_model());
   Correlation correlation;
