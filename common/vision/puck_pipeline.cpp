@@ -67,7 +67,8 @@ Region PuckPipeline::search_wanted() {
 void PuckPipeline::take(const SearchResult& result) {
   // A track that has recovered meanwhile knows better.
   if (result.candidates.empty() || (state_ == TrackState::kTracking && !coasting_)) return;
-  if (params_.loss.enabled && result.candidates.front().score < params_.loss.lowest_start_score) return;
+  const double score = result.candidates.front().score;
+  if (params_.loss.enabled && score < params_.loss.lowest_start_score) return;
   begin_track(result.candidates.front(), result.time);
   looked_at_ = result.region;
 }

@@ -84,6 +84,18 @@ TEST_CASE("preset paper has the constants of the paper's text") {
   CHECK(p.motion.surprise_sigmas == 0);
 }
 
+TEST_CASE("preset correlation has every ingredient, paper and reference none of them") {
+  for (const Preset preset : {Preset::kPaper, Preset::kReference, Preset::kCorrelation}) {
+    const PipelineParams p = preset_params(preset);
+    const bool has = preset == Preset::kCorrelation;
+    CHECK(p.tracker.ring.enabled == has);
+    CHECK(p.lead.enabled == has);
+    CHECK(p.trail.enabled == has);
+    CHECK(p.predicts == has);
+    CHECK((p.motion.surprise_sigmas > 0) == has);
+  }
+}
+
 TEST_CASE("the authors' size models give the sizes of their code") {
   const KernelBank bank(preset_params(Preset::kReference).kernels);
   const auto size_at = [&](const PuckSizeModel& model, double y) {

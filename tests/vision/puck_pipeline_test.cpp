@@ -26,6 +26,12 @@ class Scene {
     return apply(test::contour_events(kSensor, centre, kSizeModel.at(centre), 150));
   }
 
+  PuckEstimate show_upper_half(Pixel centre) {
+    std::vector<Event> events = test::contour_events(kSensor, centre, kSizeModel.at(centre), 150);
+    std::erase_if(events, [&](const Event& event) { return event.y > centre.y; });
+    return apply(std::move(events));
+  }
+
   PuckEstimate show_clutter() {
     std::vector<Event> events;
     for (int i = 0; i < 1000; ++i) {
@@ -92,6 +98,37 @@ TEST_CASE("nothing is detected on an empty surface or in clutter without a ring"
   }
   Scene scene(preset_params(Preset::kCorrelation));
   for (int i = 0; i < 100; ++i) CHECK_FALSE(scene.show_clutter().position.has_value());
+}
+
+TEST_CASE("the soft ring places the puck between pixels, where hard kernels hardly do") {
+  const auto mean_error = [](bool soft) {
+    PipelineParams params = preset_params(Preset::kCorrelation);
+    params.tracker.ring.enabled = soft;
+    params.loss.enabled = false;
+    // Drawn events have no lag and leave the puck's edge nowhere.
+    params.lead.enabled = false;
+    params.contour.calibration.grow_px = 0;
+    Scene scene(params);
+    double sum = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Pixel truth{200 + 0.37 * i, 190 + 0.21 * i};
+      const PuckEstimate estimate = scene.show(truth);
+      if (i >= 100) sum += distance(estimate, truth) / 200;
+    }
+    return sum;
+  };
+  const double soft = mean_error(true);
+  CHECK(soft < 0.35);
+  CHECK(mean_error(false) > 1.2 * soft);
+}
+
+TEST_CASE("half a ring is no puck, however long it is seen") {
+  Scene scene(preset_params(Preset::kCorrelation));
+  int tracked = 0;
+  for (int i = 0; i < 300; ++i) {
+    if (scene.show_upper_half({200 + 0.5 * i, 190}).state == TrackState::kTracking) ++tracked;
+  }
+  CHECK(tracked == 0);
 }
 
 TEST_CASE("the default estimate knows its velocity") {
