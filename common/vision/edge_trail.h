@@ -20,8 +20,8 @@ struct EdgeTrailParams {
 
 /// How long a trail the puck's contour draws on the surface, learned while the track is good. A
 /// pixel fades with the events of its neighbours, so the contour of a puck of low contrast, which
-/// makes hardly one event a pixel, stays on the surface several times as long as that of a dark one,
-/// and the ring lies farther behind the puck.
+/// makes hardly one event a pixel, stays on the surface several times as long as that of a dark
+/// one, and the ring lies farther behind the puck.
 class EdgeTrail {
  public:
   explicit EdgeTrail(const EdgeTrailParams& params) : params_(params) {}

@@ -24,9 +24,9 @@ struct RefinedPeak {
 };
 
 /// Places the ring's peak between pixels. The ring's profile is (1 − (d / half width)²)², so the
-/// correlation, Σ grey · profile(distance), is climbed by the shift that brings the pixels' weighted
-/// distances closest to zero, again and again: at a peak nothing moves any more. Nothing to hold on
-/// to in a direction means no shift in it.
+/// correlation, Σ grey · profile(distance), is climbed by the shift that brings the pixels'
+/// weighted distances closest to zero, again and again: at a peak nothing moves any more. Nothing
+/// to hold on to in a direction means no shift in it.
 RefinedPeak refine_peak(const RingSamples& samples, const PeakRefinementParams& params);
 
 }  // namespace puck

@@ -57,6 +57,7 @@ PipelineParams correlation() {
   params.tracker.shift_to_lowest = false;
   // The prediction centres it, so it need not reach far.
   params.tracker.region_factor = 2;
+  params.tracker.sub_pixel = true;
   params.tracker.ring.enabled = true;
   params.motion.measurement_sigma_px = 0.2;
   params.motion.surprise_sigmas = 6;

@@ -49,8 +49,8 @@ struct PipelineParams {
   LossParams loss;
   MotionLeadParams lead;
   EdgeTrailParams trail;
-  /// A contour filter on single events follows the puck (ContourPipeline); correlation only searches
-  /// for it then. Of the parameters above, only those of the surface, the kernels and the detector
+  /// A contour filter on single events follows the puck (ContourPipeline); correlation only
+  /// searches for it then. Of the parameters above, only those of the surface, the kernels and the detector
   /// count.
   bool follows_contour = false;
   /// Its calibration is also that of the correlation's soft ring.

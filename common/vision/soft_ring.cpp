@@ -9,8 +9,8 @@
 namespace puck {
 namespace {
 
-// Distances from the ring are linear in a shift only for a short way; after a longer one the ring is
-// laid anew.
+// Distances from the ring are linear in a shift only for a short way; after a longer one the ring
+// is laid anew.
 constexpr double kFarShift_px = 0.5;
 
 }  // namespace

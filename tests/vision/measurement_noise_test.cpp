@@ -6,7 +6,7 @@
 
 namespace puck {
 
-TEST_CASE("a peak that is held equally everywhere has the variance of its pixels over their number") {
+TEST_CASE("a peak held equally everywhere has the variance of its pixels over their number") {
   // A contour of 50 bright pixels holds half as many in each direction.
   const PixelVariance variance = measurement_variance({{}, 24.9, 0, 24.9}, {0.1, 0.5});
   CHECK(variance.x == doctest::Approx(0.01 + 0.5 / 25));

@@ -17,7 +17,7 @@ RefinedPeak refine(const Image<std::uint8_t>& picture, const ContourRing& ring, 
 
 }  // namespace
 
-TEST_CASE("a ring is found to a seventh of the way, and to a twentieth of a pixel where it is near") {
+TEST_CASE("a ring is found to a seventh of the way, to a twentieth of a pixel where it is near") {
   for (const double semi : {8.0, 15.0, 28.0}) {
     for (const Pixel off : {Pixel{0, 0}, {0.3, -0.25}, {-0.7, 0.6}, {1.2, 0.4}}) {
       CAPTURE(semi);
