@@ -15,7 +15,7 @@ std::unique_ptr<TrackingPipeline> make_pipeline(SensorSize sensor, const Pipelin
 
 PuckSearch make_search(SensorSize sensor, const PipelineParams& params,
                        const PuckSizeModel& size_model) {
-  return PuckSearch(sensor, params.kernels, params.detector, size_model);
+  return PuckSearch(sensor, params, size_model);
 }
 
 }  // namespace puck

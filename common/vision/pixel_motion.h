@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "common/events/timestamp.h"
 #include "common/vision/pixel.h"
@@ -11,12 +12,21 @@ struct PixelMotionParams {
   /// Spectral density of the puck's acceleration, px²/s³. Larger follows hits and bounces sooner;
   /// smaller smooths more.
   double acceleration_density = 1e6;
-  /// Standard deviation of a measured position, px.
+  /// Standard deviation of a measured position that does not bring its own, px.
   double measurement_sigma_px = 0.7;
+  /// A measurement so many standard deviations off the prediction means that the puck was hit or
+  /// has bounced: its velocity is learned anew. 0: never.
+  double surprise_sigmas = 0;
+};
+
+/// Of a measured position, px²; its axes do not influence each other.
+struct PixelVariance {
+  double x = 0;
+  double y = 0;
 };
 
 /// The puck's position and velocity in the image: a Kalman filter with constant velocity and white
-/// acceleration, the same for both axes, which do not influence each other.
+/// acceleration for each axis; the two do not influence each other.
 class PixelMotion {
  public:
   explicit PixelMotion(const PixelMotionParams& params) : params_(params) {}
@@ -24,24 +34,33 @@ class PixelMotion {
   /// Begins anew at a position, at rest as far as is known.
   void start(Pixel position, Timestamp time);
   /// Takes a measured position. Times must not go backwards.
-  void measure(Pixel position, Timestamp time);
+  void measure(Pixel position, Timestamp time, const std::optional<PixelVariance>& variance = {});
   /// Where the puck is expected at `time`.
   Pixel expected_at(Timestamp time) const;
 
-  Pixel position() const { return position_; }
-  PixelVelocity velocity() const { return velocity_; }
+  Pixel position() const { return {x_.position, y_.position}; }
+  PixelVelocity velocity() const { return {x_.velocity, y_.velocity}; }
   /// Of (x, y, vx, vy), row by row; px², px²/s, px²/s². As of the last measurement.
   std::array<double, 16> covariance() const;
 
  private:
+  struct Axis {
+    double position = 0;
+    double velocity = 0;
+    // Variances: of the position, with the velocity, of the velocity.
+    double pp = 0;
+    double pv = 0;
+    double vv = 0;
+
+    void predict(double dt, double acceleration_density);
+    void correct(double measured, double variance);
+    void learn_anew(double measured, double variance);
+  };
+
   PixelMotionParams params_;
   Timestamp time_;
-  Pixel position_;
-  PixelVelocity velocity_;
-  // Of one axis: position, position with velocity, velocity.
-  double pp_ = 0;
-  double pv_ = 0;
-  double vv_ = 0;
+  Axis x_;
+  Axis y_;
 };
 
 }  // namespace puck

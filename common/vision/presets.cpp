@@ -51,10 +51,21 @@ PipelineParams correlation() {
   params.kernels.whole_semi_axes = false;
   params.detector.kernel = DetectionKernel::kSizePerRow;
   params.detector.region = {};
-  params.detector.threshold = 0.45;
+  // Low: what is found must pass the soft ring's test.
+  params.detector.threshold = 0.35;
   params.tracker.centred_window = true;
   params.tracker.shift_to_lowest = false;
+  // The prediction centres it, so it need not reach far.
+  params.tracker.region_factor = 2;
   params.tracker.sub_pixel = true;
+  params.tracker.ring.enabled = true;
+  params.motion.measurement_sigma_px = 0.2;
+  params.motion.surprise_sigmas = 6;
+  params.lead.enabled = true;
+  params.trail.enabled = true;
+  params.loss.lowest_score = 0.55;
+  params.loss.lowest_start_score = 0.6;
+  params.loss.search_period_us = 3'000;
   params.predicts = true;
   return params;
 }

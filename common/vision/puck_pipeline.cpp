@@ -23,8 +23,9 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PipelineParams& params,
       params_(params),
       size_model_(size_model),
       kernels_(params.kernels),
-      tracker_(sensor, params.tracker, size_model),
+      tracker_(sensor, params.tracker, size_model, params.contour.calibration),
       motion_(params.motion),
+      trail_(params.trail),
       detection_region_(detection_region(sensor, params.detector)) {
   if (params.loss.coast_us < 0 || params.loss.search_period_us < 0) {
     throw std::invalid_argument(
@@ -49,7 +50,7 @@ PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {
     if (state_ == TrackState::kTracking && !snapshot.region.empty()) {
       blur_.apply(snapshot.grey.view(), blurred_);
       picture_.set_picture(blurred_.view(), snapshot.region);
-      track(now_);
+      track(snapshot);
     }
     if (state_ != TrackState::kTracking) plan_search(now_);
     if (looked_at_.empty()) looked_at_ = search_;
@@ -66,15 +67,18 @@ Region PuckPipeline::search_wanted() {
 void PuckPipeline::take(const SearchResult& result) {
   // A track that has recovered meanwhile knows better.
   if (result.candidates.empty() || (state_ == TrackState::kTracking && !coasting_)) return;
+  const double score = result.candidates.front().score;
+  if (params_.loss.enabled && score < params_.loss.lowest_start_score) return;
   begin_track(result.candidates.front(), result.time);
   looked_at_ = result.region;
 }
 
-void PuckPipeline::track(Timestamp now) {
+void PuckPipeline::track(const SurfaceSnapshot& snapshot) {
+  const Timestamp now = snapshot.newest_event;
   const Pixel expected = params_.predicts ? motion_.expected_at(now) : position_;
-  const PuckTracker::Step found = tracker_.step(picture_, region_, expected, kernels_);
+  const PuckTracker::Step found = tracker_.step(picture_, snapshot, region_, expected, kernels_);
   score_ = found.score;
-  motion_.measure(found.position, now);
+  motion_.measure(found.position, now, found.variance);
   position_ = params_.predicts ? motion_.position() : found.position;
   if (params_.loss.enabled && found.score < params_.loss.lowest_score) {
     coast(now);
@@ -82,6 +86,7 @@ void PuckPipeline::track(Timestamp now) {
   }
   coasting_ = false;
   last_good_ = now;
+  trail_.learn(found.spread_px, speed_of(motion_.velocity()), now);
   if (speed_of(motion_.velocity()) > kRestingPxPerS) resting_since_ = now;
   region_ = tracker_.region_around(position_, kernels_);
   if (region_.empty()) lose(now);
@@ -145,9 +150,12 @@ PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
   estimate.left_image = left_image_;
   if (state_ != TrackState::kTracking) return estimate;
 
-  estimate.position = position_;
+  const LedPosition led = lead_forward(position_, motion_.velocity(), motion_.covariance(),
+                                       params_.contour.calibration.lag_us, trail_.length(),
+                                       params_.lead);
+  estimate.position = led.position;
   estimate.velocity = motion_.velocity();
-  estimate.covariance = motion_.covariance();
+  estimate.covariance = led.covariance;
   estimate.size = size_model_.at(position_);
   estimate.score = score_;
   estimate.coasting = coasting_;

@@ -7,9 +7,11 @@
 #include "common/events/sensor_size.h"
 #include "common/vision/contour_pipeline.h"
 #include "common/vision/correlation.h"
+#include "common/vision/edge_trail.h"
 #include "common/vision/eros_surface.h"
 #include "common/vision/gaussian_blur.h"
 #include "common/vision/kernel_bank.h"
+#include "common/vision/motion_lead.h"
 #include "common/vision/pixel_motion.h"
 #include "common/vision/puck_detector.h"
 #include "common/vision/puck_estimate.h"
@@ -25,6 +27,8 @@ struct LossParams {
   bool enabled = true;
   /// A place that scores less is weak evidence.
   double lowest_score = 0.36;
+  /// What a search finds must score so much to be tracked.
+  double lowest_start_score = 0;
   /// How long weak evidence is followed, while something better is looked for around it, before the
   /// puck counts as lost, sensor time.
   std::int64_t coast_us = 50'000;
@@ -43,10 +47,13 @@ struct PipelineParams {
   TrackerParams tracker;
   PixelMotionParams motion;
   LossParams loss;
-  /// A contour filter on single events follows the puck (ContourPipeline); correlation only searches
-  /// for it then. Of the parameters above, only those of the surface, the kernels and the detector
+  MotionLeadParams lead;
+  EdgeTrailParams trail;
+  /// A contour filter on single events follows the puck (ContourPipeline); correlation only
+  /// searches for it then. Of the parameters above, only those of the surface, the kernels and the detector
   /// count.
   bool follows_contour = false;
+  /// Its calibration is also that of the correlation's soft ring.
   ContourPipelineParams contour;
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
   /// the published position is the filtered one.
@@ -73,7 +80,7 @@ class PuckPipeline final : public TrackingPipeline {
   void take(const SearchResult& result) override;
 
  private:
-  void track(Timestamp now);
+  void track(const SurfaceSnapshot& snapshot);
   void coast(Timestamp now);
   void begin_track(const SearchCandidate& candidate, Timestamp time);
   void lose(Timestamp now);
@@ -87,6 +94,7 @@ class PuckPipeline final : public TrackingPipeline {
   KernelBank kernels_;
   PuckTracker tracker_;
   PixelMotion motion_;
+  EdgeTrail trail_;
   GaussianBlur blur_;
   Correlation picture_;
   Image<std::uint8_t> blurred_;

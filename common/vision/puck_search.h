@@ -5,7 +5,9 @@
 #include "common/vision/gaussian_blur.h"
 #include "common/vision/kernel_bank.h"
 #include "common/vision/puck_detector.h"
+#include "common/vision/puck_pipeline.h"
 #include "common/vision/puck_size_model.h"
+#include "common/vision/soft_ring.h"
 #include "common/vision/surface_snapshot.h"
 #include "common/vision/tracking_pipeline.h"
 
@@ -15,10 +17,9 @@ namespace puck {
 /// anything of a track. The same snapshot gives the same result, to the bit. One thread at a time.
 class PuckSearch {
  public:
-  /// `kernels` are the tracker's. Throws std::invalid_argument, naming the key, when a parameter is
-  /// out of range.
-  PuckSearch(SensorSize sensor, const KernelBankParams& kernels, const DetectorParams& detector,
-             const PuckSizeModel& size_model);
+  /// Kernels and ring are the tracker's. Throws std::invalid_argument, naming the key, when a
+  /// parameter is out of range.
+  PuckSearch(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model);
 
   /// The part of the surface that a search of `search` must be given: kernels on its border reach
   /// beyond it, and the blur a little more.
@@ -32,6 +33,8 @@ class PuckSearch {
   PuckSizeModel size_model_;
   KernelBank kernels_;
   PuckDetector detector_;
+  bool has_ring_;
+  SoftRing ring_;
   GaussianBlur blur_;
   Correlation picture_;
   Image<std::uint8_t> blurred_;

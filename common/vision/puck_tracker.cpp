@@ -40,8 +40,11 @@ void quantise(Image<double>& values) {
 }  // namespace
 
 PuckTracker::PuckTracker(SensorSize sensor, const TrackerParams& params,
-                         const PuckSizeModel& size_model)
-    : sensor_(sensor), params_(params), size_model_(size_model) {
+                         const PuckSizeModel& size_model, const ContourCalibration& calibration)
+    : sensor_(sensor),
+      params_(params),
+      size_model_(size_model),
+      ring_(sensor, params.ring, size_model, calibration) {
   const auto require_positive = [](const char* key, double value) {
     if (!(value > 0)) {
       throw std::invalid_argument(std::string(key) + " must be above 0, got " +
@@ -67,12 +70,12 @@ Region PuckTracker::first_region_at(Pixel position, const KernelBank& bank) cons
   return region.intersect(Region::all_of(sensor_));
 }
 
-PuckTracker::Step PuckTracker::step(Correlation& picture, const Region& region, Pixel expected,
-                                    const KernelBank& bank) {
+PuckTracker::Step PuckTracker::step(Correlation& picture, const SurfaceSnapshot& surface,
+                                    const Region& region, Pixel expected, const KernelBank& bank) {
   // Equation (2): the kernel's size follows from the place.
   const EllipseKernel& kernel = bank.nearest(size_model_.at(expected));
   const Region window = window_around(expected, kernel, region);
-  Step result{expected, size_model_.at(expected), 0};
+  Step result{expected, size_model_.at(expected), 0, std::nullopt};
   if (window.empty()) return result;
 
   // The convolution with the kernel.
@@ -111,6 +114,13 @@ PuckTracker::Step PuckTracker::step(Correlation& picture, const Region& region, 
     if (y > 0 && y + 1 < r.height()) {
       result.position.y += parabola_offset(r(x, y - 1), r(x, y), r(x, y + 1));
     }
+  }
+  if (params_.ring.enabled) {
+    const SoftRing::Fit fit = ring_.fit(surface.grey.view(), surface.region, result.position);
+    result.position = fit.position;
+    result.score = fit.score;
+    result.spread_px = fit.spread_px;
+    result.variance = measurement_variance(fit.peak, params_.noise);
   }
   result.size = size_model_.at(result.position);
   return result;

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "common/events/sensor_size.h"
 #include "common/vision/correlation.h"
+#include "common/vision/contour_calibration.h"
 #include "common/vision/kernel_bank.h"
+#include "common/vision/measurement_noise.h"
 #include "common/vision/pixel.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/region.h"
+#include "common/vision/soft_ring.h"
+#include "common/vision/surface_snapshot.h"
 
 namespace puck {
 
@@ -32,6 +37,10 @@ struct TrackerParams {
   bool quantised = false;
   /// A parabola through the peak's neighbours places it between pixels.
   bool sub_pixel = false;
+  /// A soft ring at the true contour takes over from the peak and places it between pixels; its
+  /// score is then the step's.
+  SoftRingParams ring;
+  MeasurementNoiseParams noise;
 };
 
 /// Follows the puck from one picture to the next: the response of the kernel of the size that
@@ -42,11 +51,14 @@ class PuckTracker {
   struct Step {
     Pixel position;
     PuckSize size;     ///< What the size model gives there.
-    double score = 0;  ///< EllipseKernel::contrast at the nearest pixel.
+    double score = 0;  ///< EllipseKernel::contrast at the nearest pixel, or the soft ring's score.
+    std::optional<PixelVariance> variance;  ///< Of the position; known where the ring is soft.
+    double spread_px = 0;  ///< The soft ring's.
   };
 
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
-  PuckTracker(SensorSize sensor, const TrackerParams& params, const PuckSizeModel& size_model);
+  PuckTracker(SensorSize sensor, const TrackerParams& params, const PuckSizeModel& size_model,
+              const ContourCalibration& calibration);
 
   /// ROI_t around a position, inside the sensor.
   Region region_around(Pixel position, const KernelBank& bank) const;
@@ -54,8 +66,9 @@ class PuckTracker {
   /// The first ROI_t after a detection there, inside the sensor.
   Region first_region_at(Pixel position, const KernelBank& bank) const;
 
-  /// Looks for the puck in `region`, near `expected`.
-  Step step(Correlation& picture, const Region& region, Pixel expected, const KernelBank& bank);
+  /// Looks for the puck in `region`, near `expected`. `picture` shows the blurred `surface`.
+  Step step(Correlation& picture, const SurfaceSnapshot& surface, const Region& region,
+            Pixel expected, const KernelBank& bank);
 
  private:
   Region window_around(Pixel expected, const EllipseKernel& kernel, const Region& region) const;
@@ -64,6 +77,7 @@ class PuckTracker {
   SensorSize sensor_;
   TrackerParams params_;
   PuckSizeModel size_model_;
+  SoftRing ring_;
   CorrelationMap map_;
   Image<double> weighted_;
   std::vector<double> column_weight_;

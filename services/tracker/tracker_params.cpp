@@ -52,6 +52,7 @@ TrackerServiceParams read_tracker_params(Config& config) {
   config.read("tracker.prior_sigma", pipeline.tracker.prior_sigma, 0.05, 10);
   config.read("tracker.lose", pipeline.loss.enabled);
   config.read("tracker.lowest_score", pipeline.loss.lowest_score, 0, 1);
+  config.read("tracker.lowest_start_score", pipeline.loss.lowest_start_score, 0, 1);
   read_milliseconds(config, "tracker.coast_ms", pipeline.loss.coast_us);
   pipeline.contour.coast_us = pipeline.loss.coast_us;
   read_milliseconds(config, "tracker.search_period_ms", pipeline.loss.search_period_us);

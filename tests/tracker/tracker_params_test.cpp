@@ -26,8 +26,8 @@ TEST_CASE("config/tracker.toml shows every key with its default") {
   CHECK(config.effective().find("tracker.max_publish_hz") != std::string::npos);
   for (const char* key :
        {"preset", "half_width_px", "decay", "detection_region", "detection_threshold",
-        "region_factor", "prior_sigma", "lose", "lowest_score", "coast_ms", "search_period_ms",
-        "max_publish_hz", "size_model", "hot_pixel_mask"}) {
+        "region_factor", "prior_sigma", "lose", "lowest_score", "lowest_start_score", "coast_ms",
+        "search_period_ms", "max_publish_hz", "size_model", "hot_pixel_mask"}) {
     CAPTURE(std::string(key));
     CHECK(only_keys.has(std::string("tracker.") + key));
   }
@@ -39,6 +39,7 @@ TEST_CASE("config/tracker.toml shows every key with its default") {
   CHECK(shown.pipeline.tracker.prior_sigma == defaults.pipeline.tracker.prior_sigma);
   CHECK(shown.pipeline.loss.enabled == defaults.pipeline.loss.enabled);
   CHECK(shown.pipeline.loss.lowest_score == defaults.pipeline.loss.lowest_score);
+  CHECK(shown.pipeline.loss.lowest_start_score == defaults.pipeline.loss.lowest_start_score);
   CHECK(shown.pipeline.loss.coast_us == defaults.pipeline.loss.coast_us);
   CHECK(shown.pipeline.loss.search_period_us == defaults.pipeline.loss.search_period_us);
   CHECK(shown.thread.max_publish_hz == defaults.thread.max_publish_hz);

@@ -42,6 +42,10 @@ TEST_CASE("preset reference has the constants of the authors' code") {
   CHECK_FALSE(p.tracker.sub_pixel);
   CHECK_FALSE(p.loss.enabled);
   CHECK_FALSE(p.predicts);
+  CHECK_FALSE(p.tracker.ring.enabled);
+  CHECK_FALSE(p.lead.enabled);
+  CHECK(p.motion.measurement_sigma_px == 0.7);
+  CHECK(p.motion.surprise_sigmas == 0);
 }
 
 TEST_CASE("preset paper has the constants of the paper's text") {
@@ -74,6 +78,22 @@ TEST_CASE("preset paper has the constants of the paper's text") {
   CHECK_FALSE(p.tracker.sub_pixel);
   CHECK_FALSE(p.loss.enabled);
   CHECK_FALSE(p.predicts);
+  CHECK_FALSE(p.tracker.ring.enabled);
+  CHECK_FALSE(p.lead.enabled);
+  CHECK(p.motion.measurement_sigma_px == 0.7);
+  CHECK(p.motion.surprise_sigmas == 0);
+}
+
+TEST_CASE("preset correlation has every ingredient, paper and reference none of them") {
+  for (const Preset preset : {Preset::kPaper, Preset::kReference, Preset::kCorrelation}) {
+    const PipelineParams p = preset_params(preset);
+    const bool has = preset == Preset::kCorrelation;
+    CHECK(p.tracker.ring.enabled == has);
+    CHECK(p.lead.enabled == has);
+    CHECK(p.trail.enabled == has);
+    CHECK(p.predicts == has);
+    CHECK((p.motion.surprise_sigmas > 0) == has);
+  }
 }
 
 TEST_CASE("the authors' size models give the sizes of their code") {

@@ -26,6 +26,12 @@ class Scene {
     return apply(test::contour_events(kSensor, centre, kSizeModel.at(centre), 150));
   }
 
+  PuckEstimate show_upper_half(Pixel centre) {
+    std::vector<Event> events = test::contour_events(kSensor, centre, kSizeModel.at(centre), 150);
+    std::erase_if(events, [&](const Event& event) { return event.y > centre.y; });
+    return apply(std::move(events));
+  }
+
   PuckEstimate show_clutter() {
     std::vector<Event> events;
     for (int i = 0; i < 1000; ++i) {
@@ -92,6 +98,30 @@ TEST_CASE("nothing is detected on an empty surface or in clutter without a ring"
   }
   Scene scene(preset_params(Preset::kCorrelation));
   for (int i = 0; i < 100; ++i) CHECK_FALSE(scene.show_clutter().position.has_value());
+}
+
+TEST_CASE("the soft ring follows a drawn contour to a tenth of a pixel") {
+  PipelineParams params = preset_params(Preset::kCorrelation);
+  // Drawn events have no lag, no trail, and lie on the annotated contour.
+  params.lead.enabled = false;
+  params.contour.calibration.grow_px = 0;
+  Scene scene(params);
+  double mean_px = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Pixel truth{200 + 0.37 * i, 190 + 0.21 * i};
+    const PuckEstimate estimate = scene.show(truth);
+    if (i >= 100) mean_px += distance(estimate, truth) / 200;
+  }
+  CHECK(mean_px < 0.1);
+}
+
+TEST_CASE("half a ring is no puck, however long it is seen") {
+  Scene scene(preset_params(Preset::kCorrelation));
+  int tracked = 0;
+  for (int i = 0; i < 300; ++i) {
+    if (scene.show_upper_half({200 + 0.5 * i, 190}).state == TrackState::kTracking) ++tracked;
+  }
+  CHECK(tracked == 0);
 }
 
 TEST_CASE("the default estimate knows its velocity") {

@@ -14,7 +14,7 @@ constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
 
 PuckSearch search_of(Preset preset) {
   const PipelineParams params = preset_params(preset);
-  return PuckSearch(kSensor, params.kernels, params.detector, kSizeModel);
+  return PuckSearch(kSensor, params, kSizeModel);
 }
 
 SearchResult search_for_puck_at(Pixel truth, const Region& where, Preset preset) {

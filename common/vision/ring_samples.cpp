@@ -1,0 +1,61 @@
+#include "common/vision/ring_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace puck {
+namespace {
+
+// A ring that reaches farther lies in no image; the size model led nowhere.
+constexpr double kFarthestReach_px = 1e6;
+
+// How far a row of an ellipse reaches to each side of its middle.
+double half_chord(double semi_x, double semi_y, double y) {
+  if (!(semi_x > 0 && semi_y > 0)) return -1;
+  const double v = y / semi_y;
+  return v * v < 1 ? semi_x * std::sqrt(1 - v * v) : -1;
+}
+
+}  // namespace
+
+double RingSamples::reach_x(const ContourRing& ring) {
+  return ring.semi_x + std::abs(ring.shear) * (ring.semi_y + kReachPx) + kReachPx;
+}
+
+double RingSamples::reach_y(const ContourRing& ring) {
+  return ring.semi_y + std::abs(ring.rise) + kReachPx;
+}
+
+void RingSamples::gather(ImageView<const std::uint8_t> picture, const Region& place,
+                         const ContourRing& ring, Pixel centre) {
+  near_.clear();
+  inside_sum_ = 0;
+  inside_pixels_ = 0;
+  // Also when it is not a number.
+  if (!(reach_x(ring) < kFarthestReach_px && reach_y(ring) < kFarthestReach_px)) return;
+  const auto first_row = static_cast<int>(std::ceil(centre.y - reach_y(ring)));
+  const auto last_row = static_cast<int>(std::floor(centre.y + reach_y(ring)));
+  for (int y = std::max(first_row, place.y); y <= std::min(last_row, place.bottom() - 1); ++y) {
+    const double ring_y = y - centre.y + ring.rise;
+    const double middle = centre.x + ring.shear * ring_y;
+    const double outer = half_chord(ring.semi_x + kReachPx, ring.semi_y + kReachPx, ring_y);
+    const double inner = half_chord(ring.semi_x - kReachPx, ring.semi_y - kReachPx, ring_y);
+    if (outer < 0) continue;
+    const std::uint8_t* row = picture.row(y - place.y) - place.x;
+    const int first = std::max(static_cast<int>(std::ceil(middle - outer)), place.x);
+    const int last = std::min(static_cast<int>(std::floor(middle + outer)), place.right() - 1);
+    for (int x = first; x <= last; ++x) {
+      if (std::abs(x - middle) < inner) {
+        inside_sum_ += row[x];
+        ++inside_pixels_;
+        continue;
+      }
+      const ContourOffset offset = ring.offset(x - centre.x, y - centre.y, 0);
+      near_.push_back({static_cast<float>(offset.distance_px), static_cast<float>(offset.normal_x),
+                       static_cast<float>(offset.normal_y), static_cast<float>(row[x]),
+                       offset.sector});
+    }
+  }
+}
+
+}  // namespace puck
