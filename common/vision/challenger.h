@@ -17,8 +17,11 @@ class Challenger {
   };
 
   Challenger(Kind kind, const ContourContext& context, const ContourFilter::Start& start,
-             std::int64_t time_us, double wall_share)
-      : kind_(kind), born_us_(time_us), track_(context, start, time_us, wall_share) {}
+             std::int64_t time_us, double wall_share, double search_score = 0)
+      : kind_(kind),
+        search_score_(search_score),
+        born_us_(time_us),
+        track_(context, start, time_us, wall_share) {}
 
   /// Takes an event that was worth `main_worth` to the main track.
   void take(const ContourEvent& event, double main_worth, const ContourContext& context) {
@@ -42,12 +45,15 @@ class Challenger {
   std::int64_t convincing_for_us(bool convinces, std::int64_t time_us);
 
   Kind kind() const { return kind_; }
+  /// SearchCandidate::score, of what the search found.
+  double search_score() const { return search_score_; }
   std::int64_t age_us(std::int64_t time_us) const { return time_us - born_us_; }
   const ContourTrack& track() const { return track_; }
   ContourTrack& track() { return track_; }
 
  private:
   Kind kind_;
+  double search_score_;
   std::int64_t born_us_;
   std::int64_t convincing_since_us_ = -1;
   ContourTrack track_;

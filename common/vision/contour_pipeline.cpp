@@ -11,7 +11,7 @@ namespace {
 constexpr std::ptrdiff_t kMostTwins = 8;
 constexpr std::ptrdiff_t kMostWitnesses = 8;
 constexpr std::ptrdiff_t kMostWallTwins = 1;
-constexpr std::ptrdiff_t kMostFound = 12;
+constexpr std::ptrdiff_t kMostFound = 24;
 constexpr std::size_t kMostChallengers = kMostTwins + kMostWitnesses + kMostWallTwins + kMostFound;
 
 // Without a good track for so long the filter slows down, since it follows nothing.
@@ -39,9 +39,9 @@ constexpr std::int64_t kSearchPeriod_us = 5'000;
 constexpr std::int64_t kWideSearchPeriod_us = 40'000;
 // A sound track is not questioned from afar; one that only holds up, now and then.
 constexpr double kSound = 0.85;
-constexpr std::int64_t kGuardSearchPeriod_us = 100'000;
-constexpr std::int64_t kCalmSearchPeriod_us = 250'000;
-constexpr std::int64_t kRestingSearchPeriod_us = 400'000;
+constexpr std::int64_t kGuardSearchPeriod_us = 200'000;
+constexpr std::int64_t kCalmSearchPeriod_us = 500'000;
+constexpr std::int64_t kRestingSearchPeriod_us = 1'000'000;
 // No other puck could be three times as strong as this.
 constexpr double kLively = 300;
 // What is known of the puck's events is learned from a track of this quality.
@@ -50,9 +50,15 @@ constexpr double kLearnable = 0.7;
 // something else, and gives way to anything that looks better.
 constexpr std::int64_t kTrusted_us = 200'000;
 constexpr std::int64_t kMostTrust_us = 1'000'000;
+// A track that has not been sound for so long gives way to an evident puck, trusted or not.
+constexpr std::int64_t kUnsoundFor_us = 150'000;
 constexpr std::int64_t kNoSearch_us = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kFirstSearchPeriod_us = 20'000;
 constexpr std::int64_t kSearchLife_us = 60'000;
+// Of a puck of good contrast the correlation's score is above this, of all else below.
+constexpr double kEvidentScore = 0.65;
+// How long an evident puck is waited for before anything less is believed.
+constexpr std::int64_t kPatience_us = 150'000;
 constexpr double kSearchRadius_px = 20;
 constexpr double kSearchGrowth_px_us = 1.5e-3;
 constexpr double kTakeoverRadius_px = 12;
@@ -193,6 +199,7 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   }
   // What is known of a puck at rest holds while it cannot be seen.
   const bool is_sound = main_->quality() > kSound;
+  if (is_sound) sound_us_ = time_us;
   if (is_sound || !resting_) {
     const std::int64_t passed_us = time_us - decided_us_;
     trust_us_ =
@@ -296,11 +303,11 @@ ContourFilter::Start ContourPipeline::shifted_for_wall(ContourFilter::Start star
 }
 
 void ContourPipeline::challenge(Challenger::Kind kind, const ContourFilter::Start& start,
-                                std::int64_t time_us, double wall_share) {
+                                std::int64_t time_us, double wall_share, double search_score) {
   const auto of_kind = std::count_if(challengers_.begin(), challengers_.end(),
                                      [&](const Challenger& other) { return other.kind() == kind; });
   if (of_kind < most_of(kind)) {
-    challengers_.emplace_back(kind, context_, start, time_us, wall_share);
+    challengers_.emplace_back(kind, context_, start, time_us, wall_share, search_score);
   }
 }
 
@@ -330,9 +337,9 @@ void ContourPipeline::judge_challengers(std::int64_t time_us) {
 
 void ContourPipeline::dismiss_hopeless(std::int64_t time_us) {
   std::erase_if(challengers_, [&](const Challenger& challenger) {
-    const bool is_over = challenger.kind() == Challenger::Kind::kSearch &&
-                         (challenger.age_us(time_us) > kSearchLife_us ||
-                          is_hopeless(challenger, time_us));
+    const bool is_over =
+        challenger.kind() == Challenger::Kind::kSearch &&
+        (challenger.age_us(time_us) > kSearchLife_us || is_hopeless(challenger, time_us));
     if (is_over) refuted_.add(challenger.track().filter().position(), time_us);
     return is_over;
   });
@@ -361,6 +368,10 @@ bool ContourPipeline::is_convincing(const Challenger& challenger, std::int64_t t
       track.strength() > 3 * std::max(main_strength, 5.0)) {
     return true;
   }
+  if (is_evident(challenger, time_us) && track.quality() > main_->quality() + 0.1 &&
+      (!context_.is_trusted || time_us - sound_us_ > kUnsoundFor_us)) {
+    return true;
+  }
   if (!context_.is_trusted && age_us > 15'000 && track.quality() > 0.8 && track.strength() > 20 &&
       (track.quality() > main_->quality() + 0.12 || track.strength() > 2 * main_strength)) {
     return true;
@@ -383,15 +394,24 @@ bool ContourPipeline::is_convincing(const Challenger& challenger, std::int64_t t
   return track.strength() > 1.3 * main_strength && challenger.leads();
 }
 
-// Nothing is known yet, so what is believed first must look like a puck in every respect.
+// To the correlation it looks like nothing but a puck, and its events do not say otherwise.
+bool ContourPipeline::is_evident(const Challenger& challenger, std::int64_t time_us) const {
+  const ContourTrack& track = challenger.track();
+  return challenger.search_score() > kEvidentScore && challenger.age_us(time_us) > 5'000 &&
+         track.quality() > 0.65 && track.strength() > 10;
+}
+
+// While nothing is known, what is not evident must look like a puck in every respect, and longer.
 void ContourPipeline::confirm_first(std::int64_t time_us) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < challengers_.size(); ++i) {
     Challenger& challenger = challengers_[i];
     const ContourTrack& track = challenger.track();
-    const bool convinces = challenger.age_us(time_us) > 10'000 && track.quality() > 0.75 &&
-                           track.strength() > 30 && track.filter().growth_px() < 0.6 &&
-                           track.evidence().cover() > 0.4;
+    const bool convinces =
+        is_evident(challenger, time_us) ||
+        (time_us - searching_since_us_ > kPatience_us && challenger.age_us(time_us) > 20'000 &&
+         track.quality() > 0.8 && track.strength() > 30 && track.filter().growth_px() < 0.6 &&
+         track.evidence().cover() > 0.4);
     if (challenger.convincing_for_us(convinces, time_us) >= 3'000 &&
         (!best || track.quality() > challengers_[*best].track().quality())) {
       best = i;
@@ -438,22 +458,26 @@ void ContourPipeline::judge_state(std::int64_t time_us) {
   state_ = TrackState::kLost;
 }
 
+std::int64_t ContourPipeline::wide_search_period_us() const {
+  if (state_ == TrackState::kLost) return kFirstSearchPeriod_us;
+  if (resting_) return kRestingSearchPeriod_us;
+  if (main_->quality() < kBad || !context_.is_trusted) return kWideSearchPeriod_us;
+  if (main_->quality() < kSound) return kGuardSearchPeriod_us;
+  return main_->strength() < kLively ? kCalmSearchPeriod_us : kNoSearch_us;
+}
+
 void ContourPipeline::plan_search(std::int64_t time_us) {
   if (searching_ || !search_.empty()) return;
   const Region image = Region::all_of(sensor_);
   if (!main_) {
     if (time_us < next_search_us_) return;
     next_search_us_ = time_us + kFirstSearchPeriod_us;
+    if (searching_since_us_ < 0) searching_since_us_ = time_us;
     search_ = detection_region_;
     return;
   }
   const double quality = main_->quality();
-  const std::int64_t wide_period_us = resting_                      ? kRestingSearchPeriod_us
-                                      : quality < kBad              ? kWideSearchPeriod_us
-                                      : quality < kSound            ? kGuardSearchPeriod_us
-                                      : main_->strength() < kLively ? kCalmSearchPeriod_us
-                                                                    : kNoSearch_us;
-  if (context_.ingredients.wide_search && time_us - wide_searched_us_ >= wide_period_us) {
+  if (context_.ingredients.wide_search && time_us - wide_searched_us_ >= wide_search_period_us()) {
     wide_searched_us_ = time_us;
     search_ = image;
     return;
@@ -514,12 +538,27 @@ void ContourPipeline::take(const SearchResult& result) {
                      2 * kSame_px;
         });
     if (known || refuted_.contains(candidate.position, now_us_)) continue;
+    if (candidate.score > kEvidentScore) make_room();
     const double calibrated = context_.contour.calibrated_wall_share();
-    challenge(Challenger::Kind::kSearch, start, now_us_, calibrated);
+    challenge(Challenger::Kind::kSearch, start, now_us_, calibrated, candidate.score);
     if (!context_.ingredients.wall) continue;
     const double other = context_.contour.other_wall_share();
-    challenge(Challenger::Kind::kSearch, shifted_for_wall(start, calibrated, other), now_us_,
-              other);
+    challenge(Challenger::Kind::kSearch, shifted_for_wall(start, calibrated, other), now_us_, other,
+              candidate.score);
+  }
+}
+
+// What is evident must not wait until others have been tried.
+void ContourPipeline::make_room() {
+  const auto found = [](const Challenger& challenger) {
+    return challenger.kind() == Challenger::Kind::kSearch;
+  };
+  while (std::count_if(challengers_.begin(), challengers_.end(), found) > kMostFound - 2) {
+    const auto worst = std::min_element(
+        challengers_.begin(), challengers_.end(), [&](const Challenger& a, const Challenger& b) {
+          return found(a) && (!found(b) || a.search_score() < b.search_score());
+        });
+    challengers_.erase(worst);
   }
 }
 

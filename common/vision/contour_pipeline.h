@@ -55,14 +55,17 @@ class ContourPipeline final : public TrackingPipeline {
   void bear_twin(std::int64_t time_us);
   void bear_wall_twin(std::int64_t time_us);
   void challenge(Challenger::Kind kind, const ContourFilter::Start& start, std::int64_t time_us,
-                 double wall_share);
+                 double wall_share, double search_score = 0);
   ContourFilter::Start shifted_for_wall(ContourFilter::Start start, double from, double to) const;
   void judge_challengers(std::int64_t time_us);
   void dismiss_hopeless(std::int64_t time_us);
   bool takes_over(Challenger& challenger, std::int64_t time_us);
+  bool is_evident(const Challenger& challenger, std::int64_t time_us) const;
   bool is_convincing(const Challenger& challenger, std::int64_t time_us) const;
   void confirm_first(std::int64_t time_us);
   void enthrone(std::size_t index, std::int64_t time_us);
+  void make_room();
+  std::int64_t wide_search_period_us() const;
   void plan_search(std::int64_t time_us);
   void plan_events();
   void judge_state(std::int64_t time_us);
@@ -86,12 +89,14 @@ class ContourPipeline final : public TrackingPipeline {
   std::int64_t now_us_ = 0;
   std::int64_t decided_us_ = 0;
   std::int64_t good_us_ = 0;     // when the main track was last good
+  std::int64_t sound_us_ = 0;    // when it was last beyond doubt
   std::int64_t trust_us_ = 0;    // how much the main track is trusted to be the puck's
   std::int64_t held_us_ = 0;     // when it was last good or at rest
   std::int64_t agreed_us_ = 0;   // when the witness last agreed with it
   std::int64_t twin_us_ = 0;     // when the last twin was born
   std::int64_t witness_us_ = 0;  // when the witness last spoke up
   std::int64_t wall_twin_us_ = 0;
+  std::int64_t searching_since_us_ = -1;  // when the first search began
   std::int64_t next_search_us_ = 0;
   std::int64_t wide_searched_us_ = 0;
   Region search_;           // wanted now; empty: none

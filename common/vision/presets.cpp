@@ -74,7 +74,7 @@ PipelineParams correlation() {
 // itself on single events, so that it may find too much.
 PipelineParams contour() {
   PipelineParams params = correlation();
-  params.detector.threshold = 0.3;
+  params.detector.threshold = 0.2;
   params.follows_contour = true;
   return params;
 }

@@ -44,7 +44,7 @@ class PuckDetector {
   };
 
   /// A search with the size of each row tells of at most so many places, any other of the best.
-  static constexpr std::size_t kMostDetections = 24;
+  static constexpr std::size_t kMostDetections = 48;
 
   /// Throws std::invalid_argument when the fixed kernel cannot be drawn.
   PuckDetector(const DetectorParams& params, const PuckSizeModel& size_model);
