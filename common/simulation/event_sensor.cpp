@@ -56,9 +56,8 @@ EventSensor::EventSensor(const EventSensorParams& params, ImageView<const float>
                                              (params.threshold_mismatch > 0 ? 1.0f : 0.0f);
       pixel.reference += flicker_.response_at(0);
       if (flicker_.is_off()) continue;
-      const Reach reach = reach_of(pixel);
-      reach_up_.push_back(reach.up);
-      reach_down_.push_back(reach.down);
+      const float rest = pixel.reference - pixel.response;
+      reach_.add(rest + pixel.threshold_on, rest - pixel.threshold_off);
     }
   }
   const int count = static_cast<int>(pixels_.size());
@@ -105,9 +104,8 @@ void EventSensor::settle_step(Timestamp to) {
       pixel.response = light_[index];
       pixel.is_unsettled = false;
       if (flicker_.is_off()) continue;
-      const Reach reach = reach_of(pixel);
-      reach_up_[index] = reach.up;
-      reach_down_[index] = reach.down;
+      const float rest = pixel.reference - pixel.response;
+      reach_.set(index, rest + pixel.threshold_on, rest - pixel.threshold_off);
     } else {
       unsettled_[kept++] = index;
     }
@@ -115,32 +113,18 @@ void EventSensor::settle_step(Timestamp to) {
   unsettled_.resize(kept);
 }
 
-EventSensor::Reach EventSensor::reach_of(const Pixel& pixel) const {
-  const float rest = pixel.reference - pixel.response;
-  return {rest + pixel.threshold_on, rest - pixel.threshold_off};
-}
-
 void EventSensor::wake_by_flicker(Timestamp to) {
-  constexpr std::size_t kTogether = 64;
-  const float from_level = flicker_.response_at(static_cast<double>(flickered_until_.us));
+  const auto from_us = static_cast<double>(flickered_until_.us);
+  const float from_level = flicker_.response_at(from_us);
   const float to_level = flicker_.response_at(static_cast<double>(to.us));
-  const float highest = std::max(from_level, to_level);
-  const float lowest = std::min(from_level, to_level);
-  for (std::size_t first = 0; first < pixels_.size(); first += kTogether) {
-    const std::size_t end = std::min(pixels_.size(), first + kTogether);
-    int within_reach = 0;
-    for (std::size_t i = first; i < end; ++i) {
-      within_reach += (reach_up_[i] <= highest) | (reach_down_[i] >= lowest);
-    }
-    if (within_reach == 0) continue;
-    for (std::size_t i = first; i < end; ++i) {
-      Pixel& pixel = pixels_[i];
-      if (pixel.is_unsettled || (reach_up_[i] > highest && reach_down_[i] < lowest)) continue;
-      pixel.is_unsettled = true;
-      pixel.time_us = static_cast<double>(flickered_until_.us);
-      unsettled_.push_back(static_cast<std::uint32_t>(i));
-    }
-  }
+  reach_.visit_reached(std::min(from_level, to_level), std::max(from_level, to_level),
+                       [&](std::size_t index) {
+                         Pixel& pixel = pixels_[index];
+                         if (pixel.is_unsettled) return;
+                         pixel.is_unsettled = true;
+                         pixel.time_us = from_us;
+                         unsettled_.push_back(static_cast<std::uint32_t>(index));
+                       });
 }
 
 void EventSensor::finish_slice(Timestamp end, EventPacket& packet) {
