@@ -14,6 +14,8 @@ constexpr std::uint64_t kNoiseStream = 11;
 // A response this near to the light has settled: a hundredth of a usual threshold.
 constexpr float kSettled = 0.002f;
 constexpr double kLowestThreshold = 0.01;
+// A photoreceptor's dark current keeps it from being slower than this.
+constexpr double kLowestCutoffShare = 0.05;
 // The flicker is taken as straight between so many points of its period.
 constexpr double kFlickerSteps = 40;
 
@@ -141,11 +143,19 @@ bool EventSensor::is_settled(std::uint32_t index, float flicker) const {
          -moved < pixel.threshold_off;
 }
 
-double EventSensor::decay_over(double duration_us) {
+double EventSensor::time_constant_in(float light_before, float light_after) const {
+  if (params_.cutoff_luminance == 0) return time_constant_us_;
+  const double luminance = std::exp((light_before + light_after) / 2);
+  const double brighter = luminance / params_.cutoff_luminance;
+  return time_constant_us_ / std::max(brighter, kLowestCutoffShare);
+}
+
+double EventSensor::decay_over(double duration_us, double time_constant_us) {
+  if (time_constant_us != time_constant_us_) return std::exp(-duration_us / time_constant_us);
   // Nearly all pixels of a step have the same duration.
   if (duration_us != memoised_duration_us_) {
     memoised_duration_us_ = duration_us;
-    memoised_decay_ = std::exp(-duration_us / time_constant_us_);
+    memoised_decay_ = std::exp(-duration_us / time_constant_us);
   }
   return memoised_decay_;
 }
@@ -157,15 +167,17 @@ void EventSensor::run(std::uint32_t index, float light_at_end, double to_us) {
   const double from_us = pixel.time_us;
   if (!(to_us > from_us)) return;
   pixel.time_us = to_us;
-  const PhotoreceptorRamp ramp{to_us - from_us,
-                               time_constant_us_,
+  const double duration_us = to_us - from_us;
+  const double time_constant_us = time_constant_in(light_before, light_at_end);
+  const PhotoreceptorRamp ramp{duration_us,
+                               time_constant_us,
                                pixel.response,
                                light_before,
                                light_at_end,
                                flicker_.response_at(from_us),
                                flicker_.response_at(to_us)};
   const float before = ramp.response + ramp.flicker_before;
-  pixel.response = ramp.response_after(decay_over(ramp.duration_us));
+  pixel.response = ramp.response_after(decay_over(duration_us, time_constant_us));
   const float after = pixel.response + ramp.flicker_after;
 
   const auto fire_at = [&](float level, bool is_late, bool polarity) {

@@ -75,7 +75,8 @@ class EventSensor {
   bool is_settled(std::uint32_t index, float flicker) const;
   void settle_step(Timestamp to);
   void wake_by_flicker(Timestamp to);
-  double decay_over(double duration_us);
+  double time_constant_in(float light_before, float light_after) const;
+  double decay_over(double duration_us, double time_constant_us);
   void add_noise(Timestamp end);
   void write_slice(Timestamp end, EventPacket& packet);
 
