@@ -14,6 +14,8 @@ constexpr std::uint64_t kNoiseStream = 11;
 // A response this near to the light has settled: a hundredth of a usual threshold.
 constexpr float kSettled = 0.002f;
 constexpr double kLowestThreshold = 0.01;
+// A photoreceptor's dark current keeps it from being slower than this.
+constexpr double kLowestCutoffShare = 0.05;
 // The flicker is taken as straight between so many points of its period.
 constexpr double kFlickerSteps = 40;
 
@@ -56,9 +58,8 @@ EventSensor::EventSensor(const EventSensorParams& params, ImageView<const float>
                                              (params.threshold_mismatch > 0 ? 1.0f : 0.0f);
       pixel.reference += flicker_.response_at(0);
       if (flicker_.is_off()) continue;
-      const Reach reach = reach_of(pixel);
-      reach_up_.push_back(reach.up);
-      reach_down_.push_back(reach.down);
+      const float rest = pixel.reference - pixel.response;
+      reach_.add(rest + pixel.threshold_on, rest - pixel.threshold_off);
     }
   }
   const int count = static_cast<int>(pixels_.size());
@@ -105,9 +106,8 @@ void EventSensor::settle_step(Timestamp to) {
       pixel.response = light_[index];
       pixel.is_unsettled = false;
       if (flicker_.is_off()) continue;
-      const Reach reach = reach_of(pixel);
-      reach_up_[index] = reach.up;
-      reach_down_[index] = reach.down;
+      const float rest = pixel.reference - pixel.response;
+      reach_.set(index, rest + pixel.threshold_on, rest - pixel.threshold_off);
     } else {
       unsettled_[kept++] = index;
     }
@@ -115,32 +115,18 @@ void EventSensor::settle_step(Timestamp to) {
   unsettled_.resize(kept);
 }
 
-EventSensor::Reach EventSensor::reach_of(const Pixel& pixel) const {
-  const float rest = pixel.reference - pixel.response;
-  return {rest + pixel.threshold_on, rest - pixel.threshold_off};
-}
-
 void EventSensor::wake_by_flicker(Timestamp to) {
-  constexpr std::size_t kTogether = 64;
-  const float from_level = flicker_.response_at(static_cast<double>(flickered_until_.us));
+  const auto from_us = static_cast<double>(flickered_until_.us);
+  const float from_level = flicker_.response_at(from_us);
   const float to_level = flicker_.response_at(static_cast<double>(to.us));
-  const float highest = std::max(from_level, to_level);
-  const float lowest = std::min(from_level, to_level);
-  for (std::size_t first = 0; first < pixels_.size(); first += kTogether) {
-    const std::size_t end = std::min(pixels_.size(), first + kTogether);
-    int within_reach = 0;
-    for (std::size_t i = first; i < end; ++i) {
-      within_reach += (reach_up_[i] <= highest) | (reach_down_[i] >= lowest);
-    }
-    if (within_reach == 0) continue;
-    for (std::size_t i = first; i < end; ++i) {
-      Pixel& pixel = pixels_[i];
-      if (pixel.is_unsettled || (reach_up_[i] > highest && reach_down_[i] < lowest)) continue;
-      pixel.is_unsettled = true;
-      pixel.time_us = static_cast<double>(flickered_until_.us);
-      unsettled_.push_back(static_cast<std::uint32_t>(i));
-    }
-  }
+  reach_.visit_reached(std::min(from_level, to_level), std::max(from_level, to_level),
+                       [&](std::size_t index) {
+                         Pixel& pixel = pixels_[index];
+                         if (pixel.is_unsettled) return;
+                         pixel.is_unsettled = true;
+                         pixel.time_us = from_us;
+                         unsettled_.push_back(static_cast<std::uint32_t>(index));
+                       });
 }
 
 void EventSensor::finish_slice(Timestamp end, EventPacket& packet) {
@@ -157,11 +143,19 @@ bool EventSensor::is_settled(std::uint32_t index, float flicker) const {
          -moved < pixel.threshold_off;
 }
 
-double EventSensor::decay_over(double duration_us) {
+double EventSensor::time_constant_in(float light_before, float light_after) const {
+  if (params_.cutoff_luminance == 0) return time_constant_us_;
+  const double luminance = std::exp((light_before + light_after) / 2);
+  const double brighter = luminance / params_.cutoff_luminance;
+  return time_constant_us_ / std::max(brighter, kLowestCutoffShare);
+}
+
+double EventSensor::decay_over(double duration_us, double time_constant_us) {
+  if (time_constant_us != time_constant_us_) return std::exp(-duration_us / time_constant_us);
   // Nearly all pixels of a step have the same duration.
   if (duration_us != memoised_duration_us_) {
     memoised_duration_us_ = duration_us;
-    memoised_decay_ = std::exp(-duration_us / time_constant_us_);
+    memoised_decay_ = std::exp(-duration_us / time_constant_us);
   }
   return memoised_decay_;
 }
@@ -173,15 +167,17 @@ void EventSensor::run(std::uint32_t index, float light_at_end, double to_us) {
   const double from_us = pixel.time_us;
   if (!(to_us > from_us)) return;
   pixel.time_us = to_us;
-  const PhotoreceptorRamp ramp{to_us - from_us,
-                               time_constant_us_,
+  const double duration_us = to_us - from_us;
+  const double time_constant_us = time_constant_in(light_before, light_at_end);
+  const PhotoreceptorRamp ramp{duration_us,
+                               time_constant_us,
                                pixel.response,
                                light_before,
                                light_at_end,
                                flicker_.response_at(from_us),
                                flicker_.response_at(to_us)};
   const float before = ramp.response + ramp.flicker_before;
-  pixel.response = ramp.response_after(decay_over(ramp.duration_us));
+  pixel.response = ramp.response_after(decay_over(duration_us, time_constant_us));
   const float after = pixel.response + ramp.flicker_after;
 
   const auto fire_at = [&](float level, bool is_late, bool polarity) {

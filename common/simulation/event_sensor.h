@@ -9,6 +9,7 @@
 #include "common/events/timestamp.h"
 #include "common/simulation/event_sensor_params.h"
 #include "common/simulation/flicker.h"
+#include "common/simulation/flicker_reach.h"
 #include "common/simulation/light_params.h"
 #include "common/simulation/random.h"
 #include "common/simulation/sensor_readout.h"
@@ -62,11 +63,6 @@ class EventSensor {
     double time_us = 0;          ///< Up to which it has been computed, while it is unsettled.
     double silent_until_us = 0;  ///< End of its refractory period.
   };
-  /// How far the flicker must take a settled pixel's response for an event: up or down.
-  struct Reach {
-    float up = 0;
-    float down = 0;
-  };
 
   std::size_t index_of(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
@@ -79,8 +75,8 @@ class EventSensor {
   bool is_settled(std::uint32_t index, float flicker) const;
   void settle_step(Timestamp to);
   void wake_by_flicker(Timestamp to);
-  Reach reach_of(const Pixel& pixel) const;
-  double decay_over(double duration_us);
+  double time_constant_in(float light_before, float light_after) const;
+  double decay_over(double duration_us, double time_constant_us);
   void add_noise(Timestamp end);
   void write_slice(Timestamp end, EventPacket& packet);
 
@@ -97,8 +93,7 @@ class EventSensor {
   std::vector<std::uint32_t> hot_;
 
   // Only in flickering light.
-  std::vector<float> reach_up_;  ///< Each pixel's when it settled.
-  std::vector<float> reach_down_;
+  FlickerReach reach_;
   Timestamp flickered_until_;
 
   Timestamp slice_start_;

@@ -114,18 +114,16 @@ void SceneRenderer::draw_block(const Region& block, const Warp& warp, Timestamp 
     const std::uint8_t* reserved = reserved_.row(y) + block.x;
     float* background = background_.row(y) + block.x;
     const float* drawn = sensor.log_intensities(y) + block.x;
-    std::array<bool, kBlock_px> changed;
-    bool any_changed = false;
+    int changes = 0;
     for (int i = 0; i < block.width; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      background[i] = light[at];
-      changed[at] = (reserved[i] == 0) & EventSensor::is_change(drawn[i], light[at]);
-      any_changed |= changed[at];
+      const float now = light[static_cast<std::size_t>(i)];
+      background[i] = now;
+      changes += EventSensor::is_change(drawn[i], now) ? 1 : 0;
     }
-    if (!any_changed) continue;
+    if (changes == 0) continue;
     for (int i = 0; i < block.width; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      if (changed[at]) sensor.change(block.x + i, y, light[at], from, to);
+      if (reserved[i] != 0) continue;
+      sensor.change(block.x + i, y, light[static_cast<std::size_t>(i)], from, to);
     }
   }
 }

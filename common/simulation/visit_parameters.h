@@ -48,6 +48,7 @@ void visit_parameters(Reader& reader, SimulationParams& params) {
   reader.read("sensor.threshold", sensor.threshold, 0.02, 2.0);
   reader.read("sensor.threshold_mismatch", sensor.threshold_mismatch, 0.0, 0.5);
   reader.read("sensor.cutoff_hz", sensor.cutoff_hz, 10.0, 100'000.0);
+  reader.read("sensor.cutoff_luminance", sensor.cutoff_luminance, 0.0, 10.0);
   reader.read("sensor.refractory_us", sensor.refractory_us, 0.0, 10'000.0);
   reader.read("sensor.noise_hz", sensor.noise_hz, 0.0, 100.0);
   reader.read("sensor.hot_pixel_fraction", sensor.hot_pixel_fraction, 0.0, 0.01);

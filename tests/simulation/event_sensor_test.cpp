@@ -70,6 +70,26 @@ TEST_CASE("The low-pass delays a small step's event by its exact exponential") {
   CHECK(std::abs(static_cast<double>(packet.newest().us) - 221) < 3);
 }
 
+TEST_CASE(
+    "Where the cutoff goes with a pixel's light, growing dark is told later than growing bright") {
+  const auto delay_us = [](float step) {
+    EventSensorParams params = quiet();
+    params.cutoff_hz = 500;
+    params.cutoff_luminance = 1;
+    params.refractory_us = 0;
+    EventSensor sensor(params, flat(4, 4).view(), 1);
+    sensor.change(0, 0, step, {0}, {1});
+    const EventPacket packet = run_slices(sensor, 0, 20);
+    REQUIRE(packet.events.size() == 1);
+    return static_cast<double>(packet.newest().us);
+  };
+  // tau ln(0.39 / 0.19), with a tau of 318.3 µs at a luminance of 1 that goes with 1 / luminance.
+  CHECK(delay_us(0.39f) ==
+        doctest::Approx(318.3 / std::exp(0.39) * std::log(0.39 / 0.19)).epsilon(0.02));
+  CHECK(delay_us(-0.39f) ==
+        doctest::Approx(318.3 * std::exp(0.39) * std::log(0.39 / 0.19)).epsilon(0.02));
+}
+
 TEST_CASE("No pixel fires again within its refractory period, with jitter and noise as well") {
   EventSensorParams params;
   params.refractory_us = 300;

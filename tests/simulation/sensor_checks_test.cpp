@@ -49,7 +49,9 @@ TEST_CASE("A step's events spread over the pixels as threshold, mismatch and sta
 }
 
 TEST_CASE("A sinusoid's rate is nothing below the threshold and grows by 2 events a threshold") {
-  const Curve curve = contrast_response({});
+  SensorBench::Set set;
+  set.size = {32, 24};
+  const Curve curve = contrast_response(set);
   CHECK(at_x(curve, 0.1) < 0.001);
   // 4 sigma below the threshold no pixel fires steadily; far above, contrast is what counts.
   CHECK(at_x(curve, 2.0) - at_x(curve, 1.0) == doctest::Approx(2 * 1.0 / 0.2).epsilon(0.05));
@@ -61,7 +63,9 @@ TEST_CASE(
     "A fast sinusoid's rate falls as a first-order low-pass whose corner goes with the light") {
   for (const double lux : {100.0, 300.0, 1000.0}) {
     CAPTURE(lux);
-    const FrequencyResponse response = frequency_response(in_light(lux));
+    SensorBench::Set set = in_light(lux);
+    set.size = {24, 16};
+    const FrequencyResponse response = frequency_response(set);
     CHECK(response.corner_hz == doctest::Approx(500 * lux / 300).epsilon(0.08));
     for (std::size_t i = 0; i < response.measured.points.size(); ++i) {
       CHECK(std::abs(response.measured.points[i].y - response.expected.points[i].y) < 0.05);
