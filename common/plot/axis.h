@@ -11,8 +11,8 @@ struct Axis {
   double from = 0;
   double to = 1;  ///< Less than `from`: the axis runs backwards, as rows of an image do.
   bool logarithmic = false;
-  /// Instead of numbers: this many things side by side. Thing i lies at i + 0.5; `from` and `to` do
-  /// not count.
+  /// Instead of numbers: this many things side by side, each a word or two lines. Thing i lies at
+  /// i + 0.5; `from` and `to` do not count.
   std::vector<std::string> things;
 
   struct Tick {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -46,12 +47,12 @@ void write_picture(const cv::Mat& picture, const std::filesystem::path& path) {
 }  // namespace
 
 Ink series_ink(std::size_t number) {
-  constexpr std::array<Ink, 7> kInks{{{0, 114, 178},
-                                      {213, 94, 0},
+  constexpr std::array<Ink, 7> kInks{{{86, 180, 233},
+                                      {230, 159, 0},
                                       {0, 158, 115},
                                       {204, 121, 167},
-                                      {230, 159, 0},
-                                      {86, 180, 233},
+                                      {0, 114, 178},
+                                      {213, 94, 0},
                                       {110, 80, 60}}};
   return kInks[number % kInks.size()];
 }
@@ -72,7 +73,9 @@ void Chart::draw_grid() {
     if (x_.things.empty()) {
       cv::line(picture_, {at, area_.y}, {at, area_.br().y}, scalar(kGridInk));
     }
-    text_centred(tick.label, {at, area_.br().y + 20}, 0.45);
+    std::istringstream lines(tick.label);
+    int y = area_.br().y + 20;
+    for (std::string line; std::getline(lines, line); y += 16) text_centred(line, {at, y}, 0.45);
   }
   for (const Axis::Tick& tick : y_.ticks()) {
     const int at =

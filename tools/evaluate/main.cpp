@@ -129,7 +129,8 @@ void evaluate(const Options& options) {
   if (ticks) ticks->close();
   print(report);
   if (!options.json.empty()) write_json(report, options.json);
-  if (!options.plots.empty()) write_plots(*score, options.plots);
+  // Where not one tick counts there is nothing to plot, which has been told.
+  if (!options.plots.empty() && !score->samples().empty()) write_plots(*score, options.plots);
 }
 
 }  // namespace

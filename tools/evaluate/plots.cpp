@@ -42,7 +42,7 @@ void plot_error(const AccuracyScore& score, const std::filesystem::path& folder)
   Chart chart("error over time (cut at 10 px)",
               {.label = "sensor time, s", .from = begin_s, .to = end_s},
               {.label = "error, px", .to = kShownPx});
-  chart.line(over_time, series_ink(0), 1);
+  chart.line(over_time, series_ink(4), 1);
   chart.save(folder / "error.png");
 }
 
@@ -61,7 +61,7 @@ void plot_within(const std::vector<double>& sorted, const std::filesystem::path&
   });
   Chart chart("ticks within an error", {.label = "error, px", .to = kShownPx},
               {.label = "ticks, %", .to = 100});
-  chart.line(curve, series_ink(0));
+  chart.line(curve, series_ink(4));
   chart.save(folder / "within.png");
 }
 
@@ -84,10 +84,10 @@ void plot_score(const ScoreCurve& curve, const std::filesystem::path& folder) {
   Chart chart(title, {.label = "threshold"}, {.label = "%", .to = 105});
   const double best = curve.best().threshold;
   chart.line({{best, 0}, {best, 105}}, kGrey, 1);
-  chart.legend("precision: believed ticks that are within 4 px", series_ink(0));
-  chart.line(precision, series_ink(0));
-  chart.legend("recall: ticks within 4 px that are believed", series_ink(1));
-  chart.line(recall, series_ink(1));
+  chart.legend("precision: believed ticks that are within 4 px", series_ink(4));
+  chart.line(precision, series_ink(4));
+  chart.legend("recall: ticks within 4 px that are believed", series_ink(5));
+  chart.line(recall, series_ink(5));
   chart.save(folder / "score.png");
 }
 
