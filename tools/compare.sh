@@ -11,7 +11,7 @@
 #                comparison.json, PNGs; results/ holds what has been run already, by its contents, so
 #                that a second run does only what has changed
 # --jobs J       sequences worked on at a time (default: one a core)
-# --keep         do not delete each recording after everything has run on it (10 GB)
+# --keep         do not delete each recording after everything has run on it (3 GB)
 #
 # Seeds: 1 to 99 are for development: parameters are chosen on them; the size of the puck is
 # calibrated on seed 1, latency is measured on seed 2. Test: still from 1001, moving from 1101, hard

@@ -159,7 +159,7 @@ void write_score(const ComparisonReport& report, const std::filesystem::path& fo
   for (const SequenceSet& set : sequence_sets()) sets.push_back(set.name);
   Chart chart("believing scores from a threshold on, all sets (ring: best F1)",
               {.label = "recall: positions within 4 px that are believed, %", .to = 102},
-              {.label = "precision: believed that are within 4 px, %", .to = 102});
+              {.label = "precision: within 4 px, %", .from = 40, .to = 102});
   add_legend(chart);
   std::size_t number = 0;
   for (const Contestant& contestant : contestants()) {
