@@ -14,7 +14,7 @@
 # --keep         do not delete each recording after everything has run on it (3 GB)
 #
 # Seeds: 1 to 99 are for development: parameters are chosen on them; the size of the puck is
-# calibrated on seed 1, latency is measured on seed 2. Test: still from 1001, moving from 1101, hard
+# and the sensor's lag are calibrated on seed 1, latency is measured on seed 2. Test: still from 1001, moving from 1101, hard
 # from 1201, ten apart. No tracker gets truth, its start included.
 #
 # All of it takes 40 minutes on two cores, --sequences 2 --seconds 5 less than two.

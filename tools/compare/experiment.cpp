@@ -147,8 +147,13 @@ void Experiment::calibrate() {
     Progress progress(1, simulation_cost_s(sequence));
     const std::filesystem::path recording = record(sequence, progress);
     folder = results_.make("calibration", key, [&](const std::filesystem::path& there) {
+      const std::string size_model = there / "size.toml";
       run_or_throw({program("puck-calibrate"), "size", recording.string() + ".annotations.csv",
-                    "--output", there / "size.toml"},
+                    "--output", size_model},
+                   there);
+      run_or_throw({program("puck-calibrate"), "lag", recording.string() + ".raw", "--truth",
+                    recording.string() + ".truth.csv", "--size-model", size_model, "--output",
+                    size_model},
                    there);
     });
     if (!settings_.keep_recordings) {

@@ -58,7 +58,8 @@ struct Sequence {
 std::vector<Sequence> plan_sequences(const PlanOptions& options,
                                      const std::vector<std::string>& ingredients);
 
-/// A still one, seed 1, 10 s: the size of the puck is calibrated on it, and nothing is run.
+/// A still one, seed 1, 10 s: the size of the puck and the lag of the sensor are calibrated on it,
+/// and nothing is run.
 Sequence calibration_sequence();
 /// A still one, seed 2, on which everything runs in real time.
 Sequence latency_sequence(double seconds);
