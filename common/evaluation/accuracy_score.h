@@ -26,8 +26,8 @@ struct AccuracyReport {
   double within_3p5px_percent = 0;
   double within_4px_percent = 0;
   double lost_percent = 0;
-  /// From the first tick on which it is lost to the first on which it is not; time in which the puck
-  /// cannot be seen does not count.
+  /// From the first tick on which it is lost to the first on which it is not; time in which the
+  /// puck cannot be seen does not count.
   double longest_loss_ms = 0;
   /// From the puck's first motion to the first tick on which it was tracked within 20 px.
   std::optional<double> time_to_first_track_ms;

@@ -33,7 +33,7 @@ class Runs {
 };
 
 Json figures(int ticks, double mean_px, double lost_percent) {
-  return {{"estimates", ticks},       {"mean_px", mean_px},
+  return {{"estimates", ticks},           {"mean_px", mean_px},
           {"lost_percent", lost_percent}, {"longest_loss_ms", lost_percent * 10},
           {"time_to_first_track_ms", 5},  {"duration_s", 1},
           {"cpu_us_per_ms", 40},          {"nees_mean", nullptr}};
@@ -96,7 +96,8 @@ TEST_CASE("goals are reached at their bars, missed beyond them, and by nothing t
   CHECK(share.reached() == false);
 }
 
-TEST_CASE("the report names every set, every ingredient and every seed, and its JSON says the same") {
+TEST_CASE(
+    "the report names every set, every ingredient and every seed, and its JSON says the same") {
   Runs runs;
   runs.add("still", 1001, "default", figures(1000, 0.25, 0.1));
   runs.add("fast-still", 1231, "without shear", figures(1000, 4.5, 0));

@@ -112,9 +112,10 @@ TEST_CASE("truth that ends before the events, or has nothing to do with them, is
   CHECK_FALSE(truth_warning(whole, run).has_value());
   AccuracyScore half(truth_until(1'500'000), kSensor);
   half.add({1'400'000}, PuckEstimate{});
-  CHECK(truth_warning(half, run) ==
-        "the truth goes from 0.000 to 1.500 s, the events from 0.000 to 3.000 s: only the ticks that "
-        "the truth covers count");
+  CHECK(
+      truth_warning(half, run) ==
+      "the truth goes from 0.000 to 1.500 s, the events from 0.000 to 3.000 s: only the ticks that "
+      "the truth covers count");
   const AccuracyScore nothing(truth_until(1'500'000), kSensor);
   CHECK(truth_warning(nothing, run)->find("not one tick counts") != std::string::npos);
 }

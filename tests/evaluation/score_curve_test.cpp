@@ -8,11 +8,11 @@ namespace puck {
 
 TEST_CASE("precision and recall are shares of the believed and of the right") {
   ScoreCurve curve;
-  curve.add(0.9, 0.5);   // right
-  curve.add(0.8, 4.0);   // right, at the limit
-  curve.add(0.7, 4.1);   // wrong
-  curve.add(0.2, 1.0);   // right
-  curve.add(0.1, 100);   // wrong
+  curve.add(0.9, 0.5);  // right
+  curve.add(0.8, 4.0);  // right, at the limit
+  curve.add(0.7, 4.1);  // wrong
+  curve.add(0.2, 1.0);  // right
+  curve.add(0.1, 100);  // wrong
   CHECK(curve.ticks() == 5);
 
   const auto all = curve.at(0);

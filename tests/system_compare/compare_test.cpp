@@ -16,20 +16,35 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> kSets{
-    "still",      "moving",      "low-contrast-still", "low-contrast-moving", "logos-moving",
-    "fast-still", "fast-moving", "dim",                "flicker",             "hot-pixels",
-    "rests",      "occlusion",   "goals",              "leaves-image",        "second-puck"};
+const std::vector<std::string> kSets{"still",
+                                     "moving",
+                                     "low-contrast-still",
+                                     "low-contrast-moving",
+                                     "logos-moving",
+                                     "fast-still",
+                                     "fast-moving",
+                                     "dim",
+                                     "flicker",
+                                     "hot-pixels",
+                                     "rests",
+                                     "occlusion",
+                                     "goals",
+                                     "leaves-image",
+                                     "second-puck"};
 
 std::filesystem::path source_folder() { return std::getenv("PUCK_SOURCE_DIR"); }
 
 // Returns what it told of its progress.
 std::string compare(const TemporaryFolder& folder) {
-  const std::vector<std::string> command{
-      std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-compare",
-      "--sequences", "1", "--seconds", "2",
-      "--scenes", source_folder() / "tools/compare/scenes",
-      "--output", folder / "out"};
+  const std::vector<std::string> command{std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-compare",
+                                         "--sequences",
+                                         "1",
+                                         "--seconds",
+                                         "2",
+                                         "--scenes",
+                                         source_folder() / "tools/compare/scenes",
+                                         "--output",
+                                         folder / "out"};
   ChildProcess child(command, {.output = folder / "output.txt", .errors = folder / "errors.txt"});
   const auto exit_code = child.wait_for(std::chrono::minutes(9));
   INFO(read_text(folder / "errors.txt"));
@@ -74,9 +89,9 @@ TEST_CASE("the comparison runs every tracker on every set, and a second time fro
   CHECK(still["default"]["mean_px"] < 1.0);
   CHECK(still["default"]["mean_px"] < still["cluster"]["mean_px"]);
 
-  for (const char* figure : {"errors-still", "errors-moving", "within-still", "within-moving",
-                             "trajectories-still", "trajectories-moving", "latency", "hard",
-                             "score"}) {
+  for (const char* figure :
+       {"errors-still", "errors-moving", "within-still", "within-moving", "trajectories-still",
+        "trajectories-moving", "latency", "hard", "score"}) {
     CAPTURE(figure);
     CHECK(std::filesystem::file_size(folder / "out" / (std::string(figure) + ".png")) > 5'000);
   }

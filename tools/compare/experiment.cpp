@@ -1,18 +1,16 @@
 #include "tools/compare/experiment.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "tools/compare/content_hash.h"
+#include "tools/compare/parallel.h"
 #include "tools/compare/program.h"
 
 namespace puck {
@@ -54,14 +52,6 @@ std::string told(const Sequence& sequence, const std::string& contestant,
   return text;
 }
 
-double expected_cost_s(const Sequence& sequence) {
-  double cost = simulation_cost_s(sequence);
-  for (const auto& contestant : sequence.contestants) {
-    cost += evaluation_cost_s(sequence, contestant);
-  }
-  return cost;
-}
-
 }  // namespace
 
 Experiment::Experiment(ExperimentSettings settings)
@@ -72,9 +62,7 @@ Experiment::Experiment(ExperimentSettings settings)
       calibrate_hash_(ContentHash().add_file(program("puck-calibrate")).text()),
       evaluate_hash_(ContentHash().add_file(program("puck-evaluate")).text()) {}
 
-std::string Experiment::program(const std::string& name) const {
-  return settings_.programs / name;
-}
+std::string Experiment::program(const std::string& name) const { return settings_.programs / name; }
 
 std::vector<std::string> Experiment::ingredients() {
   const std::string key = "puck-evaluate --list-ingredients " + evaluate_hash_;
@@ -104,9 +92,8 @@ std::string Experiment::recording_key(const Sequence& sequence) const {
 
 std::string Experiment::evaluation_key(const Sequence& sequence,
                                        const std::vector<std::string>& options) const {
-  return "puck-evaluate " + evaluate_hash_ + joined(options) + '\n' +
-         read_whole_file(size_model_) + (sequence.shown ? "with ticks\n" : "") +
-         recording_key(sequence);
+  return "puck-evaluate " + evaluate_hash_ + joined(options) + '\n' + read_whole_file(size_model_) +
+         (sequence.shown ? "with ticks\n" : "") + recording_key(sequence);
 }
 
 std::filesystem::path Experiment::record(const Sequence& sequence, Progress& progress) {
@@ -118,9 +105,9 @@ std::filesystem::path Experiment::record(const Sequence& sequence, Progress& pro
     folder = recordings_.make(name, key, [&](const std::filesystem::path& there) {
       std::ostringstream seconds;
       seconds << sequence.seconds;
-      std::vector<std::string> command{program("puck-simulate"), "--output", there / "game",
-                                       "--seed", std::to_string(sequence.seed), "--seconds",
-                                       seconds.str()};
+      std::vector<std::string> command{
+          program("puck-simulate"),      "--output",  there / "game", "--seed",
+          std::to_string(sequence.seed), "--seconds", seconds.str()};
       if (sequence.set.moving) command.emplace_back("--moving");
       if (!sequence.set.scene.empty()) {
         command.insert(command.end(), {"--scene", settings_.scenes / sequence.set.scene});
@@ -151,10 +138,10 @@ void Experiment::calibrate() {
       run_or_throw({program("puck-calibrate"), "size", recording.string() + ".annotations.csv",
                     "--output", size_model},
                    there);
-      run_or_throw({program("puck-calibrate"), "lag", recording.string() + ".raw", "--truth",
-                    recording.string() + ".truth.csv", "--size-model", size_model, "--output",
-                    size_model},
-                   there);
+      run_or_throw(
+          {program("puck-calibrate"), "lag", recording.string() + ".raw", "--truth",
+           recording.string() + ".truth.csv", "--size-model", size_model, "--output", size_model},
+          there);
     });
     if (!settings_.keep_recordings) {
       recordings_.remove(sequence_name(sequence), recording_key(sequence));
@@ -166,18 +153,23 @@ void Experiment::calibrate() {
 std::filesystem::path Experiment::evaluate(const Sequence& sequence, const std::string& name,
                                            const std::vector<std::string>& options,
                                            const std::filesystem::path& recording) {
-  return results_.make(
-      result_name(sequence, name), evaluation_key(sequence, options),
-      [&](const std::filesystem::path& there) {
-        std::vector<std::string> command{program("puck-evaluate"), recording.string() + ".raw",
-                                         "--truth", recording.string() + ".truth.csv",
-                                         "--size-model", size_model_,
-                                         "--json", there / "figures.json",
-                                         "--plots", there};
-        if (sequence.shown) command.insert(command.end(), {"--csv", there / "ticks.csv"});
-        command.insert(command.end(), options.begin(), options.end());
-        run_or_throw(command, there);
-      });
+  return results_.make(result_name(sequence, name), evaluation_key(sequence, options),
+                       [&](const std::filesystem::path& there) {
+                         std::vector<std::string> command{program("puck-evaluate"),
+                                                          recording.string() + ".raw",
+                                                          "--truth",
+                                                          recording.string() + ".truth.csv",
+                                                          "--size-model",
+                                                          size_model_,
+                                                          "--json",
+                                                          there / "figures.json",
+                                                          "--plots",
+                                                          there};
+                         if (sequence.shown)
+                           command.insert(command.end(), {"--csv", there / "ticks.csv"});
+                         command.insert(command.end(), options.begin(), options.end());
+                         run_or_throw(command, there);
+                       });
 }
 
 void Experiment::run(const Sequence& sequence, Progress& progress, std::vector<Result>& results,
@@ -204,8 +196,7 @@ void Experiment::run(const Sequence& sequence, Progress& progress, std::vector<R
       }
     });
   }
-  recordings.push_back(
-      {sequence.set.name, sequence.seed, sequence.seconds, sequence.shown, *made});
+  recordings.push_back({sequence.set.name, sequence.seed, sequence.seconds, sequence.shown, *made});
 
   for (const Contestant& contestant : sequence.contestants) {
     auto folder = results_.find(result_name(sequence, contestant.name),
@@ -227,34 +218,18 @@ void Experiment::run(const Sequence& sequence, Progress& progress, std::vector<R
 ExperimentResults Experiment::run(const std::vector<Sequence>& sequences) {
   calibrate();
   int steps = 0;
-  double cost_s = 0;
+  double cost = 0;
   for (const Sequence& sequence : sequences) {
     steps += 1 + static_cast<int>(sequence.contestants.size());
-    cost_s += expected_cost_s(sequence);
+    cost += cost_s(sequence);
   }
-  Progress progress(steps, cost_s);
+  Progress progress(steps, cost);
   std::vector<std::vector<Result>> results(sequences.size());
   std::vector<std::vector<RecordingResult>> recordings(sequences.size());
-  std::vector<std::exception_ptr> failures(sequences.size());
-  // Hands out the sequences; a failure hands out no more.
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < sequences.size(); i = next++) {
-      try {
-        run(sequences[i], progress, results[i], recordings[i]);
-      } catch (...) {
-        failures[i] = std::current_exception();
-        next = sequences.size();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (int i = 0; i < settings_.jobs; ++i) workers.emplace_back(work);
-  }
+  run_in_parallel(settings_.jobs, sequences.size(),
+                  [&](std::size_t i) { run(sequences[i], progress, results[i], recordings[i]); });
   ExperimentResults all;
   for (std::size_t i = 0; i < sequences.size(); ++i) {
-    if (failures[i]) std::rethrow_exception(failures[i]);
     all.results.insert(all.results.end(), results[i].begin(), results[i].end());
     all.recordings.insert(all.recordings.end(), recordings[i].begin(), recordings[i].end());
   }

@@ -72,8 +72,7 @@ std::vector<GoalResult> check_goals(const Comparison& comparison) {
     const auto cell = [&](const char* contestant, std::optional<double> bar) {
       return GoalCell{comparison.summary(goal.sets, contestant).*goal.value, bar, goal.at_least};
     };
-    results.push_back({goal.title, cell("reference", {}),
-                       cell("correlation", goal.by_correlation),
+    results.push_back({goal.title, cell("reference", {}), cell("correlation", goal.by_correlation),
                        cell("default", goal.by_default)});
   }
   return results;

@@ -52,10 +52,12 @@ int main(int argc, char** argv) {
   puck::Options options;
   options.experiment.programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   options.experiment.jobs = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
-  app.add_option("--sequences", options.plan.sequences, "of the still and of the moving camera each")
+  app.add_option("--sequences", options.plan.sequences,
+                 "of the still and of the moving camera each")
       ->check(CLI::Range(1, 10))
       ->capture_default_str();
-  app.add_option("--seconds", options.plan.seconds, "of each of them; hard ones are a third as long")
+  app.add_option("--seconds", options.plan.seconds,
+                 "of each of them; hard ones are a third as long")
       ->check(CLI::Range(1.0, 600.0))
       ->capture_default_str();
   app.add_option("--output", options.experiment.output, "folder")

@@ -36,12 +36,11 @@ ProgramEnd run_program_to_end(const std::vector<std::string>& command,
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), kWrite,
-                                   kReadableByAll);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), kWrite,
-                                   kReadableByAll);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), kWrite, kReadableByAll);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), kWrite, kReadableByAll);
   pid_t child = 0;
-  const int failure = posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  const int failure =
+      posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) return {};
 
@@ -56,8 +55,7 @@ ProgramEnd run_program_to_end(const std::vector<std::string>& command,
 }
 
 double run_or_throw(const std::vector<std::string>& command, const std::filesystem::path& folder) {
-  const ProgramEnd end =
-      run_program_to_end(command, folder / "output.txt", folder / "errors.txt");
+  const ProgramEnd end = run_program_to_end(command, folder / "output.txt", folder / "errors.txt");
   if (end.exit_code == 0) return end.cpu_s;
   std::string message;
   for (const std::string& word : command) message += (message.empty() ? "" : " ") + word;

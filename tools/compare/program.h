@@ -18,7 +18,8 @@ ProgramEnd run_program_to_end(const std::vector<std::string>& command,
                               const std::filesystem::path& errors);
 
 /// The same, at least quiet: throws std::runtime_error with the command and the end of what it said
-/// when it fails. Both go into files of `folder`, output.txt and errors.txt. Returns its CPU time, s.
+/// when it fails. Both go into files of `folder`, output.txt and errors.txt. Returns its CPU time,
+/// s.
 double run_or_throw(const std::vector<std::string>& command, const std::filesystem::path& folder);
 
 /// A whole file; empty where there is none.

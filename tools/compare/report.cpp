@@ -14,7 +14,8 @@ std::string slash(std::optional<double> a, int a_decimals, std::optional<double>
 }
 
 TextTable goals_table(const Comparison& comparison) {
-  TextTable table("Figures to reach", {"", "reference", "correlation", "bar", "", "default", "bar", ""});
+  TextTable table("Figures to reach",
+                  {"", "reference", "correlation", "bar", "", "default", "bar", ""});
   for (const GoalResult& goal : check_goals(comparison)) {
     const auto bar = [](const GoalCell& cell) {
       if (!cell.bar) return std::string("report");
@@ -49,7 +50,8 @@ std::string nees_text(std::optional<double> nees) {
 TextTable set_table(const SequenceSet& set, const ComparisonReport& report) {
   TextTable table(title_of(set, report.options),
                   {"", "mean px", "median seq.", "worst seq.", "in 3.5 px %", "in 4 px %", "lost %",
-                   "longest ms", "first track ms", "NEES", "in 95 % bound", "CPU us/ms", "Mev/s"});
+                   "longest ms", "first track ms", "NEES mean", "median", "in 95 % bound",
+                   "CPU us/ms", "Mev/s"});
   for (const Contestant& contestant : contestants()) {
     const Summary s = report.comparison.summary(set.name, contestant.name);
     if (s.sequences == 0) continue;
@@ -57,8 +59,9 @@ TextTable set_table(const SequenceSet& set, const ComparisonReport& report) {
                number_text(s.worst_mean_px, 3), number_text(s.within_3p5px_percent, 2),
                number_text(s.within_4px_percent, 2), number_text(s.lost_percent, 2),
                number_text(s.longest_loss_ms, 0), number_text(s.time_to_first_track_ms, 0),
-               nees_text(s.nees_mean), number_text(s.nees_within_95_percent, 1),
-               number_text(s.cpu_us_per_ms, 0), number_text(s.mev_s, 2)});
+               nees_text(s.nees_mean), nees_text(s.nees_median),
+               number_text(s.nees_within_95_percent, 1), number_text(s.cpu_us_per_ms, 0),
+               number_text(s.mev_s, 2)});
   }
   return table;
 }
@@ -101,8 +104,9 @@ TextTable ablation_table(const ComparisonReport& report) {
 }
 
 TextTable latency_table(const ComparisonReport& report) {
-  TextTable table("Latency in real time, from a packet's receipt to the estimate with its last event",
-                  {"", "median us", "99 % us"});
+  TextTable table(
+      "Latency in real time, from a packet's receipt to the estimate with its last event",
+      {"", "median us", "99 % us"});
   for (const Contestant& contestant : contestants()) {
     for (const RunFigures* run : report.latency.runs({"latency"}, contestant.name)) {
       table.add({contestant.name, number_text(run->number("latency_p50_us"), 0),
@@ -132,7 +136,8 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 }  // namespace
 
 std::string seeds_text(const PlanOptions& options) {
-  std::string text = "development: seeds 1 to 99; parameters are chosen on them. calibration: seed 1\n";
+  std::string text =
+      "development: seeds 1 to 99; parameters are chosen on them. calibration: seed 1\n";
   for (const SequenceSet& set : sequence_sets()) text += "test: " + title_of(set, options) + '\n';
   return text;
 }

@@ -24,6 +24,7 @@ Json summary_json(const Summary& s) {
   json["longest_loss_ms"] = or_null(s.longest_loss_ms);
   json["time_to_first_track_ms"] = or_null(s.time_to_first_track_ms);
   json["nees_mean"] = or_null(s.nees_mean);
+  json["nees_median"] = or_null(s.nees_median);
   json["nees_within_95_percent"] = or_null(s.nees_within_95_percent);
   json["cpu_us_per_ms"] = or_null(s.cpu_us_per_ms);
   json["mev_s"] = or_null(s.mev_s);

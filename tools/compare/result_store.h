@@ -7,8 +7,8 @@
 
 namespace puck {
 
-/// What programs made, kept in folders NAME-HASH below one folder, found again by all that went into
-/// it: the key. Safe from several threads, as long as no two make the same.
+/// What programs made, kept in folders NAME-HASH below one folder, found again by all that went
+/// into it: the key. Safe from several threads, as long as no two make the same.
 class ResultStore {
  public:
   /// Makes the folder, and clears away what an interrupted run left unfinished. Throws
@@ -18,8 +18,8 @@ class ResultStore {
   /// The folder of a result, if it has been made.
   std::optional<std::filesystem::path> find(const std::string& name, const std::string& key) const;
 
-  /// `fill` makes the result in an empty folder. It is kept whole or, when `fill` throws, not at all;
-  /// it takes the place of results of the same name with other keys, which are out of date.
+  /// `fill` makes the result in an empty folder. It is kept whole or, when `fill` throws, not at
+  /// all; it takes the place of results of the same name with other keys, which are out of date.
   std::filesystem::path make(const std::string& name, const std::string& key,
                              const std::function<void(const std::filesystem::path&)>& fill);
 

@@ -9,14 +9,6 @@ namespace {
 
 constexpr const char* kParticleFilter = "particle-filter";
 
-double cost_s(const Sequence& sequence) {
-  double cost = simulation_cost_s(sequence);
-  for (const Contestant& contestant : sequence.contestants) {
-    cost += evaluation_cost_s(sequence, contestant);
-  }
-  return cost;
-}
-
 }  // namespace
 
 std::vector<Contestant> contestants() {
@@ -133,8 +125,7 @@ Sequence calibration_sequence() {
 }
 
 Sequence latency_sequence(double seconds) {
-  Sequence sequence{
-      .set = {.name = "latency", .title = "latency"}, .seed = 2, .seconds = seconds};
+  Sequence sequence{.set = {.name = "latency", .title = "latency"}, .seed = 2, .seconds = seconds};
   for (Contestant& contestant : sequence.contestants = contestants()) {
     contestant.options.emplace_back("--real-time");
     contestant.cost = 1;
@@ -148,6 +139,14 @@ double simulation_cost_s(const Sequence& sequence) {
 
 double evaluation_cost_s(const Sequence& sequence, const Contestant& contestant) {
   return sequence.seconds * contestant.cost;
+}
+
+double cost_s(const Sequence& sequence) {
+  double cost = simulation_cost_s(sequence);
+  for (const Contestant& contestant : sequence.contestants) {
+    cost += evaluation_cost_s(sequence, contestant);
+  }
+  return cost;
 }
 
 }  // namespace puck

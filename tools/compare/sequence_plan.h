@@ -40,8 +40,8 @@ struct PlanOptions {
   int sequences = 10;   ///< Of the still and of the moving set each.
   double seconds = 30;  ///< Of each of these.
 };
-/// How many sequences of a set there are, and how long they are. The hard ones are fewer, 3 for 10, and
-/// a third as long: from 2 to 10 s.
+/// How many sequences of a set there are, and how long they are. The hard ones are fewer, 3 for 10,
+/// and a third as long: from 2 to 10 s.
 int sequences_of(const SequenceSet& set, const PlanOptions& options);
 double seconds_of(const SequenceSet& set, const PlanOptions& options);
 
@@ -64,8 +64,10 @@ Sequence calibration_sequence();
 /// A still one, seed 2, on which everything runs in real time.
 Sequence latency_sequence(double seconds);
 
-/// About so much CPU time does it take to make a recording, s.
+/// About so much CPU time does it take to make a recording, to run one contestant on it, s.
 double simulation_cost_s(const Sequence& sequence);
 double evaluation_cost_s(const Sequence& sequence, const Contestant& contestant);
+/// Of both together.
+double cost_s(const Sequence& sequence);
 
 }  // namespace puck

@@ -60,6 +60,7 @@ Summary summarise(const std::vector<const RunFigures*>& runs) {
   summary.within_4px_percent = mean_by_ticks(runs, "within_4px_percent");
   summary.lost_percent = mean_by_ticks(runs, "lost_percent");
   summary.nees_mean = mean_by_ticks(runs, "nees_mean");
+  summary.nees_median = mean_by_ticks(runs, "nees_median");
   summary.nees_within_95_percent = mean_by_ticks(runs, "nees_within_95_percent");
   if (const auto means = sorted_values(runs, "mean_px"); !means.empty()) {
     summary.median_mean_px = quantile(means, 0.5);
@@ -108,8 +109,7 @@ std::optional<double> Comparison::simulation_cost(const std::string& set) const 
   WeightedMean cost;
   for (const RecordingResult& recording : recordings_) {
     if (recording.set != set) continue;
-    const auto json =
-        nlohmann::json::parse(read_whole_file(recording.folder / "simulation.json"));
+    const auto json = nlohmann::json::parse(read_whole_file(recording.folder / "simulation.json"));
     cost.add(json.at("cpu_s").get<double>() / recording.seconds, recording.seconds);
   }
   return cost.value();

@@ -19,6 +19,7 @@ struct Summary {
   std::optional<double> within_4px_percent;
   std::optional<double> lost_percent;
   std::optional<double> nees_mean;
+  std::optional<double> nees_median;  ///< Mean of the sequences' medians.
   std::optional<double> nees_within_95_percent;
   // The middle one and the worst of the sequences.
   std::optional<double> median_mean_px;

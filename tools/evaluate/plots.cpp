@@ -53,8 +53,8 @@ void plot_within(const std::vector<double>& sorted, const std::filesystem::path&
     for (int i = 0; i * kTableStepPx <= kTableEndPx; ++i) {
       const double limit_px = i * kTableStepPx;
       const auto beyond = std::upper_bound(sorted.begin(), sorted.end(), limit_px);
-      const double percent = 100 * static_cast<double>(beyond - sorted.begin()) /
-                             static_cast<double>(sorted.size());
+      const double percent =
+          100 * static_cast<double>(beyond - sorted.begin()) / static_cast<double>(sorted.size());
       file << limit_px << ',' << percent << '\n';
       curve.push_back({limit_px, percent});
     }
@@ -79,7 +79,8 @@ void plot_score(const ScoreCurve& curve, const std::filesystem::path& folder) {
     }
   });
   char title[96];
-  std::snprintf(title, sizeof title, "what a threshold on the score gives; best F1 at %.3f, area %.4f",
+  std::snprintf(title, sizeof title,
+                "what a threshold on the score gives; best F1 at %.3f, area %.4f",
                 curve.best().threshold, curve.average_precision());
   Chart chart(title, {.label = "threshold"}, {.label = "%", .to = 105});
   const double best = curve.best().threshold;
