@@ -51,7 +51,7 @@ PuckEstimate ClusterTracker::estimate() {
   if (detector_) {
     const PuckEstimate detected = detector_->estimate();
     if (detected.state != TrackState::kTracking) return detected;
-    start({*detected.position, usable_size_at(size_model_, *detected.position)},
+    start({*detected.position, size_model_.at(*detected.position)},
           detected.newest_event);
     detector_.reset();
   }
@@ -115,7 +115,7 @@ void ClusterTracker::apply(Pixel event, Timestamp time) {
 
 double ClusterTracker::max_distance_px() const {
   if (params_.max_distance_widths <= 0) return params_.max_distance_px;
-  return params_.max_distance_widths * usable_size_at(size_model_, position_).width;
+  return params_.max_distance_widths * size_model_.at(position_).width;
 }
 
 void ClusterTracker::regulate(Timestamp now) {

@@ -69,7 +69,7 @@ PuckEstimate ParticleFilter::estimate() {
   if (search_) {
     const PuckEstimate detected = search_->detector.estimate();
     if (detected.state != TrackState::kTracking) return detected;
-    start({*detected.position, usable_size_at(size_model_, *detected.position)});
+    start({*detected.position, size_model_.at(*detected.position)});
     newest_event_ = detected.newest_event;
     events_applied_ = detected.events_applied;
     search_.reset();
@@ -102,7 +102,7 @@ bool ParticleFilter::is_near(Pixel event) const {
 
 void ParticleFilter::step() {
   new_events_ = 0;
-  template_.fit(usable_size_at(size_model_, set_.mean_position()));
+  template_.fit(size_model_.at(set_.mean_position()));
   observe_events();
   set_.weigh(likelihoods_);
   double used_events = 0;

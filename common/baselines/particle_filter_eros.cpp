@@ -20,12 +20,16 @@ ParticleFilterEros::ParticleFilterEros(SensorSize sensor, const ParticleFilterEr
   require_share("particle_filter.lowest_likelihood", params.lowest_likelihood);
 }
 
+void ParticleFilterEros::update(const EventPacket& packet) {
+  surface_.update(packet);
+  if (detector_) detector_->update(packet);
+}
+
 PuckEstimate ParticleFilterEros::estimate() {
   if (detector_) {
-    surface_.snapshot(detector_->region_needed(), snapshot_);
-    const PuckEstimate detected = detector_->step(snapshot_);
+    const PuckEstimate detected = detector_->estimate();
     if (detected.state != TrackState::kTracking) return detected;
-    start({*detected.position, usable_size_at(size_model_, *detected.position)});
+    start({*detected.position, size_model_.at(*detected.position)});
     detector_.reset();
   } else if (surface_.events_applied() != events_seen_) {
     step();
@@ -50,7 +54,7 @@ void ParticleFilterEros::start(const PuckSeed& seed) {
 void ParticleFilterEros::step() {
   surface_.snapshot(region_needed(), snapshot_);
   blur_.apply(snapshot_.grey.view(), blurred_);
-  template_.fit(usable_size_at(size_model_, set_.mean_position()));
+  template_.fit(size_model_.at(set_.mean_position()));
 
   const double highest = template_.positive_pixels();
   std::size_t i = 0;

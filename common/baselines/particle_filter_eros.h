@@ -11,7 +11,7 @@
 #include "common/vision/eros_surface.h"
 #include "common/vision/gaussian_blur.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_pipeline.h"
+#include "common/vision/surface_tracker.h"
 #include "common/vision/tracking_algorithm.h"
 
 namespace puck {
@@ -39,7 +39,7 @@ class ParticleFilterEros final : public TrackingAlgorithm {
                      const PuckSizeModel& size_model,
                      const PipelineParams& detection = preset_params(Preset::kReference));
 
-  void update(const EventPacket& packet) override { surface_.update(packet); }
+  void update(const EventPacket& packet) override;
   PuckEstimate estimate() override;
 
  private:
@@ -51,7 +51,7 @@ class ParticleFilterEros final : public TrackingAlgorithm {
   ParticleFilterErosParams params_;
   PuckSizeModel size_model_;
   ErosSurface surface_;
-  std::optional<PuckPipeline> detector_;  // until the puck is detected
+  std::optional<SurfaceTracker> detector_;  // until the puck is detected
 
   ParticleTemplate template_;
   ParticleSet set_;

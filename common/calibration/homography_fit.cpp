@@ -128,12 +128,12 @@ Homography to_homography(const Eigen::Matrix3d& table_from_image) {
 }
 
 HomographyFit with_residuals(const Homography& homography,
-                             std::span<const TableCorrespondence> correspondences) {
+                             std::span<const Correspondence> correspondences) {
   HomographyFit fit{homography};
   double sum_px = 0;
   double sum_m = 0;
   for (std::size_t i = 0; i < correspondences.size(); ++i) {
-    const TableCorrespondence& c = correspondences[i];
+    const Correspondence& c = correspondences[i];
     const std::optional<Pixel> pixel = homography.to_image(c.table);
     const std::optional<TablePoint> point = homography.to_table(c.image);
     if (!pixel || !point) {
@@ -156,7 +156,7 @@ HomographyFit with_residuals(const Homography& homography,
 
 }  // namespace
 
-HomographyFit fit_homography(std::span<const TableCorrespondence> correspondences) {
+HomographyFit fit_homography(std::span<const Correspondence> correspondences) {
   if (correspondences.size() < kMinCorrespondences) {
     throw std::invalid_argument("the table needs at least " + std::to_string(kMinCorrespondences) +
                                 " correspondences, got " + std::to_string(correspondences.size()));
@@ -165,7 +165,7 @@ HomographyFit fit_homography(std::span<const TableCorrespondence> correspondence
   Points image(2, count);
   Points table(2, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const TableCorrespondence& c = correspondences[static_cast<std::size_t>(i)];
+    const Correspondence& c = correspondences[static_cast<std::size_t>(i)];
     image.col(i) << c.image.x, c.image.y;
     table.col(i) << c.table.x_m, c.table.y_m;
   }

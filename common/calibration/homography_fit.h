@@ -2,17 +2,10 @@
 
 #include <span>
 
+#include "common/table/correspondence.h"
 #include "common/table/homography.h"
-#include "common/table/table_point.h"
-#include "common/vision/pixel.h"
 
 namespace puck {
-
-/// A place on the table and where the camera sees it.
-struct TableCorrespondence {
-  Pixel image;
-  TablePoint table;
-};
 
 struct HomographyFit {
   Homography homography;
@@ -29,6 +22,6 @@ struct HomographyFit {
 /// smallest. Throws std::invalid_argument with the reason when there are fewer than four
 /// correspondences, one is not finite, too many lie on one line, or they contradict each other so
 /// much that some would lie behind the camera.
-HomographyFit fit_homography(std::span<const TableCorrespondence> correspondences);
+HomographyFit fit_homography(std::span<const Correspondence> correspondences);
 
 }  // namespace puck

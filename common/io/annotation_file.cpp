@@ -27,6 +27,10 @@ constexpr std::array<CsvColumn, 5> kColumns{{
 std::vector<Annotation> read_annotation_file(const std::filesystem::path& path) {
   std::vector<Annotation> rows;
   for (const CsvRow& row : read_csv(path, kColumns)) {
+    // A fraction of a µs is a sign of seconds, or of another column.
+    if (row.values[0] != std::floor(row.values[0])) {
+      throw_csv_error(path, row.line, "t_us must be a whole number of µs");
+    }
     Annotation annotation;
     annotation.time = {std::llround(row.values[0])};
     annotation.centre = {row.values[1], row.values[2]};

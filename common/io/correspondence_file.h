@@ -4,16 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "common/table/table_point.h"
-#include "common/vision/pixel.h"
+#include "common/table/correspondence.h"
 
 namespace puck {
-
-/// One place seen in the image and measured on the table.
-struct Correspondence {
-  Pixel image;
-  TablePoint table;
-};
 
 /// Reads `x_px,y_px,x_m,y_m`, columns in any order, told from the header. Throws CsvError naming
 /// file and line for a missing file or column, a malformed value, or no rows.

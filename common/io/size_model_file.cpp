@@ -25,6 +25,39 @@ constexpr std::array<Coefficient, 6> kCoefficients{{
 }};
 constexpr double kLargest = 1e4;
 
+struct Limit {
+  const char* key = nullptr;
+  PuckSize PuckSizeModel::*which = nullptr;
+  double PuckSize::*side = nullptr;
+};
+
+constexpr std::array<Limit, 4> kLimits{{
+    {"size_range.smallest_width", &PuckSizeModel::smallest, &PuckSize::width},
+    {"size_range.smallest_height", &PuckSizeModel::smallest, &PuckSize::height},
+    {"size_range.largest_width", &PuckSizeModel::largest, &PuckSize::width},
+    {"size_range.largest_height", &PuckSizeModel::largest, &PuckSize::height},
+}};
+constexpr double kSmallestSizePx = 1;
+constexpr double kLargestSizePx = SensorSize::kMax;
+
+void read_range(Config& config, PuckSizeModel& model) {
+  for (const Limit& limit : kLimits) {
+    config.read(limit.key, model.*limit.which.*limit.side, kSmallestSizePx, kLargestSizePx);
+  }
+  for (double PuckSize::*side : {&PuckSize::width, &PuckSize::height}) {
+    if (model.smallest.*side <= model.largest.*side) continue;
+    config.fail(side == &PuckSize::width ? "size_range.smallest_width"
+                                         : "size_range.smallest_height",
+                "must not be above the largest");
+  }
+  config.read("size_range.sensor_width", model.sensor.width, 0, SensorSize::kMax);
+  config.read("size_range.sensor_height", model.sensor.height, 0, SensorSize::kMax);
+}
+
+std::string entry(std::string_view key, const std::string& value) {
+  return std::string(key.substr(key.find('.') + 1)) + " = " + value + "\n";
+}
+
 }  // namespace
 
 PuckSizeModel read_size_model_file(const std::filesystem::path& path) {
@@ -34,6 +67,7 @@ PuckSizeModel read_size_model_file(const std::filesystem::path& path) {
     if (!config.has(coefficient.key)) config.fail(coefficient.key, "is missing");
     config.read(coefficient.key, model.*coefficient.member, -kLargest, kLargest);
   }
+  read_range(config, model);
   return model;
 }
 
@@ -42,10 +76,15 @@ std::string size_model_text(const PuckSizeModel& model, std::string_view provena
                      "# Full axes of the puck's ellipse in the image: px at the top left corner, "
                      "and px per px along x and y.\n[size_model]\n";
   for (const Coefficient& coefficient : kCoefficients) {
-    const std::string_view key(coefficient.key);
-    text += std::string(key.substr(key.find('.') + 1)) + " = " +
-            toml_number(model.*coefficient.member) + "\n";
+    text += entry(coefficient.key, toml_number(model.*coefficient.member));
   }
+  text += "# Whatever those say, the puck is never smaller or larger, px. Sensor: 0 if not known.\n"
+          "[size_range]\n";
+  for (const Limit& limit : kLimits) {
+    text += entry(limit.key, toml_number(model.*limit.which.*limit.side));
+  }
+  text += entry("sensor_width", std::to_string(model.sensor.width));
+  text += entry("sensor_height", std::to_string(model.sensor.height));
   return text;
 }
 

@@ -26,14 +26,24 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
         events.subspan(applied, std::min(kHandful, events.size() - applied));
     surface_.update(packet.start, handful);
     applied += handful.size();
-    if (watched_.empty() || any_inside(handful, watched_)) report_news();
-    if (requested_.load(std::memory_order_acquire)) serve_request(packet, applied);
+    const bool queued =
+        !queued_.empty() && queue_.push(packet.start, handful, queued_) > 0;
+    const bool watches_all = watched_.empty() && queued_.empty();
+    if (queued || watches_all || any_inside(handful, watched_)) report_news();
+    if (requested_.load(std::memory_order_acquire)) serve(&packet, applied);
   }
 }
 
-void SharedSurface::snapshot(const Region& region, SharedSnapshot& out) {
-  requested_region_ = region;
-  requested_snapshot_ = &out;
+void SharedSurface::snapshot(const Region& region, const Region& events, SharedSnapshot& out) {
+  ask({.region = region, .events = events, .snapshot = &out});
+}
+
+void SharedSurface::copy_part(const Region& part, SurfaceSnapshot& out) {
+  ask({.region = part, .part = &out});
+}
+
+void SharedSurface::ask(const Request& request) {
+  request_ = request;
   requested_.store(true, std::memory_order_release);
   while (requested_.load(std::memory_order_acquire)) {
     const std::unique_lock lock(surface_mutex_, std::try_to_lock);
@@ -43,10 +53,7 @@ void SharedSurface::snapshot(const Region& region, SharedSnapshot& out) {
       continue;
     }
     // It may have served the request just before it let go of the surface.
-    if (requested_.load(std::memory_order_acquire)) {
-      copy_to(out, nullptr, 0);
-      requested_.store(false, std::memory_order_release);
-    }
+    if (requested_.load(std::memory_order_acquire)) serve(nullptr, 0);
   }
 }
 
@@ -58,28 +65,37 @@ bool SharedSurface::wait_for_news(std::chrono::microseconds timeout) {
   return news_.load(std::memory_order_acquire);
 }
 
+void SharedSurface::wait(std::chrono::microseconds timeout) {
+  std::unique_lock lock(sleep_mutex_);
+  woken_.wait_for(lock, timeout, [&] { return wake_requested_; });
+  wake_requested_ = false;
+}
+
 void SharedSurface::wake() {
   const std::lock_guard lock(sleep_mutex_);
   wake_requested_ = true;
   woken_.notify_one();
 }
 
-void SharedSurface::copy_to(SharedSnapshot& out, const EventPacket* pending, std::size_t applied) {
-  // Cleared first: what comes after the copy is news again.
-  news_.store(false, std::memory_order_release);
-  watched_ = requested_region_;
-  surface_.snapshot(requested_region_, out.surface);
-  out.origin = origin_;
-  out.backlog_us = 0;
-  out.backlog_events = 0;
-  if (pending != nullptr) {
-    out.backlog_us = pending->newest() - surface_.newest_event();
-    out.backlog_events = static_cast<std::int64_t>(pending->events.size() - applied);
+void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
+  if (request_.part != nullptr) {
+    surface_.copy(request_.region, *request_.part);
+  } else {
+    SharedSnapshot& out = *request_.snapshot;
+    // Cleared first: what comes after the copy is news again.
+    news_.store(false, std::memory_order_release);
+    watched_ = request_.region;
+    queued_ = request_.events;
+    surface_.snapshot(request_.region, out.surface);
+    out.events_end = queue_.end();
+    out.origin = origin_;
+    out.backlog_us = 0;
+    out.backlog_events = 0;
+    if (pending != nullptr) {
+      out.backlog_us = pending->newest() - surface_.newest_event();
+      out.backlog_events = static_cast<std::int64_t>(pending->events.size() - applied);
+    }
   }
-}
-
-void SharedSurface::serve_request(const EventPacket& packet, std::size_t applied) {
-  copy_to(*requested_snapshot_, &packet, applied);
   requested_.store(false, std::memory_order_release);
 }
 

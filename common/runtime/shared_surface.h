@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <mutex>
 #include <span>
+#include <vector>
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
+#include "common/runtime/event_queue.h"
 #include "common/vision/eros_surface.h"
 #include "common/vision/region.h"
 #include "common/vision/surface_snapshot.h"
@@ -41,14 +43,21 @@ struct SharedSnapshot {
   PacketOrigin origin;              ///< Of the packet that holds the newest event.
   std::int64_t backlog_us = 0;      ///< Sensor time received but not on the surface yet.
   std::int64_t backlog_events = 0;  ///< Events received but not on the surface yet.
+  /// Where the queue's events end that are not newer than this copy.
+  std::uint64_t events_end = 0;
 };
 
 /// The one place where the paper's two threads meet: the event thread owns the surface, the
 /// tracking thread asks for a part of it. A request is served by the event thread between two
 /// handfuls of events, or, while that one has nothing to do, by the tracking thread itself; so
-/// neither waits for the other for longer than it takes to apply a handful.
+/// neither waits for the other for longer than it takes to apply a handful, or to copy a region.
+/// Single events of a region that the tracking thread asks for come over in a queue.
 class SharedSurface {
  public:
+  /// The queue's room. A tracking thread that falls behind is behind by no more than so many
+  /// events; half as many may come at once without being thinned.
+  static constexpr std::size_t kQueuedEvents = 8192;
+
   SharedSurface(SensorSize sensor, const ErosParams& params) : surface_(sensor, params) {}
 
   SensorSize size() const { return surface_.size(); }
@@ -57,13 +66,28 @@ class SharedSurface {
   /// when an event lies in the region that it asked for last. The packet must not be empty.
   void update(const EventPacket& packet, const PacketOrigin& origin);
 
-  /// Tracking thread only. Copies a region, and watches it from then on; an empty region stands for
-  /// the whole sensor where it comes to watching.
-  void snapshot(const Region& region, SharedSnapshot& out);
+  /// Tracking thread only. Copies `region`; from then on the events in `events` go to the queue,
+  /// and both are watched. When both are empty the whole sensor is watched.
+  void snapshot(const Region& region, const Region& events, SharedSnapshot& out);
 
-  /// Tracking thread only. Sleeps until there is something new in the region of the last snapshot,
-  /// or `timeout` has passed, or someone wakes it. True when there is something new.
+  /// Tracking thread only. As ErosSurface::copy; what is watched stays as it is.
+  void copy_part(const Region& part, SurfaceSnapshot& out);
+
+  /// Tracking thread only. Takes at most `most` of the queue's events up to the position `until`,
+  /// as EventQueue::pop.
+  Timestamp pop_events(std::uint64_t until, std::size_t most, std::vector<Event>& out) {
+    return queue_.pop(until, most, out);
+  }
+
+  /// Safe from any thread. Events of regions asked for that found no room in the queue.
+  std::int64_t events_thinned() const { return queue_.thinned(); }
+
+  /// Tracking thread only. Sleeps until there is something new in what is watched, or `timeout` has
+  /// passed, or someone wakes it. True when there is something new.
   bool wait_for_news(std::chrono::microseconds timeout);
+
+  /// Tracking thread only. Sleeps, whatever is new, until `timeout` has passed or someone wakes it.
+  void wait(std::chrono::microseconds timeout);
 
   /// Safe from any thread. Ends a wait.
   void wake();
@@ -76,8 +100,16 @@ class SharedSurface {
   }
 
  private:
-  void copy_to(SharedSnapshot& out, const EventPacket* pending, std::size_t applied);
-  void serve_request(const EventPacket& packet, std::size_t applied);
+  // What the tracking thread asks for: a snapshot, or a part of one.
+  struct Request {
+    Region region;
+    Region events;
+    SharedSnapshot* snapshot = nullptr;
+    SurfaceSnapshot* part = nullptr;
+  };
+
+  void ask(const Request& request);
+  void serve(const EventPacket* pending, std::size_t applied);
   void report_news();
 
   // Held by the event thread while it applies a packet, and by the tracking thread when it serves
@@ -85,12 +117,13 @@ class SharedSurface {
   std::mutex surface_mutex_;
   ErosSurface surface_;  // by surface_mutex_
   PacketOrigin origin_;  // by surface_mutex_
-  Region watched_;       // by surface_mutex_; empty: the whole sensor
+  Region watched_;       // by surface_mutex_
+  Region queued_;        // by surface_mutex_; both empty: the whole sensor is watched
+  EventQueue queue_{kQueuedEvents};
 
-  // The request: written by the tracking thread before it sets `requested_` (release), served by
-  // whoever holds surface_mutex_ after seeing it (acquire), finished by clearing it (release).
-  Region requested_region_;
-  SharedSnapshot* requested_snapshot_ = nullptr;
+  // Written by the tracking thread before it sets `requested_` (release), served by whoever holds
+  // surface_mutex_ after seeing it (acquire), finished by clearing it (release).
+  Request request_;
   std::atomic<bool> requested_{false};
 
   // Relaxed: it stands alone.

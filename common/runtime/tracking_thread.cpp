@@ -1,27 +1,44 @@
 #include "common/runtime/tracking_thread.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-namespace puck {
+#include "common/vision/event_pieces.h"
 
-using std::chrono::duration_cast;
+namespace puck {
+namespace {
+
 using std::chrono::microseconds;
-using std::chrono::steady_clock;
 using std::chrono::system_clock;
 
-TrackingThread::TrackingThread(SharedSurface& surface, PuckPipeline pipeline,
-                               const TrackingThreadParams& params, Publish publish)
+// Events taken from the queue at once.
+constexpr std::size_t kHandful = 256;
+// How long events are taken without a word in between: a fraction of the heartbeat.
+constexpr microseconds kLongestTake{2'000};
+// While nothing is looked at there is no more to see than that time goes by, and whether the search
+// has ended.
+constexpr microseconds kIdleLook{1'000};
+
+}  // namespace
+
+TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingPipeline> pipeline,
+                               PuckSearch search, const TrackingThreadParams& params,
+                               Publish publish)
     : surface_(surface),
       pipeline_(std::move(pipeline)),
+      worker_(std::move(search)),
       params_(params),
       publish_(std::move(publish)) {
   if (params.max_publish_hz < 1 || params.heartbeat <= microseconds::zero()) {
     throw std::invalid_argument("tracker.max_publish_hz must be at least 1, got " +
                                 std::to_string(params.max_publish_hz));
   }
+  publish_period_ = microseconds(1'000'000 / params.max_publish_hz);
+  events_.reserve(kHandful);
+  wanted_.reserve(kHandful);
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -31,38 +48,101 @@ TrackingThread::~TrackingThread() {
 }
 
 void TrackingThread::run(const std::stop_token& stop) {
-  const microseconds publish_period(1'000'000 / params_.max_publish_hz);
-  SharedSnapshot snapshot;
-  TrackedEstimate newest;
-  bool unpublished = true;  // the first word is that the search has begun
-  TrackState published_state = TrackState::kSearching;
-  auto next_publish = steady_clock::now();
-  auto heartbeat_due = next_publish;
-
+  next_publish_ = Clock::now();
+  heartbeat_due_ = next_publish_;
   while (!stop.stop_requested()) {
-    const auto due = unpublished ? std::min(next_publish, heartbeat_due) : heartbeat_due;
-    const auto left = duration_cast<microseconds>(due - steady_clock::now());
-    if (surface_.wait_for_news(std::max(left, microseconds::zero()))) {
-      newest.tracking_started = system_clock::now();
-      surface_.snapshot(pipeline_.region_needed(), snapshot);
-      newest.estimate = pipeline_.step(snapshot.surface);
-      newest.origin = snapshot.origin;
-      newest.backlog_us = snapshot.backlog_us;
-      newest.backlog_events = snapshot.backlog_events;
-      unpublished = true;
-    }
-    const auto now = steady_clock::now();
-    const bool changed = newest.estimate.state != published_state;
-    if (changed || (unpublished && now >= next_publish) || now >= heartbeat_due) {
-      newest.input_age = now - surface_.newest_packet_received();
-      publish_(newest);
-      published_state = newest.estimate.state;
-      unpublished = false;
-      // Evenly: the next slot follows from the last one unless that has long passed.
-      next_publish = std::max(next_publish + publish_period, now);
-      heartbeat_due = now + params_.heartbeat;
-    }
+    if (!events_left_) take_search_result();
+    if (look_anyway_ || events_left_ || wait_for_news()) look();
+    if (worker_.is_copying()) worker_.copy_more(surface_);
+    publish_if_due();
   }
+}
+
+// True when there is something new to look at; false when something else is due.
+bool TrackingThread::wait_for_news() {
+  const auto now = Clock::now();
+  auto until = unpublished_ ? std::min(next_publish_, heartbeat_due_) : heartbeat_due_;
+  if (worker_.is_copying()) {
+    until = now;
+  } else if (!worker_.is_idle()) {
+    until = std::min(until, now + kIdleLook);
+  }
+  if (now < next_look_) {
+    until = std::min(until, next_look_);
+    surface_.wait(std::max(std::chrono::ceil<microseconds>(until - now), microseconds::zero()));
+    return false;
+  }
+  return surface_.wait_for_news(
+      std::max(std::chrono::ceil<microseconds>(until - now), microseconds::zero()));
+}
+
+void TrackingThread::take_search_result() {
+  const SearchResult* result = worker_.poll();
+  if (result == nullptr) return;
+  pipeline_->take(*result);
+  look_anyway_ = true;
+}
+
+void TrackingThread::look() {
+  if (!events_left_) {
+    newest_.tracking_started = system_clock::now();
+    surface_.snapshot(pipeline_->region_needed(), pipeline_->events_needed(), snapshot_);
+    look_anyway_ = false;
+    events_left_ = true;
+  }
+  if (!take_events()) return;
+  events_left_ = false;
+  newest_.estimate = pipeline_->step(snapshot_.surface);
+  begin_search_if_wanted();
+  newest_.origin = snapshot_.origin;
+  newest_.backlog_us = snapshot_.backlog_us;
+  newest_.backlog_events = snapshot_.backlog_events;
+  unpublished_ = true;
+  if (pipeline_->region_needed().empty() && pipeline_->events_needed().empty()) {
+    next_look_ = Clock::now() + std::min(publish_period_, kIdleLook);
+  }
+}
+
+// Hands over the events that the snapshot shows; false when time is up before all are taken.
+bool TrackingThread::take_events() {
+  const auto time_up = Clock::now() + kLongestTake;
+  while (true) {
+    const Timestamp start = surface_.pop_events(snapshot_.events_end, kHandful, events_);
+    if (events_.empty()) return true;
+    for_each_piece(start, events_, pipeline_->decision_period_us(),
+                   [&](std::span<const Event> piece) {
+                     // The region may have moved on since these events were let into the queue.
+                     const Region region = pipeline_->events_needed();
+                     wanted_.clear();
+                     std::copy_if(
+                         piece.begin(), piece.end(), std::back_inserter(wanted_),
+                         [&](const Event& event) { return region.contains(event.x, event.y); });
+                     if (wanted_.empty()) return;
+                     pipeline_->take(start, wanted_);
+                     begin_search_if_wanted();
+                   });
+    if (Clock::now() >= time_up) return false;
+  }
+}
+
+void TrackingThread::begin_search_if_wanted() {
+  if (!worker_.is_idle()) return;
+  const Region wanted = pipeline_->search_wanted();
+  if (!wanted.empty()) worker_.begin(wanted);
+}
+
+void TrackingThread::publish_if_due() {
+  const auto now = Clock::now();
+  const bool changed = newest_.estimate.state != published_state_;
+  const bool slot = unpublished_ && now >= next_publish_;
+  if (!changed && !slot && now < heartbeat_due_) return;
+  newest_.input_age = now - surface_.newest_packet_received();
+  publish_(newest_);
+  published_state_ = newest_.estimate.state;
+  unpublished_ = false;
+  // Evenly: the next slot follows from the last one unless that has long passed.
+  next_publish_ = std::max(next_publish_ + publish_period_, now);
+  heartbeat_due_ = now + params_.heartbeat;
 }
 
 }  // namespace puck

@@ -3,10 +3,14 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <thread>
+#include <vector>
 
+#include "common/runtime/search_worker.h"
 #include "common/runtime/shared_surface.h"
-#include "common/vision/puck_pipeline.h"
+#include "common/vision/puck_search.h"
+#include "common/vision/tracking_pipeline.h"
 
 namespace puck {
 
@@ -31,28 +35,53 @@ struct TrackedEstimate {
 };
 
 /// The paper's second thread (Figure 2): takes the newest surface, detects or tracks, as fast as it
-/// can while there is something new in its region; sleeps while there is nothing.
+/// can while there is something new in its region; sleeps while there is nothing. Where its
+/// pipeline takes single events it gets those that the surface shows before the surface itself.
+/// Searches run on a thread of their own, of low priority, and are never waited for.
 class TrackingThread {
  public:
   using Publish = std::function<void(const TrackedEstimate&)>;
 
   /// Starts the thread. `publish` is called on it and must not throw. The surface must outlive this
   /// object.
-  TrackingThread(SharedSurface& surface, PuckPipeline pipeline, const TrackingThreadParams& params,
-                 Publish publish);
+  TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingPipeline> pipeline,
+                 PuckSearch search, const TrackingThreadParams& params, Publish publish);
   /// Stops the thread and waits for it.
   ~TrackingThread();
   TrackingThread(const TrackingThread&) = delete;
   TrackingThread& operator=(const TrackingThread&) = delete;
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void run(const std::stop_token& stop);
+  bool wait_for_news();
+  void take_search_result();
+  void look();
+  bool take_events();
+  void begin_search_if_wanted();
+  void publish_if_due();
 
   SharedSurface& surface_;
-  PuckPipeline pipeline_;
+  std::unique_ptr<TrackingPipeline> pipeline_;
+  SearchWorker worker_;
   TrackingThreadParams params_;
+  std::chrono::microseconds publish_period_{};
   Publish publish_;
-  std::jthread thread_;
+
+  SharedSnapshot snapshot_;
+  std::vector<Event> events_;    // of the queue, a handful at a time
+  std::vector<Event> wanted_;    // of a piece of them
+  bool events_left_ = false;     // of those that `snapshot_` shows
+  bool look_anyway_ = false;     // also when there is no news
+  Clock::time_point next_look_;  // not before
+  TrackedEstimate newest_;
+  bool unpublished_ = true;  // the first word is that the search has begun
+  TrackState published_state_ = TrackState::kSearching;
+  Clock::time_point next_publish_;
+  Clock::time_point heartbeat_due_;
+
+  std::jthread thread_;  // last: it uses what stands above
 };
 
 }  // namespace puck

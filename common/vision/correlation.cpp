@@ -29,7 +29,6 @@ void Correlation::correlate(const EllipseKernel& kernel, const Region& candidate
   // Sums that a kernel row needs: from the first candidate's first column to the last one's end.
   const int first_column = candidates.x - kernel.anchor_x() - region_.x;
   const int columns = candidates.width + kernel.width();
-  padded_.resize(static_cast<std::size_t>(columns));
 
   // Which picture rows the kernel reaches from each candidate row; the sums of each such row are
   // laid out once and added to every candidate row that it belongs to.
@@ -42,10 +41,7 @@ void Correlation::correlate(const EllipseKernel& kernel, const Region& candidate
   for (int i = std::max(0, -first_row); i < rows; ++i) {
     const int picture_row = first_row + i;
     if (picture_row >= row_sums_.height()) break;
-    for (int x = 0; x < columns; ++x) {
-      padded_[static_cast<std::size_t>(x)] = sum_left_of(picture_row, first_column + x);
-    }
-    const std::int32_t* sums = padded_.data();
+    const std::int32_t* sums = sums_from(picture_row, first_column, columns);
     const int first_candidate = std::max(0, i - kernel.height() + 1);
     const int last_candidate = std::min(i, candidates.height - 1);
     for (int candidate_row = first_candidate; candidate_row <= last_candidate; ++candidate_row) {
@@ -72,6 +68,18 @@ void Correlation::correlate(const EllipseKernel& kernel, const Region& candidate
           kernel.response(canvas_sum_[offset + x], outer_sum_[offset + x], inner_sum_[offset + x]);
     }
   }
+}
+
+const std::int32_t* Correlation::sums_from(int row, int first, int count) {
+  const std::int32_t* sums = row_sums_.row(row);
+  if (first >= 0 && first + count <= row_sums_.width()) return sums + first;
+  const int before = std::clamp(-first, 0, count);
+  const int from = std::clamp(first, 0, row_sums_.width());
+  const int inside = std::min(row_sums_.width() - from, count - before);
+  padded_.assign(static_cast<std::size_t>(count), sums[row_sums_.width() - 1]);
+  std::fill_n(padded_.begin(), before, 0);
+  std::copy_n(sums + from, inside, padded_.begin() + before);
+  return padded_.data();
 }
 
 double Correlation::contrast_at(const EllipseKernel& kernel, int x, int y) const {

@@ -33,6 +33,8 @@ class Correlation {
  private:
   // Sum of a picture row left of column x, 0 to the row's total beyond its ends.
   std::int32_t sum_left_of(int row, int x) const;
+  // The sums left of `count` columns from `first` on, wherever they lie.
+  const std::int32_t* sums_from(int row, int first, int count);
 
   Region region_;
   Image<std::int32_t> row_sums_;          // (x, y): sum of the row's pixels left of x

@@ -111,14 +111,18 @@ void ErosSurface::apply(std::span<const Event> events) {
 
 void ErosSurface::snapshot(const Region& region, SurfaceSnapshot& out) const {
   out.region = region.intersect(Region::all_of(size_));
+  out.grey.resize(out.region.width, out.region.height);
+  copy(out.region, out);
+}
+
+void ErosSurface::copy(const Region& part, SurfaceSnapshot& out) const {
   out.newest_event = newest_event_;
   out.events_applied = events_applied_;
-  out.grey.resize(out.region.width, out.region.height);
-  for (int y = 0; y < out.region.height; ++y) {
+  for (int y = part.y; y < part.bottom(); ++y) {
     const std::uint8_t* from =
-        counts_.data() + (out.region.y + y + half_width_) * stride_ + out.region.x + half_width_;
-    std::uint8_t* to = out.grey.row(y);
-    for (int x = 0; x < out.region.width; ++x) to[x] = grey_of_count_[from[x]];
+        counts_.data() + (y + half_width_) * stride_ + part.x + half_width_;
+    std::uint8_t* to = out.grey.row(y - out.region.y) + (part.x - out.region.x);
+    for (int x = 0; x < part.width; ++x) to[x] = grey_of_count_[from[x]];
   }
 }
 

@@ -46,6 +46,9 @@ class ErosSurface {
 
   /// Copies the part of `region` that lies inside the sensor.
   void snapshot(const Region& region, SurfaceSnapshot& out) const;
+  /// Copies `part`, which lies inside `out`'s region and picture, to its place there; the stamps
+  /// become those of this copy.
+  void copy(const Region& part, SurfaceSnapshot& out) const;
 
   SensorSize size() const { return size_; }
   std::int64_t events_applied() const { return events_applied_; }

@@ -56,6 +56,19 @@ PuckSize KernelBank::nominal(PuckSize size) const {
           static_cast<double>(size_at(index_of(size.height)))};
 }
 
+// The size model is linear, so the largest kernel in a region is that of one of its corners.
+int KernelBank::reach_beyond(const Region& region, const PuckSizeModel& size_model) const {
+  int reach = 0;
+  for (const int x : {region.x, region.right() - 1}) {
+    for (const int y : {region.y, region.bottom() - 1}) {
+      const EllipseKernel& kernel =
+          nearest(size_model.at({static_cast<double>(x), static_cast<double>(y)}));
+      reach = std::max({reach, kernel.width() / 2 + 1, kernel.height() / 2 + 1});
+    }
+  }
+  return reach;
+}
+
 int KernelBank::index_of(double contour_px) const {
   const double size_px = contour_px * params_.size_scale;
   // Not a number compares false and takes the smallest.

@@ -4,6 +4,8 @@
 
 #include "common/vision/ellipse_kernel.h"
 #include "common/vision/pixel.h"
+#include "common/vision/puck_size_model.h"
+#include "common/vision/region.h"
 
 namespace puck {
 
@@ -34,6 +36,8 @@ class KernelBank {
   const EllipseKernel& nearest(PuckSize size) const;
   /// That kernel's nominal size: scaled, the next odd one, 2·floor(v / 2) + 1, clamped.
   PuckSize nominal(PuckSize size) const;
+  /// How far beyond `region` the kernels reach that belong to the places inside it, px.
+  int reach_beyond(const Region& region, const PuckSizeModel& size_model) const;
 
  private:
   int index_of(double contour_px) const;

@@ -59,6 +59,15 @@ PipelineParams correlation() {
   return params;
 }
 
+// Correlation detects and searches, the contour filter follows. What the search finds has to prove
+// itself on single events, so that it may find too much.
+PipelineParams contour() {
+  PipelineParams params = correlation();
+  params.detector.threshold = 0.3;
+  params.follows_contour = true;
+  return params;
+}
+
 PuckSizeModel contour_of_box(const PuckSizeModel& box) {
   return {box.width_0 / kAuthorsBoxScale,  box.width_x / kAuthorsBoxScale,
           box.width_y / kAuthorsBoxScale,  box.height_0 / kAuthorsBoxScale,
@@ -96,10 +105,11 @@ PipelineParams preset_params(Preset preset) {
     case Preset::kReference:
       return reference();
     case Preset::kCorrelation:
+      return correlation();
     case Preset::kDefault:
       break;
   }
-  return correlation();
+  return contour();
 }
 
 PuckSizeModel authors_static_size_model() {

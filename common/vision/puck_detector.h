@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <vector>
 
 #include "common/events/sensor_size.h"
 #include "common/vision/correlation.h"
+#include "common/vision/image.h"
 #include "common/vision/kernel_bank.h"
 #include "common/vision/pixel.h"
 #include "common/vision/puck_size_model.h"
@@ -30,6 +32,9 @@ struct DetectorParams {
   KernelProfile fixed_profile{0.6, 1.0, -1, 1, 0, KernelMeasure::kWeightedSum};
 };
 
+/// ROI_d, inside the sensor. Throws std::invalid_argument when it lies outside.
+Region detection_region(SensorSize sensor, const DetectorParams& params);
+
 /// Finds the puck where nothing is known of it yet (paper, Section III-B, detection).
 class PuckDetector {
  public:
@@ -38,28 +43,37 @@ class PuckDetector {
     double response = 0;
   };
 
-  PuckDetector(SensorSize sensor, const DetectorParams& params, const PuckSizeModel& size_model);
+  /// A search with the size of each row tells of at most so many places, any other of the best.
+  static constexpr std::size_t kMostDetections = 6;
 
-  /// ROI_d, inside the sensor.
-  const Region& region() const { return region_; }
+  /// Throws std::invalid_argument when the fixed kernel cannot be drawn.
+  PuckDetector(const DetectorParams& params, const PuckSizeModel& size_model);
 
   /// How far a kernel of the detector's own reaches around its candidates, px; the bank's reach as
   /// far as their sizes.
   int reach() const { return fixed_kernel_.width() / 2 + 1; }
 
-  /// The best place in `where` if its response exceeds the threshold. `bank` is the tracker's.
-  std::optional<Detection> detect(Correlation& picture, const Region& where,
-                                  const KernelBank& bank);
+  /// The best place in `where` and, with the size of each row, further peaks of the response, at
+  /// least half a puck apart; best first, all above the threshold. `bank` is the tracker's. What is
+  /// returned lasts until the next call.
+  const std::vector<Detection>& detect(Correlation& picture, const Region& where,
+                                       const KernelBank& bank);
 
  private:
-  Detection best_in(Correlation& picture, const EllipseKernel& kernel, const Region& where);
-  Detection best_by_rows(Correlation& picture, const Region& where, const KernelBank& bank);
+  void find_best(Correlation& picture, const EllipseKernel& kernel, const Region& where);
+  void find_peaks(Correlation& picture, const Region& where, const KernelBank& bank);
+  void collect_peaks(const Region& where);
+  void keep_best_apart();
+  Detection refined(Correlation& picture, const Region& where, const KernelBank& bank,
+                    Detection peak);
 
   DetectorParams params_;
   PuckSizeModel size_model_;
-  Region region_;
   EllipseKernel fixed_kernel_;
   CorrelationMap map_;
+  Image<float> responses_;  // of the rows that a search looks at
+  std::vector<Detection> peaks_;
+  std::vector<Detection> found_;
 };
 
 }  // namespace puck

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace puck {
 namespace {
@@ -22,10 +23,9 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PipelineParams& params,
       params_(params),
       size_model_(size_model),
       kernels_(params.kernels),
-      detector_(sensor, params.detector, size_model),
       tracker_(sensor, params.tracker, size_model),
       motion_(params.motion),
-      region_(detector_.region()) {
+      detection_region_(detection_region(sensor, params.detector)) {
   if (params.loss.coast_us < 0 || params.loss.search_period_us < 0) {
     throw std::invalid_argument(
         "tracker.coast_us and tracker.search_period_us must not be negative");
@@ -35,40 +35,39 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PipelineParams& params,
 Region PuckPipeline::region_needed() const {
   if (region_.empty()) return {};
   // A kernel on the region's border reaches beyond it, and the blur a little more.
-  const int reach = std::max(detector_.reach(), kernel_reach(region_)) + GaussianBlur::kRadius;
+  const int reach = kernels_.reach_beyond(region_, size_model_) + GaussianBlur::kRadius;
   return region_.inflated(reach).intersect(Region::all_of(sensor_));
 }
 
-// The size model is linear, so the largest kernel in a region is that of one of its corners.
-int PuckPipeline::kernel_reach(const Region& region) const {
-  int reach = 0;
-  for (const int x : {region.x, region.right() - 1}) {
-    for (const int y : {region.y, region.bottom() - 1}) {
-      const EllipseKernel& kernel =
-          kernels_.nearest(size_model_.at({static_cast<double>(x), static_cast<double>(y)}));
-      reach = std::max({reach, kernel.width() / 2 + 1, kernel.height() / 2 + 1});
-    }
-  }
-  return reach;
-}
-
 PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {
-  const Timestamp now = snapshot.newest_event;
-  const Region looked_at = region_;
+  now_ = snapshot.newest_event;
   const bool something_new = snapshot.events_applied != events_seen_;
   events_seen_ = snapshot.events_applied;
-  if (region_.empty()) {
-    if (now >= next_search_) plan_search(now);
-  } else if (something_new && !snapshot.region.empty()) {
-    blur_.apply(snapshot.grey.view(), blurred_);
-    picture_.set_picture(blurred_.view(), snapshot.region);
-    if (state_ == TrackState::kTracking) {
-      track(now);
-    } else {
-      search(now);
+  search_ = {};
+  if (something_new) {
+    looked_at_ = region_;
+    if (state_ == TrackState::kTracking && !snapshot.region.empty()) {
+      blur_.apply(snapshot.grey.view(), blurred_);
+      picture_.set_picture(blurred_.view(), snapshot.region);
+      track(now_);
     }
+    if (state_ != TrackState::kTracking) plan_search(now_);
+    if (looked_at_.empty()) looked_at_ = search_;
   }
-  return estimate(snapshot, looked_at);
+  return estimate(snapshot);
+}
+
+Region PuckPipeline::search_wanted() {
+  if (search_.empty()) return {};
+  if (params_.loss.enabled) next_search_ = now_ + params_.loss.search_period_us;
+  return std::exchange(search_, {});
+}
+
+void PuckPipeline::take(const SearchResult& result) {
+  // A track that has recovered meanwhile knows better.
+  if (result.candidates.empty() || (state_ == TrackState::kTracking && !coasting_)) return;
+  begin_track(result.candidates.front(), result.time);
+  looked_at_ = result.region;
 }
 
 void PuckPipeline::track(Timestamp now) {
@@ -91,57 +90,43 @@ void PuckPipeline::track(Timestamp now) {
 // Weak evidence is better than none and is followed, but something better is looked for around it.
 void PuckPipeline::coast(Timestamp now) {
   coasting_ = true;
-  if (now >= next_search_) {
-    next_search_ = now + params_.loss.search_period_us;
-    if (const auto found = detector_.detect(picture_, region_, kernels_)) {
-      begin_track(found->position, now);
-      return;
-    }
-  }
   if (now - last_good_ > params_.loss.coast_us) {
     lose(now);
-  } else {
-    region_ = search_region(now);
+    return;
   }
+  plan_search(now);
+  region_ = tracker_.region_around(position_, kernels_);
+  if (region_.empty()) lose(now);
 }
 
-void PuckPipeline::search(Timestamp now) {
-  const auto found = detector_.detect(picture_, region_, kernels_);
-  if (found) {
-    begin_track(found->position, now);
-  } else if (params_.loss.enabled) {
-    next_search_ = now + params_.loss.search_period_us;
-    region_ = {};
-  }
-}
-
-void PuckPipeline::begin_track(Pixel position, Timestamp now) {
+void PuckPipeline::begin_track(const SearchCandidate& candidate, Timestamp time) {
   state_ = TrackState::kTracking;
-  position_ = position;
-  motion_.start(position, now);
-  score_ = picture_.contrast_at(kernels_.nearest(size_model_.at(position)),
-                                static_cast<int>(std::lround(position.x)),
-                                static_cast<int>(std::lround(position.y)));
+  position_ = candidate.position;
+  motion_.start(position_, time);
+  score_ = candidate.score;
   coasting_ = false;
   left_image_.reset();
-  last_good_ = now;
-  resting_since_ = now;
-  region_ = tracker_.first_region_at(position, kernels_);
+  last_good_ = time;
+  resting_since_ = time;
+  region_ = tracker_.first_region_at(position_, kernels_);
+  search_ = {};
 }
 
 void PuckPipeline::lose(Timestamp now) {
   state_ = TrackState::kLost;
   coasting_ = false;
+  region_ = {};
   const Region image = Region::all_of(sensor_);
   const Pixel inside{std::clamp(position_.x, 0.0, image.width - 1.0),
                      std::clamp(position_.y, 0.0, image.height - 1.0)};
   if (!(inside == position_)) left_image_ = inside;
   position_ = inside;
-  plan_search(now);
+  next_search_ = now;
 }
 
 void PuckPipeline::plan_search(Timestamp now) {
-  region_ = state_ == TrackState::kSearching ? detector_.region() : search_region(now);
+  if (now < next_search_) return;
+  search_ = state_ == TrackState::kSearching ? detection_region_ : search_region(now);
 }
 
 Region PuckPipeline::search_region(Timestamp now) const {
@@ -151,13 +136,12 @@ Region PuckPipeline::search_region(Timestamp now) const {
   return Region::around(position_, side, side).intersect(Region::all_of(sensor_));
 }
 
-PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot,
-                                    const Region& looked_at) const {
+PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
   PuckEstimate estimate;
   estimate.state = state_;
   estimate.newest_event = snapshot.newest_event;
   estimate.events_applied = snapshot.events_applied;
-  estimate.region = looked_at;
+  estimate.region = looked_at_;
   estimate.left_image = left_image_;
   if (state_ != TrackState::kTracking) return estimate;
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include "common/events/sensor_size.h"
+#include "common/vision/contour_pipeline.h"
 #include "common/vision/correlation.h"
 #include "common/vision/eros_surface.h"
 #include "common/vision/gaussian_blur.h"
@@ -12,7 +15,7 @@
 #include "common/vision/puck_estimate.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/puck_tracker.h"
-#include "common/vision/surface_snapshot.h"
+#include "common/vision/tracking_pipeline.h"
 
 namespace puck {
 
@@ -40,48 +43,48 @@ struct PipelineParams {
   TrackerParams tracker;
   PixelMotionParams motion;
   LossParams loss;
+  /// A contour filter on single events follows the puck (ContourPipeline); correlation only searches
+  /// for it then. Of the parameters above, only those of the surface, the kernels and the detector
+  /// count.
+  bool follows_contour = false;
+  ContourPipelineParams contour;
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
   /// the published position is the filtered one.
   bool predicts = false;
 };
 
 /// What the paper's second thread does: detect, then track, one step for each look at the surface.
-/// A plain object without thread, clock or surface of its own, so that the tracker service, the
-/// evaluation and the tests all run the same:
-///
-///     surface.snapshot(pipeline.region_needed(), snapshot);
-///     const PuckEstimate estimate = pipeline.step(snapshot);
-///
-/// The same snapshots give the same estimates, to the bit. One thread at a time.
-class PuckPipeline {
+/// It looks at nothing but the surface, so single events are not asked for. The detection is a
+/// search like those for a lost puck.
+class PuckPipeline final : public TrackingPipeline {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
   PuckPipeline(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model);
 
-  /// The part of the surface that the next step looks at; empty while it waits for its next search.
-  Region region_needed() const;
+  Region events_needed() const override { return {}; }
+  std::int64_t decision_period_us() const override { return 0; }
+  void take(Timestamp, std::span<const Event>) override {}
 
-  /// Detects or tracks on a snapshot of `region_needed()`.
-  PuckEstimate step(const SurfaceSnapshot& snapshot);
+  /// Empty while the puck is searched for.
+  Region region_needed() const override;
+  PuckEstimate step(const SurfaceSnapshot& snapshot) override;
 
-  TrackState state() const { return state_; }
+  Region search_wanted() override;
+  void take(const SearchResult& result) override;
 
  private:
   void track(Timestamp now);
   void coast(Timestamp now);
-  void search(Timestamp now);
-  void begin_track(Pixel position, Timestamp now);
+  void begin_track(const SearchCandidate& candidate, Timestamp time);
   void lose(Timestamp now);
   void plan_search(Timestamp now);
   Region search_region(Timestamp now) const;
-  int kernel_reach(const Region& region) const;
-  PuckEstimate estimate(const SurfaceSnapshot& snapshot, const Region& looked_at) const;
+  PuckEstimate estimate(const SurfaceSnapshot& snapshot) const;
 
   SensorSize sensor_;
   PipelineParams params_;
   PuckSizeModel size_model_;
   KernelBank kernels_;
-  PuckDetector detector_;
   PuckTracker tracker_;
   PixelMotion motion_;
   GaussianBlur blur_;
@@ -89,13 +92,17 @@ class PuckPipeline {
   Image<std::uint8_t> blurred_;
 
   TrackState state_ = TrackState::kSearching;
-  Region region_;  // ROI_d or ROI_t of the next step
+  Region region_;  // ROI_t of the next step; empty while there is no track
+  Region search_;  // wanted now; empty: none
+  Region looked_at_;
+  Region detection_region_;
   Pixel position_;
   double score_ = 0;
   bool coasting_ = false;
   std::optional<Pixel> left_image_;
   Timestamp last_good_;  // when the track was last believed
   Timestamp resting_since_;
+  Timestamp now_;
   Timestamp next_search_;
   std::int64_t events_seen_ = -1;  // of the last snapshot; none before the first
 };

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "common/events/sensor_size.h"
 #include "common/vision/pixel.h"
 
 namespace puck {
@@ -14,11 +18,35 @@ struct PuckSizeModel {
   double height_x = 0;
   double height_y = 0;
 
-  /// Equation (2). May be extrapolated to anything, so users clamp it to the sizes that they have.
-  constexpr PuckSize at(Pixel position) const {
+  /// What the puck can measure at all. Away from the annotations the plane goes on to anything,
+  /// even below zero; no user ever gets that.
+  PuckSize smallest{3, 3};
+  PuckSize largest{512, 512};
+
+  /// The sensor that it was fitted for; {0, 0}: not known.
+  SensorSize sensor;
+
+  /// Equation (2) before it is kept to what the puck can measure.
+  constexpr PuckSize extrapolated_at(Pixel position) const {
     return {width_0 + width_x * position.x + width_y * position.y,
             height_0 + height_x * position.x + height_y * position.y};
   }
+
+  /// Equation (2), from `smallest` to `largest`; what is no number counts as the smallest.
+  constexpr PuckSize at(Pixel position) const {
+    const PuckSize size = extrapolated_at(position);
+    return {clamped(size.width, smallest.width, largest.width),
+            clamped(size.height, smallest.height, largest.height)};
+  }
+
+ private:
+  static constexpr double clamped(double size, double lowest, double highest) {
+    return size > lowest ? (size < highest ? size : highest) : lowest;
+  }
 };
+
+/// What a person should know before the model is used on such a sensor, one line each: that it was
+/// fitted for another one; where in the image it has to be clamped.
+std::vector<std::string> doubts_about(const PuckSizeModel& model, SensorSize sensor);
 
 }  // namespace puck

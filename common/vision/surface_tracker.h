@@ -1,30 +1,42 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "common/vision/eros_surface.h"
 #include "common/vision/puck_pipeline.h"
+#include "common/vision/puck_search.h"
 #include "common/vision/tracking_algorithm.h"
+#include "common/vision/tracking_pipeline.h"
 
 namespace puck {
 
-/// PUCK in one thread: the surface and the pipeline, one after the other. Live, the two run in a
-/// thread each (runtime/).
+/// PUCK in one thread: the surface, the pipeline and its searches, one after the other. Live, each
+/// of the three runs in a thread of its own (runtime/). Searches are made at once, so the same
+/// events and questions give the same estimates, to the bit.
 class SurfaceTracker final : public TrackingAlgorithm {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
-  SurfaceTracker(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model)
-      : surface_(sensor, params.eros), pipeline_(sensor, params, size_model) {}
+  SurfaceTracker(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model);
 
-  void update(const EventPacket& packet) override { surface_.update(packet); }
+  /// With a pipeline of the caller's; the parameters are those of the surface and the search.
+  SurfaceTracker(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
+                 std::unique_ptr<TrackingPipeline> pipeline);
 
-  PuckEstimate estimate() override {
-    surface_.snapshot(pipeline_.region_needed(), snapshot_);
-    return pipeline_.step(snapshot_);
-  }
+  void update(const EventPacket& packet) override;
+  PuckEstimate estimate() override;
 
  private:
+  void take(Timestamp start, std::span<const Event> piece);
+  PuckEstimate step();
+  bool search_if_wanted();
+
   ErosSurface surface_;
-  PuckPipeline pipeline_;
+  std::unique_ptr<TrackingPipeline> pipeline_;
+  PuckSearch search_;
   SurfaceSnapshot snapshot_;
+  SurfaceSnapshot searched_;
+  std::vector<Event> wanted_;
 };
 
 }  // namespace puck

@@ -38,6 +38,7 @@ CameraService::CameraService(const CameraSettings& settings, ServiceContext& con
       source_(make_source()),
       is_paced_(is_paced(settings, *source_)),
       pacer_(settings.speed) {
+  if (const auto sensor = source_->sensor_size()) check_mask(*sensor);
   if (simulated_) listen_to_arm();
 }
 
@@ -53,6 +54,10 @@ std::unique_ptr<EventSource> CameraService::make_source() {
       [this](const SimulatedTruth& truth) { publish_truth(truth); });
   simulated_ = simulated.get();
   return simulated;
+}
+
+void CameraService::check_mask(SensorSize sensor) const {
+  settings_.hot_pixels.check_sensor(sensor, "camera.hot_pixel_mask");
 }
 
 // A stale or foreign ARM_STATE changes nothing, so the mallet stays.
@@ -106,6 +111,7 @@ bool CameraService::play(std::stop_token stop) {
 // False when it was stopped meanwhile.
 bool CameraService::send_chunk(std::stop_token stop) {
   if (!packer_) prepare(*source_->sensor_size());
+  events_masked_ += settings_.hot_pixels.remove_from(chunk_.packet);
   if (context_.status.state() == ServiceState::kStarting ||
       context_.status.state() == ServiceState::kWaiting) {
     context_.status.set_state(ServiceState::kRunning);
@@ -132,6 +138,7 @@ bool CameraService::send_chunk(std::stop_token stop) {
 }
 
 void CameraService::prepare(SensorSize sensor) {
+  check_mask(sensor);
   const LcmUrl& url = context_.bus.url();
   const bool is_local = url.in_memory || url.ttl == 0;
   const int packet_bytes = settings_.packet_bytes != 0 ? settings_.packet_bytes
@@ -254,6 +261,7 @@ void CameraService::report(StatusReport& report) const {
       {"events_sent", packer_ ? packer_->events_packed() : 0},
       {"packets_sent", packets_sent_},
       {"events_dropped", source_->events_dropped() + (packer_ ? packer_->events_outside() : 0)},
+      {"events_masked", events_masked_},
       {"malformed_words", source_->malformed_words()},
       {"late_us", pacer_.slipped_us() + pacer_.lateness_us()},
   };

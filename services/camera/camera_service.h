@@ -26,7 +26,8 @@ class CameraService final : public Service {
  public:
   static CameraSettings read_params(Config& config) { return read_camera_settings(config); }
 
-  /// Opens the source. Throws EventFileError, std::runtime_error or std::invalid_argument.
+  /// Opens the source. Throws EventFileError, std::runtime_error or std::invalid_argument; a mask
+  /// of another sensor is refused as soon as the source tells its sensor.
   CameraService(const CameraSettings& settings, ServiceContext& context);
 
   void run(std::stop_token stop) override;
@@ -36,6 +37,7 @@ class CameraService final : public Service {
   using Clock = std::chrono::steady_clock;
 
   std::unique_ptr<EventSource> make_source();
+  void check_mask(SensorSize sensor) const;
   void listen_to_arm();
 
   bool play(std::stop_token stop);
@@ -74,6 +76,7 @@ class CameraService final : public Service {
   Clock::time_point last_late_;
   Clock::time_point last_events_;
   std::int64_t packets_sent_ = 0;
+  std::int64_t events_masked_ = 0;
   std::int64_t drops_told_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "common/io/pixel_mask_file.h"
 #include "common/messaging/event_packing.h"
 #include "common/simulation/visit_parameters.h"
 
@@ -69,6 +70,9 @@ CameraSettings read_camera_settings(Config& config) {
   config.read_choice("camera.pace", settings.pace, kPaces);
   config.read("camera.speed", settings.speed, 0.001, 1000);
   config.read_choice("camera.at_end", settings.at_end, kEnds);
+  std::string hot_pixel_mask;
+  config.read("camera.hot_pixel_mask", hot_pixel_mask);
+  if (!hot_pixel_mask.empty()) settings.hot_pixels = read_pixel_mask_file(hot_pixel_mask);
   config.read("camera.rotate_180", settings.rotate_180);
   config.read("camera.packet_bytes", settings.packet_bytes, 0, EventPackerParams::kMaxBytes);
   config.read("camera.flush_us", settings.flush_us, 50, 100'000);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "common/events/pixel_mask.h"
 #include "common/io/config.h"
 #include "common/simulation/simulation_params.h"
 #include "services/camera/file_source.h"
@@ -19,6 +20,7 @@ struct CameraSettings {
   double speed = 1;             ///< Sensor time that passes in a unit of host time.
   std::string at_end = "exit";  ///< exit or wait.
 
+  PixelMask hot_pixels;  ///< As the sensor has them: before any rotation.
   bool rotate_180 = false;
   int packet_bytes = 0;  ///< 0: what suits the bus.
   int flush_us = 500;    ///< Host time that the first event of a packet waits for others.

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "common/io/contour_calibration_file.h"
+#include "common/io/pixel_mask_file.h"
 #include "common/io/size_model_file.h"
 #include "common/vision/presets.h"
 
@@ -51,6 +53,7 @@ TrackerServiceParams read_tracker_params(Config& config) {
   config.read("tracker.lose", pipeline.loss.enabled);
   config.read("tracker.lowest_score", pipeline.loss.lowest_score, 0, 1);
   read_milliseconds(config, "tracker.coast_ms", pipeline.loss.coast_us);
+  pipeline.contour.coast_us = pipeline.loss.coast_us;
   read_milliseconds(config, "tracker.search_period_ms", pipeline.loss.search_period_us);
   config.read("tracker.max_publish_hz", params.thread.max_publish_hz, 1, 100'000);
 
@@ -58,6 +61,14 @@ TrackerServiceParams read_tracker_params(Config& config) {
   config.read("tracker.size_model", size_model);
   params.size_model =
       size_model.empty() ? authors_static_size_model() : read_size_model_file(size_model);
+  if (!size_model.empty()) {
+    pipeline.contour.calibration =
+        read_contour_calibration(size_model).value_or(ContourCalibration{});
+  }
+
+  std::string hot_pixel_mask;
+  config.read("tracker.hot_pixel_mask", hot_pixel_mask);
+  if (!hot_pixel_mask.empty()) params.hot_pixels = read_pixel_mask_file(hot_pixel_mask);
   return params;
 }
 

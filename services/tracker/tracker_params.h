@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "common/events/pixel_mask.h"
 #include "common/io/config.h"
 #include "common/runtime/tracking_thread.h"
 #include "common/vision/puck_pipeline.h"
@@ -12,6 +13,7 @@ namespace puck {
 struct TrackerServiceParams {
   PipelineParams pipeline;
   PuckSizeModel size_model;
+  PixelMask hot_pixels;
   TrackingThreadParams thread;
 };
 

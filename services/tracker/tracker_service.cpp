@@ -1,11 +1,14 @@
 #include "services/tracker/tracker_service.h"
 
 #include <chrono>
+#include <stdexcept>
 #include <string>
 
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
+#include "common/vision/make_pipeline.h"
+#include "common/vision/surface_tracker.h"
 
 namespace puck {
 namespace {
@@ -34,16 +37,17 @@ StatusLatency named(const char* name, const LatencyHistogram& histogram) {
 TrackerService::Track::Track(SensorSize sensor, const TrackerServiceParams& params,
                              TrackingThread::Publish publish)
     : surface(sensor, params.pipeline.eros),
-      thread(surface, PuckPipeline(sensor, params.pipeline, params.size_model), params.thread,
-             std::move(publish)) {}
+      thread(
+          surface, make_pipeline(sensor, params.pipeline, params.size_model),
+          PuckSearch(sensor, params.pipeline.kernels, params.pipeline.detector, params.size_model),
+          params.thread, std::move(publish)) {}
 
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
     : params_(params), context_(context) {
   // Parameters that cannot work are refused at the start, not with the first packet.
   // On the largest sensor, since it is not known yet how far the detection region may reach.
-  const PuckPipeline trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
-                           params.size_model);
-  const ErosSurface trial_surface({1, 1}, params.pipeline.eros);
+  const SurfaceTracker trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
+                             params.size_model);
   context_.bus.subscribe<event_packet_t>(
       [this](const event_packet_t& packet, const Receipt& receipt) { receive(packet, receipt); });
 }
@@ -52,8 +56,10 @@ void TrackerService::run(std::stop_token stop) {
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
     watch_input();
+    count_thinned();
     poll_status(context_, *this);
   }
+  count_thinned();
   track_.reset();
 }
 
@@ -91,9 +97,10 @@ void TrackerService::receive(const event_packet_t& packet, const Receipt& receip
     return;
   }
   heard_us_ = receipt.monotonic_us;
+  events_received_ += packet.count;
+  if (masks_hot_pixels_) events_masked_ += params_.hot_pixels.remove_from(events_);
   if (events_.empty()) return;
   newest_event_ = events_.newest();
-  events_received_ += packet.count;
   track_->surface.update(events_, origin_of(packet, receipt));
 }
 
@@ -111,8 +118,11 @@ void TrackerService::begin(const event_packet_t& packet, const Receipt& receipt)
   packets_ = {};
   dropped_packets_ = 0;
   events_received_ = 0;
+  events_thinned_ = 0;
+  events_masked_ = 0;
   context_.log.info("following events of session {:x}, sensor {}x{}", packet.session, packet.width,
                     packet.height);
+  check_calibration();
   TrackerServiceParams params = params_;
   const Region& wanted = params.pipeline.detector.region;
   if (!wanted.empty() && wanted.intersect(Region::all_of(sensor_)).empty()) {
@@ -121,6 +131,20 @@ void TrackerService::begin(const event_packet_t& packet, const Receipt& receipt)
   }
   track_ =
       std::make_unique<Track>(sensor_, params, [this](const TrackedEstimate& t) { publish(t); });
+}
+
+// A camera that nobody calibrated for is followed all the same, as well as it can be.
+void TrackerService::check_calibration() {
+  for (const std::string& doubt : doubts_about(params_.size_model, sensor_)) {
+    context_.log.warn("tracker.size_model: {}", doubt);
+  }
+  masks_hot_pixels_ = true;
+  try {
+    params_.hot_pixels.check_sensor(sensor_, "tracker.hot_pixel_mask");
+  } catch (const std::invalid_argument& error) {
+    masks_hot_pixels_ = false;
+    context_.log.error("{}: it is not used", error.what());
+  }
 }
 
 PacketOrigin TrackerService::origin_of(const event_packet_t& packet, const Receipt& receipt) const {
@@ -178,16 +202,22 @@ void TrackerService::watch_input() {
   }
 }
 
+void TrackerService::count_thinned() {
+  if (track_) events_thinned_ = track_->surface.events_thinned();
+}
+
 void TrackerService::report(StatusReport& report) const {
   const LossCounters& counters = packets_.counters();
   report.counters = {
       {"events_received", events_received_},
+      {"events_masked", events_masked_},
       {"packets_received", counters.received},
       {"packets_lost", counters.lost},
       {"packets_late", dropped_packets_},
       {"packets_rejected", rejected_packets_},
       {"packets_of_others", others_packets_},
       {"events_lost", counters.items_lost},
+      {"events_thinned", events_thinned_},
       {"estimates", context_.bus.counters<puck_estimate_t>().published},
   };
   report.latencies = {named("packet_to_estimate", packet_to_estimate_),

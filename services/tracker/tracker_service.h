@@ -44,9 +44,11 @@ class TrackerService : public Service {
   void receive(const event_packet_t& packet, const Receipt& receipt);
   bool clock_began_anew(const event_packet_t& packet, const Receipt& receipt) const;
   void begin(const event_packet_t& packet, const Receipt& receipt);
+  void check_calibration();
   PacketOrigin origin_of(const event_packet_t& packet, const Receipt& receipt) const;
   void publish(const TrackedEstimate& tracked);
   void watch_input();
+  void count_thinned();
 
   TrackerServiceParams params_;
   ServiceContext& context_;
@@ -57,7 +59,10 @@ class TrackerService : public Service {
   EventPacket events_;
   SensorSize sensor_;
   Timestamp newest_event_;
+  bool masks_hot_pixels_ = false;
   std::int64_t events_received_ = 0;
+  std::int64_t events_thinned_ = 0;    // kept from the tracking thread, which was behind
+  std::int64_t events_masked_ = 0;
   std::int64_t others_packets_ = 0;    // of publishers that are not followed
   std::int64_t dropped_packets_ = 0;   // late, or older than what is on the surface
   std::int64_t rejected_packets_ = 0;  // malformed

@@ -1,7 +1,6 @@
 #include "common/baselines/cluster_tracker.h"
 
 #include <cmath>
-#include <limits>
 
 #include <doctest/doctest.h>
 
@@ -157,13 +156,6 @@ TEST_CASE("a cluster with room for the whole contour follows the puck") {
   CHECK(estimate.size.width == doctest::Approx(truth.width).epsilon(0.2));
   CHECK(estimate.size.height == doctest::Approx(truth.height).epsilon(0.2));
   CHECK(estimate.score == 1);
-}
-
-TEST_CASE("a size model that gives no number does not stop a cluster") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(usable_size_at({nan, 0, 0, nan, 0, 0}, kStart).width == 3);
-  CHECK(usable_size_at({-9, 0, 0, 1e9, 0, 0}, kStart).width == 3);
-  CHECK(usable_size_at({-9, 0, 0, 1e9, 0, 0}, kStart).height == 2048);
 }
 
 TEST_CASE("a cluster refuses parameters out of range and names the key") {

@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -32,10 +33,11 @@ class Tool {
     return text.str();
   }
   // Output and errors land in the file `said`.
-  int run(const std::string& arguments) const {
+  int run(const std::string& arguments) const { return run("puck-calibrate", arguments); }
+  int run(const std::string& program, const std::string& arguments) const {
     const char* bin = std::getenv("PUCK_BIN_DIR");
     REQUIRE_MESSAGE(bin != nullptr, "PUCK_BIN_DIR must be set");
-    const std::string command = "cd '" + folder_.string() + "' && '" + bin + "/puck-calibrate' " +
+    const std::string command = "cd '" + folder_.string() + "' && '" + bin + "/" + program + "' " +
                                 arguments + " > said 2>&1";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -59,6 +61,32 @@ TEST_CASE("puck-calibrate size writes a size model and prints its residuals") {
   CHECK(contains(written, "puck-calibrate size a.csv --output size.toml"));
 }
 
+TEST_CASE("puck-calibrate size names bad cells by line and mistaken rows by number") {
+  const Tool tool;
+  tool.write("blank.csv", "t_us,x,y,width,height\n0,1,,20,10\n");
+  CHECK(tool.run("size blank.csv --output size.toml") == 1);
+  CHECK(contains(tool.read("said"), "blank.csv:2: y must be a number, got \"\""));
+  tool.write("order.csv", "t_us,x,y,width,height\n100.5,100,20,10,0\n");
+  CHECK(tool.run("size order.csv --output size.toml") == 1);
+  CHECK(contains(tool.read("said"), "order.csv:2: height must be from 0.1"));
+  std::string rows = "t_us,x,y,width,height\n";
+  for (int i = 0; i < 20; ++i) {
+    const int x = 30 * i;
+    const int y = 20 * (i % 5) + 100;
+    rows += std::to_string(i) + "," + std::to_string(x) + "," + std::to_string(y) + "," +
+            std::to_string(i == 6 ? 90 : 10 + y / 5) + "," + std::to_string(5 + y / 10) + "\n";
+  }
+  tool.write("many.csv", rows);
+  CHECK(tool.run("size many.csv --output size.toml --width 640 --height 480") == 0);
+  const std::string said = tool.read("said");
+  CHECK(contains(said, "20 annotations, 1 left out"));
+  CHECK(contains(said, "row 7 (t 6 us, at 180.0, 120.0): 90.0 x 17.0 px"));
+  CHECK(contains(said, "disc on a plane"));
+  CHECK(contains(said, "warning: the centres span only 89 %"));
+  CHECK(contains(tool.read("size.toml"), "[size_range]"));
+  CHECK(tool.run("size many.csv --output size.toml --width 640") == 1);
+}
+
 TEST_CASE("puck-calibrate table writes a homography and prints its residuals") {
   const Tool tool;
   tool.write("c.csv",
@@ -71,12 +99,74 @@ TEST_CASE("puck-calibrate table writes a homography and prints its residuals") {
 
 TEST_CASE("puck-calibrate refuses degenerate input with one line that names the file") {
   const Tool tool;
-  tool.write("a.csv", "t_us,x,y,width,height\n0,1,1,20,10\n1,2,2,20,10\n2,3,3,40,30\n");
+  tool.write("a.csv", "t_us,x,y,width,height\n0,101,101,20,10\n1,102,102,20,10\n2,103,103,40,30\n");
   CHECK(tool.run("size a.csv --output size.toml") == 1);
   const std::string said = tool.read("said");
   CHECK(contains(said, "a.csv: the annotated centres lie on one line"));
   CHECK(said.find('\n') == said.size() - 1);
   CHECK(tool.read("size.toml").empty());
+}
+
+TEST_CASE("puck-calibrate lag adds what it found to the size model, and replaces it the next time") {
+  const Tool tool;
+  REQUIRE(tool.run("puck-simulate", "--output game --seconds 3 --seed 5") == 0);
+  REQUIRE(tool.run("size game.annotations.csv --output size.toml") == 0);
+  const std::string size = tool.read("size.toml");
+  const std::string lag = "lag game.raw --truth game.truth.csv --size-model size.toml ";
+  REQUIRE(tool.run(lag + "--output size.toml") == 0);
+  const std::string once = tool.read("size.toml");
+  CHECK(once.starts_with(size));
+  CHECK(contains(once, "\n# puck-calibrate lag game.raw"));
+  const std::size_t place = once.find("lag_us = ");
+  REQUIRE(place != std::string::npos);
+  // The photoreceptor's time constant is 318 µs.
+  const double lag_us = std::stod(once.substr(place + 9));
+  CHECK(lag_us > 200);
+  CHECK(lag_us < 450);
+  CHECK(tool.run(lag + "--output size.toml") == 0);
+  CHECK(tool.read("size.toml") == once);
+
+  // Truth that ends before the events.
+  const std::string truth = tool.read("game.truth.csv");
+  tool.write("short.csv", truth.substr(0, truth.find('\n', truth.size() / 3) + 1));
+  CHECK(tool.run("lag game.raw --truth short.csv --size-model size.toml --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "it must last as long as they do"));
+
+  // A recording without the puck, and of another sensor.
+  REQUIRE(tool.run("size game.annotations.csv --output size.toml --width 640 --height 480") == 0);
+  std::string noise;
+  for (int ms = 0; ms < 3000; ms += 5) {
+    noise += std::to_string(1000 * ms) + " " + std::to_string(ms % 640) + " " +
+             std::to_string(ms % 7 * 60) + " 1\n";
+  }
+  tool.write("noise.txt", noise);
+  CHECK(tool.run("lag noise.txt --width 1280 --height 720 --truth game.truth.csv --size-model "
+                 "size.toml --output no.toml") == 1);
+  const std::string said = tool.read("said");
+  CHECK(contains(said, "noise.txt: there are no events on the contour"));
+  CHECK(contains(said, "fitted for a sensor of 640x480 px, this one has 1280x720"));
+  CHECK(tool.read("no.toml").empty());
+}
+
+TEST_CASE("puck-calibrate hot-pixels writes a mask and says how much it masks") {
+  const Tool tool;
+  std::string events;
+  for (int ms = 0; ms < 2000; ms += 4) {
+    events += std::to_string(1000 * ms) + " 12 34 1\n";
+    if (ms % 40 == 0) events += std::to_string(1000 * ms) + " " + std::to_string(ms % 64) + " 5 0\n";
+  }
+  tool.write("a.txt", events);
+  REQUIRE(tool.run("hot-pixels a.txt --width 64 --height 48 --output mask.toml") == 0);
+  const std::string said = tool.read("said");
+  CHECK(contains(said, "1 hot pixels in 2.0 s"));
+  CHECK(contains(said, "they made 500 of 550 events, 90.91 %"));
+  CHECK(contains(said, "  12   34     250.5"));
+  const std::string mask = tool.read("mask.toml");
+  CHECK(mask.starts_with("# puck-calibrate hot-pixels a.txt"));
+  CHECK(contains(mask, "width = 64\nheight = 48\npixels = [\n  12, 34,\n]\n"));
+  tool.write("short.txt", "0 1 1 1\n500 1 1 1\n");
+  CHECK(tool.run("hot-pixels short.txt --width 64 --height 48 --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "short.txt: hot pixels need a second of events or more"));
 }
 
 TEST_CASE("puck-calibrate exits with 1 for a missing file and 2 for a wrong command line") {

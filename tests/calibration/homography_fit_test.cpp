@@ -14,9 +14,9 @@
 namespace puck {
 namespace {
 
-std::vector<TableCorrespondence> correspondences_of(const Homography& homography,
+std::vector<Correspondence> correspondences_of(const Homography& homography,
                                                     const std::vector<TablePoint>& points) {
-  std::vector<TableCorrespondence> correspondences;
+  std::vector<Correspondence> correspondences;
   for (const TablePoint point : points) {
     correspondences.push_back({*homography.to_image(point), point});
   }
@@ -42,10 +42,10 @@ TEST_CASE("The table fit averages the marking's error and reports it in pixels a
   for (double x = 0.2; x < 2.1; x += 0.3) {
     for (double y = -0.5; y < 0.6; y += 0.25) points.push_back({x, y});
   }
-  std::vector<TableCorrespondence> noisy = correspondences_of(truth, points);
+  std::vector<Correspondence> noisy = correspondences_of(truth, points);
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 1);
-  for (TableCorrespondence& c : noisy)
+  for (Correspondence& c : noisy)
     c.image = {c.image.x + noise(random), c.image.y + noise(random)};
   const HomographyFit fit = fit_homography(noisy);
   // Two coordinates of unit variance, less what the eight parameters explain: just below sqrt(2).
@@ -64,13 +64,13 @@ TEST_CASE("The table fit averages the marking's error and reports it in pixels a
 
 TEST_CASE("The refinement is a minimum: no small change of the fit lies nearer to the markings") {
   const Homography truth = test_camera();
-  std::vector<TableCorrespondence> marked = correspondences_of(
+  std::vector<Correspondence> marked = correspondences_of(
       truth, {{0.2, -0.4}, {0.2, 0.4}, {2.0, -0.5}, {2.0, 0.5}, {1, 0}, {1.4, 0.3}});
   marked[4].image.x += 3;
   marked[5].image.y -= 2;
   const auto cost = [&](const Homography& homography) {
     double sum = 0;
-    for (const TableCorrespondence& c : marked) {
+    for (const Correspondence& c : marked) {
       const Pixel p = *homography.to_image(c.table);
       sum += (p.x - c.image.x) * (p.x - c.image.x) + (p.y - c.image.y) * (p.y - c.image.y);
     }
@@ -88,7 +88,7 @@ TEST_CASE("The refinement is a minimum: no small change of the fit lies nearer t
 }
 
 TEST_CASE("The table fit refuses fewer than four correspondences") {
-  std::vector<TableCorrespondence> three = correspondences_of(test_camera(), kCorners);
+  std::vector<Correspondence> three = correspondences_of(test_camera(), kCorners);
   three.resize(3);
   CHECK_THROWS_WITH_AS(fit_homography(three), "the table needs at least 4 correspondences, got 3",
                        std::invalid_argument);
@@ -106,10 +106,10 @@ TEST_CASE("The table fit refuses points on one line, three of four on one line, 
 }
 
 TEST_CASE("The table fit refuses swapped corners and coordinates that are not finite") {
-  std::vector<TableCorrespondence> swapped = correspondences_of(test_camera(), kCorners);
+  std::vector<Correspondence> swapped = correspondences_of(test_camera(), kCorners);
   std::swap(swapped[0].table, swapped[1].table);
   CHECK_THROWS_AS(fit_homography(swapped), std::invalid_argument);
-  std::vector<TableCorrespondence> broken = correspondences_of(test_camera(), kCorners);
+  std::vector<Correspondence> broken = correspondences_of(test_camera(), kCorners);
   broken[2].image.x = std::numeric_limits<double>::infinity();
   CHECK_THROWS_AS(fit_homography(broken), std::invalid_argument);
 }

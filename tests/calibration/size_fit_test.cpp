@@ -12,8 +12,8 @@ namespace {
 
 constexpr PuckSizeModel kModel{5, 0.01, 0.096, 4, -0.02, 0.08};
 
-std::vector<SizeAnnotation> annotations_of(const PuckSizeModel& model) {
-  std::vector<SizeAnnotation> annotations;
+std::vector<Annotation> annotations_of(const PuckSizeModel& model) {
+  std::vector<Annotation> annotations;
   for (const Pixel centre :
        {Pixel{100, 100}, Pixel{500, 120}, Pixel{300, 250}, Pixel{120, 400}, Pixel{560, 430}}) {
     annotations.push_back({{1000}, centre, model.at(centre)});
@@ -35,7 +35,7 @@ TEST_CASE("The size fit recovers the coefficients that made the annotations") {
 
 TEST_CASE("The size fit reports what it could not explain, width and height apart") {
   // At the corners of a rectangle a checkerboard error is orthogonal to every plane.
-  std::vector<SizeAnnotation> annotations;
+  std::vector<Annotation> annotations;
   for (const Pixel centre : {Pixel{100, 100}, Pixel{300, 100}, Pixel{100, 300}, Pixel{300, 300}}) {
     annotations.push_back({{0}, centre, {40, 30}});
   }
@@ -51,22 +51,22 @@ TEST_CASE("The size fit reports what it could not explain, width and height apar
 }
 
 TEST_CASE("The size fit refuses fewer than three annotations and says how many it got") {
-  std::vector<SizeAnnotation> annotations = annotations_of(kModel);
+  std::vector<Annotation> annotations = annotations_of(kModel);
   annotations.resize(2);
   CHECK_THROWS_WITH_AS(fit_puck_size_model(annotations),
                        "the size model needs at least 3 annotations, got 2", std::invalid_argument);
 }
 
 TEST_CASE("The size fit refuses centres on one line and centres in one place") {
-  std::vector<SizeAnnotation> line;
+  std::vector<Annotation> line;
   for (int i = 0; i < 10; ++i) line.push_back({{0}, {100.0 + 30 * i, 50.0 + 20 * i}, {40, 30}});
   CHECK_THROWS_AS(fit_puck_size_model(line), std::invalid_argument);
-  const std::vector<SizeAnnotation> place(10, SizeAnnotation{{0}, {320, 240}, {40, 30}});
+  const std::vector<Annotation> place(10, Annotation{{0}, {320, 240}, {40, 30}});
   CHECK_THROWS_AS(fit_puck_size_model(place), std::invalid_argument);
 }
 
 TEST_CASE("The size fit refuses an annotation that is not finite or has no size") {
-  std::vector<SizeAnnotation> annotations = annotations_of(kModel);
+  std::vector<Annotation> annotations = annotations_of(kModel);
   annotations[3].size.height = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH_AS(fit_puck_size_model(annotations),
                        "annotation 4 needs a finite centre and a positive width and height",

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <spdlog/sinks/ostream_sink.h>
 
+#include "common/io/pixel_mask_file.h"
 #include "tests/camera/camera_fixtures.h"
 
 namespace puck {
@@ -149,6 +150,19 @@ TEST_CASE("the eyes of a robot that hang upside down see upright") {
   CHECK(run.events_ == std::vector<SeenEvent>{{0, 63, 47, 1}, {1, 0, 0, 0}, {2, 53, 27, 1}});
 }
 
+TEST_CASE("events of masked pixels are dropped before any rotation, and counted") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", {{0, 5, 6, 1}, {1, 58, 41, 0}, {2, 5, 6, 0}, {3, 9, 9, 1}});
+  write_pixel_mask_file(folder / "mask.toml",
+                        PixelMask({64, 48}, std::vector<PixelPlace>{{5, 6}}), "");
+  const std::string mask = "hot_pixel_mask = \"" + (folder / "mask.toml").string() + "\"\n";
+  CameraRun run(file_settings(folder / "a.raw", "rotate_180 = true\n" + mask));
+  run.run();
+  CHECK(run.events_ == std::vector<SeenEvent>{{1, 5, 6, 0}, {3, 54, 38, 1}});
+  CHECK(run.last_counter("events_masked") == 2);
+  CHECK(run.last_counter("events_sent") == 2);
+}
+
 TEST_CASE("a looped recording goes on until it is stopped") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(500, 0, 10));
@@ -253,6 +267,13 @@ TEST_CASE("settings that make no sense are refused with their key") {
                  "camera.toml:2: simulation.camera.focal_px must be a number from 50 to 5000"));
   CHECK(contains(refusal("[camera]\nsource = \"file\"\nfile = \"/nowhere.raw\"\n"),
                  "/nowhere.raw: cannot be opened"));
+  CHECK(contains(refusal("[camera]\nhot_pixel_mask = \"/nowhere.toml\"\n"),
+                 "/nowhere.toml: cannot be opened"));
+  const CameraFolder folder;
+  write_pixel_mask_file(folder / "mask.toml", PixelMask({64, 48}, {}), "");
+  CHECK(contains(refusal("[camera]\nhot_pixel_mask = \"" + (folder / "mask.toml").string() + "\"\n"),
+                 "camera.hot_pixel_mask is of a sensor of 64x48 px, the events are of one of "
+                 "640x480 px"));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include "common/io/calibration_text.h"
 #include "common/io/config.h"
+#include "common/io/contour_calibration_file.h"
 #include "common/io/size_model_file.h"
 #include "common/io/table_file.h"
 #include "tests/io/io_fixtures.h"
@@ -14,7 +16,10 @@ const std::string kSizeModel =
 
 TEST_CASE("a size model reads back as it was written, below its provenance") {
   const TemporaryFolder folder;
-  const PuckSizeModel model{20.1, 1.0 / 3, -0.01, 12, 1e-7, 0.025};
+  PuckSizeModel model{20.1, 1.0 / 3, -0.01, 12, 1e-7, 0.025};
+  model.smallest = {11.5, 4};
+  model.largest = {70, 1.0 / 3 + 60};
+  model.sensor = {1280, 720};
   write_size_model_file(folder / "size.toml", model, "fitted to 12 annotations\nby hand");
   const PuckSizeModel again = read_size_model_file(folder / "size.toml");
   CHECK(again.width_0 == model.width_0);
@@ -23,6 +28,11 @@ TEST_CASE("a size model reads back as it was written, below its provenance") {
   CHECK(again.height_0 == model.height_0);
   CHECK(again.height_x == model.height_x);
   CHECK(again.height_y == model.height_y);
+  CHECK(again.smallest.width == 11.5);
+  CHECK(again.smallest.height == 4);
+  CHECK(again.largest.width == 70);
+  CHECK(again.largest.height == model.largest.height);
+  CHECK(again.sensor == SensorSize{1280, 720});
   CHECK(read_text(folder / "size.toml").starts_with("# fitted to 12 annotations\n# by hand\n"));
 }
 
@@ -33,12 +43,52 @@ TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused")
     return message_of<ConfigError>([&] { read_size_model_file(path); });
   };
   CHECK(refusal(kSizeModel).empty());
+  CHECK(contains(refusal(kSizeModel + "[size_range]\nsmallest_height = 600\n"),
+                 "size.toml:9: size_range.smallest_height must not be above the largest"));
+  CHECK(contains(refusal(kSizeModel + "[size_range]\nsmallest_width = 0\n"),
+                 "size.toml:9: size_range.smallest_width must be a number from 1"));
   CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("height_y"))),
                  "size.toml: size_model.height_y is missing"));
   CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("6\n")) + "\"x\"\n"),
                  "size.toml:7: size_model.height_y must be a number"));
   CHECK(contains(message_of<ConfigError>([&] { write_size_model_file(folder / "no/a", {}, ""); }),
                  "cannot be written"));
+}
+
+TEST_CASE("a contour calibration reads back as it was written, beside a size model") {
+  const TemporaryFolder folder;
+  const auto path =
+      folder.write("size.toml", kSizeModel + contour_calibration_text({390.5, 0.16, -0.25, 0.08}, "lag"));
+  const auto again = read_contour_calibration(path);
+  REQUIRE(again.has_value());
+  CHECK(again->lag_us == 390.5);
+  CHECK(again->wall_share == 0.16);
+  CHECK(again->grow_px == -0.25);
+  CHECK(again->trail_px == 0.08);
+  CHECK(read_size_model_file(path).height_y == 6);
+}
+
+TEST_CASE("a table is taken out of a calibration with its comment, and nothing else") {
+  const std::string head = "# made by hand\n[a]\nx = 1  # [b]\n";
+  const std::string table = "# of the contour\n# two lines\n[contour]\nlag_us = 1\n# within\nx = 2\n";
+  const std::string tail = "# of c\n[c]\ny = 1\n";
+  CHECK(without_table(head + table + tail, "contour") == head + tail);
+  CHECK(without_table(head + table, "contour") == head);
+  CHECK(without_table(head + tail, "contour") == head + tail);
+  CHECK(without_table("[contour]\nz = 1", "contour").empty());
+  CHECK(without_table("x = 1\n# end", "contour") == "x = 1\n# end");
+}
+
+TEST_CASE("a file without a contour table has no contour calibration, a wrong value is refused") {
+  const TemporaryFolder folder;
+  CHECK_FALSE(read_contour_calibration(folder.write("size.toml", kSizeModel)).has_value());
+  const auto some = read_contour_calibration(folder.write("some.toml", "[contour]\nlag_us = 1\n"));
+  REQUIRE(some.has_value());
+  CHECK(some->lag_us == 1);
+  CHECK(some->grow_px == ContourCalibration{}.grow_px);
+  const auto wrong = folder.write("wrong.toml", "[contour]\nlag_us = 1e9\n");
+  CHECK(contains(message_of<ConfigError>([&] { read_contour_calibration(wrong); }),
+                 "wrong.toml:2: contour.lag_us must be a number from"));
 }
 
 TEST_CASE("a table reads back as it was written") {

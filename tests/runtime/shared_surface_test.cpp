@@ -53,7 +53,7 @@ TEST_CASE("a snapshot is served while the event thread has nothing to do") {
   const std::vector<EventPacket> packets{random_packet({5000}, 1000, 1)};
   shared.update(packets[0], {.session = 42, .received_utime = 77});
   SharedSnapshot snapshot;
-  shared.snapshot(kAll, snapshot);
+  shared.snapshot(kAll, {}, snapshot);
   CHECK(snapshot.surface.events_applied == 1000);
   CHECK(snapshot.surface.newest_event == Timestamp{5999});
   CHECK(snapshot.origin.session == 42);
@@ -75,7 +75,7 @@ TEST_CASE("every snapshot of a busy surface is the surface after some number of 
   std::int64_t newest = -1;
   while (newest < 40 * 5'000) {
     SharedSnapshot snapshot;
-    shared.snapshot(kAll, snapshot);
+    shared.snapshot(kAll, {}, snapshot);
     REQUIRE(snapshot.surface.events_applied >= newest);
     newest = snapshot.surface.events_applied;
     if (taken.size() < 200) taken.push_back(snapshot);
@@ -96,7 +96,7 @@ TEST_CASE("every snapshot of a busy surface is the surface after some number of 
 TEST_CASE("there is news only for events in the region of the last snapshot") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
-  shared.snapshot({100, 100, 20, 20}, snapshot);
+  shared.snapshot({100, 100, 20, 20}, {}, snapshot);
   EventPacket elsewhere{{0}, {{10, 10, 1, 0}, {99, 100, 1, 1}}};
   shared.update(elsewhere, {});
   CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
@@ -104,30 +104,71 @@ TEST_CASE("there is news only for events in the region of the last snapshot") {
   shared.update(inside, {});
   CHECK(shared.wait_for_news(milliseconds(0)));
   CHECK(shared.wait_for_news(milliseconds(0)));  // until it is looked at
-  shared.snapshot({100, 100, 20, 20}, snapshot);
+  shared.snapshot({100, 100, 20, 20}, {}, snapshot);
   CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
 }
 
 TEST_CASE("an empty region watches the whole sensor") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
-  shared.snapshot({}, snapshot);
+  shared.snapshot({}, {}, snapshot);
   CHECK(snapshot.surface.region.empty());
   EventPacket anywhere{{0}, {{3, 3, 1, 0}}};
   shared.update(anywhere, {});
   CHECK(shared.wait_for_news(milliseconds(0)));
 }
 
+TEST_CASE("the events of a region come over in a queue, and only they are news") {
+  SharedSurface shared(kSensor, {});
+  SharedSnapshot snapshot;
+  shared.snapshot({}, {100, 100, 20, 20}, snapshot);
+  std::vector<Event> events;
+  shared.update({{0}, {{10, 10, 1, 0}, {99, 100, 1, 1}}}, {});
+  CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
+  shared.update({{20}, {{10, 10, 1, 0}, {119, 119, 0, 1}}}, {});
+  CHECK(shared.wait_for_news(milliseconds(0)));
+  shared.snapshot({}, {0, 0, 5, 5}, snapshot);
+  shared.update({{40}, {{3, 3, 1, 0}, {119, 119, 0, 1}}}, {});
+
+  // Up to the snapshot, whatever has come since; then the events of the new region.
+  CHECK(shared.pop_events(snapshot.events_end, 10, events) == Timestamp{21});
+  REQUIRE(events.size() == 1);
+  CHECK(events[0].x == 119);
+  shared.snapshot({}, {}, snapshot);
+  CHECK(shared.pop_events(snapshot.events_end, 10, events) == Timestamp{40});
+  REQUIRE(events.size() == 1);
+  CHECK(events[0].x == 3);
+  CHECK(shared.events_thinned() == 0);
+}
+
+TEST_CASE("a part is copied to its place without a change of what is watched") {
+  SharedSurface shared(kSensor, {});
+  const std::vector<EventPacket> packets{random_packet({5000}, 1000, 1)};
+  shared.update(packets[0], {});
+  SharedSnapshot snapshot;
+  shared.snapshot({100, 100, 20, 20}, {}, snapshot);
+  shared.update({{7000}, {{110, 110, 1, 0}}}, {});
+  SurfaceSnapshot whole;
+  whole.region = kAll;
+  whole.grey.resize(160, 120);
+  shared.copy_part({0, 0, 160, 50}, whole);
+  shared.copy_part({0, 50, 160, 70}, whole);
+  CHECK(whole.newest_event == Timestamp{7000});
+  CHECK(whole.events_applied == 1001);
+  CHECK(whole.grey(110, 110) == 255);
+  CHECK(shared.wait_for_news(milliseconds(0)));
+}
+
 TEST_CASE("a sleeping thread is woken by an event and by a call") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
-  shared.snapshot(kAll, snapshot);
+  shared.snapshot(kAll, {}, snapshot);
   const EventPacket packet = random_packet({0}, 10, 3);
   {
     std::jthread event_thread([&] { shared.update(packet, {}); });
     CHECK(shared.wait_for_news(milliseconds(60'000)));
   }
-  shared.snapshot(kAll, snapshot);
+  shared.snapshot(kAll, {}, snapshot);
   std::jthread other([&] { shared.wake(); });
   CHECK_FALSE(shared.wait_for_news(milliseconds(60'000)));
 }

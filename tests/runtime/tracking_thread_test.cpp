@@ -1,65 +1,27 @@
 #include "common/runtime/tracking_thread.h"
 
 #include <cmath>
-#include <mutex>
 #include <stdexcept>
-#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "common/vision/presets.h"
+#include "tests/runtime/tracking_fixtures.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
 namespace {
 
 using std::chrono::milliseconds;
-
-// Small, so that a search of all of it is quick under ThreadSanitizer too.
-constexpr SensorSize kSensor{160, 120};
-constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
-
-// Collects what the tracking thread publishes.
-class Published {
- public:
-  void add(const TrackedEstimate& estimate) {
-    const std::lock_guard lock(mutex_);
-    estimates_.push_back(estimate);
-  }
-  std::vector<TrackedEstimate> all() const {
-    const std::lock_guard lock(mutex_);
-    return estimates_;
-  }
-  std::size_t count() const {
-    const std::lock_guard lock(mutex_);
-    return estimates_.size();
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<TrackedEstimate> estimates_;
-};
-
-PuckPipeline default_pipeline() {
-  return PuckPipeline(kSensor, preset_params(Preset::kDefault), kSizeModel);
-}
-
-template <typename Condition>
-bool eventually(const Condition& condition) {
-  for (int i = 0; i < 10'000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(milliseconds(1));
-  }
-  return false;
-}
+using namespace test;
 
 }  // namespace
 
 TEST_CASE("the two threads follow the puck and stamp estimates with the packet they rest on") {
-  const PipelineParams params = preset_params(Preset::kDefault);
+  const PipelineParams params = preset_params(Preset::kCorrelation);
   SharedSurface surface(kSensor, params.eros);
   Published published;
-  const TrackingThread thread(surface, default_pipeline(), {},
+  const TrackingThread thread(surface, default_pipeline(), default_search(), {},
                               [&](const TrackedEstimate& e) { published.add(e); });
   Pixel truth;
   for (int i = 1; i <= 300; ++i) {
@@ -86,7 +48,8 @@ TEST_CASE("the two threads follow the puck and stamp estimates with the packet t
 TEST_CASE("the tracking thread sleeps while nothing is new, but never falls silent") {
   SharedSurface surface(kSensor, {});
   Published published;
-  const TrackingThread thread(surface, default_pipeline(), {.heartbeat = milliseconds(5)},
+  const TrackingThread thread(surface, default_pipeline(), default_search(),
+                              {.heartbeat = milliseconds(5)},
                               [&](const TrackedEstimate& e) { published.add(e); });
   CHECK(eventually([&] { return published.count() >= 5; }));
   for (const TrackedEstimate& e : published.all()) {
@@ -101,7 +64,7 @@ TEST_CASE("estimates are published no more often than asked for") {
   Published published;
   const auto begin = std::chrono::steady_clock::now();
   {
-    const TrackingThread thread(surface, default_pipeline(),
+    const TrackingThread thread(surface, default_pipeline(), default_search(),
                                 {.max_publish_hz = 100, .heartbeat = milliseconds(1000)},
                                 [&](const TrackedEstimate& e) { published.add(e); });
     for (int i = 1; i <= 200; ++i) {
@@ -120,15 +83,16 @@ TEST_CASE("estimates are published no more often than asked for") {
 TEST_CASE("a tracking thread ends promptly when it is destroyed asleep") {
   SharedSurface surface(kSensor, {});
   {
-    const TrackingThread thread(surface, default_pipeline(), {}, [](const TrackedEstimate&) {});
+    const TrackingThread thread(surface, default_pipeline(), default_search(), {},
+                                [](const TrackedEstimate&) {});
   }
   CHECK(surface.size() == kSensor);
 }
 
 TEST_CASE("a publishing rate below one is refused") {
   SharedSurface surface(kSensor, {});
-  CHECK_THROWS_WITH_AS(TrackingThread(surface, default_pipeline(), {.max_publish_hz = 0},
-                                      [](const TrackedEstimate&) {}),
+  CHECK_THROWS_WITH_AS(TrackingThread(surface, default_pipeline(), default_search(),
+                                      {.max_publish_hz = 0}, [](const TrackedEstimate&) {}),
                        "tracker.max_publish_hz must be at least 1, got 0", std::invalid_argument);
 }
 

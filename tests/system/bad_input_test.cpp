@@ -163,6 +163,27 @@ TEST_CASE("a recording that is cut off is played up to there, and the rest is to
   }
 }
 
+TEST_CASE("a size model of another sensor, or one that is clamped in the image, is said once") {
+  const TemporaryFolder folder;
+  REQUIRE(run("puck-simulate", {"--output", "FOLDER/a", "--seconds", "0.1"}, folder).exit_code ==
+          0);
+  write_text(folder / "model.toml",
+             "[size_model]\nwidth_0 = -30\nwidth_x = 0\nwidth_y = 0.2\nheight_0 = -20\n"
+             "height_x = 0\nheight_y = 0.15\n[size_range]\nsensor_width = 1280\n"
+             "sensor_height = 720\n");
+  const Finished finished = run("puck-evaluate",
+                                {"FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model",
+                                 "FOLDER/model.toml"},
+                                folder);
+  CAPTURE(finished.errors);
+  CHECK(finished.exit_code == 0);
+  CHECK(finished.errors.find("fitted for a sensor of 1280x720 px, this one has 640x480") !=
+        std::string::npos);
+  CHECK(finished.errors.find("-30.0 x -20.0 px at (0, 0), where 3.0 x 3.0 px are used") !=
+        std::string::npos);
+  CHECK(std::count(finished.errors.begin(), finished.errors.end(), '\n') == 2);
+}
+
 TEST_CASE("every program refuses calibrations, tables and scenes that make no sense") {
   const TemporaryFolder folder;
   write_text(folder / "short.csv", "t_us,x,y,width,height\n0,1,2,3,4\n10,1,2,3\n");
@@ -171,6 +192,7 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
   write_text(folder / "scene.toml", "[world]\nsede = 1\n");
   write_text(folder / "scene2.toml", "[world]\nseed = \"one\"\n");
   write_text(folder / "scene3.toml", "[table]\n\nlength_m = -1.0\n");
+  write_text(folder / "mask.toml", "[pixel_mask]\nwidth = 64\nheight = 48\npixels = []\n");
   write_text(folder / "model.toml", "[size_model]\nwidth_0 = \"wide\"\n");
   REQUIRE(run("puck-simulate", {"--output", "FOLDER/a", "--seconds", "0.1"}, folder).exit_code ==
           0);
@@ -228,6 +250,17 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
        {"FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model",
         "config/calibration/simulated_size.toml", "--detection-region", "1,2,3"},
        {"1,2,3"}},
+      {"puck-evaluate",
+       {"FOLDER/a.raw", "--as-fast-as-possible", "--size-model",
+        "config/calibration/simulated_size.toml", "--hot-pixel-mask", "FOLDER/mask.toml"},
+       {"FOLDER/mask.toml is of a sensor of 64x48 px, the events are of one of 640x480 px"}},
+      {"puck-calibrate",
+       {"lag", "FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model",
+        "config/calibration/simulated_size.toml", "--output", "FOLDER/x.toml"},
+       {"FOLDER/a.raw: "}},
+      {"puck-calibrate",
+       {"hot-pixels", "FOLDER/a.raw", "--output", "FOLDER/x.toml"},
+       {"FOLDER/a.raw: hot pixels need a second of events or more"}},
       {"puck-demo-report", {"FOLDER/nowhere.lcm"}, {"FOLDER/nowhere.lcm: cannot be read"}},
       {"puck-demo-report", {"FOLDER/a.raw"}, {"FOLDER/a.raw: is not an LCM log"}},
   };

@@ -27,7 +27,7 @@ TEST_CASE("config/tracker.toml shows every key with its default") {
   for (const char* key :
        {"preset", "half_width_px", "decay", "detection_region", "detection_threshold",
         "region_factor", "prior_sigma", "lose", "lowest_score", "coast_ms", "search_period_ms",
-        "max_publish_hz", "size_model"}) {
+        "max_publish_hz", "size_model", "hot_pixel_mask"}) {
     CAPTURE(std::string(key));
     CHECK(only_keys.has(std::string("tracker.") + key));
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <mutex>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -9,9 +10,11 @@
 #include <lcm/lcm.h>
 #include <spdlog/sinks/null_sink.h>
 
+#include "common/io/pixel_mask_file.h"
 #include "common/messaging/event_packing.h"
 #include "tests/messaging/test_url.h"
 #include "tests/support/service_bench.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -26,7 +29,9 @@ constexpr SensorSize kSensor{160, 120};
 class RunningTracker {
  public:
   explicit RunningTracker(const std::string& settings = "") {
-    Config config = Config::from_text(settings, "tracker.toml");
+    // The rings that these tests show have no motion, from which `default` knows a puck.
+    Config config =
+        Config::from_text("[tracker]\npreset = \"correlation\"\n" + settings, "tracker.toml");
     TrackerServiceParams params = TrackerService::read_params(config);
     params.size_model = {25, 0, 0, 17, 0, 0};
     bus_.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate, const Receipt&) {
@@ -121,6 +126,7 @@ TEST_CASE("events come in and estimates go out, with the chain of times") {
   CHECK(last.image_width == kSensor.width);
   tracker.stop();
   CHECK(counter(tracker.service(), "events_lost") == 0);
+  CHECK(counter(tracker.service(), "events_thinned") == 0);
   CHECK(counter(tracker.service(), "estimates") ==
         static_cast<std::int64_t>(tracker.bus().counters<puck_estimate_t>().published));
 }
@@ -143,6 +149,31 @@ TEST_CASE("a packet from before the newest event and one of another sensor are d
   tracker.stop();
   CHECK(counter(tracker.service(), "packets_late") == 2);
   CHECK(counter(tracker.service(), "events_received") == 2 * 150);
+}
+
+TEST_CASE(
+    "masked pixels do not reach the surface and are counted; a mask of another sensor is not "
+    "used") {
+  const TemporaryFolder folder;
+  const auto settings = [&](SensorSize sensor) {
+    const std::vector<PixelPlace> pixels{{1, 1}, {2, 1}};
+    write_pixel_mask_file(folder / "mask.toml", PixelMask(sensor, pixels), "");
+    return "hot_pixel_mask = \"" + (folder / "mask.toml").string() + "\"\n";
+  };
+  const auto masked_of = [&](SensorSize sensor) {
+    RunningTracker tracker(settings(sensor));
+    EventPacket events = puck_at({80, 60}, 10'000);
+    for (Event& event : std::span(events.events).first(20)) {
+      event.x = 1;
+      event.y = 1;
+    }
+    tracker.publish(events);
+    REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 10'000; }));
+    tracker.stop();
+    return counter(tracker.service(), "events_masked");
+  };
+  CHECK(masked_of(kSensor) == 20);
+  CHECK(masked_of({640, 480}) == 0);
 }
 
 TEST_CASE("a sensor's clock that begins anew begins a new track, and is not waited for") {
@@ -169,7 +200,7 @@ TEST_CASE("a clock that jumps to and fro does not begin a track with every packe
 }
 
 TEST_CASE("a detection region of a large sensor is taken at the start, and left on a small one") {
-  RunningTracker tracker("[tracker]\ndetection_region = [1000, 600, 100, 100]\n");
+  RunningTracker tracker("detection_region = [1000, 600, 100, 100]\n");
   tracker.publish(puck_at({80, 60}, 10'000));
   REQUIRE(
       tracker.eventually([](const auto& e) { return e.state == puck_estimate_t::STATE_TRACKING; }));

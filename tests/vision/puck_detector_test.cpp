@@ -1,5 +1,7 @@
 #include "common/vision/puck_detector.h"
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "common/vision/presets.h"
@@ -29,7 +31,7 @@ void draw_ring(Image<std::uint8_t>& picture, const EllipseKernel& kernel, int x,
 TEST_CASE("the fixed detection kernel has the zones of the authors' code and their threshold") {
   const PipelineParams params = preset_params(Preset::kReference);
   const KernelBank bank(params.kernels);
-  PuckDetector detector(kSensor, params.detector, authors_static_size_model());
+  PuckDetector detector(params.detector, authors_static_size_model());
   // A fully lit annulus of 172 pixels is the best that there can be: 43,860.
   const EllipseKernel ring({30, 19, 15.2, 9.5, 15.2, 9.5, 15, 9}, params.detector.fixed_profile);
   CHECK(ring.ring_pixels() == 172);
@@ -39,10 +41,11 @@ TEST_CASE("the fixed detection kernel has the zones of the authors' code and the
   draw_ring(picture, ring, 300, 190);
   Correlation correlation;
   correlation.set_picture(picture.view(), kImage);
-  const auto found = detector.detect(correlation, detector.region(), bank);
-  REQUIRE(found.has_value());
-  CHECK(found->position == Pixel{300, 190});
-  CHECK(found->response == doctest::Approx(43'860));
+  const Region region = detection_region(kSensor, params.detector);
+  const auto& found = detector.detect(correlation, region, bank);
+  REQUIRE(found.size() == 1);
+  CHECK(found.front().position == Pixel{300, 190});
+  CHECK(found.front().response == doctest::Approx(43'860));
 }
 
 TEST_CASE("what does not exceed the threshold is not detected") {
@@ -52,15 +55,15 @@ TEST_CASE("what does not exceed the threshold is not detected") {
   for (int x = 296; x < 308; ++x) picture(x, 190) = 250;  // 12 pixels: 3000 at the very best
   Correlation correlation;
   correlation.set_picture(picture.view(), kImage);
-  PuckDetector detector(kSensor, params.detector, authors_static_size_model());
-  CHECK_FALSE(detector.detect(correlation, detector.region(), bank).has_value());
+  PuckDetector detector(params.detector, authors_static_size_model());
+  CHECK(detector.detect(correlation, detection_region(kSensor, params.detector), bank).empty());
   params.detector.threshold = 100;
-  PuckDetector eager(kSensor, params.detector, authors_static_size_model());
-  CHECK(eager.detect(correlation, eager.region(), bank).has_value());
+  PuckDetector eager(params.detector, authors_static_size_model());
+  CHECK(eager.detect(correlation, detection_region(kSensor, params.detector), bank).size() == 1);
 }
 
 TEST_CASE("a search with the size of each row finds the puck near and far") {
-  const PipelineParams params = preset_params(Preset::kDefault);
+  const PipelineParams params = preset_params(Preset::kCorrelation);
   const KernelBank bank(params.kernels);
   const PuckSizeModel model{17, 0, 0.09, 8, 0, 0.09};
   for (const Pixel truth : {Pixel{101, 31}, {320, 190}, {500, 401}}) {
@@ -69,20 +72,54 @@ TEST_CASE("a search with the size of each row finds the puck near and far") {
               static_cast<int>(truth.y));
     Correlation correlation;
     correlation.set_picture(picture.view(), kImage);
-    PuckDetector detector(kSensor, params.detector, model);
-    CHECK(detector.region() == kImage);
-    const auto found = detector.detect(correlation, detector.region(), bank);
-    REQUIRE(found.has_value());
-    CHECK(found->position == truth);
+    PuckDetector detector(params.detector, model);
+    CHECK(detection_region(kSensor, params.detector) == kImage);
+    const Region region = detection_region(kSensor, params.detector);
+  const auto& found = detector.detect(correlation, region, bank);
+    REQUIRE_FALSE(found.empty());
+    CHECK(found.front().position == truth);
+  }
+}
+
+TEST_CASE("a search tells of every puck, best first, and of no place twice") {
+  const PipelineParams params = preset_params(Preset::kCorrelation);
+  const KernelBank bank(params.kernels);
+  const PuckSizeModel model{25, 0, 0, 17, 0, 0};
+  const EllipseKernel& ring = bank.nearest(model.at({}));
+  Image<std::uint8_t> picture(640, 480);
+  draw_ring(picture, ring, 100, 100);
+  draw_ring(picture, ring, 400, 301);
+  draw_ring(picture, ring, 200, 51);
+  for (int x = 395; x <= 405; ++x) picture(x, 301) = 255;  // less of a ring
+  for (int x = 180; x <= 220; x += 2) picture(x, 40) = 0;  // even less
+  for (int x = 180; x <= 220; ++x) picture(x, 51) = 255;
+  Correlation correlation;
+  correlation.set_picture(picture.view(), kImage);
+  PuckDetector detector(params.detector, model);
+  const auto& found = detector.detect(correlation, kImage, bank);
+  REQUIRE(found.size() >= 3);
+  CHECK(found.size() <= PuckDetector::kMostDetections);
+  CHECK(found[0].position == Pixel{100, 100});
+  CHECK(found[1].position == Pixel{400, 301});
+  CHECK(found[2].position == Pixel{200, 51});
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    CHECK(found[i].response > params.detector.threshold);
+    for (std::size_t j = 0; j < i; ++j) {
+      CHECK(found[j].response >= found[i].response);
+      const double dx = std::abs(found[j].position.x - found[i].position.x);
+      const double dy = std::abs(found[j].position.y - found[i].position.y);
+      // Refining moves a place by a pixel at most.
+      CHECK((dx > 25 / 2 - 2 || dy > 17 / 2 - 2));
+    }
   }
 }
 
 TEST_CASE("nothing is detected in an empty region") {
-  const PipelineParams params = preset_params(Preset::kDefault);
+  const PipelineParams params = preset_params(Preset::kCorrelation);
   const KernelBank bank(params.kernels);
-  PuckDetector detector(kSensor, params.detector, authors_static_size_model());
+  PuckDetector detector(params.detector, authors_static_size_model());
   Correlation correlation;
-  CHECK_FALSE(detector.detect(correlation, {}, bank).has_value());
+  CHECK(detector.detect(correlation, {}, bank).empty());
 }
 
 }  // namespace puck

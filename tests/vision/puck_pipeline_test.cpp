@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "common/vision/presets.h"
+#include "common/vision/surface_tracker.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -19,8 +20,7 @@ constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
 // Feeds a pipeline with the contour of a puck, a step of the tracking thread each millisecond.
 class Scene {
  public:
-  explicit Scene(const PipelineParams& params)
-      : surface_(kSensor, params.eros), pipeline_(kSensor, params, kSizeModel) {}
+  explicit Scene(const PipelineParams& params) : tracker_(kSensor, params, kSizeModel) {}
 
   PuckEstimate show(Pixel centre) {
     return apply(test::contour_events(kSensor, centre, kSizeModel.at(centre), 150));
@@ -37,24 +37,21 @@ class Scene {
     return apply(std::move(events));
   }
 
-  PuckEstimate step_without_events() {
-    surface_.snapshot(pipeline_.region_needed(), snapshot_);
-    return pipeline_.step(snapshot_);
-  }
+  PuckEstimate step_without_events() { return tracker_.estimate(); }
 
-  std::int64_t events_applied() const { return surface_.events_applied(); }
+  std::int64_t events_applied() const { return events_applied_; }
 
  private:
   PuckEstimate apply(std::vector<Event> events) {
     now_ = now_ + 1000;
     EventPacket packet{now_, std::move(events)};
-    surface_.update(packet);
+    tracker_.update(packet);
+    events_applied_ += static_cast<std::int64_t>(packet.events.size());
     return step_without_events();
   }
 
-  ErosSurface surface_;
-  PuckPipeline pipeline_;
-  SurfaceSnapshot snapshot_;
+  SurfaceTracker tracker_;
+  std::int64_t events_applied_ = 0;
   Timestamp now_;
   unsigned clutter_ = 1;
 };
@@ -67,8 +64,7 @@ double distance(const PuckEstimate& estimate, Pixel truth) {
 }  // namespace
 
 TEST_CASE("every preset detects the puck in the detection region and follows it") {
-  for (const Preset preset :
-       {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault}) {
+  for (const Preset preset : {Preset::kPaper, Preset::kReference, Preset::kCorrelation}) {
     CAPTURE(std::string(to_string(preset)));
     Scene scene(preset_params(preset));
     PuckEstimate estimate;
@@ -87,19 +83,19 @@ TEST_CASE("every preset detects the puck in the detection region and follows it"
 }
 
 TEST_CASE("nothing is detected on an empty surface or in clutter without a ring") {
-  for (const Preset preset : {Preset::kReference, Preset::kDefault}) {
+  for (const Preset preset : {Preset::kReference, Preset::kCorrelation}) {
     CAPTURE(std::string(to_string(preset)));
     Scene scene(preset_params(preset));
     const PuckEstimate nothing = scene.step_without_events();
     CHECK(nothing.state == TrackState::kSearching);
     CHECK_FALSE(nothing.position.has_value());
   }
-  Scene scene(preset_params(Preset::kDefault));
+  Scene scene(preset_params(Preset::kCorrelation));
   for (int i = 0; i < 100; ++i) CHECK_FALSE(scene.show_clutter().position.has_value());
 }
 
 TEST_CASE("the default estimate knows its velocity") {
-  Scene scene(preset_params(Preset::kDefault));
+  Scene scene(preset_params(Preset::kCorrelation));
   PuckEstimate estimate;
   for (int i = 0; i < 200; ++i) estimate = scene.show({200 + 1.0 * i, 190 + 0.5 * i});
   CHECK(estimate.velocity.x == doctest::Approx(1000).epsilon(0.1));
@@ -110,7 +106,7 @@ TEST_CASE("the default estimate knows its velocity") {
 }
 
 TEST_CASE("a puck that stops is still tracked, and said to rest") {
-  Scene scene(preset_params(Preset::kDefault));
+  Scene scene(preset_params(Preset::kCorrelation));
   for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
   PuckEstimate estimate;
   for (int i = 0; i < 300; ++i) estimate = scene.show({300, 190});
@@ -122,7 +118,7 @@ TEST_CASE("a puck that stops is still tracked, and said to rest") {
 }
 
 TEST_CASE("a puck that vanishes is lost soon after and found again elsewhere") {
-  Scene scene(preset_params(Preset::kDefault));
+  Scene scene(preset_params(Preset::kCorrelation));
   for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
   PuckEstimate estimate;
   int lost_after_ms = 0;
@@ -148,8 +144,8 @@ TEST_CASE("the paper's tracker never says that it lost the puck") {
 }
 
 TEST_CASE("the same events give the same estimates to the bit") {
-  Scene first(preset_params(Preset::kDefault));
-  Scene second(preset_params(Preset::kDefault));
+  Scene first(preset_params(Preset::kCorrelation));
+  Scene second(preset_params(Preset::kCorrelation));
   for (int i = 0; i < 150; ++i) {
     const Pixel truth{300 + 0.7 * i, 200 + 0.2 * i};
     const PuckEstimate a = first.show(truth);
@@ -161,25 +157,23 @@ TEST_CASE("the same events give the same estimates to the bit") {
 }
 
 TEST_CASE("a size model that leads nowhere is clamped, not followed into a crash") {
-  PipelineParams params = preset_params(Preset::kDefault);
+  PipelineParams params = preset_params(Preset::kCorrelation);
   for (const PuckSizeModel& model :
        {PuckSizeModel{1e9, 0, 0, 1e9, 0, 0}, PuckSizeModel{-50, 0, 0, -50, 0, 0},
         PuckSizeModel{std::nan(""), 0, 0, std::nan(""), 0, 0}}) {
-    ErosSurface surface(kSensor, params.eros);
-    PuckPipeline pipeline(kSensor, params, model);
-    SurfaceSnapshot snapshot;
+    SurfaceTracker tracker(kSensor, params, model);
+    PuckEstimate estimate;
     for (int i = 1; i < 20; ++i) {
       EventPacket packet{{i * 1000}, test::contour_events(kSensor, {320, 190}, {37, 25}, 100)};
-      surface.update(packet);
-      surface.snapshot(pipeline.region_needed(), snapshot);
-      pipeline.step(snapshot);
+      tracker.update(packet);
+      estimate = tracker.estimate();
     }
-    CHECK(surface.events_applied() > 0);
+    CHECK(estimate.events_applied > 0);
   }
 }
 
 TEST_CASE("the puck is followed to the image's border and the region stays inside the image") {
-  Scene scene(preset_params(Preset::kDefault));
+  Scene scene(preset_params(Preset::kCorrelation));
   for (int i = 0; i <= 330; ++i) {
     const PuckEstimate estimate = scene.show({320 + 1.0 * i, 190});
     const Region inside = estimate.region.intersect(Region::all_of(kSensor));

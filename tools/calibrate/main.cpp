@@ -3,72 +3,65 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "common/calibration/homography_fit.h"
-#include "common/calibration/size_fit.h"
-#include "common/io/annotation_file.h"
-#include "common/io/correspondence_file.h"
-#include "common/io/size_model_file.h"
-#include "common/io/table_file.h"
+#include "tools/calibrate/hot_pixels_command.h"
+#include "tools/calibrate/lag_command.h"
+#include "tools/calibrate/size_command.h"
+#include "tools/calibrate/table_command.h"
 
 namespace puck {
 namespace {
 
-struct Files {
-  std::filesystem::path input;
-  std::filesystem::path output;
-};
-
 // As a person would type it again; becomes a comment in the output.
-std::string command_of(int argc, char** argv) {
+std::string typed_command(int argc, char** argv) {
   std::string command = std::filesystem::path(argv[0]).filename();
   for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
   return command;
 }
 
-void calibrate_size(const Files& files, const std::string& command) {
-  std::vector<SizeAnnotation> annotations;
-  for (const Annotation& row : read_annotation_file(files.input)) {
-    annotations.push_back({row.time, row.centre, row.size});
-  }
-  const SizeFit fit = fit_puck_size_model(annotations);
-  write_size_model_file(files.output, fit.model, command);
-  std::printf("%zu annotations\n", annotations.size());
-  std::printf("residual     rms px    max px\n");
-  std::printf("width      %8.3f  %8.3f\n", fit.width.rms_px, fit.width.max_px);
-  std::printf("height     %8.3f  %8.3f\n", fit.height.rms_px, fit.height.max_px);
-}
-
-void calibrate_table(const Files& files, const std::string& command) {
-  std::vector<TableCorrespondence> correspondences;
-  for (const Correspondence& row : read_correspondence_file(files.input)) {
-    correspondences.push_back({row.image, row.table});
-  }
-  const HomographyFit fit = fit_homography(correspondences);
-  write_table_file(files.output, {fit.homography, TableGeometry{}}, command);
-  std::printf("%zu correspondences\n", correspondences.size());
-  std::printf("residual        rms       max\n");
-  std::printf("image, px  %8.3f  %8.3f\n", fit.rms_px, fit.max_px);
-  std::printf("table, mm  %8.3f  %8.3f\n", fit.rms_m * 1e3, fit.max_m * 1e3);
-  if (correspondences.size() == 4) {
-    std::printf("four correspondences always fit: mark more to see how good they are\n");
-  }
+// What a recording may not say of itself.
+void add_file_options(CLI::App& command, EventFileOptions& file) {
+  command.add_option("--from", file.from, "format of the recording, where it does not say so")
+      ->check(CLI::IsMember({"evt2", "evt3", "text"}));
+  command.add_option("--width", file.sensor.width, "sensor, px, where the recording does not say");
+  command.add_option("--height", file.sensor.height, "sensor, px, where the recording does not say");
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Fits the puck's size in the image and the place of the table.", "puck-calibrate");
+  CLI::App app("Fits what the trackers must know of a camera and its table.", "puck-calibrate");
   app.set_version_flag("--version", PUCK_VERSION);
   app.require_subcommand(1);
-  Files files;
-  CLI::App* size = app.add_subcommand("size", "The puck's size as a function of where it is");
-  size->add_option("annotations", files.input, "CSV: t_us,x,y,width,height")->required();
-  CLI::App* table = app.add_subcommand("table", "The homography from the image to the table");
-  table->add_option("correspondences", files.input, "CSV: x_px,y_px,x_m,y_m")->required();
-  for (CLI::App* command : {size, table}) {
-    command->add_option("--output", files.output, "TOML file to write")->required();
+  std::filesystem::path input;
+  std::filesystem::path output;
+
+  SizeCommand size;
+  CLI::App* size_app = app.add_subcommand("size", "The puck's size as a function of where it is");
+  size_app->add_option("annotations", input, "CSV: t_us,x,y,width,height")->required();
+  size_app->add_option("--width", size.sensor.width, "of the sensor, px: tells the coverage");
+  size_app->add_option("--height", size.sensor.height, "of the sensor, px");
+
+  CLI::App* table_app =
+      app.add_subcommand("table", "The homography from the image to the table");
+  table_app->add_option("correspondences", input, "CSV: x_px,y_px,x_m,y_m")->required();
+
+  LagCommand lag;
+  CLI::App* lag_app = app.add_subcommand(
+      "lag", "The sensor's lag, and how the puck's contour lies to its annotated size");
+  lag_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3) or text")->required();
+  lag_app->add_option("--truth", lag.truth, "CSV: t_us,x,y,width,height[,visible]")->required();
+  lag_app->add_option("--size-model", lag.size_model, "TOML made by puck-calibrate size")
+      ->required();
+  add_file_options(*lag_app, lag.file);
+
+  HotPixelsCommand hot;
+  CLI::App* hot_app = app.add_subcommand("hot-pixels", "A mask of the pixels that fire all the time");
+  hot_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3) or text")->required();
+  add_file_options(*hot_app, hot.file);
+
+  for (CLI::App* command : {size_app, table_app, lag_app, hot_app}) {
+    command->add_option("--output", output, "TOML file to write")->required();
   }
   try {
     app.parse(argc, argv);
@@ -76,15 +69,26 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
 
+  const std::string typed = typed_command(argc, argv);
   try {
-    if (size->parsed()) {
-      calibrate_size(files, command_of(argc, argv));
+    if (size_app->parsed()) {
+      size.annotations = input;
+      size.output = output;
+      calibrate_size(size, typed);
+    } else if (lag_app->parsed()) {
+      lag.recording = input;
+      lag.output = output;
+      calibrate_lag(lag, typed);
+    } else if (hot_app->parsed()) {
+      hot.recording = input;
+      hot.output = output;
+      calibrate_hot_pixels(hot, typed);
     } else {
-      calibrate_table(files, command_of(argc, argv));
+      calibrate_table(input, output, typed);
     }
   } catch (const std::invalid_argument& error) {
     // The fits do not know which file their rows come from.
-    std::fprintf(stderr, "puck-calibrate: %s: %s\n", files.input.c_str(), error.what());
+    std::fprintf(stderr, "puck-calibrate: %s: %s\n", input.c_str(), error.what());
     return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "puck-calibrate: %s\n", error.what());

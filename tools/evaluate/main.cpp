@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,7 +10,11 @@
 #include <CLI/CLI.hpp>
 
 #include "common/evaluation/accuracy_score.h"
+#include "common/io/contour_calibration_file.h"
 #include "common/io/event_reader.h"
+#include "common/io/masked_reader.h"
+#include "common/io/pixel_mask_file.h"
+#include "common/io/size_model_file.h"
 #include "common/io/truth_file.h"
 #include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/plots.h"
@@ -26,12 +31,14 @@ struct Options {
   std::filesystem::path events;
   std::filesystem::path truth;
   std::filesystem::path size_model;
+  std::filesystem::path hot_pixel_mask;
   std::filesystem::path json;
   std::filesystem::path csv;
   std::filesystem::path plots;
   std::string algorithm = "puck";
   std::string preset = "default";
   std::string detection_region;
+  std::vector<std::string> without;
   double rate_hz = 1000;
   bool real_time = false;
   bool as_fast_as_possible = false;
@@ -52,6 +59,19 @@ void add_options(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"default", "correlation", "paper", "reference"}))
       ->capture_default_str();
   app.add_option("--size-model", options.size_model, "TOML made by puck-calibrate size");
+  app.add_option("--hot-pixel-mask", options.hot_pixel_mask,
+                 "TOML made by puck-calibrate hot-pixels: leaves their events out");
+  app.add_option("--without", options.without,
+                 "an ingredient that preset default is to do without; may be given again");
+  app.add_flag_callback(
+      "--list-ingredients",
+      [] {
+        for (const ContourIngredient& ingredient : kContourIngredients) {
+          std::printf("%s\n", std::string(ingredient.name).c_str());
+        }
+        throw CLI::Success();
+      },
+      "print what --without takes, and stop");
   app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
   auto* rate = app.add_option("--rate", options.rate_hz, "estimates a second of sensor time")
                    ->check(CLI::Range(1.0, 1e6))
@@ -85,12 +105,23 @@ RunSummary run(EventReader& events, const TrackerSetup& setup, const Options& op
 
 void evaluate(const Options& options) {
   const bool is_log = is_lcm_log(options.events);
-  const auto events =
+  auto events =
       is_log ? open_event_log(options.events) : open_event_file(options.events, options.file);
+  if (!options.hot_pixel_mask.empty()) {
+    events = std::make_unique<MaskedReader>(std::move(events),
+                                            read_pixel_mask_file(options.hot_pixel_mask),
+                                            options.hot_pixel_mask.string());
+  }
   TrackerSetup setup;
   setup.algorithm = algorithm_from(options.algorithm).value();
   setup.preset = preset_from(options.preset).value();
-  setup.size_model = find_size_model(options.events, options.size_model);
+  const std::filesystem::path calibration = find_calibration(options.events, options.size_model);
+  setup.size_model = read_size_model_file(calibration);
+  setup.contour = read_contour_calibration(calibration).value_or(ContourCalibration{});
+  setup.without = options.without;
+  for (const std::string& doubt : doubts_about(setup.size_model, events->sensor_size())) {
+    std::fprintf(stderr, "puck-evaluate: %s\n", doubt.c_str());
+  }
   if (!options.detection_region.empty()) {
     setup.detection_region = parse_region(options.detection_region);
   }

@@ -10,6 +10,7 @@
 
 #include "common/runtime/shared_surface.h"
 #include "common/runtime/tracking_thread.h"
+#include "common/vision/make_pipeline.h"
 #include "tools/evaluate/cpu_time.h"
 
 namespace puck {
@@ -150,7 +151,8 @@ RunSummary run_in_real_time(EventReader& events, const TrackerSetup& setup, cons
     const PipelineParams params = setup.pipeline_params();
     SharedSurface surface(sensor, params.eros);
     Timestamp newest{-1};
-    const TrackingThread thread(surface, PuckPipeline(sensor, params, setup.size_model), {},
+    const TrackingThread thread(surface, make_pipeline(sensor, params, setup.size_model),
+                                PuckSearch(sensor, params.kernels, params.detector, setup.size_model), {},
                                 [&](const TrackedEstimate& tracked) {
                                   if (tracked.estimate.newest_event <= newest) return;
                                   newest = tracked.estimate.newest_event;
@@ -194,7 +196,8 @@ RunSummary run_as_fast_as_possible(EventReader& events, const TrackerSetup& setu
   if (setup.algorithm == Algorithm::kPuck) {
     const PipelineParams params = setup.pipeline_params();
     SharedSurface surface(sensor, params.eros);
-    const TrackingThread thread(surface, PuckPipeline(sensor, params, setup.size_model), {},
+    const TrackingThread thread(surface, make_pipeline(sensor, params, setup.size_model),
+                                PuckSearch(sensor, params.kernels, params.detector, setup.size_model), {},
                                 [](const TrackedEstimate&) {});
     feed([&](const EventPacket& p) { surface.update(p, {}); });
   } else {

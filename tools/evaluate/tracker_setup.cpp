@@ -1,5 +1,6 @@
 #include "tools/evaluate/tracker_setup.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <stdexcept>
@@ -8,7 +9,6 @@
 #include "common/baselines/particle_filter.h"
 #include "common/baselines/particle_filter_eros.h"
 #include "common/io/config.h"
-#include "common/io/size_model_file.h"
 #include "common/vision/surface_tracker.h"
 
 namespace puck {
@@ -47,6 +47,16 @@ std::optional<Algorithm> algorithm_from(std::string_view name) {
 PipelineParams TrackerSetup::pipeline_params() const {
   PipelineParams params = preset_params(preset);
   if (detection_region) params.detector.region = *detection_region;
+  params.contour.calibration = contour;
+  for (const std::string& name : without) {
+    const auto found = std::find_if(kContourIngredients.begin(), kContourIngredients.end(),
+                                    [&](const ContourIngredient& i) { return i.name == name; });
+    if (found == kContourIngredients.end()) {
+      throw std::invalid_argument("there is no ingredient " + name +
+                                  "; --list-ingredients prints all");
+    }
+    params.contour.ingredients.*found->is_on = false;
+  }
   return params;
 }
 
@@ -80,16 +90,16 @@ Region parse_region(const std::string& text) {
   return region;
 }
 
-PuckSizeModel find_size_model(const std::filesystem::path& recording,
-                              const std::filesystem::path& given) {
-  if (!given.empty()) return read_size_model_file(given);
+std::filesystem::path find_calibration(const std::filesystem::path& recording,
+                                       const std::filesystem::path& given) {
+  if (!given.empty()) return given;
   std::filesystem::path beside = recording;
   beside.replace_extension(".toml");
   const std::filesystem::path fallback = "config/calibration/simulated_size.toml";
-  if (holds_size_model(beside)) return read_size_model_file(beside);
+  if (holds_size_model(beside)) return beside;
   if (holds_size_model(fallback)) {
     std::fprintf(stderr, "puck-evaluate: the size model is that of %s\n", fallback.c_str());
-    return read_size_model_file(fallback);
+    return fallback;
   }
   throw std::runtime_error("no size model: neither " + beside.string() + " nor " +
                            fallback.string() + " holds one; name one with --size-model");

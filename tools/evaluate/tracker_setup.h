@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/events/sensor_size.h"
 #include "common/vision/presets.h"
@@ -25,9 +26,13 @@ struct TrackerSetup {
   Algorithm algorithm = Algorithm::kPuck;
   Preset preset = Preset::kDefault;
   PuckSizeModel size_model;
+  ContourCalibration contour;
   std::optional<Region> detection_region;  ///< Instead of the preset's.
+  /// Names in kContourIngredients: what the preset `default` is to do without.
+  std::vector<std::string> without;
 
-  /// The preset's parameters with the detection region put in.
+  /// The preset's parameters with all of that put in. Throws std::invalid_argument when there is no
+  /// ingredient of a name in `without`.
   PipelineParams pipeline_params() const;
   std::unique_ptr<TrackingAlgorithm> make(SensorSize sensor) const;
 };
@@ -35,10 +40,10 @@ struct TrackerSetup {
 /// `x,y,w,h` in px. Throws std::invalid_argument saying what was expected.
 Region parse_region(const std::string& text);
 
-/// The size model that belongs to a recording: from `given` if not empty, else from BASE.toml
-/// beside it if that holds one, else, which it says, from config/calibration/simulated_size.toml
-/// below the working folder. Throws std::runtime_error when there is none.
-PuckSizeModel find_size_model(const std::filesystem::path& recording,
-                              const std::filesystem::path& given);
+/// The file with the size model that belongs to a recording: `given` if not empty, else BASE.toml
+/// beside it if that holds one, else, which it says, config/calibration/simulated_size.toml below
+/// the working folder. Throws std::runtime_error when there is none.
+std::filesystem::path find_calibration(const std::filesystem::path& recording,
+                                       const std::filesystem::path& given);
 
 }  // namespace puck

@@ -29,18 +29,17 @@ TruthRow row_of(const SimulatedTruth& truth, const TruthRow& before) {
 }
 
 // Both parts of a calibration in one file.
-bool write_calibration(const SimulateSettings& settings, bool moving_camera,
+bool write_calibration(const SimulateSettings& settings, bool moving_camera, SensorSize sensor,
                        const std::vector<Annotation>& marks, const TableCalibration& table) {
   const std::filesystem::path path = settings.output + ".toml";
   std::string note = settings.command;
   if (moving_camera) note += "\nThe camera moves: the table is as seen from its home pose.";
   std::string text = table_text(table, note);
 
-  std::vector<SizeAnnotation> sizes;
-  for (const Annotation& mark : marks) sizes.push_back({mark.time, mark.centre, mark.size});
   bool has_size_model = false;
   try {
-    const SizeFit fit = fit_puck_size_model(sizes);
+    SizeFit fit = fit_puck_size_model(marks);
+    fit.model.sensor = sensor;
     text += size_model_text(fit.model, "Fitted to " + std::to_string(marks.size()) + " marks.");
     has_size_model = true;
   } catch (const std::invalid_argument& error) {
@@ -97,8 +96,8 @@ RecordingSummary record(const SimulateSettings& settings, const SimulationParams
   const std::vector<Annotation> marks = spread_marks(truth, kMarks);
   write_truth_file(settings.output + ".truth.csv", truth);
   write_annotation_file(settings.output + ".annotations.csv", marks);
-  summary.has_size_model = write_calibration(settings, params.moving_camera, marks,
-                                             {table.table_from_image(), params.table});
+  summary.has_size_model = write_calibration(settings, params.moving_camera, params.sensor_size,
+                                             marks, {table.table_from_image(), params.table});
   summary.seconds = static_cast<double>(table.now().us) * 1e-6;
   summary.took_s = progress.elapsed_s();
   summary.marks = static_cast<int>(marks.size());

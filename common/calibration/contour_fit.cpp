@@ -1,0 +1,201 @@
+#include "common/calibration/contour_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace puck {
+namespace {
+
+using Parameters = Eigen::Vector4d;  // Lag in ms, wall's share, growth and trail in px.
+
+constexpr std::size_t kFewestEvents = 1000;
+constexpr double kLargestErrorUs = 50;
+constexpr double kGatePx = 4;
+constexpr int kIterations = 30;
+constexpr double kConverged = 1e-5;
+constexpr int kParts = 20;
+constexpr double kSigmaOfMedian = 1.4826;
+// Cauchy's weight is a half there, in standard deviations: nearly as good as least squares where
+// the errors are normal.
+constexpr double kCauchy = 2.385;
+constexpr double kSmallestSpreadPx = 0.05;
+// How far from the defaults values may lie; weighs as much as a single event.
+const Parameters kFree(1, 0.3, 2, 0.2);
+// With speeds that are all alike, lag and trail cannot be told apart.
+const Parameters kNoTrail(1, 0.3, 2, 1e-9);
+// For slopes.
+constexpr double kStep = 1e-3;
+
+ContourCalibration calibration_of(const Parameters& p) { return {1000 * p(0), p(1), p(2), p(3)}; }
+
+Parameters parameters_of(const ContourCalibration& c) {
+  return {c.lag_us / 1000, c.wall_share, c.grow_px, c.trail_px};
+}
+
+struct Residual {
+  double value_px = 0;  // Positive: outside of where the event was expected.
+  double normal_speed_px_s = 0;
+  double normal_y = 0;
+};
+
+Residual residual_of(const ContourSample& sample, const Parameters& p) {
+  const ContourCalibration calibration = calibration_of(p);
+  const RingOffset offset = ring_offset(sample.place, calibration, sample.dx, sample.dy);
+  const double speed =
+      offset.normal_x * sample.velocity.x + offset.normal_y * sample.velocity.y;
+  return {offset.distance_px + calibration.behind_px(speed), speed, offset.normal_y};
+}
+
+double median_of(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double spread_of(std::span<const ContourSample> samples, const Parameters& p) {
+  std::vector<double> sizes;
+  for (const ContourSample& sample : samples) {
+    const double size = std::abs(residual_of(sample, p).value_px);
+    if (size < kGatePx) sizes.push_back(size);
+  }
+  return std::max(kSigmaOfMedian * median_of(sizes), kSmallestSpreadPx);
+}
+
+// Of the linearised, weighted problem: N step = g.
+struct NormalEquations {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  Parameters side = Parameters::Zero();
+
+  NormalEquations& operator+=(const NormalEquations& other) {
+    matrix += other.matrix;
+    side += other.side;
+    return *this;
+  }
+};
+
+NormalEquations prior_of(const Parameters& p, double spread_px, const Parameters& freedom) {
+  NormalEquations prior;
+  const Parameters off = parameters_of(ContourCalibration{}) - p;
+  for (int i = 0; i < 4; ++i) {
+    const double weight = spread_px / freedom(i);
+    prior.matrix(i, i) = weight * weight;
+    prior.side(i) = off(i) * weight * weight;
+  }
+  return prior;
+}
+
+NormalEquations equations_of(std::span<const ContourSample> samples, const Parameters& p,
+                             double spread_px) {
+  NormalEquations sum;
+  const double scale = kCauchy * spread_px;
+  for (const ContourSample& sample : samples) {
+    const Residual r = residual_of(sample, p);
+    if (std::abs(r.value_px) > kGatePx) continue;
+    Parameters slope;
+    for (int i = 0; i < 4; ++i) {
+      Parameters moved = p;
+      moved(i) += kStep;
+      slope(i) = (residual_of(sample, moved).value_px - r.value_px) / kStep;
+    }
+    const double ratio = r.value_px / scale;
+    const double weight = 1 / (1 + ratio * ratio);
+    sum.matrix += weight * slope * slope.transpose();
+    sum.side -= weight * r.value_px * slope;
+  }
+  return sum;
+}
+
+// One more step of the fit without one part of the recording, for each part: their scatter tells
+// the error, however much the events of a part depend on each other.
+Parameters standard_error_of(std::span<const ContourSample> samples, const Parameters& p,
+                             double spread_px, const Parameters& freedom) {
+  std::array<NormalEquations, kParts> parts;
+  NormalEquations all = prior_of(p, spread_px, freedom);
+  for (std::size_t i = 0; i < kParts; ++i) {
+    const std::size_t begin = samples.size() * i / kParts;
+    const std::size_t end = samples.size() * (i + 1) / kParts;
+    parts[i] = equations_of(samples.subspan(begin, end - begin), p, spread_px);
+    all += parts[i];
+  }
+  Eigen::Matrix4d scatter = Eigen::Matrix4d::Zero();
+  for (const NormalEquations& part : parts) {
+    const Parameters step = (all.matrix - part.matrix).ldlt().solve(all.side - part.side);
+    scatter += step * step.transpose();
+  }
+  scatter *= (kParts - 1.0) / kParts;
+  const Eigen::Matrix4d independent = spread_px * spread_px * all.matrix.inverse();
+  return (scatter + independent).diagonal().cwiseSqrt();
+}
+
+void describe(std::span<const ContourSample> samples, const Parameters& p, ContourFit& fit) {
+  std::vector<double> front;
+  std::vector<double> back;
+  std::vector<double> upper;
+  std::vector<double> lower;
+  std::vector<double> speeds;
+  for (const ContourSample& sample : samples) {
+    const Residual r = residual_of(sample, p);
+    if (std::abs(r.value_px) > kGatePx) continue;
+    (r.normal_speed_px_s > 0 ? front : back).push_back(r.value_px);
+    if (r.normal_y < -0.7) upper.push_back(r.value_px);
+    if (r.normal_y > 0.7) lower.push_back(r.value_px);
+    speeds.push_back(std::abs(r.normal_speed_px_s));
+  }
+  fit.events = speeds.size();
+  fit.front_px = median_of(front);
+  fit.back_px = median_of(back);
+  fit.upper_px = median_of(upper);
+  fit.lower_px = median_of(lower);
+  const auto fast = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);
+  std::nth_element(speeds.begin(), fast, speeds.end());
+  fit.fast_px_s = *fast;
+}
+
+ContourFit fit_freely(std::span<const ContourSample> samples, const Parameters& freedom) {
+  Parameters p = parameters_of(ContourCalibration{});
+  double spread_px = spread_of(samples, p);
+  ContourFit fit;
+  fit.spread_before_px = spread_px;
+  for (int i = 0; i < kIterations; ++i) {
+    NormalEquations equations = equations_of(samples, p, spread_px);
+    equations += prior_of(p, spread_px, freedom);
+    const Parameters step = equations.matrix.ldlt().solve(equations.side);
+    p += step;
+    spread_px = spread_of(samples, p);
+    if (step.cwiseAbs().maxCoeff() < kConverged) break;
+  }
+  fit.spread_px = spread_px;
+  fit.calibration = calibration_of(p);
+  fit.standard_error = calibration_of(standard_error_of(samples, p, spread_px, freedom));
+  describe(samples, p, fit);
+  return fit;
+}
+
+}  // namespace
+
+ContourFit fit_contour(std::span<const ContourSample> samples) {
+  if (samples.size() < kFewestEvents) {
+    throw std::invalid_argument("only " + std::to_string(samples.size()) +
+                                " events of the contour of a moving puck, at least " +
+                                std::to_string(kFewestEvents) + " are needed");
+  }
+  ContourFit fit = fit_freely(samples, kFree);
+  if (!(fit.standard_error.lag_us < kLargestErrorUs)) fit = fit_freely(samples, kNoTrail);
+  if (!(fit.standard_error.lag_us < kLargestErrorUs)) {
+    throw std::invalid_argument(
+        "the puck is too slow to tell the lag: nine tenths of its contour's events move at less "
+        "than " +
+        std::to_string(std::lround(fit.fast_px_s)) + " px/s, which leaves the lag open by " +
+        std::to_string(std::lround(fit.standard_error.lag_us)) + " us");
+  }
+  return fit;
+}
+
+}  // namespace puck

@@ -1,0 +1,82 @@
+#include "common/calibration/contour_samples.h"
+
+#include <cmath>
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kWindowUs = 2'000;
+constexpr std::size_t kMostSamples = 400'000;
+// Slower contours tell little, and noise is a large part of their events.
+constexpr double kLeastSpeedPx_s = 60;
+// Where the contour moves along itself, its events come from somewhere else.
+constexpr double kLeastNormalShare = 0.3;
+constexpr double kGatePx = 5;
+constexpr double kRingPx = 2;
+constexpr double kOutsideFromPx = 3;
+constexpr double kOutsideToPx = 7;
+constexpr int kFewestOnRing = 8;
+// Of the ring's events, in a band outside it of the same width.
+constexpr double kMostOutside = 0.2;
+// Near enough to tell which events belong to the ring.
+constexpr ContourCalibration kRough{};
+
+}  // namespace
+
+ContourSamples::ContourSamples(const TruthMotion& truth, const ContourPlaces& places)
+    : truth_(truth), places_(places) {}
+
+void ContourSamples::add(const EventPacket& packet) {
+  for (const Event& event : packet.events) add(event, packet.time_of(event));
+}
+
+void ContourSamples::add(const Event& event, Timestamp time) {
+  const std::int64_t window = time.us / kWindowUs;
+  if (window != window_) {
+    close_window();
+    window_ = window;
+  }
+  const auto state = truth_.at(time);
+  if (!state) return;
+  const double speed = std::hypot(state->velocity.x, state->velocity.y);
+  if (speed < kLeastSpeedPx_s) return;
+  has_motion_ = true;
+  ContourSample sample;
+  sample.dx = event.x - state->position.x;
+  sample.dy = event.y - state->position.y;
+  sample.place = places_.at(state->position);
+  const double reach = sample.place.size.width / 2 + kOutsideToPx + kGatePx;
+  if (std::abs(sample.dx) > reach || std::abs(sample.dy) > reach) return;
+  sample.velocity = state->velocity;
+
+  const RingOffset offset = ring_offset(sample.place, kRough, sample.dx, sample.dy);
+  const double normal_speed =
+      offset.normal_x * state->velocity.x + offset.normal_y * state->velocity.y;
+  const double distance = offset.distance_px + kRough.behind_px(normal_speed);
+  if (std::abs(distance) < kRingPx) ++ring_events_;
+  if (distance > kOutsideFromPx && distance < kOutsideToPx) ++outside_events_;
+  if (std::abs(distance) < kGatePx && std::abs(normal_speed) >= kLeastNormalShare * speed) {
+    pending_.push_back(sample);
+  }
+}
+
+void ContourSamples::close_window() {
+  if (has_motion_) ++windows_;
+  if (ring_events_ >= kFewestOnRing && outside_events_ <= kMostOutside * ring_events_) {
+    ++clear_windows_;
+    for (const ContourSample& sample : pending_) {
+      if (seen_++ % keep_every_ == 0) samples_.push_back(sample);
+    }
+  }
+  if (samples_.size() > kMostSamples) {
+    for (std::size_t i = 0; 2 * i < samples_.size(); ++i) samples_[i] = samples_[2 * i];
+    samples_.resize((samples_.size() + 1) / 2);
+    keep_every_ *= 2;
+  }
+  pending_.clear();
+  has_motion_ = false;
+  ring_events_ = 0;
+  outside_events_ = 0;
+}
+
+}  // namespace puck

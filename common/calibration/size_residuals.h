@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "common/vision/annotation.h"
+
+namespace puck {
+
+/// How far fitted sizes lie from the annotated ones, px.
+struct SizeResiduals {
+  double rms_px = 0;
+  double max_px = 0;
+};
+
+/// Of `size_at(centre)` to the annotated sizes, in the direction that `side` names.
+template <typename SizeAt>
+SizeResiduals residuals_of(std::span<const Annotation> annotations, double PuckSize::*side,
+                           const SizeAt& size_at) {
+  SizeResiduals residuals;
+  double sum = 0;
+  for (const Annotation& annotation : annotations) {
+    const double error = std::abs(annotation.size.*side - size_at(annotation.centre).*side);
+    sum += error * error;
+    residuals.max_px = std::max(residuals.max_px, error);
+  }
+  residuals.rms_px = std::sqrt(sum / static_cast<double>(annotations.size()));
+  return residuals;
+}
+
+}  // namespace puck

@@ -1,0 +1,93 @@
+#include "common/runtime/event_queue.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace puck {
+namespace {
+
+constexpr std::size_t kMaskBits = 64;
+
+// Which of the first 64 events lie inside. Without a branch an event: where they lie is chance to
+// the processor, and each wrong guess costs as much as the rest of the work.
+std::uint64_t mask_of_inside(std::span<const Event> events, const Region& region) {
+  const std::size_t count = std::min(events.size(), kMaskBits);
+  std::uint64_t mask = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto right_of = static_cast<unsigned>(events[i].x - region.x);
+    const auto below = static_cast<unsigned>(events[i].y - region.y);
+    const bool inside = (right_of < static_cast<unsigned>(region.width)) &
+                        (below < static_cast<unsigned>(region.height));
+    mask |= static_cast<std::uint64_t>(inside) << i;
+  }
+  return mask;
+}
+
+}  // namespace
+
+EventQueue::EventQueue(std::size_t capacity) {
+  if (capacity < 2) {
+    throw std::invalid_argument("an event queue needs room for at least 2 events, got " +
+                                std::to_string(capacity));
+  }
+  slots_.resize(std::bit_ceil(capacity));
+}
+
+std::size_t EventQueue::push(Timestamp start, std::span<const Event> events,
+                             const Region& region) {
+  const std::uint64_t begin = begin_.load(std::memory_order_acquire);
+  std::uint64_t end = end_.load(std::memory_order_relaxed);
+  const auto room = [&] { return slots_.size() - static_cast<std::size_t>(end - begin); };
+  std::size_t inside = 0;
+  std::size_t let_in = 0;
+  std::size_t one_in = one_event_in(room());
+  for (; !events.empty(); events = events.subspan(std::min(events.size(), kMaskBits))) {
+    for (std::uint64_t mask = mask_of_inside(events, region); mask != 0; mask &= mask - 1) {
+      ++inside;
+      if (++skipped_ < one_in) continue;
+      skipped_ = 0;
+      const Event& event = events[static_cast<std::size_t>(std::countr_zero(mask))];
+      slot(end) = {(start + event.offset_us).us, event};
+      ++end;
+      ++let_in;
+      one_in = one_event_in(room());
+    }
+  }
+  if (let_in > 0) end_.store(end, std::memory_order_release);
+  if (let_in < inside) {
+    thinned_.store(thinned_.load(std::memory_order_relaxed) +
+                       static_cast<std::int64_t>(inside - let_in),
+                   std::memory_order_relaxed);
+  }
+  return inside;
+}
+
+// The largest power of two that is not above capacity / room.
+std::size_t EventQueue::one_event_in(std::size_t room) const {
+  if (room == 0) return std::numeric_limits<std::size_t>::max();
+  return slots_.size() >> std::bit_width(room - 1);
+}
+
+Timestamp EventQueue::pop(std::uint64_t until, std::size_t most, std::vector<Event>& out) {
+  const std::uint64_t begin = begin_.load(std::memory_order_relaxed);
+  const std::uint64_t end = std::min(until, end_.load(std::memory_order_acquire));
+  out.clear();
+  if (begin >= end) return {};
+  const Timestamp start{slot(begin).time_us};
+  const std::uint64_t last = begin + std::min<std::uint64_t>(end - begin, most);
+  std::uint64_t position = begin;
+  for (; position < last; ++position) {
+    const Slot& next = slot(position);
+    const std::int64_t offset_us = next.time_us - start.us;
+    if (offset_us > std::numeric_limits<std::uint32_t>::max()) break;
+    out.push_back(next.event);
+    out.back().offset_us = static_cast<std::uint32_t>(offset_us);
+  }
+  begin_.store(position, std::memory_order_release);
+  return start;
+}
+
+}  // namespace puck

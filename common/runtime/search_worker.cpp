@@ -1,0 +1,88 @@
+#include "common/runtime/search_worker.h"
+
+#include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace puck {
+namespace {
+
+// What is copied at once: some ten microseconds' worth.
+constexpr int kPixelsAtOnce = 65'536;
+
+// What is searched at once: some 200 µs' worth.
+constexpr int kSmallPixels = 24'576;
+
+// A tenth of what others get when there is not enough for all: little enough that whoever wakes up
+// comes first at once, enough not to starve beside a busy process.
+constexpr int kNice = 10;
+
+// Of the calling thread. To be less important needs no permission, so nothing can go wrong.
+void lower_priority() {
+  const sched_param none{};
+  sched_setscheduler(gettid(), SCHED_BATCH, &none);
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+}
+
+}  // namespace
+
+SearchWorker::SearchWorker(PuckSearch search) : search_(std::move(search)) {
+  const Region all = search_.snapshot_region({0, 0, SensorSize::kMax, SensorSize::kMax});
+  snapshot_.grey.reserve(all.width, all.height);
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+SearchWorker::~SearchWorker() {
+  thread_.request_stop();
+  posted_.release();
+}
+
+void SearchWorker::begin(const Region& region) {
+  region_ = region;
+  snapshot_.region = search_.snapshot_region(region);
+  snapshot_.grey.resize(snapshot_.region.width, 0);
+  stage_ = Stage::kCopying;
+}
+
+void SearchWorker::copy_more(SharedSurface& surface) {
+  const Region& all = snapshot_.region;
+  const int copied = snapshot_.grey.height();  // The picture grows with what has been copied.
+  const int at_once = std::max(1, kPixelsAtOnce / std::max(1, all.width));
+  const int rows = std::min(at_once, all.height - copied);
+  snapshot_.grey.resize(all.width, copied + rows);
+  surface.copy_part({all.x, all.y + copied, all.width, rows}, snapshot_);
+  if (copied + rows < all.height) return;
+  stage_ = Stage::kSearching;
+  if (all.width * all.height <= kSmallPixels) {
+    search();
+  } else {
+    posted_.release();
+  }
+}
+
+const SearchResult* SearchWorker::poll() {
+  if (stage_ != Stage::kSearching || !done_.load(std::memory_order_acquire)) return nullptr;
+  // Relaxed: the worker sees it with the next search, which is posted after it.
+  done_.store(false, std::memory_order_relaxed);
+  stage_ = Stage::kIdle;
+  return &result_;
+}
+
+void SearchWorker::run(const std::stop_token& stop) {
+  lower_priority();
+  while (true) {
+    posted_.acquire();
+    if (stop.stop_requested()) return;
+    search();
+  }
+}
+
+void SearchWorker::search() {
+  result_ = search_.search(snapshot_, region_);
+  done_.store(true, std::memory_order_release);
+}
+
+}  // namespace puck

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <semaphore>
+#include <thread>
+
+#include "common/runtime/shared_surface.h"
+#include "common/vision/puck_search.h"
+#include "common/vision/region.h"
+#include "common/vision/surface_snapshot.h"
+#include "common/vision/tracking_pipeline.h"
+
+namespace puck {
+
+/// A thread of low priority that searches copies of the surface, so that a search never delays the
+/// tracking, however long it takes. One search at a time, in three steps:
+///
+///     worker.begin(region);
+///     while (worker.is_copying()) worker.copy_more(surface);  // the tracking goes on in between
+///     … worker.poll() …                                       // until there is the result
+///
+/// A search that takes no longer than a few steps of the tracking is made at once, on the caller's
+/// thread, so that what is near is not looked at too late. Tracking thread only. Nothing here waits
+/// for the worker, which holds no lock.
+class SearchWorker {
+ public:
+  /// Starts the thread.
+  explicit SearchWorker(PuckSearch search);
+  /// Stops the thread and waits for it: a search that has begun is finished.
+  ~SearchWorker();
+  SearchWorker(const SearchWorker&) = delete;
+  SearchWorker& operator=(const SearchWorker&) = delete;
+
+  /// True when a search may begin: none has, or its result has been taken.
+  bool is_idle() const { return stage_ == Stage::kIdle; }
+  /// True while the surface is being copied for the search.
+  bool is_copying() const { return stage_ == Stage::kCopying; }
+
+  /// Begins to search for the puck in `region`, which is not empty. Only when idle.
+  void begin(const Region& region);
+
+  /// Copies the next few rows; with the last ones the search starts, or, if it is small, is made.
+  /// Only while copying. A few rows at a time, because both the event and the tracking thread stand
+  /// still meanwhile; between the first and the last ones the puck moves on by a pixel at most.
+  void copy_more(SharedSurface& surface);
+
+  /// The result once there is one, which lasts until the next search begins; nullptr before.
+  const SearchResult* poll();
+
+ private:
+  enum class Stage : std::uint8_t { kIdle, kCopying, kSearching };
+
+  void run(const std::stop_token& stop);
+  void search();
+
+  Stage stage_ = Stage::kIdle;  // tracking thread
+
+  // The tracking thread's until it releases `posted_`; then the worker's until it sets `done_`.
+  PuckSearch search_;
+  SurfaceSnapshot snapshot_;
+  Region region_;
+  SearchResult result_;
+  std::counting_semaphore<2> posted_{0};  // one for a search, one for the end
+  // Set with release after the result is written, seen with acquire before it is read.
+  std::atomic<bool> done_{false};
+
+  std::jthread thread_;  // last: it uses what stands above
+};
+
+}  // namespace puck

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/vision/contour_track.h"
+
+namespace puck {
+
+/// A second belief that follows the same events as the main track and may take its place.
+class Challenger {
+ public:
+  enum class Kind : std::uint8_t {
+    kTwin,     ///< Where the main track is, at rest: a bounce or a hit may just have happened.
+    kWitness,  ///< Where the blob is.
+    kWall,     ///< Where the main track is, of the other opinion on the puck's side wall.
+    kSearch,   ///< Where the correlation found something that looks like a puck.
+  };
+
+  Challenger(Kind kind, const ContourContext& context, const ContourFilter::Start& start,
+             std::int64_t time_us, double wall_share)
+      : kind_(kind), born_us_(time_us), track_(context, start, time_us, wall_share) {}
+
+  /// Takes an event that was worth `main_worth` to the main track.
+  void take(const ContourEvent& event, double main_worth, const ContourContext& context) {
+    const double worth = track_.take(event, context);
+    const double lead = worth - main_worth;
+    total_ += worth;
+    total_variance_ += worth * worth;
+    lead_ += lead;
+    lead_variance_ += lead * lead;
+  }
+
+  void decide(std::int64_t time_us, const ContourContext& context) {
+    track_.decide(time_us, false, context);
+  }
+
+  /// The sequential test on the events since its birth: it explains them better than the main
+  /// track, by more than chance, and well by itself.
+  bool leads() const;
+
+  /// Notes whether it convinces at this decision; since when it does without a break, µs, 0 if not.
+  std::int64_t convincing_for_us(bool convinces, std::int64_t time_us);
+
+  Kind kind() const { return kind_; }
+  std::int64_t age_us(std::int64_t time_us) const { return time_us - born_us_; }
+  const ContourTrack& track() const { return track_; }
+  ContourTrack& track() { return track_; }
+
+ private:
+  Kind kind_;
+  std::int64_t born_us_;
+  std::int64_t convincing_since_us_ = -1;
+  ContourTrack track_;
+  double total_ = 0;
+  double total_variance_ = 0;
+  double lead_ = 0;
+  double lead_variance_ = 0;
+};
+
+}  // namespace puck

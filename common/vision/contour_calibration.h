@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+
+namespace puck {
+
+/// How the events of the puck's contour lie to the ellipse that the size model gives: what
+/// `puck-calibrate lag` fits to a recording with truth. The defaults suit a sensor in good light
+/// and a puck whose side wall makes events, too.
+struct ContourCalibration {
+  /// Events appear where the contour was so long ago, µs.
+  double lag_us = 300;
+  /// The ring of events is lower than the annotated height by this share of the width, and its
+  /// centre lies half of that above the annotated one: 0 where the side wall below the puck's top
+  /// makes events, the wall's visible height over the width where it makes none.
+  double wall_share = 0;
+  /// By how much the ring's full axes exceed the annotated ones, px.
+  double grow_px = 0.5;
+  /// How far behind the contour its events lie besides, at any speed, px: a pixel fires only once
+  /// the edge has covered some of it, more of it where the contrast is low.
+  double trail_px = 0;
+
+  /// How far behind the contour an event is to be expected, px: inside where the contour moves
+  /// outwards with this speed along its normal, outside where the speed is negative.
+  constexpr double behind_px(double normal_speed_px_s) const {
+    // A contour that hardly moves has no behind.
+    constexpr double kSlowPx_s = 40;
+    const double direction = std::clamp(normal_speed_px_s / kSlowPx_s, -1.0, 1.0);
+    return 1e-6 * lag_us * normal_speed_px_s + trail_px * direction;
+  }
+};
+
+}  // namespace puck

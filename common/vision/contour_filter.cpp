@@ -1,0 +1,107 @@
+#include "common/vision/contour_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace puck {
+
+ContourFilter::ContourFilter(const ContourFilterParams& params, const Start& start,
+                             std::int64_t time_us)
+    : params_(params), time_us_(time_us) {
+  restart(start);
+}
+
+void ContourFilter::restart(const Start& start) {
+  state_ = {start.position.x, start.position.y, start.velocity.x, start.velocity.y,
+            params_.follows_size ? start.growth_px : 0};
+  covariance_ = {};
+  cov(0, 0) = cov(1, 1) = start.sigma_px * start.sigma_px;
+  cov(2, 2) = cov(3, 3) = start.sigma_px_s * start.sigma_px_s;
+  cov(4, 4) = params_.follows_size ? start.growth_variance_px2 : 0;
+}
+
+void ContourFilter::park(double sigma_px, double sigma_px_s) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double bound = i < 2 ? sigma_px * sigma_px : sigma_px_s * sigma_px_s;
+    if (cov(i, i) <= bound) continue;
+    for (std::size_t j = 0; j < kSize; ++j) cov(i, j) = cov(j, i) = 0;
+    cov(i, i) = bound;
+  }
+}
+
+void ContourFilter::predict(std::int64_t time_us, bool blind) {
+  const double dt = static_cast<double>(time_us - time_us_) * 1e-6;
+  if (!(dt > 0)) return;
+  time_us_ = time_us;
+  const double keep = 1 - std::min(dt / (blind ? params_.blind_damping_s : params_.damping_s), 1.0);
+  state_[0] += dt * state_[2];
+  state_[1] += dt * state_[3];
+  state_[2] *= keep;
+  state_[3] *= keep;
+
+  for (std::size_t i = 0; i < kSize; ++i) {
+    cov(0, i) += dt * cov(2, i);
+    cov(1, i) += dt * cov(3, i);
+  }
+  for (std::size_t i = 0; i < kSize; ++i) {
+    cov(i, 0) += dt * cov(i, 2);
+    cov(i, 1) += dt * cov(i, 3);
+  }
+  const double q = params_.acceleration_density;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    cov(axis, axis) += q * dt * dt * dt / 3;
+    cov(axis, axis + 2) += q * dt * dt / 2;
+    cov(axis + 2, axis) += q * dt * dt / 2;
+    cov(axis + 2, axis + 2) += q * dt;
+  }
+  if (!params_.follows_size) return;
+  const double share = std::min(dt / params_.growth_time_s, 1.0);
+  state_[4] *= 1 - share;
+  for (std::size_t i = 0; i < 4; ++i) {
+    cov(4, i) *= 1 - share;
+    cov(i, 4) *= 1 - share;
+  }
+  cov(4, 4) += 2 * share * (params_.growth_sigma_px * params_.growth_sigma_px - cov(4, 4));
+}
+
+double ContourFilter::distance_variance(double normal_x, double normal_y) const {
+  return normal_x * (normal_x * cov(0, 0) + 2 * (normal_y * cov(0, 1) + cov(0, 4))) +
+         normal_y * (normal_y * cov(1, 1) + 2 * cov(1, 4)) + cov(4, 4);
+}
+
+double ContourFilter::speed_variance(double normal_x, double normal_y) const {
+  return normal_x * (normal_x * cov(2, 2) + 2 * normal_y * cov(2, 3)) +
+         normal_y * normal_y * cov(3, 3);
+}
+
+void ContourFilter::correct(double distance_px, double normal_x, double normal_y) {
+  std::array<double, kSize> ph;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    ph[i] = normal_x * cov(i, 0) + normal_y * cov(i, 1) + cov(i, 4);
+  }
+  // Far events are believed less, without an edge between belief and disbelief.
+  const double variance = params_.event_variance_px2 * (1 + distance_px * distance_px / 4);
+  const double per_innovation = 1 / (normal_x * ph[0] + normal_y * ph[1] + ph[4] + variance);
+  for (std::size_t i = 0; i < kSize; ++i) state_[i] += ph[i] * per_innovation * distance_px;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    for (std::size_t j = 0; j < kSize; ++j) cov(i, j) -= ph[i] * ph[j] * per_innovation;
+  }
+  state_[4] = std::clamp(state_[4], params_.smallest_growth_px, params_.largest_growth_px);
+  const double speed = speed_px_s();
+  if (speed > params_.max_speed_px_s) {
+    state_[2] *= params_.max_speed_px_s / speed;
+    state_[3] *= params_.max_speed_px_s / speed;
+  }
+}
+
+double ContourFilter::speed_px_s() const { return std::hypot(state_[2], state_[3]); }
+
+std::array<double, 16> ContourFilter::covariance() const {
+  std::array<double, 16> values;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) values[4 * i + j] = cov(i, j);
+  }
+  return values;
+}
+
+}  // namespace puck

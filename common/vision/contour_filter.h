@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "common/events/timestamp.h"
+#include "common/vision/pixel.h"
+
+namespace puck {
+
+struct ContourFilterParams {
+  /// Spectral density of the puck's acceleration, px²/s³. Larger follows hits sooner, smaller
+  /// smooths more.
+  double acceleration_density = 1e6;
+  /// The puck slows down with this time constant, s; sooner while nothing supports the track.
+  double damping_s = 1;
+  double blind_damping_s = 0.06;
+  /// No puck is faster, px/s: 1.4 times the fastest shot.
+  double max_speed_px_s = 12'000;
+  /// The size's offset wanders back to 0 with this time constant, s, and this spread, px.
+  double growth_time_s = 0.5;
+  double growth_sigma_px = 0.3;
+  double smallest_growth_px = -1.5;
+  double largest_growth_px = 0.8;
+  /// Variance of an event's distance from the contour, px².
+  double event_variance_px2 = 4;
+  bool follows_size = true;
+};
+
+/// A Kalman filter on the puck's contour: position and velocity in the image and the offset of the
+/// contour's size, corrected by single events, each of which says how far along its normal the
+/// contour must move. So motion is compensated event by event, and the position is as fine as many
+/// events make it.
+class ContourFilter {
+ public:
+  struct Start {
+    Pixel position;
+    PixelVelocity velocity;
+    double sigma_px = 2.5;
+    double sigma_px_s = 900;
+    double growth_px = 0;
+    double growth_variance_px2 = 0.09;
+  };
+
+  ContourFilter(const ContourFilterParams& params, const Start& start, std::int64_t time_us);
+
+  /// Moves on to `time_us`, not before the last; `blind`: nothing has supported the track of late.
+  void predict(std::int64_t time_us, bool blind);
+
+  /// Variance of the predicted distance of a contour event with this outward normal, px².
+  double distance_variance(double normal_x, double normal_y) const;
+  /// Variance of the velocity along a normal, px²/s².
+  double speed_variance(double normal_x, double normal_y) const;
+
+  /// Takes an event that lies `distance_px` outside the predicted contour. The filter must have
+  /// been predicted to the event's time.
+  void correct(double distance_px, double normal_x, double normal_y);
+
+  /// Keeps the uncertainty below these bounds.
+  void park(double sigma_px, double sigma_px_s);
+
+  /// Puts the puck to rest at a place, with the uncertainty of a start.
+  void restart(const Start& start);
+
+  std::int64_t time_us() const { return time_us_; }
+  Pixel position() const { return {state_[0], state_[1]}; }
+  PixelVelocity velocity() const { return {state_[2], state_[3]}; }
+  double growth_px() const { return state_[4]; }
+  double growth_variance_px2() const { return covariance_[24]; }
+  double speed_px_s() const;
+  /// Of (x, y, vx, vy), row by row.
+  std::array<double, 16> covariance() const;
+
+ private:
+  static constexpr std::size_t kSize = 5;
+  double& cov(std::size_t row, std::size_t column) { return covariance_[row * kSize + column]; }
+  double cov(std::size_t row, std::size_t column) const {
+    return covariance_[row * kSize + column];
+  }
+
+  ContourFilterParams params_;
+  std::int64_t time_us_ = 0;
+  std::array<double, kSize> state_{};
+  std::array<double, kSize * kSize> covariance_{};
+};
+
+}  // namespace puck

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace puck {
+
+/// What the contour tracker is made of, one switch an ingredient, so that each can be taken away
+/// to see what it brings.
+struct ContourIngredients {
+  bool shear = true;              ///< The ellipse is sheared as the table's perspective asks.
+  bool size_state = true;         ///< The filter follows the contour's size, not only its place.
+  bool lag = true;                ///< Events are put forward by the sensor's lag.
+  bool polarity = true;           ///< Events of the wrong sign are no contour events.
+  bool first_events = true;       ///< A puck of low contrast is followed by first events only.
+  bool size_penalty = true;       ///< Too many events, or too large a size, make a track doubtful.
+  bool purity = true;             ///< Signs that do not suit a disc of one tone make it doubtful.
+  bool sector_saturation = true;  ///< Events in one direction count less and less.
+  bool twins = true;              ///< A twin at rest is always ready to take over at a bounce.
+  bool wall = true;               ///< Whether the puck's side wall makes events is found out.
+  bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
+  bool search = true;       ///< A doubtful track is challenged by the correlation near it.
+  bool wide_search = true;  ///< … and, when it is bad, everywhere.
+  bool stopping = true;     ///< A puck that falls silent is taken to have stopped.
+};
+
+struct ContourIngredient {
+  std::string_view name;
+  bool ContourIngredients::*is_on = nullptr;
+};
+
+/// Their names, for the ablation.
+inline constexpr std::array<ContourIngredient, 14> kContourIngredients{{
+    {"shear", &ContourIngredients::shear},
+    {"size-state", &ContourIngredients::size_state},
+    {"lag", &ContourIngredients::lag},
+    {"polarity", &ContourIngredients::polarity},
+    {"first-events", &ContourIngredients::first_events},
+    {"size-penalty", &ContourIngredients::size_penalty},
+    {"purity", &ContourIngredients::purity},
+    {"sector-saturation", &ContourIngredients::sector_saturation},
+    {"twins", &ContourIngredients::twins},
+    {"wall", &ContourIngredients::wall},
+    {"witness", &ContourIngredients::witness},
+    {"search", &ContourIngredients::search},
+    {"wide-search", &ContourIngredients::wide_search},
+    {"stopping", &ContourIngredients::stopping},
+}};
+
+}  // namespace puck

@@ -1,0 +1,197 @@
+#include "common/vision/contour_track.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace puck {
+namespace {
+
+// Below this speed along its normal, px/s, an edge's sign says nothing.
+constexpr double kSignedSpeed_px_s = 40;
+constexpr double kSurelySigned_sigma = 1.5;
+// A contrast sign nearer to 0 than this decides nothing.
+constexpr double kClearSign = 0.3;
+constexpr double kSmallestGate_px = 2;
+constexpr double kLargestGate_px = 5;
+// Penalties of the quality.
+constexpr double kTooDense = 3;
+constexpr double kLarge_px = 0.6;
+constexpr double kTooLarge_px = 0.8;
+constexpr double kTooLargeFactor = 0.6;
+// … while it is not known that the track is the puck's.
+constexpr double kStrangerTooLargeFactor = 0.4;
+// Slow edges make fewer events for the same way.
+constexpr double kLeastSpeed_px_s = 150;
+constexpr double kSignMemory_us = 40'000;
+constexpr double kSureOfSign = 20 * kSignedSpeed_px_s;
+constexpr double kMixedSigns = 0.3;
+constexpr double kPureSigns = 0.75;
+constexpr double kSurePuckSign = 0.9;
+// A puck at rest stays where it is, whatever a few stray events say.
+constexpr double kParkedSigma_px = 0.4;
+constexpr double kParkedSigma_px_s = 60;
+// How far the ring's centre may move before the ring's shape is made anew.
+constexpr double kSamePlace_px = 0.5;
+
+}  // namespace
+
+ContourTrack::ContourTrack(const ContourContext& context, const ContourFilter::Start& start,
+                           std::int64_t time_us, double wall_share)
+    : filter_(context.filter, start, time_us),
+      wall_share_(wall_share),
+      decided_us_(time_us),
+      last_ring_us_(time_us),
+      last_ring_position_(start.position) {
+  follow_contour(context);
+}
+
+void ContourTrack::follow_contour(const ContourContext& context) {
+  ring_made_at_ = filter_.position();
+  ring_ = context.contour.ring_at(ring_made_at_, wall_share_);
+  areas_ = RingEvidence::areas_of(ring_);
+}
+
+double ContourTrack::take(const ContourEvent& event, const ContourContext& context) {
+  const double dt = static_cast<double>(event.time_us - filter_.time_us()) * 1e-6;
+  const PixelVelocity velocity = filter_.velocity();
+  const double dx = event.x - (filter_.position().x + dt * velocity.x);
+  const double dy = event.y - (filter_.position().y + dt * velocity.y);
+  const double reach = RingEvidence::kReach_px + 1;
+  if (std::abs(dy + ring_.rise) > ring_.semi_y + reach ||
+      std::abs(dx) > ring_.semi_x + std::abs(ring_.shear) * ring_.semi_y + reach) {
+    return 0;
+  }
+  ContourOffset offset = ring_.offset(dx, dy, filter_.growth_px());
+  const double normal_speed = offset.normal_x * velocity.x + offset.normal_y * velocity.y;
+  // The event shows where the contour was a little earlier.
+  if (context.ingredients.lag) offset.distance_px += context.contour.lag_s() * normal_speed;
+  const double distance = std::abs(offset.distance_px);
+  if (offset.distance_px > RingEvidence::kReach_px) return 0;
+
+  const double sign = contrast_sign(context);
+  const bool wrong_sign =
+      context.ingredients.polarity && std::abs(sign) > kClearSign &&
+      std::abs(normal_speed) > kSignedSpeed_px_s &&
+      (event.on ? normal_speed : -normal_speed) * sign < 0 &&
+      normal_speed * normal_speed > kSurelySigned_sigma * kSurelySigned_sigma *
+                                        filter_.speed_variance(offset.normal_x, offset.normal_y);
+  if (distance <= RingEvidence::kRing_px) {
+    sample_.count(event.on, normal_speed, event.first);
+    signed_speed_ += event.on ? normal_speed : -normal_speed;
+    absolute_speed_ += std::abs(normal_speed);
+  }
+  if (!event.first && context.ingredients.first_events && context.signature.is_faint()) return 0;
+
+  double worth = 0;
+  if (distance > RingEvidence::kRing_px) {
+    ++clutter_since_ring_;
+    if (offset.distance_px < 0) {
+      evidence_.add_inside();
+      worth = -0.5 * areas_.ring / areas_.inside;
+    } else {
+      evidence_.add_outside();
+      worth = -0.5 * areas_.ring / areas_.outside;
+    }
+  } else if (wrong_sign) {
+    evidence_.add_wrong_sign();
+    worth = -1;
+  } else {
+    worth = evidence_.add_ring(offset.sector, context.ingredients.sector_saturation);
+    last_ring_us_ = event.time_us;
+    clutter_since_ring_ = 0;
+  }
+  if (wrong_sign) return worth;
+  const double variance = filter_.distance_variance(offset.normal_x, offset.normal_y);
+  const double gate = std::clamp(3 * std::sqrt(variance + 1), kSmallestGate_px, kLargestGate_px);
+  if (distance >= gate) return worth;
+  filter_.predict(event.time_us, blind_);
+  filter_.correct(offset.distance_px, offset.normal_x, offset.normal_y);
+  if (distance <= RingEvidence::kRing_px) {
+    ++recent_events_;
+    last_ring_position_ = filter_.position();
+  }
+  const Pixel now = filter_.position();
+  if (std::abs(now.x - ring_made_at_.x) > kSamePlace_px ||
+      std::abs(now.y - ring_made_at_.y) > kSamePlace_px) {
+    follow_contour(context);
+  }
+  return worth;
+}
+
+void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext& context) {
+  blind_ = blind;
+  filter_.predict(time_us, blind);
+  follow_contour(context);
+  const auto passed_us = static_cast<double>(time_us - decided_us_);
+  decided_us_ = time_us;
+  if (filter_.speed_px_s() > kLeastSpeed_px_s) {
+    sample_.swept_px2 += swept_px2_per_s() * passed_us * 1e-6;
+    sample_.events += static_cast<double>(recent_events_);
+  }
+  recent_events_ = 0;
+  evidence_.fade(std::exp(-passed_us / RingEvidence::kMemory_us));
+  const double keep = std::exp(-passed_us / kSignMemory_us);
+  signed_speed_ *= keep;
+  absolute_speed_ *= keep;
+  quality_ = evidence_.quality(areas_);
+  strength_ = evidence_.strength(areas_);
+  if (context.ingredients.purity) quality_ *= purity(context);
+  if (context.ingredients.size_penalty) {
+    const double excess_px = (filter_.growth_px() - kLarge_px) / (kTooLarge_px - kLarge_px);
+    const double factor = context.is_trusted ? kTooLargeFactor : kStrangerTooLargeFactor;
+    quality_ *= 1 - (1 - factor) * std::clamp(excess_px, 0.0, 1.0);
+  }
+  shape_quality_ = quality_;
+  if (!context.ingredients.size_penalty) return;
+  const double expected = expected_events(context.signature);
+  if (expected > 0 && filter_.speed_px_s() > kLeastSpeed_px_s &&
+      evidence_.ring_events() > kTooDense * expected) {
+    const double excess = evidence_.ring_events() / (kTooDense * expected);
+    quality_ /= excess * excess;
+  }
+}
+
+void ContourTrack::park() { filter_.park(kParkedSigma_px, kParkedSigma_px_s); }
+
+void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourContext& context) {
+  ContourFilter::Start start;
+  start.position = position;
+  start.growth_px = filter_.growth_px();
+  start.growth_variance_px2 = filter_.growth_variance_px2();
+  filter_.predict(time_us, true);
+  filter_.restart(start);
+  follow_contour(context);
+}
+
+// A disc of one tone has one sign where it advances and the other one where it recedes.
+double ContourTrack::purity(const ContourContext& context) const {
+  if (absolute_speed_ < kSureOfSign) return 1;
+  const double known = context.is_trusted ? context.signature.contrast_sign() : 0;
+  double contrast = signed_speed_ / absolute_speed_;
+  contrast = std::abs(known) > kSurePuckSign ? contrast * (known > 0 ? 1 : -1) : std::abs(contrast);
+  return std::clamp((contrast - kMixedSigns) / (kPureSigns - kMixedSigns), 0.0, 1.0);
+}
+
+// The puck's, or, while it is not known for sure, that of the track's own events.
+double ContourTrack::contrast_sign(const ContourContext& context) const {
+  if (context.is_trusted) return context.signature.contrast_sign();
+  return absolute_speed_ < kSureOfSign ? 0 : signed_speed_ / absolute_speed_;
+}
+
+// Both edges of the disc sweep what lies across their motion.
+double ContourTrack::swept_px2_per_s() const {
+  const PixelVelocity velocity = filter_.velocity();
+  return 4 * std::hypot(ring_.semi_x * velocity.y, ring_.semi_y * velocity.x);
+}
+
+double ContourTrack::expected_events(const PuckSignature& signature) const {
+  return signature.density() * swept_px2_per_s() * RingEvidence::kMemory_us * 1e-6;
+}
+
+PuckSignature::Sample ContourTrack::take_sample() {
+  const PuckSignature::Sample sample = sample_;
+  sample_ = {};
+  return sample;
+}
+
+}  // namespace puck

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/vision/contour_filter.h"
+#include "common/vision/contour_params.h"
+#include "common/vision/puck_contour.h"
+#include "common/vision/puck_signature.h"
+#include "common/vision/ring_evidence.h"
+
+namespace puck {
+
+/// An event as the contour tracks take it.
+struct ContourEvent {
+  std::int64_t time_us = 0;
+  double x = 0;
+  double y = 0;
+  bool on = false;
+  bool first = false;  ///< Its pixel has not fired with this sign of late.
+};
+
+/// What is the same for all contour tracks of a tracker.
+struct ContourContext {
+  PuckContour contour;
+  ContourFilterParams filter;
+  ContourIngredients ingredients;
+  PuckSignature signature;
+  /// Whether the signature was learned from a track that is beyond doubt.
+  bool is_trusted = false;
+};
+
+/// One belief about where the puck is: a filter that events correct, and what the events of the
+/// last milliseconds say about it.
+class ContourTrack {
+ public:
+  ContourTrack(const ContourContext& context, const ContourFilter::Start& start,
+               std::int64_t time_us, double wall_share);
+
+  /// Takes an event; returns what it says for this track: above 0 for it, below 0 against it, 0 if
+  /// it lies too far off to say anything. `signature` tells which events belong to the puck.
+  double take(const ContourEvent& event, const ContourContext& context);
+
+  /// Moves on to a decision: fades the evidence and judges it. `blind`: unsupported for long.
+  void decide(std::int64_t time_us, bool blind, const ContourContext& context);
+
+  /// To be called at each decision while the puck rests: keeps the track sure of its place.
+  void park();
+
+  /// Puts the track at rest somewhere, keeping its evidence.
+  void stop_at(Pixel position, std::int64_t time_us, const ContourContext& context);
+
+  const ContourFilter& filter() const { return filter_; }
+  /// PuckContour::ring_at's, as this track believes it.
+  double wall_share() const { return wall_share_; }
+  const RingEvidence& evidence() const { return evidence_; }
+  /// As of the last decision, from −1 to 1.
+  double quality() const { return quality_; }
+  /// The same without regard to how many events there are.
+  double shape_quality() const { return shape_quality_; }
+  double strength() const { return strength_; }
+  /// Believed as it stands.
+  bool is_good() const { return quality_ > 0.5 && strength_ > 6; }
+  /// Contour events that are to be expected in the memory of the evidence; 0 while it is not known.
+  double expected_events(const PuckSignature& signature) const;
+  /// When the last event on the ring came, and where the puck was then.
+  std::int64_t last_ring_us() const { return last_ring_us_; }
+  Pixel last_ring_position() const { return last_ring_position_; }
+  /// Events since then that lay beside the ring.
+  int clutter_since_ring() const { return clutter_since_ring_; }
+  /// What was gathered for the signature since the last call.
+  PuckSignature::Sample take_sample();
+
+ private:
+  void follow_contour(const ContourContext& context);
+  double swept_px2_per_s() const;
+  double purity(const ContourContext& context) const;
+  double contrast_sign(const ContourContext& context) const;
+
+  ContourFilter filter_;
+  double wall_share_;
+  ContourRing ring_;
+  Pixel ring_made_at_;
+  RingAreas areas_;
+  RingEvidence evidence_;
+  double quality_ = 0;
+  double shape_quality_ = 0;
+  double strength_ = 0;
+  std::int64_t decided_us_ = 0;
+  bool blind_ = false;
+  std::int64_t last_ring_us_ = 0;
+  Pixel last_ring_position_;
+  int clutter_since_ring_ = 0;
+  PuckSignature::Sample sample_;
+  int recent_events_ = 0;      // believed since the last decision
+  double signed_speed_ = 0;    // Σ p·(n·v) of the events on the ring, fading
+  double absolute_speed_ = 0;  // Σ |n·v|
+};
+
+}  // namespace puck

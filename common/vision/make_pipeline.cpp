@@ -1,0 +1,16 @@
+#include "common/vision/make_pipeline.h"
+
+#include "common/vision/contour_pipeline.h"
+
+namespace puck {
+
+std::unique_ptr<TrackingPipeline> make_pipeline(SensorSize sensor, const PipelineParams& params,
+                                                const PuckSizeModel& size_model) {
+  if (params.follows_contour) {
+    return std::make_unique<ContourPipeline>(sensor, params.contour, params.detector.region,
+                                             size_model);
+  }
+  return std::make_unique<PuckPipeline>(sensor, params, size_model);
+}
+
+}  // namespace puck

@@ -1,0 +1,69 @@
+#include "common/vision/puck_contour.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace puck {
+namespace {
+
+// The smallest puck whose contour still has an inside.
+constexpr double kSmallestSemi_px = 2;
+// How much of its width a puck's side wall adds to its height: the image of an ordinary puck, seen
+// from 30° above, whose thickness is a fifth of its diameter.
+constexpr double kWallOfWidth = 0.165;
+// A plane seen in perspective makes the width grow at least so much from row to row, px per px.
+constexpr double kLeastSlope = 0.01;
+
+}  // namespace
+
+double ContourRing::band_area(double half_width_px) const {
+  return 2 * std::numbers::pi * mean_radius() * 2 * half_width_px;
+}
+
+double ContourRing::inside_area(double half_width_px) const {
+  return std::numbers::pi * std::max(semi_x - half_width_px, 1.0) *
+         std::max(semi_y - half_width_px, 1.0);
+}
+
+double ContourRing::outside_area(double half_width_px, double reach_px) const {
+  return std::numbers::pi * ((semi_x + reach_px) * (semi_y + reach_px) -
+                             (semi_x + half_width_px) * (semi_y + half_width_px));
+}
+
+PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
+                         const ContourCalibration& calibration, bool sheared)
+    : size_model_(size_model),
+      calibration_(calibration),
+      middle_column_((sensor.width - 1) / 2.0),
+      sheared_(sheared && size_model.width_y > kLeastSlope) {
+  // On a plane a disc's width shrinks linearly to nothing at the horizon.
+  if (sheared_) {
+    horizon_row_ = -(size_model.width_0 + size_model.width_x * middle_column_) / size_model.width_y;
+  }
+}
+
+double PuckContour::other_wall_share() const {
+  return calibration_.wall_share > kWallOfWidth / 2 ? 0 : kWallOfWidth;
+}
+
+ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
+  const PuckSize size = size_model_.at(centre);
+  const double width = size.width + calibration_.grow_px;
+  const double silhouette = size.height + calibration_.grow_px;
+  const double height = silhouette - wall_share * width;
+  ContourRing ring;
+  ring.semi_x = std::max(width / 2, kSmallestSemi_px);
+  ring.semi_y = std::max(height / 2, kSmallestSemi_px);
+  ring.rise = wall_share * width / 2;
+  const double below_horizon = centre.y - horizon_row_;
+  if (sheared_ && below_horizon > width) {
+    ring.shear = (centre.x - middle_column_) / below_horizon *
+                 std::clamp((silhouette - kWallOfWidth * width) / height, 0.0, 1.0);
+    const double sheared = ring.shear * ring.semi_y;
+    ring.semi_x = std::sqrt(std::max(ring.semi_x * ring.semi_x - sheared * sheared,
+                                     kSmallestSemi_px * kSmallestSemi_px));
+  }
+  return ring;
+}
+
+}  // namespace puck

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cmath>
+
+#include "common/events/sensor_size.h"
+#include "common/vision/contour_calibration.h"
+#include "common/vision/pixel.h"
+#include "common/vision/puck_size_model.h"
+
+namespace puck {
+
+/// Where a pixel lies relative to the puck's contour.
+struct ContourOffset {
+  double distance_px = 0;  ///< From the nearest contour, positive outside.
+  double normal_x = 0;     ///< Unit vector out of the puck there.
+  double normal_y = 0;
+  int sector = 0;  ///< Which of kContourSectors, seen from the centre.
+};
+
+inline constexpr int kContourSectors = 12;
+
+/// The ellipse on which a puck's contour events lie: sheared, because a disc on a table that is
+/// seen from above and beside the middle is not upright.
+struct ContourRing {
+  double semi_x = 0;  ///< Half the width along a row through the centre, px.
+  double semi_y = 0;  ///< Half the height, px.
+  double shear = 0;   ///< px along x per px along y.
+  double rise = 0;    ///< How far the ring's centre lies above the puck's, px.
+
+  /// Of a pixel at (dx, dy) from the puck's centre, with the ring larger by `growth_px` all round.
+  ContourOffset offset(double dx, double dy, double growth_px) const {
+    const double a = semi_x + growth_px;
+    const double b = semi_y + growth_px;
+    const double y = dy + rise;
+    const double u = (dx - shear * y) / a;
+    const double v = y / b;
+    const double rho = std::sqrt(u * u + v * v);
+    const double gx = u / a;
+    const double gy = v / b - shear * gx;
+    const double slope = std::sqrt(gx * gx + gy * gy) + 1e-9;
+    // To first order: (ρ − 1) / |∇ρ|.
+    return {(rho - 1) * rho / slope, gx / slope, gy / slope, sector_of(u, v)};
+  }
+
+  /// Area of the band within `half_width_px` of the ring; of what is farther inside than that; and
+  /// of the band from there to `reach_px` outside; px².
+  double band_area(double half_width_px) const;
+  double inside_area(double half_width_px) const;
+  double outside_area(double half_width_px, double reach_px) const;
+
+ private:
+  double mean_radius() const { return std::sqrt((semi_x * semi_x + semi_y * semi_y) / 2); }
+
+  // Without an arc tangent: quarters, and in each the slopes of 30° and 60°.
+  static int sector_of(double u, double v) {
+    const double au = std::abs(u);
+    const double av = std::abs(v);
+    const int within = av < 0.57735 * au ? 0 : (av < 1.73205 * au ? 1 : 2);
+    const int quarter = (u < 0 ? 1 : 0) + (v < 0 ? 2 : 0);
+    return quarter * 3 + within;
+  }
+};
+
+/// The puck's contour anywhere in the image: from the size model, the contour's calibration, and
+/// the horizon that the size model implies.
+class PuckContour {
+ public:
+  PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
+              const ContourCalibration& calibration, bool sheared);
+
+  /// `wall_share`: by how much of its width the ring is lower than the puck's silhouette, because
+  /// the puck's side wall makes no events: calibrated_wall_share() or other_wall_share().
+  ContourRing ring_at(Pixel centre, double wall_share) const;
+  double calibrated_wall_share() const { return calibration_.wall_share; }
+  /// What it would be if the wall made events where the calibration says that it does not, or the
+  /// other way round.
+  double other_wall_share() const;
+  PuckSize size_at(Pixel centre) const { return size_model_.at(centre); }
+  double lag_s() const { return calibration_.lag_us * 1e-6; }
+
+ private:
+  PuckSizeModel size_model_;
+  ContourCalibration calibration_;
+  double middle_column_ = 0;
+  double horizon_row_ = 0;
+  bool sheared_ = false;
+};
+
+}  // namespace puck

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "common/events/sensor_size.h"
+#include "common/vision/correlation.h"
+#include "common/vision/gaussian_blur.h"
+#include "common/vision/kernel_bank.h"
+#include "common/vision/puck_detector.h"
+#include "common/vision/puck_size_model.h"
+#include "common/vision/surface_snapshot.h"
+#include "common/vision/tracking_pipeline.h"
+
+namespace puck {
+
+/// Searches a copy of the surface for the puck, as large a part of it as is wanted, without knowing
+/// anything of a track. The same snapshot gives the same result, to the bit. One thread at a time.
+class PuckSearch {
+ public:
+  /// `kernels` are the tracker's. Throws std::invalid_argument, naming the key, when a parameter is
+  /// out of range.
+  PuckSearch(SensorSize sensor, const KernelBankParams& kernels, const DetectorParams& detector,
+             const PuckSizeModel& size_model);
+
+  /// The part of the surface that a search of `search` must be given: kernels on its border reach
+  /// beyond it, and the blur a little more.
+  Region snapshot_region(const Region& search) const;
+
+  /// Looks for the puck with its centre in `search`. `snapshot` shows snapshot_region(search).
+  SearchResult search(const SurfaceSnapshot& snapshot, const Region& search);
+
+ private:
+  SensorSize sensor_;
+  PuckSizeModel size_model_;
+  KernelBank kernels_;
+  PuckDetector detector_;
+  GaussianBlur blur_;
+  Correlation picture_;
+  Image<std::uint8_t> blurred_;
+};
+
+}  // namespace puck

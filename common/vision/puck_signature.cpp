@@ -1,0 +1,43 @@
+#include "common/vision/puck_signature.h"
+
+#include <cmath>
+
+namespace puck {
+namespace {
+
+constexpr double kMemory_us = 500'000;
+// A puck of good contrast makes about five events at a pixel, a faint one hardly more than one.
+constexpr double kFaintBelow = 1.6;
+// As of thirty events at 100 px/s.
+constexpr double kLeastSpeed_px_s = 3'000;
+constexpr double kLeastSwept_px2 = 2'000;
+
+}  // namespace
+
+void PuckSignature::learn(const Sample& sample, std::int64_t duration_us) {
+  const double keep = std::exp(-static_cast<double>(duration_us) / kMemory_us);
+  sum_.signed_speed = keep * sum_.signed_speed + sample.signed_speed;
+  sum_.absolute_speed = keep * sum_.absolute_speed + sample.absolute_speed;
+  sum_.events = keep * sum_.events + sample.events;
+  sum_.swept_px2 = keep * sum_.swept_px2 + sample.swept_px2;
+  sum_.quick_events = keep * sum_.quick_events + sample.quick_events;
+  sum_.first_events = keep * sum_.first_events + sample.first_events;
+}
+
+double PuckSignature::contrast_sign() const {
+  return sum_.absolute_speed > kLeastSpeed_px_s ? sum_.signed_speed / sum_.absolute_speed : 0;
+}
+
+double PuckSignature::multiplicity() const {
+  return sum_.first_events > 0 ? sum_.quick_events / sum_.first_events : 0;
+}
+
+bool PuckSignature::is_faint() const {
+  return knows_multiplicity() && multiplicity() < kFaintBelow;
+}
+
+double PuckSignature::density() const {
+  return sum_.swept_px2 > kLeastSwept_px2 ? sum_.events / sum_.swept_px2 : 0;
+}
+
+}  // namespace puck

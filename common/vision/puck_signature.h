@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace puck {
+
+/// What the puck's events look like, learned while the track is good: whether the puck is darker or
+/// brighter than the table, how many events a pixel makes when its edge passes, and how many there
+/// are for each px² that the contour sweeps.
+class PuckSignature {
+ public:
+  /// What a good track gathered since the last call.
+  static constexpr double kQuick_px_s = 200;
+
+  struct Sample {
+    double signed_speed = 0;    ///< Σ p·(n·v) of contour events, p = ±1.
+    double absolute_speed = 0;  ///< Σ |n·v|.
+    double events = 0;          ///< Contour events that were believed.
+    double swept_px2 = 0;       ///< Area that the contour swept.
+    double quick_events = 0;    ///< Contour events where the contour moves quickly …
+    double first_events = 0;    ///< … that were the first of their sign at their pixel of late.
+
+    /// Counts a contour event, believed or not. Where an edge passes slowly, its events are too far
+    /// apart to be known as one passing.
+    void count(bool on, double normal_speed, bool first) {
+      signed_speed += on ? normal_speed : -normal_speed;
+      absolute_speed += std::abs(normal_speed);
+      if (std::abs(normal_speed) < kQuick_px_s) return;
+      quick_events += 1;
+      first_events += first ? 1 : 0;
+    }
+  };
+
+  void learn(const Sample& sample, std::int64_t duration_us);
+
+  /// From −1, a puck darker than the table, to 1, a brighter one; 0 while it is not known.
+  double contrast_sign() const;
+  /// Whether the puck makes hardly more than one event at each pixel that its edge passes.
+  bool is_faint() const;
+  bool knows_multiplicity() const { return sum_.first_events > kLeastEvents; }
+  double multiplicity() const;
+  /// Contour events per px² swept; nothing (0) while it is not known.
+  double density() const;
+
+ private:
+  static constexpr double kLeastEvents = 30;
+  Sample sum_;  // Fading with 0.5 s.
+};
+
+}  // namespace puck

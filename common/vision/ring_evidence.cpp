@@ -1,0 +1,50 @@
+#include "common/vision/ring_evidence.h"
+
+#include <algorithm>
+
+namespace puck {
+namespace {
+
+// Events per px² that count as nothing.
+constexpr double kDoubt = 0.02;
+// A ring whose events cover this share of the directions is whole: one that moves along an axis
+// has few events at its sides.
+constexpr double kWholeCover = 0.35;
+
+}  // namespace
+
+void RingEvidence::fade(double keep) {
+  ring_ *= keep;
+  wrong_ *= keep;
+  inside_ *= keep;
+  outside_ *= keep;
+  for (double& sector : sectors_) sector *= keep;
+}
+
+double RingEvidence::add_ring(int sector, bool saturates) {
+  double& count = sectors_[static_cast<std::size_t>(sector)];
+  const double worth = saturates ? std::min(1.0, 1.5 / (1 + count / (0.2 * ring_ + 0.5))) : 1;
+  count += 1;
+  ring_ += 1;
+  return worth;
+}
+
+double RingEvidence::cover() const {
+  double squares = 0;
+  for (const double sector : sectors_) squares += sector * sector;
+  return squares > 0 ? ring_ * ring_ / (kContourSectors * squares) : 0;
+}
+
+double RingEvidence::quality(const RingAreas& areas) const {
+  const double good = ring_ / areas.ring;
+  const double bad = wrong_ / areas.ring;
+  const double clutter = clutter_density(areas, inside_, outside_);
+  return (good - bad - clutter) / (good + bad + clutter + kDoubt) *
+         std::min(1.0, cover() / kWholeCover);
+}
+
+double RingEvidence::strength(const RingAreas& areas) const {
+  return ring_ - wrong_ - areas.ring * clutter_density(areas, inside_, outside_);
+}
+
+}  // namespace puck

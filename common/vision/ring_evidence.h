@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+
+#include "common/vision/puck_contour.h"
+
+namespace puck {
+
+/// Areas around a contour in which events are counted, px².
+struct RingAreas {
+  double ring = 1;
+  double inside = 1;
+  double outside = 1;
+};
+
+/// What events say about a contour, over the last 15 ms, fading: how many lie on it with the right
+/// sign, how many with the wrong one, inside it and around it.
+class RingEvidence {
+ public:
+  /// The contour's events lie within this distance of it, px …
+  static constexpr double kRing_px = 1.5;
+  /// … and what is farther outside than this says nothing.
+  static constexpr double kReach_px = 7;
+  /// Events fade with this time constant, µs.
+  static constexpr double kMemory_us = 15'000;
+
+  static RingAreas areas_of(const ContourRing& ring) {
+    return {ring.band_area(kRing_px), ring.inside_area(kRing_px),
+            ring.outside_area(kRing_px, kReach_px)};
+  }
+
+  void fade(double keep);
+
+  /// Counts an event on the ring; returns what it is worth as evidence, at most 1: less in a
+  /// direction that has had more than its share, so that a straight edge is no puck.
+  double add_ring(int sector, bool saturates);
+  void add_wrong_sign() { wrong_ += 1; }
+  void add_inside() { inside_ += 1; }
+  void add_outside() { outside_ += 1; }
+
+  double ring_events() const { return ring_ + wrong_; }
+  double near_events() const { return ring_ + wrong_ + inside_ + outside_; }
+
+  /// From −1 to 1: how far the ring stands out, less where it covers few directions.
+  double quality(const RingAreas& areas) const;
+  /// How many more events lie on the ring than its surroundings would put there.
+  double strength(const RingAreas& areas) const;
+  /// Share of the directions that the ring's events cover, 0 to 1.
+  double cover() const;
+
+ private:
+  static double clutter_density(const RingAreas& areas, double inside, double outside) {
+    return (inside / areas.inside + outside / areas.outside) / 2;
+  }
+
+  double ring_ = 0;
+  double wrong_ = 0;
+  double inside_ = 0;
+  double outside_ = 0;
+  std::array<double, kContourSectors> sectors_{};
+};
+
+}  // namespace puck

@@ -1,0 +1,59 @@
+#include "common/vision/surface_tracker.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "common/vision/event_pieces.h"
+#include "common/vision/make_pipeline.h"
+
+namespace puck {
+
+SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
+                               const PuckSizeModel& size_model)
+    : SurfaceTracker(sensor, params, size_model, make_pipeline(sensor, params, size_model)) {}
+
+SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
+                               const PuckSizeModel& size_model,
+                               std::unique_ptr<TrackingPipeline> pipeline)
+    : surface_(sensor, params.eros),
+      pipeline_(std::move(pipeline)),
+      search_(sensor, params.kernels, params.detector, size_model) {}
+
+void SurfaceTracker::update(const EventPacket& packet) {
+  for_each_piece(packet.start, packet.events, pipeline_->decision_period_us(),
+                 [&](std::span<const Event> piece) { take(packet.start, piece); });
+}
+
+PuckEstimate SurfaceTracker::estimate() {
+  const PuckEstimate estimate = step();
+  // What the search has found counts at once.
+  return search_if_wanted() ? step() : estimate;
+}
+
+PuckEstimate SurfaceTracker::step() {
+  surface_.snapshot(pipeline_->region_needed(), snapshot_);
+  return pipeline_->step(snapshot_);
+}
+
+void SurfaceTracker::take(Timestamp start, std::span<const Event> piece) {
+  surface_.update(start, piece);
+  const Region region = pipeline_->events_needed();
+  if (region.empty()) return;
+  wanted_.clear();
+  std::copy_if(piece.begin(), piece.end(), std::back_inserter(wanted_),
+               [&](const Event& event) { return region.contains(event.x, event.y); });
+  if (wanted_.empty()) return;
+  pipeline_->take(start, wanted_);
+  search_if_wanted();
+}
+
+bool SurfaceTracker::search_if_wanted() {
+  const Region wanted = pipeline_->search_wanted();
+  if (wanted.empty()) return false;
+  surface_.snapshot(search_.snapshot_region(wanted), searched_);
+  pipeline_->take(search_.search(searched_, wanted));
+  return true;
+}
+
+}  // namespace puck

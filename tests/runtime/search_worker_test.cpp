@@ -1,0 +1,94 @@
+#include "common/runtime/search_worker.h"
+
+#include <cmath>
+#include <thread>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/presets.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck {
+namespace {
+
+constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
+
+PuckSearch search_for(SensorSize sensor) {
+  const PipelineParams params = preset_params(Preset::kCorrelation);
+  return PuckSearch(sensor, params.kernels, params.detector, kSizeModel);
+}
+
+SearchResult result_of(SearchWorker& worker, SharedSurface& surface) {
+  while (worker.is_copying()) worker.copy_more(surface);
+  const SearchResult* result = nullptr;
+  while (result == nullptr) {
+    std::this_thread::yield();
+    result = worker.poll();
+  }
+  return *result;
+}
+
+}  // namespace
+
+TEST_CASE("a worker finds the same as a search at once, far and near, time after time") {
+  constexpr SensorSize kSensor{320, 240};
+  const ErosParams eros = preset_params(Preset::kCorrelation).eros;
+  SharedSurface shared(kSensor, eros);
+  ErosSurface alone(kSensor, eros);
+  SearchWorker worker(search_for(kSensor));
+  PuckSearch at_once = search_for(kSensor);
+  for (int i = 1; i <= 5; ++i) {
+    const Pixel puck{30.0 + 15 * i, 60};
+    const EventPacket packet{{i * 1000},
+                             test::contour_events(kSensor, puck, kSizeModel.at(puck), 150)};
+    shared.update(packet, {});
+    alone.update(packet);
+    const Region where = i % 2 == 0 ? Region::all_of(kSensor) : Region::around(puck, 31, 21);
+
+    REQUIRE(worker.is_idle());
+    worker.begin(where);
+    CHECK(worker.poll() == nullptr);
+    const SearchResult found = result_of(worker, shared);
+
+    SurfaceSnapshot snapshot;
+    alone.snapshot(at_once.snapshot_region(where), snapshot);
+    const SearchResult expected = at_once.search(snapshot, where);
+    CHECK(found.time == Timestamp{i * 1000});
+    CHECK(found.region == where);
+    REQUIRE(found.candidates.size() == expected.candidates.size());
+    REQUIRE_FALSE(found.candidates.empty());
+    CHECK(found.candidates[0].position == expected.candidates[0].position);
+    CHECK(found.candidates[0].score == expected.candidates[0].score);
+  }
+}
+
+TEST_CASE("a large surface is copied a few rows at a time") {
+  constexpr SensorSize kSensor{1000, 400};
+  SharedSurface shared(kSensor, {});
+  shared.update({{7}, {{990, 390, 1, 0}}}, {});
+  SearchWorker worker(search_for(kSensor));
+  worker.begin(Region::all_of(kSensor));
+  int copies = 0;
+  while (worker.is_copying()) {
+    worker.copy_more(shared);
+    ++copies;
+  }
+  CHECK(copies >= 5);
+  CHECK(result_of(worker, shared).candidates.empty());
+}
+
+TEST_CASE("a worker ends while it searches, copies, or has nothing to do") {
+  constexpr SensorSize kSensor{320, 240};
+  SharedSurface shared(kSensor, {});
+  const SearchWorker idle(search_for(kSensor));
+  CHECK(idle.is_idle());
+  SearchWorker copying(search_for(kSensor));
+  copying.begin(Region::all_of(kSensor));
+  CHECK(copying.is_copying());
+  SearchWorker searching(search_for(kSensor));
+  searching.begin(Region::all_of(kSensor));
+  while (searching.is_copying()) searching.copy_more(shared);
+  CHECK_FALSE(searching.is_idle());
+}
+
+}  // namespace puck

@@ -1,0 +1,205 @@
+#include "common/runtime/tracking_thread.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/presets.h"
+#include "tests/runtime/tracking_fixtures.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+using namespace test;
+
+// What a pipeline lived through; written by the tracking thread, read after its end.
+struct Life {
+  std::vector<std::int64_t> event_times;
+  std::vector<std::size_t> events_at_step;  // how many it had taken at each step
+  std::vector<Timestamp> stamps;            // of each step
+  std::int64_t pieces_across = 0;           // with a multiple of the period inside
+  int searches = 0;
+  std::vector<int> steps_during_search;
+  std::atomic<int> results{0};
+};
+
+// Wants single events and searches, and does no more with them than remember.
+class LivingPipeline final : public TrackingPipeline {
+ public:
+  LivingPipeline(Life& life, const Region& events, const Region& search)
+      : life_(life), events_(events), search_(search) {}
+
+  Region events_needed() const override { return events_; }
+  std::int64_t decision_period_us() const override { return 100; }
+  void take(Timestamp start, std::span<const Event> events) override {
+    for (const Event& event : events) life_.event_times.push_back(start.us + event.offset_us);
+    const std::int64_t first = start.us + events.front().offset_us;
+    const std::int64_t last = start.us + events.back().offset_us;
+    if ((first + 99) / 100 != (last + 99) / 100) ++life_.pieces_across;
+  }
+  Region region_needed() const override { return {}; }
+  PuckEstimate step(const SurfaceSnapshot& snapshot) override {
+    life_.events_at_step.push_back(life_.event_times.size());
+    life_.stamps.push_back(snapshot.newest_event);
+    ++steps_;
+    PuckEstimate estimate;
+    estimate.newest_event = snapshot.newest_event;
+    return estimate;
+  }
+  Region search_wanted() override {
+    if (!search_.empty()) {
+      ++life_.searches;
+      steps_ = 0;
+    }
+    return search_;
+  }
+  void take(const SearchResult& result) override {
+    CHECK(result.region == search_);
+    life_.steps_during_search.push_back(steps_);
+    ++life_.results;
+  }
+
+ private:
+  Life& life_;
+  Region events_;
+  Region search_;
+  int steps_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("single events come in order, in pieces, and never later than the step that shows them") {
+  const Region region{40, 30, 60, 60};
+  SharedSurface surface(kSensor, {});
+  Published published;
+  Life life;
+  std::vector<std::int64_t> sent;
+  {
+    const TrackingThread thread(surface, std::make_unique<LivingPipeline>(life, region, Region{}),
+                                default_search(), {.heartbeat = milliseconds(5)},
+                                [&](const TrackedEstimate& e) { published.add(e); });
+    // Events are asked for with the first look, which something new has to bring about.
+    surface.update({{0}, {{1, 1, 0, 0}}}, {});
+    REQUIRE(eventually([&] {
+      const auto all = published.all();
+      return !all.empty() && all.back().estimate.newest_event == Timestamp{0} &&
+             all.back().tracking_started != std::chrono::system_clock::time_point{};
+    }));
+    for (int i = 1; i <= 200; ++i) {
+      EventPacket packet{{i * 1000}, {}};
+      for (std::uint32_t k = 0; k < 50; ++k) {
+        const auto x = static_cast<std::uint16_t>((i * 7 + k * 13) % 160);
+        packet.events.push_back({x, 60, 1, k * 20});
+        if (region.contains(x, 60)) sent.push_back(packet.start.us + k * 20);
+      }
+      surface.update(packet, {});
+      if (i % 10 == 0) std::this_thread::sleep_for(milliseconds(1));
+    }
+    surface.update({{201'000}, {{50, 50, 1, 0}}}, {});
+    sent.push_back(201'000);
+    CHECK(eventually([&] {
+      return published.all().back().estimate.newest_event == Timestamp{201'000};
+    }));
+  }
+  CHECK(surface.events_thinned() == 0);
+  CHECK(life.event_times == sent);
+  CHECK(life.pieces_across == 0);
+  for (std::size_t i = 0; i < life.stamps.size(); ++i) {
+    const auto shown = std::upper_bound(sent.begin(), sent.end(), life.stamps[i].us);
+    REQUIRE(life.events_at_step[i] == static_cast<std::size_t>(shown - sent.begin()));
+  }
+}
+
+TEST_CASE("a tracking thread that falls behind gets fewer events, and the others are counted") {
+  SharedSurface surface(kSensor, {});
+  Published published;
+  Life life;
+  constexpr int kPackets = 40;
+  constexpr std::uint32_t kEach = 1000;
+  {
+    std::atomic<bool> stuck{true};
+    std::atomic<int> steps{0};
+    const TrackingThread thread(
+        surface, std::make_unique<LivingPipeline>(life, Region::all_of(kSensor), Region{}),
+        default_search(), {.heartbeat = milliseconds(5)}, [&](const TrackedEstimate& e) {
+          // From the first estimate with an event on, until all events have come.
+          while (stuck && e.tracking_started != std::chrono::system_clock::time_point{}) {
+            ++steps;
+            std::this_thread::sleep_for(microseconds(100));
+          }
+          published.add(e);
+        });
+    surface.update({{0}, {{1, 1, 0, 0}}}, {});
+    REQUIRE(eventually([&] { return steps > 0; }));
+    for (int i = 1; i <= kPackets; ++i) {
+      EventPacket packet{{i * 1000}, {}};
+      for (std::uint32_t k = 0; k < kEach; ++k) packet.events.push_back({5, 5, 1, k});
+      surface.update(packet, {});
+    }
+    stuck = false;
+    CHECK(eventually([&] {
+      const auto all = published.all();
+      return !all.empty() && all.back().estimate.newest_event == Timestamp{kPackets * 1000 + 999};
+    }));
+  }
+  const auto taken = static_cast<std::int64_t>(life.event_times.size());
+  CHECK(taken <= static_cast<std::int64_t>(SharedSurface::kQueuedEvents));
+  CHECK(taken > static_cast<std::int64_t>(SharedSurface::kQueuedEvents) * 9 / 10);
+  CHECK(taken + surface.events_thinned() == kPackets * kEach);
+  CHECK(std::is_sorted(life.event_times.begin(), life.event_times.end()));
+  // The newest ones are there, too, only fewer of them.
+  CHECK(life.event_times.back() > 20'000);
+}
+
+TEST_CASE("the tracking and its heartbeat go on while a large surface is searched") {
+  // A search of all of it takes some hundred times as long as a step.
+  constexpr SensorSize kLarge{SensorSize::kMax, SensorSize::kMax};
+  const PipelineParams params = preset_params(Preset::kCorrelation);
+  SharedSurface surface(kLarge, params.eros);
+  Published published;
+  Life life;
+  {
+    const TrackingThread thread(
+        surface,
+        std::make_unique<LivingPipeline>(life, Region{0, 0, 200, 200}, Region::all_of(kLarge)),
+        PuckSearch(kLarge, params.kernels, params.detector, kSizeModel),
+        {.max_publish_hz = 1000, .heartbeat = milliseconds(2)},
+        [&](const TrackedEstimate& e) { published.add(e); });
+    for (int i = 1; life.results < 2; ++i) {
+      surface.update({{i * 1000}, {{100, 100, 1, 0}, {1500, 1500, 1, 1}}}, {});
+      std::this_thread::sleep_for(microseconds(200));
+    }
+  }
+  CHECK(life.searches >= 2);
+  for (const int steps : life.steps_during_search) CHECK(steps >= 5);
+  CHECK(published.count() >= 10);
+}
+
+TEST_CASE("a search that ends when there is nothing new is told all the same") {
+  const PipelineParams params = preset_params(Preset::kCorrelation);
+  // A small one is searched at once, a large one by the worker.
+  for (const SensorSize sensor : {SensorSize{120, 100}, SensorSize{640, 480}}) {
+    CAPTURE(sensor.width);
+    SharedSurface surface(sensor, params.eros);
+    Published published;
+    const TrackingThread thread(
+        surface, make_pipeline(sensor, params, kSizeModel),
+        PuckSearch(sensor, params.kernels, params.detector, kSizeModel), {},
+        [&](const TrackedEstimate& e) { published.add(e); });
+    surface.update({{1000}, test::contour_events(sensor, {60, 50}, kSizeModel.at({}), 150)}, {});
+    CHECK(eventually([&] {
+      const auto all = published.all();
+      return !all.empty() && all.back().estimate.state == TrackState::kTracking &&
+             all.back().estimate.newest_event == Timestamp{1000};
+    }));
+  }
+}
+
+}  // namespace puck

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "common/runtime/tracking_thread.h"
+#include "common/vision/make_pipeline.h"
+#include "common/vision/presets.h"
+
+namespace puck::test {
+
+// Small, so that a search of all of it is quick under ThreadSanitizer too.
+inline constexpr SensorSize kSensor{160, 120};
+inline constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
+
+// Collects what the tracking thread publishes.
+class Published {
+ public:
+  void add(const TrackedEstimate& estimate) {
+    const std::lock_guard lock(mutex_);
+    estimates_.push_back(estimate);
+  }
+  std::vector<TrackedEstimate> all() const {
+    const std::lock_guard lock(mutex_);
+    return estimates_;
+  }
+  std::size_t count() const {
+    const std::lock_guard lock(mutex_);
+    return estimates_.size();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<TrackedEstimate> estimates_;
+};
+
+inline std::unique_ptr<TrackingPipeline> default_pipeline() {
+  return make_pipeline(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
+}
+
+inline PuckSearch default_search() {
+  const PipelineParams params = preset_params(Preset::kCorrelation);
+  return PuckSearch(kSensor, params.kernels, params.detector, kSizeModel);
+}
+
+template <typename Condition>
+bool eventually(const Condition& condition) {
+  for (int i = 0; i < 10'000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+}  // namespace puck::test

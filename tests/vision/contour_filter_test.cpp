@@ -1,0 +1,74 @@
+#include "common/vision/contour_filter.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+ContourFilter at_origin(const ContourFilterParams& params = {}) {
+  ContourFilter::Start start;
+  start.velocity = {100, -50};
+  return {params, start, 0};
+}
+
+TEST_CASE("Prediction moves with the velocity, and the uncertainty grows with the time") {
+  ContourFilter filter = at_origin();
+  const double before = filter.distance_variance(1, 0);
+  filter.predict(10'000, false);
+  CHECK(filter.position().x == doctest::Approx(1));
+  CHECK(filter.position().y == doctest::Approx(-0.5));
+  // Damped with a time constant of a second.
+  CHECK(filter.velocity().x == doctest::Approx(99));
+  CHECK(filter.distance_variance(1, 0) > before + 900 * 900 * 1e-4);
+}
+
+TEST_CASE("A blind filter comes to rest") {
+  ContourFilter filter = at_origin();
+  for (int i = 1; i <= 300; ++i) filter.predict(i * 1000, true);
+  CHECK(filter.speed_px_s() < 1);
+}
+
+TEST_CASE("An event moves the contour along its normal only, and makes that direction surer") {
+  ContourFilterParams params;
+  params.follows_size = false;
+  ContourFilter filter = at_origin(params);
+  const double along = filter.distance_variance(1, 0);
+  const double across = filter.distance_variance(0, 1);
+  filter.correct(1, 1, 0);
+  CHECK(filter.position().x > 0.3);
+  CHECK(filter.position().y == 0);
+  CHECK(filter.distance_variance(1, 0) < along);
+  CHECK(filter.distance_variance(0, 1) == across);
+}
+
+TEST_CASE("Events outside on both sides make the puck larger, not elsewhere") {
+  ContourFilter filter = at_origin();
+  for (int i = 0; i < 50; ++i) {
+    filter.correct(0.5 - filter.position().x - filter.growth_px(), 1, 0);
+    filter.correct(0.5 + filter.position().x - filter.growth_px(), -1, 0);
+  }
+  // Short of the whole half pixel, since sizes are expected to be as calibrated.
+  CHECK(filter.growth_px() > 0.3);
+  CHECK(filter.growth_px() < 0.5);
+  CHECK(std::abs(filter.position().x) < 0.1);
+}
+
+TEST_CASE("Neither the growth nor the speed leave their bounds") {
+  ContourFilter filter = at_origin();
+  for (int i = 1; i <= 200; ++i) {
+    filter.predict(i * 100, false);
+    filter.correct(5, 1, 0);
+    filter.correct(5, -1, 0);
+  }
+  CHECK(filter.growth_px() <= 0.8);
+  for (int i = 201; i <= 1000; ++i) {
+    filter.predict(i * 100, false);
+    filter.correct(5, 1, 0);
+  }
+  CHECK(filter.speed_px_s() <= 12'000 * 1.0001);
+}
+
+}  // namespace
+}  // namespace puck

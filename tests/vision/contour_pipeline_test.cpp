@@ -1,0 +1,199 @@
+#include "common/vision/contour_pipeline.h"
+
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/presets.h"
+#include "common/vision/surface_tracker.h"
+#include "tests/vision/moving_contour.h"
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{320, 240};
+constexpr PuckSizeModel kSizeModel{16, 0, 0.08, 8, 0, 0.08};
+
+// Shows a tracker of preset `default` a dark puck that glides, rests, jumps or hides.
+class Table {
+ public:
+  explicit Table(const PipelineParams& params = preset_params(Preset::kDefault))
+      : contour_(kSensor, kSizeModel, exact(), true),
+        tracker_(kSensor, with_exact(params), kSizeModel) {}
+
+  // Lets the puck glide for so long; the mean error of the last half, px.
+  double glide(PixelVelocity velocity, int milliseconds) {
+    test::MovingContour puck(contour_, puck_, velocity);
+    double sum = 0;
+    for (int i = 0; i < milliseconds; ++i) {
+      EventPacket packet{{now_us_}, {}};
+      for (const ContourEvent& event : puck.events(i * 1000, (i + 1) * 1000)) {
+        add(packet, event, i * 1000);
+      }
+      puck_ = puck.position_at((i + 1) * 1000);
+      show(std::move(packet));
+      if (i >= milliseconds / 2) sum += error_px();
+    }
+    return sum / (milliseconds - milliseconds / 2);
+  }
+
+  // Nothing moves but a few pixels that fire at random.
+  void rest(int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      EventPacket packet{{now_us_}, {}};
+      random_ = random_ * 1664525u + 1013904223u;
+      packet.events.push_back({static_cast<std::uint16_t>((random_ >> 8) % 320),
+                               static_cast<std::uint16_t>((random_ >> 20) % 240), 0, 500});
+      show(std::move(packet));
+    }
+  }
+
+  // Something covers the puck: events of both signs all over it.
+  void cover(int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      EventPacket packet{{now_us_}, {}};
+      for (int n = 0; n < 100; ++n) {
+        random_ = random_ * 1664525u + 1013904223u;
+        packet.events.push_back({static_cast<std::uint16_t>(puck_.x - 30 + (random_ >> 8) % 60),
+                                 static_cast<std::uint16_t>(puck_.y - 30 + (random_ >> 20) % 60),
+                                 static_cast<std::uint16_t>((random_ >> 30) & 1),
+                                 static_cast<std::uint32_t>(n * 10)});
+      }
+      show(std::move(packet));
+    }
+  }
+
+  void put(Pixel position) { puck_ = position; }
+  double error_px() const {
+    if (!estimate_.position) return 100;
+    return std::hypot(estimate_.position->x - puck_.x, estimate_.position->y - puck_.y);
+  }
+  const PuckEstimate& estimate() const { return estimate_; }
+
+ private:
+  static ContourCalibration exact() { return {0, 0, 0}; }
+  static PipelineParams with_exact(PipelineParams params) {
+    params.contour.calibration = exact();
+    return params;
+  }
+
+  static void add(EventPacket& packet, const ContourEvent& event, std::int64_t begin_us) {
+    if (!kSensor.contains(static_cast<int>(event.x), static_cast<int>(event.y))) return;
+    Event made{static_cast<std::uint16_t>(event.x), 0, 0,
+               static_cast<std::uint32_t>(event.time_us - begin_us)};
+    made.y = static_cast<std::uint16_t>(event.y) & 0x7fffu;
+    made.polarity = event.on ? 1 : 0;
+    packet.events.push_back(made);
+  }
+
+  void show(EventPacket packet) {
+    if (!packet.empty()) tracker_.update(packet);
+    now_us_ += 1000;
+    estimate_ = tracker_.estimate();
+  }
+
+  PuckContour contour_;
+  SurfaceTracker tracker_;
+  Pixel puck_{60, 100};
+  PuckEstimate estimate_;
+  std::int64_t now_us_ = 0;
+  std::uint32_t random_ = 1;
+};
+
+TEST_CASE("a moving puck is found without help and followed to a fraction of a pixel") {
+  Table table;
+  CHECK(table.glide({700, 200}, 200) < 0.2);
+  CHECK(table.estimate().state == TrackState::kTracking);
+  CHECK(table.estimate().velocity.x == doctest::Approx(700).epsilon(0.05));
+  CHECK(table.estimate().score > 0.8);
+  CHECK(table.estimate().covariance[0] > 0);
+  CHECK(table.estimate().covariance[0] < 1);
+}
+
+TEST_CASE("a puck that bounces is followed on") {
+  Table table;
+  table.glide({900, 100}, 150);
+  table.glide({-800, 100}, 10);
+  CHECK(table.glide({-800, 100}, 60) < 0.3);
+}
+
+TEST_CASE("a puck that stops keeps its place without events") {
+  Table table;
+  table.glide({600, 100}, 200);
+  table.rest(1000);
+  CHECK(table.estimate().state == TrackState::kTracking);
+  CHECK(table.estimate().resting);
+  CHECK(table.error_px() < 1.5);
+  table.glide({0, 700}, 20);
+  CHECK(table.glide({0, 700}, 40) < 0.3);
+}
+
+TEST_CASE("a puck that is covered is lost within a tenth of a second and found again elsewhere") {
+  Table table;
+  table.glide({600, 100}, 200);
+  table.cover(100);
+  CHECK(table.estimate().state == TrackState::kLost);
+  CHECK_FALSE(table.estimate().position.has_value());
+  table.put({250, 180});
+  table.glide({-500, -200}, 120);
+  CHECK(table.estimate().state == TrackState::kTracking);
+  CHECK(table.error_px() < 0.5);
+}
+
+TEST_CASE("a puck that leaves the image is known to have left, and where") {
+  Table table;
+  table.glide({1500, 0}, 240);
+  CHECK(table.estimate().state == TrackState::kLost);
+  REQUIRE(table.estimate().left_image.has_value());
+  CHECK(table.estimate().left_image->x == 319);
+  CHECK(std::abs(table.estimate().left_image->y - 100) < 3);
+}
+
+TEST_CASE("random events are never a puck") {
+  Table table;
+  table.cover(300);
+  table.rest(100);
+  CHECK(table.estimate().state == TrackState::kSearching);
+}
+
+TEST_CASE("the same events give the same estimates, however often one asks") {
+  const auto run = [](int asks) {
+    SurfaceTracker tracker(kSensor, preset_params(Preset::kDefault), kSizeModel);
+    const PuckContour contour(kSensor, kSizeModel, {}, true);
+    test::MovingContour puck(contour, {60, 100}, {700, 200});
+    PuckEstimate last;
+    for (int i = 0; i < 100; ++i) {
+      EventPacket packet{{i * 1000}, {}};
+      for (const ContourEvent& event : puck.events(i * 1000, (i + 1) * 1000)) {
+        Event made{static_cast<std::uint16_t>(event.x), 0, 0,
+                   static_cast<std::uint32_t>(event.time_us - i * 1000)};
+        made.y = static_cast<std::uint16_t>(event.y) & 0x7fffu;
+        made.polarity = event.on ? 1 : 0;
+        packet.events.push_back(made);
+      }
+      if (packet.empty()) continue;
+      tracker.update(packet);
+      for (int n = 0; n < asks; ++n) last = tracker.estimate();
+    }
+    return tracker.estimate();
+  };
+  const PuckEstimate seldom = run(0);
+  const PuckEstimate often = run(2);
+  REQUIRE(seldom.position.has_value());
+  REQUIRE(often.position.has_value());
+  CHECK(*seldom.position == *often.position);
+}
+
+TEST_CASE("every ingredient can be left out") {
+  for (const ContourIngredient& ingredient : kContourIngredients) {
+    CAPTURE(std::string(ingredient.name));
+    PipelineParams params = preset_params(Preset::kDefault);
+    params.contour.ingredients.*ingredient.is_on = false;
+    Table table(params);
+    CHECK(table.glide({700, 200}, 150) < 1);
+  }
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,125 @@
+#include "common/vision/contour_track.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/challenger.h"
+#include "tests/vision/moving_contour.h"
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{640, 480};
+constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
+
+ContourContext context() { return {PuckContour(kSensor, kSizeModel, {0, 0, 0}, true), {}, {}, {}}; }
+
+double error_px(const ContourTrack& track, Pixel truth) {
+  return std::hypot(track.filter().position().x - truth.x, track.filter().position().y - truth.y);
+}
+
+// Lets a track follow a puck for some milliseconds; the mean error of the second half, px.
+double follow(ContourTrack& track, test::MovingContour& puck, const ContourContext& all,
+              std::int64_t from_us, std::int64_t to_us) {
+  double sum = 0;
+  int count = 0;
+  for (std::int64_t t = from_us; t < to_us; t += 1000) {
+    for (const ContourEvent& event : puck.events(t, t + 1000)) track.take(event, all);
+    track.decide(t + 1000, false, all);
+    if (t < (from_us + to_us) / 2) continue;
+    sum += error_px(track, puck.position_at(t + 1000));
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST_CASE("A track that starts 2 px off finds a moving puck to a few tenths of a pixel") {
+  const ContourContext all = context();
+  const PixelVelocity velocity{700, 300};
+  test::MovingContour puck(all.contour, {250, 180}, velocity);
+  ContourTrack track(all, {.position = {252, 179}}, 0, 0);
+  CHECK(follow(track, puck, all, 0, 60'000) < 0.25);
+  CHECK(track.is_good());
+  CHECK(track.quality() > 0.8);
+  CHECK(track.filter().velocity().x == doctest::Approx(700).epsilon(0.05));
+  CHECK(track.filter().velocity().y == doctest::Approx(300).epsilon(0.1));
+}
+
+TEST_CASE("A sensor's lag is made good") {
+  ContourContext all = context();
+  test::MovingContour puck(all.contour, {200, 180}, {2000, 0});
+  // Events that come 0.5 ms late show the puck 1 px behind.
+  all.contour = PuckContour(kSensor, kSizeModel, {500, 0, 0}, true);
+  ContourTrack track(all, {.position = {200, 180}, .velocity = {2000, 0}}, 500, 0);
+  for (std::int64_t t = 0; t < 40'000; t += 1000) {
+    for (ContourEvent event : puck.events(t, t + 1000)) {
+      event.time_us += 500;
+      track.take(event, all);
+    }
+    track.decide(t + 1500, false, all);
+  }
+  CHECK(error_px(track, puck.position_at(track.filter().time_us())) < 0.3);
+}
+
+TEST_CASE("Nothing is believed where events lie everywhere") {
+  const ContourContext all = context();
+  ContourTrack track(all, {.position = {300, 200}}, 0, 0);
+  std::uint32_t random = 1;
+  for (std::int64_t t = 0; t < 40'000; t += 10) {
+    random = random * 1664525u + 1013904223u;
+    track.take({t, 270.0 + (random >> 8) % 60, 170.0 + (random >> 20) % 60, true, true}, all);
+    if (t % 1000 == 0) track.decide(t, false, all);
+  }
+  CHECK_FALSE(track.is_good());
+  CHECK(track.quality() < 0.2);
+}
+
+TEST_CASE("Signs that do not suit a disc of one tone make a track doubtful") {
+  const ContourContext all = context();
+  test::MovingContour puck(all.contour, {250, 180}, {700, 300});
+  ContourTrack track(all, {.position = {250, 180}, .velocity = {700, 300}}, 0, 0);
+  for (std::int64_t t = 0; t < 40'000; t += 1000) {
+    bool on = false;
+    for (ContourEvent event : puck.events(t, t + 1000)) {
+      event.on = on = !on;
+      track.take(event, all);
+    }
+    track.decide(t + 1000, false, all);
+  }
+  CHECK_FALSE(track.is_good());
+}
+
+TEST_CASE("A twin at rest overtakes a track that missed a bounce, and only then") {
+  const ContourContext all = context();
+  test::MovingContour before(all.contour, {250, 180}, {2500, 0});
+  ContourTrack track(all, {.position = {250, 180}, .velocity = {2500, 0}}, 0, 0);
+  follow(track, before, all, 0, 20'000);
+  const Pixel wall = before.position_at(20'000);
+
+  const auto twin_leads = [&](PixelVelocity after) {
+    ContourTrack main = track;
+    test::MovingContour puck(all.contour, wall, after);
+    Challenger twin(Challenger::Kind::kTwin, all, {.position = main.filter().position()}, 20'000,
+                    0);
+    for (ContourEvent event : puck.events(0, 4'000)) {
+      event.time_us += 20'000;
+      twin.take(event, main.take(event, all), all);
+    }
+    return twin.leads();
+  };
+  CHECK(twin_leads({-2200, 0}));
+  CHECK_FALSE(twin_leads({2500, 0}));
+}
+
+TEST_CASE("A challenger convinces for as long as it does so without a break") {
+  const ContourContext all = context();
+  Challenger challenger(Challenger::Kind::kSearch, all, {.position = {300, 200}}, 0, 0);
+  CHECK(challenger.convincing_for_us(true, 1000) == 0);
+  CHECK(challenger.convincing_for_us(true, 3000) == 2000);
+  CHECK(challenger.convincing_for_us(false, 4000) == 0);
+  CHECK(challenger.convincing_for_us(true, 5000) == 0);
+}
+
+}  // namespace
+}  // namespace puck

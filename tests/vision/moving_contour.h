@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "common/vision/contour_track.h"
+#include "common/vision/puck_contour.h"
+
+namespace puck::test {
+
+/// What an ideal sensor would see of a puck that glides at constant velocity: events on its
+/// contour, as many as the contour sweeps px² times `per_px2`, with the signs of a dark puck.
+class MovingContour {
+ public:
+  MovingContour(const PuckContour& contour, Pixel start, PixelVelocity velocity, double per_px2 = 3)
+      : contour_(contour), start_(start), velocity_(velocity), per_px2_(per_px2) {}
+
+  Pixel position_at(std::int64_t time_us) const {
+    const double s = static_cast<double>(time_us) * 1e-6;
+    return {start_.x + velocity_.x * s, start_.y + velocity_.y * s};
+  }
+
+  /// The events from `from_us` to `to_us`, a step of 10 µs at a time.
+  std::vector<ContourEvent> events(std::int64_t from_us, std::int64_t to_us) {
+    std::vector<ContourEvent> made;
+    for (std::int64_t t = from_us; t < to_us; t += 10) {
+      const Pixel centre = position_at(t);
+      const ContourRing ring = contour_.ring_at(centre, 0);
+      constexpr int kPlaces = 90;
+      for (int i = 0; i < kPlaces; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + uniform()) / kPlaces;
+        const double dy = ring.semi_y * std::sin(angle);
+        const double dx = ring.semi_x * std::cos(angle) + ring.shear * dy;
+        const ContourOffset place = ring.offset(dx, dy - ring.rise, 0);
+        const double speed = place.normal_x * velocity_.x + place.normal_y * velocity_.y;
+        const double length_px =
+            2 * std::numbers::pi / kPlaces *
+            std::hypot(ring.semi_x * std::sin(angle), ring.semi_y * std::cos(angle));
+        if (uniform() > std::abs(speed) * 10e-6 * length_px * per_px2_) continue;
+        made.push_back(
+            {t, std::round(centre.x + dx), std::round(centre.y + dy - ring.rise), speed < 0, true});
+      }
+    }
+    return made;
+  }
+
+ private:
+  double uniform() {
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state_ >> 11) * 0x1p-53;
+  }
+
+  const PuckContour& contour_;
+  Pixel start_;
+  PixelVelocity velocity_;
+  double per_px2_;
+  std::uint64_t state_ = 1;
+};
+
+}  // namespace puck::test

@@ -1,0 +1,77 @@
+#include "common/vision/puck_contour.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{641, 480};
+constexpr PuckSizeModel kFlat{30, 0, 0, 20, 0, 0};
+// Its width ends at row −200.
+constexpr PuckSizeModel kPlane{20, 0, 0.1, 10, 0, 0.1};
+constexpr ContourCalibration kExact{0, 0, 0};
+
+TEST_CASE("The distance from the contour is exact along the axes and outward normals are unit") {
+  const ContourRing ring = PuckContour(kSensor, kFlat, kExact, true).ring_at({320, 240}, 0);
+  CHECK(ring.offset(18, 0, 0).distance_px == doctest::Approx(3));
+  CHECK(ring.offset(18, 0, 0).normal_x == doctest::Approx(1));
+  CHECK(ring.offset(0, -8, 0).distance_px == doctest::Approx(-2));
+  CHECK(ring.offset(0, -8, 0).normal_y == doctest::Approx(-1));
+  CHECK(ring.offset(16, 0, 1).distance_px == doctest::Approx(0));
+  const ContourOffset oblique = ring.offset(9, 7, 0);
+  CHECK(std::hypot(oblique.normal_x, oblique.normal_y) == doctest::Approx(1));
+}
+
+TEST_CASE("The twelve sectors of a ring cover 30 degrees each") {
+  const ContourRing ring = PuckContour(kSensor, kFlat, kExact, true).ring_at({320, 240}, 0);
+  std::array<int, kContourSectors> counts{};
+  for (int degree = 0; degree < 360; ++degree) {
+    const double angle = (degree + 0.5) * std::numbers::pi / 180;
+    ++counts[static_cast<std::size_t>(
+        ring.offset(15 * std::cos(angle), 10 * std::sin(angle), 0).sector)];
+  }
+  for (const int count : counts) CHECK(count == 30);
+}
+
+TEST_CASE("Beside the middle the ring leans as the perspective asks, and keeps its width") {
+  const PuckContour contour(kSensor, kPlane, kExact, true);
+  const Pixel beside{520, 200};
+  const ContourRing ring = contour.ring_at(beside, 0);
+  // The horizon is at row −200, the middle at column 320: 200 px aside, 400 px below.
+  const double flat_share = (30 - 0.165 * 40) / 30;
+  CHECK(ring.shear == doctest::Approx(0.5 * flat_share));
+  CHECK(std::hypot(ring.semi_x, ring.shear * ring.semi_y) == doctest::Approx(20));
+  CHECK(contour.ring_at({320, 200}, 0).shear == doctest::Approx(0));
+}
+
+TEST_CASE("Without a slope in the size model there is no horizon and no shear") {
+  CHECK(PuckContour(kSensor, kFlat, kExact, true).ring_at({600, 240}, 0).shear == 0);
+  CHECK(PuckContour(kSensor, kPlane, kExact, false).ring_at({600, 240}, 0).shear == 0);
+}
+
+TEST_CASE("A side wall without events leaves a lower ring, higher up") {
+  const ContourRing ring = PuckContour(kSensor, kFlat, {0, 0.2, 1}, true).ring_at({320, 240}, 0.2);
+  CHECK(ring.semi_x == doctest::Approx(15.5));
+  CHECK(ring.semi_y == doctest::Approx((21 - 0.2 * 31) / 2));
+  CHECK(ring.rise == doctest::Approx(0.1 * 31));
+}
+
+TEST_CASE("The other opinion on the side wall is the opposite of the calibrated one") {
+  CHECK(PuckContour(kSensor, kFlat, {0, 0, 0}, true).other_wall_share() > 0.1);
+  CHECK(PuckContour(kSensor, kFlat, {0, 0.15, 0}, true).other_wall_share() == 0);
+}
+
+TEST_CASE("A size model that promises no size still gives a ring") {
+  const ContourRing ring =
+      PuckContour(kSensor, {-50, 0, 0, -20, 0, 0}, kExact, true).ring_at({320, 240}, 0);
+  CHECK(ring.semi_x >= 1);
+  CHECK(ring.semi_y >= 1);
+  CHECK(std::isfinite(ring.offset(0, 0, 0).distance_px));
+}
+
+}  // namespace
+}  // namespace puck

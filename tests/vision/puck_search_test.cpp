@@ -1,0 +1,71 @@
+#include "common/vision/puck_search.h"
+
+#include <doctest/doctest.h>
+
+#include "common/vision/eros_surface.h"
+#include "common/vision/presets.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{640, 480};
+constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
+
+PuckSearch search_of(Preset preset) {
+  const PipelineParams params = preset_params(preset);
+  return PuckSearch(kSensor, params.kernels, params.detector, kSizeModel);
+}
+
+SearchResult search_for_puck_at(Pixel truth, const Region& where, Preset preset) {
+  const PipelineParams params = preset_params(preset);
+  ErosSurface surface(kSensor, params.eros);
+  surface.update(
+      EventPacket{{7000}, test::contour_events(kSensor, truth, kSizeModel.at(truth), 200)});
+  PuckSearch search = search_of(preset);
+  SurfaceSnapshot snapshot;
+  surface.snapshot(search.snapshot_region(where), snapshot);
+  return search.search(snapshot, where);
+}
+
+}  // namespace
+
+TEST_CASE("a search finds the puck anywhere, and a part of the surface answers like all of it") {
+  for (const Pixel truth : {Pixel{60, 100}, {320, 190}, {560, 400}}) {
+    CAPTURE(truth.x);
+    const SearchResult everywhere =
+        search_for_puck_at(truth, Region::all_of(kSensor), Preset::kCorrelation);
+    REQUIRE_FALSE(everywhere.candidates.empty());
+    const SearchCandidate best = everywhere.candidates.front();
+    CHECK(std::hypot(best.position.x - truth.x, best.position.y - truth.y) <= 1.5);
+    CHECK(everywhere.time == Timestamp{7000});
+
+    const SearchResult near =
+        search_for_puck_at(truth, Region::around(truth, 11, 11), Preset::kCorrelation);
+    REQUIRE_FALSE(near.candidates.empty());
+    CHECK(near.candidates.front().position == best.position);
+    CHECK(near.candidates.front().score == best.score);
+  }
+}
+
+TEST_CASE("the authors' detection tells of the best place only") {
+  const Region detection{60, 150, 500, 80};
+  const SearchResult found = search_for_puck_at({300, 190}, detection, Preset::kReference);
+  REQUIRE(found.candidates.size() == 1);
+  CHECK(std::abs(found.candidates[0].position.x - 300) <= 2);
+  CHECK(found.candidates[0].score <= 1);
+}
+
+TEST_CASE("what is copied for a search stays inside the sensor and covers the kernels' reach") {
+  const PuckSearch search = search_of(Preset::kCorrelation);
+  const Region all = Region::all_of(kSensor);
+  CHECK(search.snapshot_region(all) == all);
+  CHECK(search.snapshot_region({}).empty());
+  const Region part = search.snapshot_region({300, 200, 20, 10});
+  CHECK(part.intersect(all) == part);
+  // The puck is 30×21 px there; its canvas is 10 px larger, and the blur reaches 2 px.
+  CHECK(part.x <= 300 - 22);
+  CHECK(part.bottom() >= 210 + 17);
+}
+
+}  // namespace puck

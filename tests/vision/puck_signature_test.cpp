@@ -1,0 +1,59 @@
+#include "common/vision/puck_signature.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+PuckSignature::Sample passing(int pixels, int events_each, bool on_where_it_advances) {
+  PuckSignature::Sample sample;
+  for (int i = 0; i < pixels; ++i) {
+    const double normal_speed = i % 2 == 0 ? 500 : -500;
+    for (int n = 0; n < events_each; ++n) {
+      sample.count((normal_speed > 0) == on_where_it_advances, normal_speed, n == 0);
+      sample.events += 1;
+    }
+  }
+  sample.swept_px2 = pixels;
+  return sample;
+}
+
+TEST_CASE("Nothing is claimed of a puck that has hardly been seen") {
+  PuckSignature signature;
+  signature.learn(passing(4, 1, false), 1000);
+  CHECK(signature.contrast_sign() == 0);
+  CHECK(signature.density() == 0);
+  CHECK_FALSE(signature.is_faint());
+}
+
+TEST_CASE("A dark puck is told from a bright one, and a faint one from either") {
+  PuckSignature dark;
+  dark.learn(passing(3'000, 5, false), 1000);
+  CHECK(dark.contrast_sign() == doctest::Approx(-1));
+  CHECK(dark.multiplicity() == doctest::Approx(5));
+  CHECK(dark.density() == doctest::Approx(5));
+  CHECK_FALSE(dark.is_faint());
+
+  PuckSignature faint;
+  faint.learn(passing(300, 1, true), 1000);
+  CHECK(faint.contrast_sign() == doctest::Approx(1));
+  CHECK(faint.is_faint());
+}
+
+TEST_CASE("Slow edges say nothing of the multiplicity") {
+  PuckSignature signature;
+  PuckSignature::Sample sample;
+  for (int i = 0; i < 1000; ++i) sample.count(true, 50, true);
+  signature.learn(sample, 1000);
+  CHECK_FALSE(signature.knows_multiplicity());
+}
+
+TEST_CASE("What was learned is forgotten for what is seen now") {
+  PuckSignature signature;
+  signature.learn(passing(300, 1, false), 1000);
+  for (int i = 0; i < 100; ++i) signature.learn(passing(100, 5, false), 20'000);
+  CHECK(signature.multiplicity() == doctest::Approx(5).epsilon(0.01));
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,60 @@
+#include "common/vision/puck_size_model.h"
+
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{640, 480};
+
+TEST_CASE("the size model is linear between its limits and stops at them") {
+  PuckSizeModel model{10, 0.01, 0.1, 5, 0, 0.1};
+  model.smallest = {20, 4};
+  model.largest = {40, 50};
+  CHECK(model.at({100, 200}).width == 31);
+  CHECK(model.at({100, 200}).height == 25);
+  CHECK(model.at({0, 0}).width == 20);
+  CHECK(model.at({0, 0}).height == 5);
+  CHECK(model.at({0, 450}).width == 40);
+  CHECK(model.extrapolated_at({0, 450}).width == 55);
+}
+
+TEST_CASE("no size model gives a size below 1 px or none at all, whatever its coefficients") {
+  const double nan = std::nan("");
+  for (const PuckSizeModel& model :
+       {PuckSizeModel{nan, 0, 0, nan, 0, 0}, PuckSizeModel{-9, 0, 0, -1e9, 0, 0}}) {
+    CHECK(model.at({320, 240}).width == 3);
+    CHECK(model.at({320, 240}).height == 3);
+  }
+  CHECK(PuckSizeModel{1e9, 0, 0, 0, 0, 1e9}.at({320, 240}).width == 512);
+}
+
+TEST_CASE("a size model that fits the sensor raises no doubt") {
+  PuckSizeModel model{16, 0, 0.07, 5.6, 0, 0.07};
+  CHECK(doubts_about(model, kSensor).empty());
+  model.sensor = kSensor;
+  CHECK(doubts_about(model, kSensor).empty());
+}
+
+TEST_CASE("a size model that is clamped inside the image says where most, and what it does") {
+  const PuckSizeModel model{-10, 0, 0.1, -2, 0.01, 0.07};
+  const auto doubts = doubts_about(model, kSensor);
+  REQUIRE(doubts.size() == 1);
+  CHECK(doubts[0].find("-10.0 x -2.0 px at (0, 0), where 3.0 x 3.0 px") != std::string::npos);
+  const PuckSizeModel none{std::nan(""), 0, 0, 20, 0, 0};
+  CHECK(doubts_about(none, kSensor).size() == 1);
+}
+
+TEST_CASE("a size model of another sensor is doubted") {
+  PuckSizeModel model{16, 0, 0.01, 6, 0, 0.01};
+  model.sensor = {1280, 720};
+  const auto doubts = doubts_about(model, kSensor);
+  REQUIRE(doubts.size() == 1);
+  CHECK(doubts[0].find("for a sensor of 1280x720 px, this one has 640x480") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,61 @@
+#include "common/vision/ring_evidence.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+constexpr RingAreas kAreas{200, 300, 600};
+
+RingEvidence whole_ring(int events_per_sector) {
+  RingEvidence evidence;
+  for (int i = 0; i < events_per_sector; ++i) {
+    for (int sector = 0; sector < kContourSectors; ++sector) evidence.add_ring(sector, true);
+  }
+  return evidence;
+}
+
+TEST_CASE("A ring with nothing around it is of nearly perfect quality") {
+  const RingEvidence evidence = whole_ring(20);
+  CHECK(evidence.cover() == doctest::Approx(1));
+  CHECK(evidence.quality(kAreas) > 0.95);
+  CHECK(evidence.strength(kAreas) == doctest::Approx(240));
+}
+
+TEST_CASE("Events as dense everywhere as on the ring are no evidence") {
+  RingEvidence evidence = whole_ring(20);
+  for (int i = 0; i < 360; ++i) evidence.add_inside();
+  for (int i = 0; i < 720; ++i) evidence.add_outside();
+  CHECK(evidence.quality(kAreas) == doctest::Approx(0).epsilon(0.01));
+  CHECK(evidence.strength(kAreas) == doctest::Approx(0).epsilon(0.01));
+}
+
+TEST_CASE("An edge that touches the ring in one direction is of poor quality") {
+  RingEvidence evidence;
+  for (int i = 0; i < 200; ++i) evidence.add_ring(4, true);
+  CHECK(evidence.quality(kAreas) < 0.3);
+}
+
+TEST_CASE("More events in one direction are worth less and less, unless saturation is off") {
+  RingEvidence evidence;
+  double worth = 1;
+  for (int i = 0; i < 50; ++i) worth = evidence.add_ring(0, true);
+  CHECK(worth < 0.5);
+  CHECK(evidence.add_ring(0, false) == 1);
+}
+
+TEST_CASE("Events of the wrong sign count against the ring") {
+  RingEvidence evidence = whole_ring(10);
+  const double before = evidence.quality(kAreas);
+  for (int i = 0; i < 60; ++i) evidence.add_wrong_sign();
+  CHECK(evidence.quality(kAreas) < before - 0.4);
+}
+
+TEST_CASE("Evidence fades") {
+  RingEvidence evidence = whole_ring(10);
+  evidence.fade(0.25);
+  CHECK(evidence.ring_events() == doctest::Approx(30));
+}
+
+}  // namespace
+}  // namespace puck

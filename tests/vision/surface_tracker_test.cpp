@@ -1,0 +1,114 @@
+#include "common/vision/surface_tracker.h"
+
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/event_pieces.h"
+#include "common/vision/presets.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{160, 120};
+constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
+
+// What a pipeline was given.
+struct Record {
+  std::vector<std::vector<std::int64_t>> pieces;  // the times of each piece's events
+  std::vector<SearchResult> results;
+  int steps = 0;
+};
+
+// Wants the events of a region, and a search when it is told to.
+class Recorder final : public TrackingPipeline {
+ public:
+  Recorder(Record& record, const Region& events, std::int64_t period_us, const Region& search)
+      : record_(record), events_(events), period_us_(period_us), search_(search) {}
+
+  Region events_needed() const override { return events_; }
+  std::int64_t decision_period_us() const override { return period_us_; }
+  void take(Timestamp start, std::span<const Event> events) override {
+    std::vector<std::int64_t>& piece = record_.pieces.emplace_back();
+    for (const Event& event : events) piece.push_back(start.us + event.offset_us);
+  }
+  Region region_needed() const override { return {}; }
+  PuckEstimate step(const SurfaceSnapshot& snapshot) override {
+    ++record_.steps;
+    PuckEstimate estimate;
+    estimate.newest_event = snapshot.newest_event;
+    return estimate;
+  }
+  Region search_wanted() override { return std::exchange(search_, {}); }
+  void take(const SearchResult& result) override { record_.results.push_back(result); }
+
+ private:
+  Record& record_;
+  Region events_;
+  std::int64_t period_us_;
+  Region search_;
+};
+
+SurfaceTracker tracker_with(Record& record, const Region& events, std::int64_t period_us,
+                            const Region& search) {
+  return SurfaceTracker(kSensor, preset_params(Preset::kCorrelation), kSizeModel,
+                        std::make_unique<Recorder>(record, events, period_us, search));
+}
+
+using Pieces = std::vector<std::vector<std::int64_t>>;
+
+}  // namespace
+
+TEST_CASE("events are cut at the multiples of the period, which end their pieces") {
+  const std::vector<Event> events{{0, 0, 0, 0},   {0, 0, 0, 5},   {0, 0, 0, 10}, {0, 0, 0, 10},
+                                  {0, 0, 0, 11},  {0, 0, 0, 20},  {0, 0, 0, 21}, {0, 0, 0, 49},
+                                  {0, 0, 0, 1000}};
+  const auto pieces_of = [&](std::int64_t start_us, std::int64_t period_us) {
+    Pieces pieces;
+    for_each_piece({start_us}, events, period_us, [&](std::span<const Event> piece) {
+      std::vector<std::int64_t>& times = pieces.emplace_back();
+      for (const Event& event : piece) times.push_back(start_us + event.offset_us);
+    });
+    return pieces;
+  };
+  CHECK(pieces_of(0, 10) == Pieces{{0}, {5, 10, 10}, {11, 20}, {21}, {49}, {1000}});
+  CHECK(pieces_of(90, 100) == Pieces{{90, 95, 100, 100}, {101, 110, 111, 139}, {1090}});
+  CHECK(pieces_of(0, 0).size() == 1);
+}
+
+TEST_CASE("a pipeline gets the events of its region in pieces, and nothing without any") {
+  Record record;
+  SurfaceTracker tracker = tracker_with(record, {10, 10, 20, 20}, 100, {});
+  tracker.update({{50}, {{9, 10, 0, 0}, {10, 10, 0, 20}, {29, 29, 1, 50}, {30, 29, 1, 55},
+                         {15, 15, 1, 60}, {15, 15, 1, 151}, {40, 40, 1, 400}}});
+  CHECK(record.pieces == Pieces{{70, 100}, {110}, {201}});
+  CHECK(tracker.estimate().newest_event == Timestamp{450});
+  CHECK(record.steps == 1);  // one more only after a search
+  CHECK(record.results.empty());
+}
+
+TEST_CASE("a search is made at once, on the surface as it was when it was wanted") {
+  const Pixel puck{80, 60};
+  const std::vector<Event> ring = test::contour_events(kSensor, puck, kSizeModel.at(puck), 150);
+  for (const bool takes_events : {false, true}) {
+    CAPTURE(takes_events);
+    Record record;
+    const Region all = Region::all_of(kSensor);
+    SurfaceTracker tracker = tracker_with(record, takes_events ? all : Region{}, 1000, all);
+    tracker.update({{3000}, ring});
+    tracker.update({{3500}, {{1, 1, 0, 0}}});
+    tracker.estimate();
+    REQUIRE(record.results.size() == 1);
+    CHECK(record.results[0].time == Timestamp{takes_events ? 3000 : 3500});
+    CHECK(record.results[0].region == all);
+    REQUIRE_FALSE(record.results[0].candidates.empty());
+    const SearchCandidate best = record.results[0].candidates.front();
+    CHECK(std::abs(best.position.x - puck.x) <= 1);
+    CHECK(std::abs(best.position.y - puck.y) <= 1);
+    CHECK(best.score > 0.5);
+  }
+}
+
+}  // namespace puck
