@@ -4,20 +4,21 @@
 #
 #   tools/compare.sh [--sequences N] [--seconds S] [--output DIR] [--jobs J] [--keep]
 #
-# --sequences N  with the still and with the moving camera each, 1 to 10 (default 10); of each of the
-#                hard scenes in tools/compare/scenes three for ten
+# --sequences N  with the still and with the moving camera each, 1 to 10 (default 10), and half as many
+#                of each hard scene in tools/compare/scenes
 # --seconds S    length of each (default 30); the hard ones are a third as long, 2 to 10 s
 # --output DIR   where everything goes (default build/compare): comparison.txt, comparison.md,
-#                comparison.json, PNGs; results/ holds what has been run already, by its contents, so
-#                that a second run does only what has changed
+#                comparison.json and the figures as PNG. DIR/results holds what has been run already,
+#                so that another run does only what has changed
 # --jobs J       sequences worked on at a time (default: one a core)
 # --keep         do not delete each recording after everything has run on it (3 GB)
 #
-# Seeds: 1 to 99 are for development: parameters are chosen on them; the size of the puck is
-# and the sensor's lag are calibrated on seed 1, latency is measured on seed 2. Test: still from 1001, moving from 1101, hard
-# from 1201, ten apart. No tracker gets truth, its start included.
+# Seeds: 1 to 99 are for development, parameters are chosen on them only. The puck's size and the
+# sensor's lag are calibrated on seed 1, latency is measured on seed 2. For testing: still from 1001,
+# moving from 1101, hard scenes from 1201, 1211, 1221 and so on. No tracker gets truth, its start
+# included.
 #
-# All of it takes 40 minutes on two cores, --sequences 2 --seconds 5 less than two.
+# All of it takes half an hour on two cores; --sequences 2 --seconds 5 less than two minutes.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 

@@ -46,7 +46,7 @@ std::string compare(const TemporaryFolder& folder) {
                                          "--output",
                                          folder / "out"};
   ChildProcess child(command, {.output = folder / "output.txt", .errors = folder / "errors.txt"});
-  const auto exit_code = child.wait_for(std::chrono::minutes(9));
+  const auto exit_code = child.wait_for(std::chrono::minutes(15));
   INFO(read_text(folder / "errors.txt"));
   REQUIRE(exit_code == 0);
   return read_text(folder / "output.txt");

@@ -12,8 +12,8 @@ constexpr const char* kParticleFilter = "particle-filter";
 }  // namespace
 
 std::vector<Contestant> contestants() {
-  return {{"cluster", {"--algorithm", "cluster"}, 0.2},
-          {kParticleFilter, {"--algorithm", kParticleFilter}, 2.0},
+  return {{"cluster", {"--algorithm", "cluster"}, 0.05},
+          {kParticleFilter, {"--algorithm", kParticleFilter}, 1.8},
           {"paper", {"--preset", "paper"}},
           {"reference", {"--preset", "reference"}},
           {"correlation", {"--preset", "correlation"}},
@@ -86,7 +86,7 @@ const SequenceSet& set_of(const std::vector<SequenceSet>& sets, const std::strin
 }
 
 int sequences_of(const SequenceSet& set, const PlanOptions& options) {
-  return set.is_hard ? std::max(options.sequences * 3 / 10, 1) : options.sequences;
+  return set.is_hard ? std::max(options.sequences / 2, 1) : options.sequences;
 }
 
 double seconds_of(const SequenceSet& set, const PlanOptions& options) {
@@ -134,7 +134,7 @@ Sequence latency_sequence(double seconds) {
 }
 
 double simulation_cost_s(const Sequence& sequence) {
-  return sequence.seconds * (sequence.set.moving ? 2.3 : 0.4);
+  return sequence.seconds * (sequence.set.moving ? 2.2 : 0.4);
 }
 
 double evaluation_cost_s(const Sequence& sequence, const Contestant& contestant) {

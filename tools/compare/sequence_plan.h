@@ -10,7 +10,7 @@ namespace puck {
 struct Contestant {
   std::string name;
   std::vector<std::string> options;  ///< Of puck-evaluate.
-  double cost = 0.25;                ///< About so much CPU time for each second of events.
+  double cost = 0.15;                ///< About so much CPU time for each second of events.
 };
 
 /// The presets and the baselines, worst first.
@@ -40,8 +40,8 @@ struct PlanOptions {
   int sequences = 10;   ///< Of the still and of the moving set each.
   double seconds = 30;  ///< Of each of these.
 };
-/// How many sequences of a set there are, and how long they are. The hard ones are fewer, 3 for 10,
-/// and a third as long: from 2 to 10 s.
+/// How many sequences of a set there are, and how long they are. The hard ones are half as many and
+/// a third as long, from 2 to 10 s.
 int sequences_of(const SequenceSet& set, const PlanOptions& options);
 double seconds_of(const SequenceSet& set, const PlanOptions& options);
 
