@@ -48,10 +48,12 @@ std::string nees_text(std::optional<double> nees) {
 }
 
 TextTable set_table(const SequenceSet& set, const ComparisonReport& report) {
-  TextTable table(title_of(set, report.options),
-                  {"", "mean px", "median seq.", "worst seq.", "in 3.5 px %", "in 4 px %", "lost %",
-                   "longest ms", "first track ms", "NEES mean", "median", "in 95 % bound",
-                   "CPU us/ms", "Mev/s"});
+  std::string title = title_of(set, report.options);
+  if (!set.published.empty())
+    title += " (the paper, on recordings of its own: " + set.published + ")";
+  TextTable table(title, {"", "mean px", "median seq.", "worst seq.", "in 3.5 px %", "in 4 px %",
+                          "lost %", "longest ms", "first track ms", "NEES mean", "median",
+                          "in 95 % bound", "CPU us/ms", "Mev/s"});
   for (const Contestant& contestant : contestants()) {
     const Summary s = report.comparison.summary(set.name, contestant.name);
     if (s.sequences == 0) continue;

@@ -26,12 +26,17 @@ Contestant default_without(const std::string& ingredient) {
 
 std::vector<SequenceSet> sequence_sets() {
   std::vector<SequenceSet> sets{
-      {.name = "still", .title = "still camera", .first_seed = 1001, .shown = true},
+      {.name = "still",
+       .title = "still camera",
+       .first_seed = 1001,
+       .shown = true,
+       .published = "2.47 px, 80 % within 3.5 px"},
       {.name = "moving",
        .title = "moving camera",
        .moving = true,
        .first_seed = 1101,
-       .shown = true},
+       .shown = true,
+       .published = "2.81 px, 80 % within 4 px"},
       {.name = "low-contrast-still",
        .title = "low contrast, 6 m/s, still",
        .scene = "low_contrast_6_m_s.toml",

@@ -28,6 +28,7 @@ struct SequenceSet {
   bool is_hard = false;  ///< One of the difficulties, each alone; shorter and fewer.
   bool shown = false;    ///< Its first sequence's trajectories are drawn.
   bool in_ablation = false;
+  std::string published;  ///< What the paper reports of such sequences; empty: nothing.
 };
 /// Seeds 1 to 99 are for development: parameters are chosen and the size of the puck is calibrated
 /// on them only. These sets are for testing: still from 1001, moving from 1101, the hard ones from
