@@ -96,6 +96,14 @@ TEST_CASE("goals are reached at their bars, missed beyond them, and by nothing t
   CHECK(share.reached() == false);
 }
 
+TEST_CASE("every goal is about sets that exist") {
+  for (const Goal& goal : goals()) {
+    CAPTURE(goal.title);
+    CHECK_FALSE(goal.sets.empty());
+    for (const std::string& set : goal.sets) CHECK_NOTHROW(set_of(sequence_sets(), set));
+  }
+}
+
 TEST_CASE(
     "the report names every set, every ingredient and every seed, and its JSON says the same") {
   Runs runs;

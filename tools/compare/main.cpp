@@ -32,7 +32,7 @@ void compare(const Options& options) {
   const Comparison comparison(experiment.run(plan_sequences(options.plan, ingredients)));
   // Alone, after all the rest: what runs beside it would count.
   const Comparison latency(experiment.run(
-      {latency_sequence(std::min(options.plan.seconds / 2, kLongestLatencySeconds))}));
+      {latency_sequence(std::min(options.plan.seconds / 3, kLongestLatencySeconds))}));
 
   const ComparisonReport report{options.plan, ingredients, comparison, latency};
   write_report(report, options.experiment.output);
