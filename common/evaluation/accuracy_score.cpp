@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/evaluation/quantile.h"
+
 namespace puck {
 namespace {
 
@@ -22,13 +24,6 @@ bool in_image(Pixel centre, SensorSize sensor) {
          centre.y <= sensor.height - 1;
 }
 
-// The smallest of the sorted errors that at least this fraction of them does not exceed.
-double quantile(const std::vector<double>& sorted, double fraction) {
-  const auto rank =
-      static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(sorted.size())));
-  return sorted[std::max<std::size_t>(rank, 1) - 1];
-}
-
 double percent_within(const std::vector<double>& sorted, double limit_px) {
   const auto beyond = std::upper_bound(sorted.begin(), sorted.end(), limit_px);
   return 100 * static_cast<double>(beyond - sorted.begin()) / static_cast<double>(sorted.size());
@@ -43,20 +38,25 @@ AccuracyScore::AccuracyScore(TruthTrack truth, SensorSize sensor)
 
 void AccuracyScore::add(Timestamp tick, const PuckEstimate& estimate) {
   const std::optional<TruthRow> truth = truth_.at(tick);
-  if (!truth || !in_image(truth->centre, sensor_) || truth->visible < kLeastVisible) return;
+  if (!truth || !in_image(truth->centre, sensor_) || truth->visible < kLeastVisible) {
+    lost_since_.reset();
+    return;
+  }
   const double error_px = error_of(estimate, truth->centre);
   const bool lost = error_px > kLostPx || estimate.state != TrackState::kTracking;
   if (!lost && !first_track_) first_track_ = tick;
   if (tick - motion_ < kSettlingUs) return;
 
-  samples_.push_back({tick, error_px});
+  samples_.push_back(
+      {tick, error_px, estimate.score, normalised_error_squared(estimate, truth->centre)});
+  if (lost_since_) loss_us_ += tick - *lost_since_;
+  longest_loss_us_ = std::max(longest_loss_us_, loss_us_);
   if (lost) {
     ++lost_ticks_;
-    if (!loss_began_) loss_began_ = tick;
-    longest_loss_us_ = std::max(longest_loss_us_, tick - *loss_began_);
-  } else if (loss_began_) {
-    longest_loss_us_ = std::max(longest_loss_us_, tick - *loss_began_);
-    loss_began_.reset();
+    lost_since_ = tick;
+  } else {
+    loss_us_ = 0;
+    lost_since_.reset();
   }
 }
 
@@ -70,21 +70,29 @@ AccuracyReport AccuracyScore::report() const {
   if (samples_.empty()) return report;
 
   std::vector<double> sorted;
+  std::vector<double> normalised;
   double sum = 0;
   for (const Sample& sample : samples_) {
     sorted.push_back(sample.error_px);
     sum += sample.error_px;
+    if (sample.nees) normalised.push_back(*sample.nees);
+    report.score_curve.add(sample.score, sample.error_px);
   }
   std::sort(sorted.begin(), sorted.end());
   const auto count = static_cast<double>(sorted.size());
   report.mean_px = sum / count;
   report.median_px = quantile(sorted, 0.5);
+  report.p5_px = quantile(sorted, 0.05);
+  report.p25_px = quantile(sorted, 0.25);
+  report.p75_px = quantile(sorted, 0.75);
   report.p95_px = quantile(sorted, 0.95);
+  report.max_px = sorted.back();
   report.within_2px_percent = percent_within(sorted, 2);
   report.within_3p5px_percent = percent_within(sorted, 3.5);
   report.within_4px_percent = percent_within(sorted, 4);
   report.lost_percent = 100 * static_cast<double>(lost_ticks_) / count;
   report.longest_loss_ms = static_cast<double>(longest_loss_us_) / 1000;
+  report.covariance = covariance_report(std::move(normalised));
   return report;
 }
 

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "common/evaluation/covariance_score.h"
+#include "common/evaluation/score_curve.h"
 #include "common/evaluation/truth_track.h"
 #include "common/events/sensor_size.h"
 #include "common/vision/puck_estimate.h"
@@ -15,14 +17,22 @@ struct AccuracyReport {
   std::int64_t estimates = 0;  ///< Ticks that count; where there are none, nothing else is known.
   double mean_px = 0;
   double median_px = 0;
+  double p5_px = 0;
+  double p25_px = 0;
+  double p75_px = 0;
   double p95_px = 0;
+  double max_px = 0;
   double within_2px_percent = 0;
   double within_3p5px_percent = 0;
   double within_4px_percent = 0;
   double lost_percent = 0;
+  /// From the first tick on which it is lost to the first on which it is not; time in which the
+  /// puck cannot be seen does not count.
   double longest_loss_ms = 0;
   /// From the puck's first motion to the first tick on which it was tracked within 20 px.
   std::optional<double> time_to_first_track_ms;
+  std::optional<CovarianceReport> covariance;  ///< Where the estimates carry one.
+  ScoreCurve score_curve;
 };
 
 /// Scores estimates against truth. A tick counts when the puck's centre is in the image and at
@@ -42,7 +52,11 @@ class AccuracyScore {
   struct Sample {
     Timestamp tick;
     double error_px = 0;
+    double score = 0;
+    std::optional<double> nees;  ///< As normalised_error_squared says.
   };
+  const TruthTrack& truth() const { return truth_; }
+
   /// The ticks that count, for plots.
   const std::vector<Sample>& samples() const { return samples_; }
 
@@ -52,7 +66,9 @@ class AccuracyScore {
   Timestamp motion_;
   std::vector<Sample> samples_;
   std::int64_t lost_ticks_ = 0;
-  std::optional<Timestamp> loss_began_;
+  // The newest tick, if it counts and the puck is lost there.
+  std::optional<Timestamp> lost_since_;
+  std::int64_t loss_us_ = 0;  // How long the present loss has lasted while the puck could be seen.
   std::int64_t longest_loss_us_ = 0;
   std::optional<Timestamp> first_track_;
 };

@@ -102,4 +102,33 @@ TEST_CASE("a recording in which nothing counts has no accuracy") {
   CHECK_FALSE(score.report().time_to_first_track_ms.has_value());
 }
 
+TEST_CASE("a loss lasts only while the puck can be seen") {
+  std::vector<TruthRow> rows;
+  for (int ms = 0; ms <= 1000; ++ms) {
+    const bool hidden = ms > 400 && ms < 700;
+    rows.push_back({{ms * 1000}, {10.0 + ms / 10.0, 100}, {30, 20}, hidden ? 0.0 : 1.0});
+  }
+  AccuracyScore score(TruthTrack(rows), kSensor);
+  for (int ms = 300; ms <= 1000; ++ms) {
+    const bool lost = ms > 390 && ms < 720;
+    score.add({ms * 1000}, lost ? PuckEstimate{} : estimate_at(10 + ms / 10.0, 100));
+  }
+  // 391 to 400 ms, and 700 to 720 ms.
+  CHECK(score.report().longest_loss_ms == doctest::Approx(29));
+}
+
+TEST_CASE("a report tells the spread of the errors") {
+  AccuracyScore score(moving_truth(), kSensor);
+  for (int ms = 301; ms <= 400; ++ms) {
+    score.add({ms * 1000}, estimate_at(10 + ms / 10.0 + (ms - 300) / 100.0, 100));
+  }
+  const AccuracyReport report = score.report();
+  CHECK(report.p5_px == doctest::Approx(0.05));
+  CHECK(report.p25_px == doctest::Approx(0.25));
+  CHECK(report.p75_px == doctest::Approx(0.75));
+  CHECK(report.max_px == doctest::Approx(1));
+  CHECK_FALSE(report.covariance.has_value());
+  CHECK(report.score_curve.ticks() == 100);
+}
+
 }  // namespace puck

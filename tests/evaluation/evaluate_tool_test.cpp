@@ -12,6 +12,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/runs.h"
+#include "tools/evaluate/truth_cover.h"
 
 namespace puck {
 namespace {
@@ -95,6 +96,38 @@ TEST_CASE("a log's events are those of its first session, and the others are tol
   CHECK(times == std::vector<std::int64_t>{1000, 2000});
   REQUIRE(events->warnings().size() == 1);
   CHECK(events->warnings()[0].find("1 packets of events left out") != std::string::npos);
+}
+
+TEST_CASE("truth that ends before the events, or has nothing to do with them, is told") {
+  const auto truth_until = [](std::int64_t last_us) {
+    return TruthTrack({{{0}, {10, 10}, {12, 10}, 1},
+                       {{100'000}, {20, 10}, {12, 10}, 1},
+                       {{last_us}, {40, 10}, {12, 10}, 1}});
+  };
+  RunSummary run;
+  run.first = {0};
+  run.last = {3'000'000};
+  AccuracyScore whole(truth_until(2'950'000), kSensor);
+  whole.add({2'900'000}, PuckEstimate{});
+  CHECK_FALSE(truth_warning(whole, run).has_value());
+  AccuracyScore half(truth_until(1'500'000), kSensor);
+  half.add({1'400'000}, PuckEstimate{});
+  CHECK(
+      truth_warning(half, run) ==
+      "the truth goes from 0.000 to 1.500 s, the events from 0.000 to 3.000 s: only the ticks that "
+      "the truth covers count");
+  const AccuracyScore nothing(truth_until(1'500'000), kSensor);
+  CHECK(truth_warning(nothing, run)->find("not one tick counts") != std::string::npos);
+}
+
+TEST_CASE("at a rate the cost of the tracker is measured and the events are placed in time") {
+  const TemporaryFolder folder;
+  const auto events = open_event_file(recording_with_pause(folder, 1'000'000));
+  const RunSummary run = run_at_rate(*events, setup(), 10, [](const EvaluatedTick&) {});
+  CHECK(run.first.us == 1000);
+  CHECK(run.last.us == 1'001'000);
+  REQUIRE(run.cpu_us_per_ms.has_value());
+  CHECK(*run.cpu_us_per_ms > 0);
 }
 
 TEST_CASE("a detection region is four numbers of at most five digits") {

@@ -71,6 +71,7 @@ const std::map<std::string, std::set<std::string>> kAllowed{
     {"calibration", {"events", "vision", "table"}},
     {"simulation", {"events", "vision", "table"}},
     {"evaluation", {"events", "vision", "table"}},
+    {"plot", {}},
     {"runtime", {"events", "vision"}},
     {"io", {"events", "vision", "table"}},
     {"messaging", {"events", "vision", "table"}},

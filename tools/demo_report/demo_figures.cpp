@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/evaluation/accuracy_score.h"
+#include "common/evaluation/quantile.h"
 #include "common/messaging/conversions.h"
 
 namespace puck {
@@ -51,13 +52,8 @@ void measure_latency(const std::vector<puck_estimate_t>& estimates, DemoFigures&
   }
   if (latencies.empty()) return;
   std::sort(latencies.begin(), latencies.end());
-  const auto quantile = [&](double fraction) {
-    const auto rank =
-        static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(latencies.size())));
-    return latencies[std::max<std::size_t>(rank, 1) - 1];
-  };
-  figures.packet_to_estimate_p50_us = quantile(0.50);
-  figures.packet_to_estimate_p99_us = quantile(0.99);
+  figures.packet_to_estimate_p50_us = quantile(latencies, 0.50);
+  figures.packet_to_estimate_p99_us = quantile(latencies, 0.99);
 }
 
 bool has_position(const puck_estimate_t& estimate) {

@@ -22,6 +22,7 @@
 #include "tools/evaluate/runs.h"
 #include "tools/evaluate/tick_file.h"
 #include "tools/evaluate/tracker_setup.h"
+#include "tools/evaluate/truth_cover.h"
 
 namespace puck {
 namespace {
@@ -150,11 +151,17 @@ void evaluate(const Options& options) {
   for (const std::string& warning : events->warnings()) {
     std::fprintf(stderr, "puck-evaluate: %s\n", warning.c_str());
   }
-  if (score) report.accuracy = score->report();
+  if (score) {
+    report.accuracy = score->report();
+    if (const auto warning = truth_warning(*score, report.run)) {
+      std::fprintf(stderr, "puck-evaluate: %s\n", warning->c_str());
+    }
+  }
   if (ticks) ticks->close();
   print(report);
   if (!options.json.empty()) write_json(report, options.json);
-  if (!options.plots.empty()) write_plots(*score, options.plots);
+  // Where not one tick counts there is nothing to plot, which has been told.
+  if (!options.plots.empty() && !score->samples().empty()) write_plots(*score, options.plots);
 }
 
 }  // namespace

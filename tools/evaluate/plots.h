@@ -6,8 +6,10 @@
 
 namespace puck {
 
-/// Writes error.png (error over time) and within.png (share of the ticks within each error) into a
-/// folder, which is made if need be. Throws std::runtime_error when that fails.
+/// Writes into a folder, which is made if need be: error.png, the error over time; within.png and
+/// within.csv (limit_px,percent), the share of the ticks within each error; score.png and score.csv
+/// (threshold,believed,right,precision,recall), what believing only scores from a threshold on
+/// gives. Throws std::runtime_error when that fails or no tick counts.
 void write_plots(const AccuracyScore& score, const std::filesystem::path& folder);
 
 }  // namespace puck

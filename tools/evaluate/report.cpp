@@ -16,6 +16,20 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+void add_covariance(Json& json, const std::optional<CovarianceReport>& covariance) {
+  json["nees_mean"] = covariance ? Json(covariance->nees_mean) : Json(nullptr);
+  json["nees_median"] = covariance ? Json(covariance->nees_median) : Json(nullptr);
+  json["nees_within_95_percent"] =
+      covariance ? Json(covariance->nees_within_95_percent) : Json(nullptr);
+}
+
+void add_score_curve(Json& json, const ScoreCurve* curve) {
+  json["score_threshold"] = curve ? Json(curve->best().threshold) : Json(nullptr);
+  json["score_precision"] = curve ? Json(curve->best().precision) : Json(nullptr);
+  json["score_recall"] = curve ? Json(curve->best().recall) : Json(nullptr);
+  json["score_average_precision"] = curve ? Json(curve->average_precision()) : Json(nullptr);
+}
+
 Json to_json(const EvaluationReport& report) {
   Json json;
   json["algorithm"] = report.algorithm;
@@ -42,6 +56,16 @@ Json to_json(const EvaluationReport& report) {
   json["latency_p50_us"] = latency ? Json(latency->p50_us) : Json(nullptr);
   json["latency_p99_us"] = latency ? Json(latency->p99_us) : Json(nullptr);
   json["throughput_mev_s"] = or_null(report.run.throughput_mev_s);
+  json["cpu_us_per_ms"] = or_null(report.run.cpu_us_per_ms);
+  json["mev_s"] = report.run.duration_s > 0
+                      ? Json(static_cast<double>(report.run.events) * 1e-6 / report.run.duration_s)
+                      : Json(nullptr);
+  measured("p5_px", &AccuracyReport::p5_px);
+  measured("p25_px", &AccuracyReport::p25_px);
+  measured("p75_px", &AccuracyReport::p75_px);
+  measured("max_px", &AccuracyReport::max_px);
+  add_covariance(json, scored ? accuracy->covariance : std::nullopt);
+  add_score_curve(json, scored ? &accuracy->score_curve : nullptr);
   return json;
 }
 

@@ -11,6 +11,7 @@
 #include "common/runtime/shared_surface.h"
 #include "common/runtime/tracking_thread.h"
 #include "common/vision/make_pipeline.h"
+#include "tools/evaluate/cpu_time.h"
 
 namespace puck {
 namespace {
@@ -37,6 +38,8 @@ class Span {
   }
   void write_to(RunSummary& summary) const {
     summary.events = events_;
+    summary.first = first_;
+    summary.last = last_;
     summary.duration_s = static_cast<double>(last_ - first_) * 1e-6;
   }
 
@@ -115,6 +118,7 @@ RunSummary run_at_rate(EventReader& events, const TrackerSetup& setup, double ra
   PacketCutter cutter(events);
   EventPacket piece;
   Span span;
+  CpuTime cpu;
   std::int64_t number = 0;
   const auto tick_of = [&](std::int64_t n) {
     return Timestamp{std::llround(static_cast<double>(n) * period_us)};
@@ -126,15 +130,16 @@ RunSummary run_at_rate(EventReader& events, const TrackerSetup& setup, double ra
     const Timestamp tick = tick_of(number);
     while (next && *next <= tick) {
       cutter.take_until(tick, piece);
-      tracker->update(piece);
+      cpu.of([&] { tracker->update(piece); });
       span.add(piece);
       next = cutter.next_time();
     }
-    on_tick({tick, tracker->estimate(), std::nullopt});
+    on_tick({tick, cpu.of([&] { return tracker->estimate(); }), std::nullopt});
     ++number;
   }
   RunSummary summary;
   span.write_to(summary);
+  if (summary.duration_s > 0) summary.cpu_us_per_ms = cpu.total_us() / (summary.duration_s * 1e3);
   return summary;
 }
 

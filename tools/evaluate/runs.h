@@ -22,9 +22,13 @@ using OnTick = std::function<void(const EvaluatedTick&)>;
 /// What a run tells besides its ticks; what its mode cannot measure is missing.
 struct RunSummary {
   std::int64_t events = 0;
+  Timestamp first;
+  Timestamp last;
   double duration_s = 0;  ///< Sensor time from the first to the last event.
   std::optional<LatencySummary> latency;
   std::optional<double> throughput_mev_s;
+  /// CPU time of the tracker, without the reading of the file, for each millisecond of sensor time.
+  std::optional<double> cpu_us_per_ms;
 };
 
 /// Feeds the events up to each multiple of 1/rate of sensor time and asks for an estimate there.

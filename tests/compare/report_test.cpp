@@ -1,0 +1,195 @@
+#include "tools/compare/report.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "common/evaluation/score_curve.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/compare/program.h"
+#include "tools/compare/report_json.h"
+
+namespace puck {
+namespace {
+
+using Json = nlohmann::json;
+
+// A folder with what runs left behind.
+class Runs {
+ public:
+  void add(const std::string& set, int seed, const std::string& contestant, const Json& figures) {
+    const std::string name = set + std::to_string(seed) + contestant;
+    std::filesystem::create_directory(folder_ / name);
+    write_text(folder_ / name / "figures.json", figures.dump());
+    results_.results.push_back({set, seed, contestant, folder_ / name});
+  }
+  Comparison comparison() const { return Comparison(results_); }
+
+ private:
+  TemporaryFolder folder_;
+  ExperimentResults results_;
+};
+
+Json figures(int ticks, double mean_px, double lost_percent) {
+  return {{"estimates", ticks},           {"mean_px", mean_px},
+          {"lost_percent", lost_percent}, {"longest_loss_ms", lost_percent * 10},
+          {"time_to_first_track_ms", 5},  {"duration_s", 1},
+          {"cpu_us_per_ms", 40},          {"nees_mean", nullptr}};
+}
+
+const GoalResult& goal(const std::vector<GoalResult>& goals, const std::string& title) {
+  for (const GoalResult& result : goals) {
+    if (result.title == title) return result;
+  }
+  throw std::runtime_error("no goal is called " + title);
+}
+
+}  // namespace
+
+TEST_CASE("a summary weighs its sequences by their ticks and keeps the worst") {
+  Runs runs;
+  runs.add("still", 1002, "default", figures(3000, 0.4, 1));
+  runs.add("still", 1001, "default", figures(1000, 0.2, 0));
+  runs.add("moving", 1101, "default", figures(1000, 9, 50));
+  runs.add("still", 1001, "paper", figures(1000, 7, 50));
+  const Summary summary = runs.comparison().summary("still", "default");
+  CHECK(summary.sequences == 2);
+  CHECK(summary.ticks == 4000);
+  CHECK(*summary.mean_px == doctest::Approx(0.35));
+  CHECK(*summary.median_mean_px == doctest::Approx(0.2));
+  CHECK(*summary.worst_mean_px == doctest::Approx(0.4));
+  CHECK(*summary.lost_percent == doctest::Approx(0.75));
+  CHECK(*summary.longest_loss_ms == doctest::Approx(10));
+  CHECK(*summary.time_to_first_track_ms == 5);
+  CHECK_FALSE(summary.nees_mean.has_value());
+  CHECK(runs.comparison().runs({"still"}, "default").front()->result().seed == 1001);
+}
+
+TEST_CASE("a puck that was never tracked in one sequence has no time to its first track") {
+  Runs runs;
+  Json never = figures(1000, 100, 100);
+  never["time_to_first_track_ms"] = nullptr;
+  runs.add("still", 1001, "default", figures(1000, 0.2, 0));
+  runs.add("still", 1002, "default", never);
+  CHECK_FALSE(runs.comparison().summary("still", "default").time_to_first_track_ms.has_value());
+}
+
+TEST_CASE("goals are reached at their bars, missed beyond them, and by nothing that did not run") {
+  Runs runs;
+  runs.add("still", 1001, "default", figures(1000, 0.25, 0.1));
+  runs.add("still", 1001, "correlation", figures(1000, 0.36, 0));
+  runs.add("still", 1001, "reference", figures(1000, 9, 9));
+  const auto results = check_goals(runs.comparison());
+  const GoalResult& mean = goal(results, "still: mean error, px");
+  CHECK(mean.by_default.reached() == true);
+  CHECK(mean.correlation.reached() == false);
+  CHECK(mean.reference.measured == 9);
+  CHECK_FALSE(mean.reference.reached().has_value());
+  CHECK(goal(results, "still: lost, %").by_default.reached() == false);
+  CHECK(goal(results, "still: CPU time a millisecond, us").by_default.reached() == true);
+  CHECK(goal(results, "moving: mean error, px").by_default.reached() == false);
+  GoalCell share{99, 98, true};
+  CHECK(share.reached() == true);
+  share.measured = 97;
+  CHECK(share.reached() == false);
+}
+
+TEST_CASE("every goal is about sets that exist") {
+  for (const Goal& goal : goals()) {
+    CAPTURE(goal.title);
+    CHECK_FALSE(goal.sets.empty());
+    for (const std::string& set : goal.sets) CHECK_NOTHROW(set_of(sequence_sets(), set));
+  }
+}
+
+TEST_CASE(
+    "the report names every set, every ingredient and every seed, and its JSON says the same") {
+  Runs runs;
+  runs.add("still", 1001, "default", figures(1000, 0.25, 0.1));
+  runs.add("fast-still", 1231, "without shear", figures(1000, 4.5, 0));
+  const Comparison comparison = runs.comparison();
+  const Comparison latency((ExperimentResults()));
+  const ComparisonReport report{{}, {"shear"}, comparison, latency};
+  const TemporaryFolder folder;
+  write_report(report, folder.path());
+
+  const std::string text = read_text(folder / "comparison.txt");
+  const std::string markdown = read_text(folder / "comparison.md");
+  for (const SequenceSet& set : sequence_sets()) {
+    CAPTURE(set.title);
+    CHECK(text.find(set.title) != std::string::npos);
+    CHECK(markdown.find("### " + set.title) != std::string::npos);
+  }
+  CHECK(text.find("seeds 1001 to 1010") != std::string::npos);
+  CHECK(text.find("without shear") != std::string::npos);
+
+  const Json json = Json::parse(read_text(folder / "comparison.json"));
+  CHECK(json["sets"]["still"]["contestants"]["default"]["mean_px"] == 0.25);
+  CHECK(json["sets"]["still"]["contestants"]["default"]["runs"][0]["seed"] == 1001);
+  CHECK(json["ablation"]["shear"]["fast-still"]["mean_px"] == 4.5);
+  CHECK(json["goals"].size() == goals().size());
+}
+
+TEST_CASE("a score curve survives its file") {
+  const TemporaryFolder folder;
+  ScoreCurve curve;
+  curve.add(0.9, 1);
+  curve.add(0.6, 1);
+  curve.add(0.6, 50);
+  curve.add(0, 50);
+  std::string rows = "threshold,believed,right,precision,recall\n";
+  for (int step = 0; step <= ScoreCurve::kSteps; ++step) {
+    const auto point = curve.at(step);
+    rows += std::to_string(point.threshold) + "," + std::to_string(point.believed) + "," +
+            std::to_string(point.right) + ",0,0\n";
+  }
+  folder.write("score.csv", rows);
+  folder.write("figures.json", R"({"estimates": 4})");
+  const ScoreCurve read = RunFigures({"still", 1, "default", folder.path()}).score_curve();
+  CHECK(read.ticks() == 4);
+  CHECK(read.at(120).believed == 3);
+  CHECK(read.at(120).right == 2);
+  CHECK(read.average_precision() == doctest::Approx(curve.average_precision()));
+}
+
+TEST_CASE("ticks without a position are gaps in a trajectory") {
+  const TemporaryFolder folder;
+  const auto path = folder.write("ticks.csv",
+                                 "t_us,x,y,width,height,score,state,latency_us\n"
+                                 "1000,10.5,20,30,20,0.9,tracking,\n"
+                                 "2000,,,,,0,lost,\n");
+  const Trajectory trajectory = read_ticks(path);
+  REQUIRE(trajectory.rows.size() == 2);
+  CHECK(trajectory.rows[0].time_s == doctest::Approx(0.001));
+  CHECK(trajectory.rows[0].x == 10.5);
+  CHECK(trajectory.rows[0].y == 20);
+  CHECK(trajectory.rows[1].time_s == doctest::Approx(0.002));
+  CHECK(std::isnan(trajectory.rows[1].x));
+  CHECK_THROWS_AS(read_ticks(folder.write("other.csv", "a,b\n")), std::runtime_error);
+}
+
+TEST_CASE("a table is aligned, and a row of the wrong length is refused") {
+  TextTable table("Title", {"", "px", "%"});
+  table.add({"default", number_text(0.126, 2), number_text({}, 1)});
+  CHECK(table.text() == "Title\n             px  %\n  default  0.13  -\n");
+  CHECK(table.markdown() ==
+        "### Title\n\n|  | px | % |\n|---|---:|---:|\n| default | 0.13 | - |\n");
+  CHECK_THROWS_AS(table.add({"default"}), std::invalid_argument);
+}
+
+TEST_CASE("a program that fails is told with what it said") {
+  const TemporaryFolder folder;
+  CHECK(run_or_throw({"/bin/true"}, folder.path()) >= 0);
+  std::string message;
+  try {
+    run_or_throw({"/bin/sh", "-c", "echo no such seed >&2; exit 3"}, folder.path());
+  } catch (const std::runtime_error& error) {
+    message = error.what();
+  }
+  CHECK(message.find("ended with exit code 3 and said:\nno such seed") != std::string::npos);
+  CHECK_THROWS_AS(run_or_throw({"/no/such/program"}, folder.path()), std::runtime_error);
+}
+
+}  // namespace puck

@@ -1,0 +1,95 @@
+#include "tools/compare/sequence_plan.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+
+#include "common/io/config.h"
+
+namespace puck {
+namespace {
+
+bool runs(const Sequence& sequence, const std::string& name) {
+  return std::any_of(sequence.contestants.begin(), sequence.contestants.end(),
+                     [&](const Contestant& contestant) { return contestant.name == name; });
+}
+
+}  // namespace
+
+TEST_CASE("the whole comparison is 10 still, 10 moving and 5 of each hard set") {
+  int still = 0;
+  int moving = 0;
+  int hard = 0;
+  for (const Sequence& sequence : plan_sequences({}, {})) {
+    still += sequence.set.name == "still";
+    moving += sequence.set.name == "moving";
+    hard += sequence.set.is_hard;
+    CHECK(sequence.seconds == (sequence.set.is_hard ? 10 : 30));
+  }
+  CHECK(still == 10);
+  CHECK(moving == 10);
+  CHECK(hard == 5 * (static_cast<int>(sequence_sets().size()) - 2));
+}
+
+TEST_CASE("no seed is used twice, and none for testing that is for development") {
+  std::set<int> seeds;
+  for (const Sequence& sequence : plan_sequences({}, {})) {
+    CHECK(sequence.seed > 1000);
+    CHECK(seeds.insert(sequence.seed).second);
+  }
+  CHECK(calibration_sequence().seed <= 99);
+  CHECK(latency_sequence(1).seed <= 99);
+}
+
+TEST_CASE("the quick form has every set, shorter") {
+  const PlanOptions quick{.sequences = 2, .seconds = 5};
+  std::set<std::string> sets;
+  for (const Sequence& sequence : plan_sequences(quick, {})) {
+    sets.insert(sequence.set.name);
+    CHECK(sequence.seconds == (sequence.set.is_hard ? 2 : 5));
+  }
+  CHECK(sets.size() == sequence_sets().size());
+  const SequenceSet& hard = set_of(sequence_sets(), "rests");
+  CHECK(seconds_of(hard, {.sequences = 1, .seconds = 1}) == 1);
+  CHECK(sequences_of(hard, quick) == 1);
+}
+
+TEST_CASE("each ingredient is taken away in turn on four sets, two still and two moving") {
+  std::set<std::string> still;
+  std::set<std::string> moving;
+  for (const Sequence& sequence : plan_sequences({}, {"shear", "blob"})) {
+    if (!runs(sequence, "without shear")) continue;
+    CHECK(runs(sequence, "without blob"));
+    (sequence.set.moving ? moving : still).insert(sequence.set.name);
+  }
+  CHECK(still.size() == 2);
+  CHECK(moving.size() == 2);
+  CHECK(default_without("shear").options ==
+        std::vector<std::string>{"--preset", "default", "--without", "shear"});
+}
+
+TEST_CASE("all presets run everywhere, the particle filter where it is affordable") {
+  for (const Sequence& sequence : plan_sequences({}, {})) {
+    for (const char* name : {"paper", "reference", "correlation", "default", "cluster"}) {
+      CHECK(runs(sequence, name));
+    }
+    CHECK(runs(sequence, "particle-filter") == !sequence.set.is_hard);
+  }
+}
+
+TEST_CASE("every scene file is there and can be read") {
+  const std::filesystem::path scenes =
+      std::filesystem::path(std::getenv("PUCK_SOURCE_DIR")) / "tools/compare/scenes";
+  for (const SequenceSet& set : sequence_sets()) {
+    if (set.scene.empty()) continue;
+    CAPTURE(set.scene);
+    CHECK_NOTHROW(Config::from_file(scenes / set.scene));
+  }
+  CHECK_THROWS_AS(set_of(sequence_sets(), "no such set"), std::invalid_argument);
+}
+
+}  // namespace puck

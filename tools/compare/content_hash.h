@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace puck {
+
+/// A short name for contents (FNV-1a, 64 bit): the same contents, the same name. Not for secrets.
+class ContentHash {
+ public:
+  ContentHash& add(std::string_view bytes);
+  /// Throws std::runtime_error when the file cannot be read.
+  ContentHash& add_file(const std::filesystem::path& path);
+
+  /// 16 hexadecimal digits.
+  std::string text() const;
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325;
+};
+
+}  // namespace puck

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "tools/compare/charts.h"
+#include "tools/compare/experiment.h"
+#include "tools/compare/program.h"
+#include "tools/compare/report.h"
+
+namespace puck {
+namespace {
+
+constexpr double kLongestLatencySeconds = 5;
+
+struct Options {
+  PlanOptions plan;
+  ExperimentSettings experiment{
+      .programs = {}, .scenes = "tools/compare/scenes", .output = "build/compare"};
+};
+
+void compare(const Options& options) {
+  std::filesystem::create_directories(options.experiment.output);
+  std::printf("%s\n", seeds_text(options.plan).c_str());
+  Experiment experiment(options.experiment);
+  const std::vector<std::string> ingredients = experiment.ingredients();
+  const Comparison comparison(experiment.run(plan_sequences(options.plan, ingredients)));
+  // Alone, after all the rest: what runs beside it would count.
+  const Comparison latency(experiment.run(
+      {latency_sequence(std::min(options.plan.seconds / 3, kLongestLatencySeconds))}));
+
+  const ComparisonReport report{options.plan, ingredients, comparison, latency};
+  write_report(report, options.experiment.output);
+  write_charts(report, options.experiment.output);
+  std::printf("\n%s\n", read_whole_file(options.experiment.output / "comparison.txt").c_str());
+  std::printf("table, JSON and figures: %s\n", options.experiment.output.c_str());
+}
+
+}  // namespace
+}  // namespace puck
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Makes simulated sequences, runs every tracker over them and tells how they did. See "
+      "tools/compare.sh, which builds it and runs it.",
+      "puck-compare");
+  puck::Options options;
+  options.experiment.programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  options.experiment.jobs = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
+  app.add_option("--sequences", options.plan.sequences,
+                 "of the still and of the moving camera each")
+      ->check(CLI::Range(1, 10))
+      ->capture_default_str();
+  app.add_option("--seconds", options.plan.seconds,
+                 "of each of them; hard ones are a third as long")
+      ->check(CLI::Range(1.0, 600.0))
+      ->capture_default_str();
+  app.add_option("--output", options.experiment.output, "folder")
+      ->take_last()
+      ->capture_default_str();
+  app.add_option("--jobs", options.experiment.jobs, "sequences worked on at a time")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  app.add_option("--scenes", options.experiment.scenes, "folder of the hard scenes")
+      ->check(CLI::ExistingDirectory)
+      ->capture_default_str();
+  app.add_option("--programs", options.experiment.programs,
+                 "folder of puck-simulate, puck-calibrate and puck-evaluate")
+      ->check(CLI::ExistingDirectory)
+      ->capture_default_str();
+  app.add_flag("--keep", options.experiment.keep_recordings, "do not delete the recordings");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    puck::compare(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "puck-compare: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "tools/compare/report.h"
+
+namespace puck {
+
+/// The whole comparison: options, goals, sets with each contestant's summary and the figures of
+/// each of its sequences, ablation, latency. What was not measured is null.
+nlohmann::ordered_json report_json(const ComparisonReport& report);
+
+}  // namespace puck

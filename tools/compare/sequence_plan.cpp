@@ -1,0 +1,157 @@
+#include "tools/compare/sequence_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace puck {
+namespace {
+
+constexpr const char* kParticleFilter = "particle-filter";
+
+}  // namespace
+
+std::vector<Contestant> contestants() {
+  return {{"cluster", {"--algorithm", "cluster"}, 0.05},
+          {kParticleFilter, {"--algorithm", kParticleFilter}, 1.8},
+          {"paper", {"--preset", "paper"}},
+          {"reference", {"--preset", "reference"}},
+          {"correlation", {"--preset", "correlation"}},
+          {"default", {"--preset", "default"}}};
+}
+
+Contestant default_without(const std::string& ingredient) {
+  return {"without " + ingredient, {"--preset", "default", "--without", ingredient}};
+}
+
+std::vector<SequenceSet> sequence_sets() {
+  std::vector<SequenceSet> sets{
+      {.name = "still",
+       .title = "still camera",
+       .first_seed = 1001,
+       .shown = true,
+       .published = "2.47 px, 80 % within 3.5 px"},
+      {.name = "moving",
+       .title = "moving camera",
+       .moving = true,
+       .first_seed = 1101,
+       .shown = true,
+       .published = "2.81 px, 80 % within 4 px"},
+      {.name = "low-contrast-still",
+       .title = "low contrast, 6 m/s, still",
+       .scene = "low_contrast_6_m_s.toml",
+       .shown = true,
+       .in_ablation = true},
+      {.name = "low-contrast-moving",
+       .title = "low contrast, 5 m/s, moving",
+       .scene = "low_contrast_5_m_s.toml",
+       .moving = true,
+       .shown = true,
+       .in_ablation = true},
+      {.name = "logos-moving",
+       .title = "round logos, moving",
+       .scene = "round_logos.toml",
+       .moving = true,
+       .in_ablation = true},
+      {.name = "fast-still",
+       .title = "shots to 15 m/s, still",
+       .scene = "fast_shots.toml",
+       .shown = true,
+       .in_ablation = true},
+      {.name = "fast-moving",
+       .title = "shots to 15 m/s, moving",
+       .scene = "fast_shots.toml",
+       .moving = true},
+      {.name = "dim", .title = "dim light, still", .scene = "dim_light.toml"},
+      {.name = "flicker", .title = "flicker, still", .scene = "flicker.toml"},
+      {.name = "hot-pixels", .title = "hot pixels, still", .scene = "hot_pixels.toml"},
+      {.name = "rests", .title = "rests, still", .scene = "rests.toml"},
+      {.name = "occlusion", .title = "occlusion, still", .scene = "occlusion.toml"},
+      {.name = "goals", .title = "goals: off the table and back", .scene = "goals.toml"},
+      {.name = "leaves-image",
+       .title = "leaves the image, moving",
+       .scene = "leaves_image.toml",
+       .moving = true},
+      {.name = "second-puck", .title = "second puck, still", .scene = "second_puck.toml"}};
+  int next_hard_seed = 1201;
+  for (SequenceSet& set : sets) {
+    if (set.scene.empty()) continue;
+    set.is_hard = true;
+    set.first_seed = next_hard_seed;
+    next_hard_seed += 10;
+  }
+  return sets;
+}
+
+const SequenceSet& set_of(const std::vector<SequenceSet>& sets, const std::string& name) {
+  const auto found =
+      std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.name == name; });
+  if (found == sets.end()) throw std::invalid_argument("no set of sequences is called " + name);
+  return *found;
+}
+
+int sequences_of(const SequenceSet& set, const PlanOptions& options) {
+  return set.is_hard ? std::max(options.sequences / 2, 1) : options.sequences;
+}
+
+double seconds_of(const SequenceSet& set, const PlanOptions& options) {
+  if (!set.is_hard) return options.seconds;
+  return std::min(std::clamp(std::round(options.seconds / 3), 2.0, 10.0), options.seconds);
+}
+
+std::vector<Sequence> plan_sequences(const PlanOptions& options,
+                                     const std::vector<std::string>& ingredients) {
+  std::vector<Sequence> sequences;
+  for (const SequenceSet& set : sequence_sets()) {
+    for (int i = 0; i < sequences_of(set, options); ++i) {
+      Sequence sequence{.set = set,
+                        .seed = set.first_seed + i,
+                        .seconds = seconds_of(set, options),
+                        .shown = set.shown && i == 0};
+      for (const Contestant& contestant : contestants()) {
+        if (set.is_hard && contestant.name == kParticleFilter) continue;
+        sequence.contestants.push_back(contestant);
+      }
+      if (set.in_ablation) {
+        for (const std::string& name : ingredients) {
+          sequence.contestants.push_back(default_without(name));
+        }
+      }
+      sequences.push_back(sequence);
+    }
+  }
+  std::stable_sort(sequences.begin(), sequences.end(),
+                   [](const Sequence& a, const Sequence& b) { return cost_s(a) > cost_s(b); });
+  return sequences;
+}
+
+Sequence calibration_sequence() {
+  return {.set = {.name = "calibration", .title = "calibration"}, .seed = 1, .seconds = 10};
+}
+
+Sequence latency_sequence(double seconds) {
+  Sequence sequence{.set = {.name = "latency", .title = "latency"}, .seed = 2, .seconds = seconds};
+  for (Contestant& contestant : sequence.contestants = contestants()) {
+    contestant.options.emplace_back("--real-time");
+    contestant.cost = 1;
+  }
+  return sequence;
+}
+
+double simulation_cost_s(const Sequence& sequence) {
+  return sequence.seconds * (sequence.set.moving ? 2.2 : 0.4);
+}
+
+double evaluation_cost_s(const Sequence& sequence, const Contestant& contestant) {
+  return sequence.seconds * contestant.cost;
+}
+
+double cost_s(const Sequence& sequence) {
+  double cost = simulation_cost_s(sequence);
+  for (const Contestant& contestant : sequence.contestants) {
+    cost += evaluation_cost_s(sequence, contestant);
+  }
+  return cost;
+}
+
+}  // namespace puck
