@@ -69,6 +69,7 @@ constexpr double kSame_px = 2;
 constexpr double kSame_px_s = 100;
 
 constexpr double kSlow_px_s = 60;
+constexpr std::int64_t kSoundFirst_us = 20'000;
 constexpr double kBeyondImage_px = 15;
 // A puck whose centre has been outside the image for so long, unseen, has left.
 constexpr std::int64_t kLeaving_us = 10'000;
@@ -432,6 +433,7 @@ void ContourPipeline::enthrone(std::size_t index, std::int64_t time_us) {
   if (kind != Challenger::Kind::kTwin) good_us_ = time_us;
   if (kind == Challenger::Kind::kSearch) {
     trust_us_ /= 2;
+    found_us_ = time_us;
     witness_.put(main_->filter().position());
     agreed_us_ = time_us;
   }
@@ -442,7 +444,10 @@ void ContourPipeline::judge_state(std::int64_t time_us) {
   const Pixel position = main_->filter().position();
   const bool in_image = position.x >= 0 && position.x <= sensor_.width - 1 && position.y >= 0 &&
                         position.y <= sensor_.height - 1;
-  resting_ = is_quiet() && main_->filter().speed_px_s() < kSlow_px_s && witness_agrees();
+  // What the search found may rest only after it has been seen to be a puck.
+  const bool was_sound = sound_us_ - found_us_ > kSoundFirst_us;
+  resting_ = is_quiet() && was_sound && main_->filter().speed_px_s() < kSlow_px_s &&
+             witness_agrees();
   if (in_image && (main_->is_good() || (resting_ && state_ == TrackState::kTracking))) {
     held_us_ = time_us;
     left_image_.reset();

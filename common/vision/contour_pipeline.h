@@ -90,6 +90,7 @@ class ContourPipeline final : public TrackingPipeline {
   std::int64_t decided_us_ = 0;
   std::int64_t good_us_ = 0;     // when the main track was last good
   std::int64_t sound_us_ = 0;    // when it was last beyond doubt
+  std::int64_t found_us_ = 0;      // when the search found it
   std::int64_t trust_us_ = 0;    // how much the main track is trusted to be the puck's
   std::int64_t held_us_ = 0;     // when it was last good or at rest
   std::int64_t agreed_us_ = 0;   // when the witness last agreed with it

@@ -143,7 +143,8 @@ TEST_CASE("a puck that is covered is lost within a tenth of a second and found a
 
 TEST_CASE("a puck that leaves the image is known to have left, and where") {
   Table table;
-  table.glide({1500, 0}, 240);
+  table.glide({1500, 0}, 190);
+  table.rest(60);
   CHECK(table.estimate().state == TrackState::kLost);
   REQUIRE(table.estimate().left_image.has_value());
   CHECK(table.estimate().left_image->x == 319);
