@@ -8,17 +8,17 @@ namespace puck {
 namespace {
 
 // So many of each kind at most.
-constexpr std::ptrdiff_t kMostTwins = 8;
+constexpr std::ptrdiff_t kMostTwins = 4;
 constexpr std::ptrdiff_t kMostWitnesses = 8;
 constexpr std::ptrdiff_t kMostWallTwins = 1;
-constexpr std::ptrdiff_t kMostFound = 24;
+constexpr std::ptrdiff_t kMostFound = 36;
 constexpr std::size_t kMostChallengers = kMostTwins + kMostWitnesses + kMostWallTwins + kMostFound;
 
 // Without a good track for so long the filter slows down, since it follows nothing.
 constexpr std::int64_t kBlindAfter_us = 40'000;
 
 constexpr std::int64_t kTwinPeriod_us = 2'000;
-constexpr std::int64_t kTwinLife_us = 16'000;
+constexpr std::int64_t kTwinLife_us = 8'000;
 constexpr std::int64_t kTwinAge_us = 1'500;
 constexpr std::int64_t kWitnessPeriod_us = 1'000;
 constexpr std::int64_t kWallTwinPeriod_us = 60'000;
@@ -39,7 +39,7 @@ constexpr std::int64_t kSearchPeriod_us = 5'000;
 constexpr std::int64_t kWideSearchPeriod_us = 40'000;
 // A sound track is not questioned from afar; one that only holds up, now and then.
 constexpr double kSound = 0.85;
-constexpr std::int64_t kGuardSearchPeriod_us = 200'000;
+constexpr std::int64_t kGuardSearchPeriod_us = 100'000;
 constexpr std::int64_t kCalmSearchPeriod_us = 500'000;
 constexpr std::int64_t kRestingSearchPeriod_us = 1'000'000;
 // No other puck could be three times as strong as this.
@@ -68,8 +68,14 @@ constexpr double kFarthestTakeover_px = 60;
 constexpr double kSame_px = 2;
 constexpr double kSame_px_s = 100;
 
+// The image of a fixed mark moves more slowly than this while the head turns as it does in play; a
+// track that has been faster for so long has proved to be the puck's.
+constexpr double kOwnMotion_px_s = 300;
+constexpr std::int64_t kProvenAfter_us = 30'000;
+
 constexpr double kSlow_px_s = 60;
 constexpr std::int64_t kSoundFirst_us = 20'000;
+constexpr std::int64_t kWeaklyFoundFor_us = 20'000;
 constexpr double kBeyondImage_px = 15;
 // A puck whose centre has been outside the image for so long, unseen, has left.
 constexpr std::int64_t kLeaving_us = 10'000;
@@ -207,6 +213,11 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
         std::clamp<std::int64_t>(trust_us_ + (is_sound ? passed_us : -passed_us), 0, kMostTrust_us);
   }
   context_.is_trusted = trust_us_ > kTrusted_us;
+  moving_us_ = is_sound && main_->filter().speed_px_s() > kOwnMotion_px_s
+                   ? moving_us_ + time_us - decided_us_
+                   : 0;
+  if (moving_us_ > kProvenAfter_us) is_proven_ = true;
+  if (trust_us_ == 0) is_proven_ = false;
   if (trust_us_ == 0) context_.signature = {};
   if (!main_->is_good()) return;
   good_us_ = time_us;
@@ -369,6 +380,10 @@ bool ContourPipeline::is_convincing(const Challenger& challenger, std::int64_t t
       track.strength() > 3 * std::max(main_strength, 5.0)) {
     return true;
   }
+  if (!is_proven_ && moves_by_itself(challenger, time_us) &&
+      track.quality() > main_->quality() - 0.1) {
+    return true;
+  }
   if (is_evident(challenger, time_us) && track.quality() > main_->quality() + 0.1 &&
       (!context_.is_trusted || time_us - sound_us_ > kUnsoundFor_us)) {
     return true;
@@ -402,6 +417,13 @@ bool ContourPipeline::is_evident(const Challenger& challenger, std::int64_t time
          track.quality() > 0.65 && track.strength() > 10;
 }
 
+// Nothing that is fixed to the table moves so fast in the image, however the head turns.
+bool ContourPipeline::moves_by_itself(const Challenger& challenger, std::int64_t time_us) const {
+  const ContourTrack& track = challenger.track();
+  return challenger.age_us(time_us) > 12'000 && track.quality() > 0.75 && track.strength() > 25 &&
+         track.evidence().cover() > 0.35 && track.filter().speed_px_s() > kOwnMotion_px_s;
+}
+
 // While nothing is known, what is not evident must look like a puck in every respect, and longer.
 void ContourPipeline::confirm_first(std::int64_t time_us) {
   std::optional<std::size_t> best;
@@ -409,7 +431,7 @@ void ContourPipeline::confirm_first(std::int64_t time_us) {
     Challenger& challenger = challengers_[i];
     const ContourTrack& track = challenger.track();
     const bool convinces =
-        is_evident(challenger, time_us) ||
+        is_evident(challenger, time_us) || moves_by_itself(challenger, time_us) ||
         (time_us - searching_since_us_ > kPatience_us && challenger.age_us(time_us) > 20'000 &&
          track.quality() > 0.8 && track.strength() > 30 && track.filter().growth_px() < 0.6 &&
          track.evidence().cover() > 0.4);
@@ -427,6 +449,11 @@ void ContourPipeline::confirm_first(std::int64_t time_us) {
 
 void ContourPipeline::enthrone(std::size_t index, std::int64_t time_us) {
   const Challenger::Kind kind = challengers_[index].kind();
+  const bool is_near =
+      main_ && distance(main_->filter().position(),
+                        challengers_[index].track().filter().position()) < kFarthestTakeover_px;
+  const bool is_weak = !is_near && !is_evident(challengers_[index], time_us) &&
+                       !moves_by_itself(challengers_[index], time_us);
   main_ = challengers_[index].track();
   challengers_.clear();
   // A twin is only likely to be right, so that the clock since the last good track runs on.
@@ -434,6 +461,9 @@ void ContourPipeline::enthrone(std::size_t index, std::int64_t time_us) {
   if (kind == Challenger::Kind::kSearch) {
     trust_us_ /= 2;
     found_us_ = time_us;
+    was_weakly_found_ = is_weak;
+    is_proven_ = false;
+    moving_us_ = 0;
     witness_.put(main_->filter().position());
     agreed_us_ = time_us;
   }
@@ -446,9 +476,13 @@ void ContourPipeline::judge_state(std::int64_t time_us) {
                         position.y <= sensor_.height - 1;
   // What the search found may rest only after it has been seen to be a puck.
   const bool was_sound = sound_us_ - found_us_ > kSoundFirst_us;
-  resting_ = is_quiet() && was_sound && main_->filter().speed_px_s() < kSlow_px_s &&
-             witness_agrees();
-  if (in_image && (main_->is_good() || (resting_ && state_ == TrackState::kTracking))) {
+  resting_ =
+      is_quiet() && was_sound && main_->filter().speed_px_s() < kSlow_px_s && witness_agrees();
+  // What was found far away and was neither evident nor moved by itself is not said to be the puck
+  // before it looks like one beyond doubt.
+  const bool is_believed = !was_weakly_found_ || sound_us_ - found_us_ > kWeaklyFoundFor_us;
+  if (in_image && is_believed &&
+      (main_->is_good() || (resting_ && state_ == TrackState::kTracking))) {
     held_us_ = time_us;
     left_image_.reset();
   }
@@ -468,7 +502,8 @@ std::int64_t ContourPipeline::wide_search_period_us() const {
   if (resting_) return kRestingSearchPeriod_us;
   if (main_->quality() < kBad || !context_.is_trusted) return kWideSearchPeriod_us;
   if (main_->quality() < kSound) return kGuardSearchPeriod_us;
-  return main_->strength() < kLively ? kCalmSearchPeriod_us : kNoSearch_us;
+  if (main_->strength() > kLively) return kNoSearch_us;
+  return is_proven_ ? kCalmSearchPeriod_us : kGuardSearchPeriod_us;
 }
 
 void ContourPipeline::plan_search(std::int64_t time_us) {

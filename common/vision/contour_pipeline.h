@@ -60,6 +60,7 @@ class ContourPipeline final : public TrackingPipeline {
   void judge_challengers(std::int64_t time_us);
   void dismiss_hopeless(std::int64_t time_us);
   bool takes_over(Challenger& challenger, std::int64_t time_us);
+  bool moves_by_itself(const Challenger& challenger, std::int64_t time_us) const;
   bool is_evident(const Challenger& challenger, std::int64_t time_us) const;
   bool is_convincing(const Challenger& challenger, std::int64_t time_us) const;
   void confirm_first(std::int64_t time_us);
@@ -88,14 +89,17 @@ class ContourPipeline final : public TrackingPipeline {
   std::optional<Pixel> left_image_;
   std::int64_t now_us_ = 0;
   std::int64_t decided_us_ = 0;
-  std::int64_t good_us_ = 0;     // when the main track was last good
-  std::int64_t sound_us_ = 0;    // when it was last beyond doubt
+  std::int64_t good_us_ = 0;       // when the main track was last good
+  std::int64_t sound_us_ = 0;      // when it was last beyond doubt
+  std::int64_t moving_us_ = 0;     // for how long it has been sound and fast
+  bool is_proven_ = false;         // it has moved as nothing but the puck does
+  bool was_weakly_found_ = false;  // … by little evidence
   std::int64_t found_us_ = 0;      // when the search found it
-  std::int64_t trust_us_ = 0;    // how much the main track is trusted to be the puck's
-  std::int64_t held_us_ = 0;     // when it was last good or at rest
-  std::int64_t agreed_us_ = 0;   // when the witness last agreed with it
-  std::int64_t twin_us_ = 0;     // when the last twin was born
-  std::int64_t witness_us_ = 0;  // when the witness last spoke up
+  std::int64_t trust_us_ = 0;      // how much the main track is trusted to be the puck's
+  std::int64_t held_us_ = 0;       // when it was last good or at rest
+  std::int64_t agreed_us_ = 0;     // when the witness last agreed with it
+  std::int64_t twin_us_ = 0;       // when the last twin was born
+  std::int64_t witness_us_ = 0;    // when the witness last spoke up
   std::int64_t wall_twin_us_ = 0;
   std::int64_t searching_since_us_ = -1;  // when the first search began
   std::int64_t next_search_us_ = 0;
