@@ -49,7 +49,6 @@ class Challenger {
   double search_score() const { return search_score_; }
   std::int64_t age_us(std::int64_t time_us) const { return time_us - born_us_; }
   const ContourTrack& track() const { return track_; }
-  ContourTrack& track() { return track_; }
 
  private:
   Kind kind_;

@@ -151,6 +151,16 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
   }
 }
 
+TrackLooks ContourTrack::looks() const {
+  return {.position = filter_.position(),
+          .speed_px_s = filter_.speed_px_s(),
+          .growth_px = filter_.growth_px(),
+          .quality = quality_,
+          .strength = strength_,
+          .cover = evidence_.cover(),
+          .near_events = evidence_.near_events()};
+}
+
 void ContourTrack::park() { filter_.park(kParkedSigma_px, kParkedSigma_px_s); }
 
 void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourContext& context) {

@@ -7,6 +7,7 @@
 #include "common/vision/puck_contour.h"
 #include "common/vision/puck_signature.h"
 #include "common/vision/ring_evidence.h"
+#include "common/vision/track_looks.h"
 
 namespace puck {
 
@@ -37,7 +38,7 @@ class ContourTrack {
                std::int64_t time_us, double wall_share);
 
   /// Takes an event; returns what it says for this track: above 0 for it, below 0 against it, 0 if
-  /// it lies too far off to say anything. `signature` tells which events belong to the puck.
+  /// it lies too far off to say anything.
   double take(const ContourEvent& event, const ContourContext& context);
 
   /// Moves on to a decision: fades the evidence and judges it. `blind`: unsupported for long.
@@ -52,14 +53,15 @@ class ContourTrack {
   const ContourFilter& filter() const { return filter_; }
   /// PuckContour::ring_at's, as this track believes it.
   double wall_share() const { return wall_share_; }
-  const RingEvidence& evidence() const { return evidence_; }
   /// As of the last decision, from −1 to 1.
   double quality() const { return quality_; }
   /// The same without regard to how many events there are.
   double shape_quality() const { return shape_quality_; }
+  /// RingEvidence::strength.
   double strength() const { return strength_; }
-  /// Believed as it stands.
-  bool is_good() const { return quality_ > 0.5 && strength_ > 6; }
+  /// All that is decided by.
+  TrackLooks looks() const;
+  bool is_good() const { return looks().is_good(); }
   /// Contour events that are to be expected in the memory of the evidence; 0 while it is not known.
   double expected_events(const PuckSignature& signature) const;
   /// When the last event on the ring came, and where the puck was then.

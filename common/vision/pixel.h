@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace puck {
 
 /// A place in the image, px: x right, y down, pixel centres at integers.
@@ -9,6 +11,8 @@ struct Pixel {
 
   friend constexpr bool operator==(Pixel, Pixel) = default;
 };
+
+inline double distance_px(Pixel a, Pixel b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// A velocity in the image, px/s.
 struct PixelVelocity {

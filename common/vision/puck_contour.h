@@ -75,6 +75,11 @@ class PuckContour {
   /// What it would be if the wall made events where the calibration says that it does not, or the
   /// other way round.
   double other_wall_share() const;
+  /// Where the puck is if it makes a ring that, with wall share `from`, would be one at `centre`,
+  /// but with wall share `to`: the ring stays in its place, the puck's centre does not.
+  Pixel centre_with_wall(Pixel centre, double from, double to) const {
+    return {centre.x, centre.y + (to - from) * size_at(centre).width / 2};
+  }
   PuckSize size_at(Pixel centre) const { return size_model_.at(centre); }
   /// ContourCalibration::behind_px.
   double behind_px(double normal_speed_px_s) const {

@@ -10,9 +10,10 @@ namespace puck {
 /// are for each px² that the contour sweeps.
 class PuckSignature {
  public:
-  /// What a good track gathered since the last call.
+  /// An edge that moves faster than this along its normal passes a pixel quickly.
   static constexpr double kQuick_px_s = 200;
 
+  /// What a good track gathered since the last call.
   struct Sample {
     double signed_speed = 0;    ///< Σ p·(n·v) of contour events, p = ±1.
     double absolute_speed = 0;  ///< Σ |n·v|.

@@ -1,13 +1,12 @@
 #include "common/vision/contour_pipeline.h"
 
 #include <cmath>
-#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
-#include "tests/vision/moving_contour.h"
+#include "tests/vision/contour_world.h"
 
 namespace puck {
 namespace {
@@ -27,12 +26,9 @@ class Table {
     test::MovingContour puck(contour_, puck_, velocity);
     double sum = 0;
     for (int i = 0; i < milliseconds; ++i) {
-      EventPacket packet{{now_us_}, {}};
-      for (const ContourEvent& event : puck.events(i * 1000, (i + 1) * 1000)) {
-        add(packet, event, i * 1000);
-      }
-      puck_ = puck.position_at((i + 1) * 1000);
-      show(std::move(packet));
+      const std::int64_t from_us = i * 1000;
+      show(test::packet_of(puck.events(from_us, from_us + 1000), kSensor, now_us_, from_us));
+      puck_ = puck.position_at(from_us + 1000);
       if (i >= milliseconds / 2) sum += error_px();
     }
     return sum / (milliseconds - milliseconds / 2);
@@ -45,7 +41,7 @@ class Table {
       random_ = random_ * 1664525u + 1013904223u;
       packet.events.push_back({static_cast<std::uint16_t>((random_ >> 8) % 320),
                                static_cast<std::uint16_t>((random_ >> 20) % 240), 0, 500});
-      show(std::move(packet));
+      show(packet);
     }
   }
 
@@ -60,14 +56,14 @@ class Table {
                                  static_cast<std::uint16_t>((random_ >> 30) & 1),
                                  static_cast<std::uint32_t>(n * 10)});
       }
-      show(std::move(packet));
+      show(packet);
     }
   }
 
   void put(Pixel position) { puck_ = position; }
   double error_px() const {
     if (!estimate_.position) return 100;
-    return std::hypot(estimate_.position->x - puck_.x, estimate_.position->y - puck_.y);
+    return distance_px(*estimate_.position, puck_);
   }
   const PuckEstimate& estimate() const { return estimate_; }
 
@@ -78,16 +74,7 @@ class Table {
     return params;
   }
 
-  static void add(EventPacket& packet, const ContourEvent& event, std::int64_t begin_us) {
-    if (!kSensor.contains(static_cast<int>(event.x), static_cast<int>(event.y))) return;
-    Event made{static_cast<std::uint16_t>(event.x), 0, 0,
-               static_cast<std::uint32_t>(event.time_us - begin_us)};
-    made.y = static_cast<std::uint16_t>(event.y) & 0x7fffu;
-    made.polarity = event.on ? 1 : 0;
-    packet.events.push_back(made);
-  }
-
-  void show(EventPacket packet) {
+  void show(const EventPacket& packet) {
     if (!packet.empty()) tracker_.update(packet);
     now_us_ += 1000;
     estimate_ = tracker_.estimate();
@@ -165,14 +152,9 @@ TEST_CASE("the same events give the same estimates, however often one asks") {
     test::MovingContour puck(contour, {60, 100}, {700, 200});
     PuckEstimate last;
     for (int i = 0; i < 100; ++i) {
-      EventPacket packet{{i * 1000}, {}};
-      for (const ContourEvent& event : puck.events(i * 1000, (i + 1) * 1000)) {
-        Event made{static_cast<std::uint16_t>(event.x), 0, 0,
-                   static_cast<std::uint32_t>(event.time_us - i * 1000)};
-        made.y = static_cast<std::uint16_t>(event.y) & 0x7fffu;
-        made.polarity = event.on ? 1 : 0;
-        packet.events.push_back(made);
-      }
+      const std::int64_t from_us = i * 1000;
+      const EventPacket packet =
+          test::packet_of(puck.events(from_us, from_us + 1000), kSensor, from_us, from_us);
       if (packet.empty()) continue;
       tracker.update(packet);
       for (int n = 0; n < asks; ++n) last = tracker.estimate();

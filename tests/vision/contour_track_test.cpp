@@ -1,22 +1,15 @@
 #include "common/vision/contour_track.h"
 
-#include <cmath>
-
 #include <doctest/doctest.h>
 
 #include "common/vision/challenger.h"
-#include "tests/vision/moving_contour.h"
+#include "tests/vision/contour_world.h"
 
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
-constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
-
-ContourContext context() { return {PuckContour(kSensor, kSizeModel, {0, 0, 0}, true), {}, {}, {}}; }
-
 double error_px(const ContourTrack& track, Pixel truth) {
-  return std::hypot(track.filter().position().x - truth.x, track.filter().position().y - truth.y);
+  return distance_px(track.filter().position(), truth);
 }
 
 // Lets a track follow a puck for some milliseconds; the mean error of the second half, px.
@@ -35,7 +28,7 @@ double follow(ContourTrack& track, test::MovingContour& puck, const ContourConte
 }
 
 TEST_CASE("A track that starts 2 px off finds a moving puck to a few tenths of a pixel") {
-  const ContourContext all = context();
+  const ContourContext all = test::contour_context();
   const PixelVelocity velocity{700, 300};
   test::MovingContour puck(all.contour, {250, 180}, velocity);
   ContourTrack track(all, {.position = {252, 179}}, 0, 0);
@@ -47,10 +40,10 @@ TEST_CASE("A track that starts 2 px off finds a moving puck to a few tenths of a
 }
 
 TEST_CASE("A sensor's lag is made good") {
-  ContourContext all = context();
+  ContourContext all = test::contour_context();
   test::MovingContour puck(all.contour, {200, 180}, {2000, 0});
   // Events that come 0.5 ms late show the puck 1 px behind.
-  all.contour = PuckContour(kSensor, kSizeModel, {500, 0, 0}, true);
+  all.contour = PuckContour(test::kSensor, test::kSizeModel, {500, 0, 0}, true);
   ContourTrack track(all, {.position = {200, 180}, .velocity = {2000, 0}}, 500, 0);
   for (std::int64_t t = 0; t < 40'000; t += 1000) {
     for (ContourEvent event : puck.events(t, t + 1000)) {
@@ -63,7 +56,7 @@ TEST_CASE("A sensor's lag is made good") {
 }
 
 TEST_CASE("Nothing is believed where events lie everywhere") {
-  const ContourContext all = context();
+  const ContourContext all = test::contour_context();
   ContourTrack track(all, {.position = {300, 200}}, 0, 0);
   std::uint32_t random = 1;
   for (std::int64_t t = 0; t < 40'000; t += 10) {
@@ -76,7 +69,7 @@ TEST_CASE("Nothing is believed where events lie everywhere") {
 }
 
 TEST_CASE("Signs that do not suit a disc of one tone make a track doubtful") {
-  const ContourContext all = context();
+  const ContourContext all = test::contour_context();
   test::MovingContour puck(all.contour, {250, 180}, {700, 300});
   ContourTrack track(all, {.position = {250, 180}, .velocity = {700, 300}}, 0, 0);
   for (std::int64_t t = 0; t < 40'000; t += 1000) {
@@ -91,7 +84,7 @@ TEST_CASE("Signs that do not suit a disc of one tone make a track doubtful") {
 }
 
 TEST_CASE("A twin at rest overtakes a track that missed a bounce, and only then") {
-  const ContourContext all = context();
+  const ContourContext all = test::contour_context();
   test::MovingContour before(all.contour, {250, 180}, {2500, 0});
   ContourTrack track(all, {.position = {250, 180}, .velocity = {2500, 0}}, 0, 0);
   follow(track, before, all, 0, 20'000);
@@ -113,7 +106,7 @@ TEST_CASE("A twin at rest overtakes a track that missed a bounce, and only then"
 }
 
 TEST_CASE("A challenger convinces for as long as it does so without a break") {
-  const ContourContext all = context();
+  const ContourContext all = test::contour_context();
   Challenger challenger(Challenger::Kind::kSearch, all, {.position = {300, 200}}, 0, 0);
   CHECK(challenger.convincing_for_us(true, 1000) == 0);
   CHECK(challenger.convincing_for_us(true, 3000) == 2000);

@@ -1,0 +1,163 @@
+#include "common/vision/challengers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace puck {
+namespace {
+
+constexpr std::ptrdiff_t kMostTwins = 4;
+constexpr std::ptrdiff_t kMostWitnesses = 8;
+constexpr std::ptrdiff_t kMostWallTwins = 1;
+constexpr std::ptrdiff_t kMostFound = 36;
+constexpr std::size_t kMostChallengers = kMostTwins + kMostWitnesses + kMostWallTwins + kMostFound;
+
+// A bounce shows at once; what the search found has everything to learn.
+constexpr std::int64_t kTwinLife_us = 8'000;
+constexpr std::int64_t kWallTwinLife_us = 40'000;
+constexpr std::int64_t kSearchLife_us = 60'000;
+
+// A challenger that has come so near to the main track is the same track.
+constexpr double kSame_px = 2;
+constexpr double kSame_px_s = 100;
+
+std::ptrdiff_t most_of(Challenger::Kind kind) {
+  switch (kind) {
+    case Challenger::Kind::kTwin:
+      return kMostTwins;
+    case Challenger::Kind::kWitness:
+      return kMostWitnesses;
+    case Challenger::Kind::kWall:
+      return kMostWallTwins;
+    case Challenger::Kind::kSearch:
+      break;
+  }
+  return kMostFound;
+}
+
+std::int64_t life_us(Challenger::Kind kind) {
+  switch (kind) {
+    case Challenger::Kind::kTwin:
+    case Challenger::Kind::kWitness:
+      return kTwinLife_us;
+    case Challenger::Kind::kWall:
+      return kWallTwinLife_us;
+    case Challenger::Kind::kSearch:
+      break;
+  }
+  return kSearchLife_us;
+}
+
+Pixel position_of(const Challenger& challenger) { return challenger.track().filter().position(); }
+
+bool is_found(const Challenger& challenger) {
+  return challenger.kind() == Challenger::Kind::kSearch;
+}
+
+// What the search found by mistake makes room for others.
+bool is_hopeless(const Challenger& challenger, std::int64_t time_us) {
+  const std::int64_t age_us = challenger.age_us(time_us);
+  const double quality = challenger.track().quality();
+  return age_us > kSearchLife_us || (age_us > 10'000 && quality < 0.2) ||
+         (age_us > 25'000 && quality < 0.5);
+}
+
+// Opinions on the wall are in the same place by nature.
+bool is_same(const Challenger& challenger, const ContourFilter& main) {
+  const PixelVelocity velocity = challenger.track().filter().velocity();
+  return challenger.kind() != Challenger::Kind::kWall &&
+         distance_px(position_of(challenger), main.position()) < kSame_px &&
+         std::hypot(velocity.x - main.velocity().x, velocity.y - main.velocity().y) < kSame_px_s;
+}
+
+}  // namespace
+
+Challengers::Challengers() { challengers_.reserve(kMostChallengers); }
+
+void Challengers::add(Challenger::Kind kind, const ContourContext& context,
+                      const ContourFilter::Start& start, std::int64_t time_us, double wall_share,
+                      double search_score) {
+  const auto of_kind = std::count_if(challengers_.begin(), challengers_.end(),
+                                     [&](const Challenger& other) { return other.kind() == kind; });
+  if (of_kind < most_of(kind)) {
+    challengers_.emplace_back(kind, context, start, time_us, wall_share, search_score);
+  }
+}
+
+void Challengers::add_found(const SearchResult& result, const std::optional<Pixel>& main,
+                            const ContourContext& context, std::int64_t time_us) {
+  for (const SearchCandidate& candidate : result.candidates) {
+    if (main && distance_px(candidate.position, *main) < kSame_px) continue;
+    if (is_known(candidate.position) || refuted_.contains(candidate.position, time_us)) continue;
+    if (candidate.score > kEvidentScore) make_room();
+    const double calibrated = context.contour.calibrated_wall_share();
+    ContourFilter::Start start;
+    start.position = candidate.position;
+    add(Challenger::Kind::kSearch, context, start, time_us, calibrated, candidate.score);
+    if (!context.ingredients.wall) continue;
+    const double other = context.contour.other_wall_share();
+    start.position = context.contour.centre_with_wall(start.position, calibrated, other);
+    add(Challenger::Kind::kSearch, context, start, time_us, other, candidate.score);
+  }
+}
+
+bool Challengers::is_known(Pixel position) const {
+  return std::any_of(challengers_.begin(), challengers_.end(), [&](const Challenger& challenger) {
+    return is_found(challenger) && distance_px(position, position_of(challenger)) < 2 * kSame_px;
+  });
+}
+
+// What is evident must not wait until others have been tried.
+void Challengers::make_room() {
+  while (std::count_if(challengers_.begin(), challengers_.end(), is_found) > kMostFound - 2) {
+    const auto worst = std::min_element(
+        challengers_.begin(), challengers_.end(), [](const Challenger& a, const Challenger& b) {
+          return is_found(a) && (!is_found(b) || a.search_score() < b.search_score());
+        });
+    challengers_.erase(worst);
+  }
+}
+
+void Challengers::decide(std::int64_t time_us, const ContourContext& context) {
+  for (Challenger& challenger : challengers_) challenger.decide(time_us, context);
+}
+
+const Challenger* Challengers::successor(const Defence& main, std::int64_t time_us) {
+  for (Challenger& challenger : challengers_) {
+    const Claim claim = claim_of(challenger, time_us);
+    const bool wins = is_found(challenger)
+                          ? challenger.convincing_for_us(is_convincing(claim, main), time_us) >=
+                                kConvincedAfter_us
+                          : wins_test(challenger.kind(), claim);
+    if (wins) return &challenger;
+  }
+  return nullptr;
+}
+
+const Challenger* Challengers::first(std::int64_t searched_us, std::int64_t time_us) {
+  const Challenger* best = nullptr;
+  for (Challenger& challenger : challengers_) {
+    const bool convinces = is_convincing_as_first(claim_of(challenger, time_us), searched_us);
+    if (challenger.convincing_for_us(convinces, time_us) >= kConvincedAfter_us &&
+        (best == nullptr || challenger.track().quality() > best->track().quality())) {
+      best = &challenger;
+    }
+  }
+  return best;
+}
+
+void Challengers::dismiss_hopeless(std::int64_t time_us) {
+  std::erase_if(challengers_, [&](const Challenger& challenger) {
+    const bool is_over = is_found(challenger) && is_hopeless(challenger, time_us);
+    if (is_over) refuted_.add(position_of(challenger), time_us);
+    return is_over;
+  });
+}
+
+void Challengers::dismiss_idle(const ContourFilter& main, std::int64_t time_us) {
+  std::erase_if(challengers_, [&](const Challenger& challenger) {
+    return challenger.age_us(time_us) > life_us(challenger.kind()) || is_same(challenger, main);
+  });
+}
+
+}  // namespace puck

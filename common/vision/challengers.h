@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/vision/challenger.h"
+#include "common/vision/refuted_places.h"
+#include "common/vision/takeover.h"
+#include "common/vision/tracking_pipeline.h"
+
+namespace puck {
+
+/// All that may take the main track's place: so many of each kind at most, each for so long.
+class Challengers {
+ public:
+  Challengers();
+
+  /// Hands an event that was worth `main_worth` to the main track to each of them.
+  void take(const ContourEvent& event, double main_worth, const ContourContext& context) {
+    for (Challenger& challenger : challengers_) challenger.take(event, main_worth, context);
+  }
+
+  /// Adds one, unless there are enough of its kind.
+  void add(Challenger::Kind kind, const ContourContext& context, const ContourFilter::Start& start,
+           std::int64_t time_us, double wall_share, double search_score = 0);
+
+  /// Adds what a search found and is neither the main track, nor known, nor refuted of late: once
+  /// for each opinion on the puck's side wall.
+  void add_found(const SearchResult& result, const std::optional<Pixel>& main,
+                 const ContourContext& context, std::int64_t time_us);
+
+  void decide(std::int64_t time_us, const ContourContext& context);
+
+  /// The first that takes the main track's place.
+  const Challenger* successor(const Defence& main, std::int64_t time_us);
+  /// Without a main track: the best that convinces, `searched_us` after the first search began.
+  const Challenger* first(std::int64_t searched_us, std::int64_t time_us);
+
+  /// Gives up what the search found by mistake, and remembers where that was.
+  void dismiss_hopeless(std::int64_t time_us);
+  /// Gives up those that are too old, or have become the same as the main track.
+  void dismiss_idle(const ContourFilter& main, std::int64_t time_us);
+  void clear() { challengers_.clear(); }
+
+  std::vector<Challenger>::const_iterator begin() const { return challengers_.begin(); }
+  std::vector<Challenger>::const_iterator end() const { return challengers_.end(); }
+
+ private:
+  bool is_known(Pixel position) const;
+  void make_room();
+
+  std::vector<Challenger> challengers_;
+  RefutedPlaces refuted_;
+};
+
+}  // namespace puck

@@ -1,0 +1,74 @@
+#include "common/vision/search_plan.h"
+
+#include <algorithm>
+
+#include "common/vision/track_trust.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kFirstPeriod_us = 20'000;
+constexpr std::int64_t kNearPeriod_us = 5'000;
+constexpr std::int64_t kWidePeriod_us = 40'000;
+// A sound track is not questioned from afar; one that only holds up, now and then.
+constexpr std::int64_t kGuardPeriod_us = 100'000;
+constexpr std::int64_t kCalmPeriod_us = 500'000;
+constexpr std::int64_t kRestingPeriod_us = 1'000'000;
+
+constexpr double kDoubtful = 0.6;
+constexpr double kBad = 0.3;
+// No other puck could be three times as strong as this.
+constexpr double kLively = 300;
+
+constexpr double kRadius_px = 20;
+constexpr double kGrowth_px_us = 1.5e-3;
+constexpr double kLargestRadius_px = 200;
+
+}  // namespace
+
+SearchPlan::SearchPlan(SensorSize sensor, const Region& detection_region)
+    : image_(Region::all_of(sensor)),
+      detection_region_(detection_region.empty() ? image_ : detection_region.intersect(image_)) {}
+
+std::int64_t SearchPlan::wide_period_us(const Situation& now) {
+  if (now.is_lost) return kFirstPeriod_us;
+  if (now.is_resting) return kRestingPeriod_us;
+  if (now.main.quality < kBad || !now.is_trusted) return kWidePeriod_us;
+  if (now.main.quality < TrackTrust::kSound) return kGuardPeriod_us;
+  if (now.main.strength > kLively) return kNever_us;
+  return now.is_proven ? kCalmPeriod_us : kGuardPeriod_us;
+}
+
+void SearchPlan::plan_first(std::int64_t time_us) {
+  if (is_busy() || time_us < next_us_) return;
+  next_us_ = time_us + kFirstPeriod_us;
+  if (since_us_ < 0) since_us_ = time_us;
+  wanted_ = detection_region_;
+}
+
+void SearchPlan::plan(const Situation& now, const ContourIngredients& ingredients,
+                      std::int64_t time_us) {
+  if (is_busy()) return;
+  if (ingredients.wide_search && time_us - wide_us_ >= wide_period_us(now)) {
+    wide_us_ = time_us;
+    wanted_ = image_;
+    return;
+  }
+  if (ingredients.search && !now.is_resting && now.main.quality < kDoubtful &&
+      time_us >= next_us_) {
+    next_us_ = time_us + kNearPeriod_us;
+    const double radius_px = std::min(
+        kLargestRadius_px, kRadius_px + kGrowth_px_us * static_cast<double>(now.since_good_us));
+    const int side = 2 * static_cast<int>(radius_px) + 1;
+    wanted_ = Region::around(now.main.position, side, side).intersect(image_);
+  }
+}
+
+Region SearchPlan::give_out() {
+  const Region given = wanted_;
+  if (!given.empty()) is_out_ = true;
+  wanted_ = {};
+  return given;
+}
+
+}  // namespace puck

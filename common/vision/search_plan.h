@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "common/events/sensor_size.h"
+#include "common/vision/contour_params.h"
+#include "common/vision/region.h"
+#include "common/vision/track_looks.h"
+
+namespace puck {
+
+/// When and where the correlation looks for the puck. One search at a time.
+class SearchPlan {
+ public:
+  /// What there is to know of the main track.
+  struct Situation {
+    TrackLooks main;
+    bool is_lost = false;
+    bool is_resting = false;
+    bool is_trusted = false;
+    bool is_proven = false;
+    std::int64_t since_good_us = 0;
+  };
+
+  /// `detection_region`: where the puck is looked for before it has been seen; empty: everywhere.
+  SearchPlan(SensorSize sensor, const Region& detection_region);
+
+  /// To be called at each decision while there is no main track: searches for the first.
+  void plan_first(std::int64_t time_us);
+  /// To be called at each decision while there is one: searches everywhere now and then (switched
+  /// by ContourIngredients::wide_search), and near a doubtful track often (`search`).
+  void plan(const Situation& now, const ContourIngredients& ingredients, std::int64_t time_us);
+
+  /// Hands the search out; empty: none is wanted now. None is until the answer has come.
+  Region give_out();
+  void note_answer() { is_out_ = false; }
+
+  /// Since the first search was wanted.
+  std::int64_t searched_us(std::int64_t time_us) const { return time_us - since_us_; }
+
+  /// How often the whole image is searched.
+  static constexpr std::int64_t kNever_us = std::numeric_limits<std::int64_t>::max();
+  static std::int64_t wide_period_us(const Situation& now);
+
+ private:
+  bool is_busy() const { return is_out_ || !wanted_.empty(); }
+
+  Region image_;
+  Region detection_region_;
+  Region wanted_;  // now; empty: none
+  bool is_out_ = false;
+  std::int64_t since_us_ = -1;
+  std::int64_t next_us_ = 0;  // first or near search
+  std::int64_t wide_us_ = 0;  // last wide search
+};
+
+}  // namespace puck

@@ -1,0 +1,35 @@
+#include "common/vision/stopping.h"
+
+#include <algorithm>
+
+namespace puck {
+namespace {
+
+constexpr double kSurelyMissing = 12;
+constexpr double kSilent_us = 3'000;
+// More events beside the ring than this share of the missing ones: something covers the puck.
+constexpr double kMostClutter = 0.2;
+constexpr double kBeyondImage_px = 15;
+
+}  // namespace
+
+void stop_if_silent(ContourTrack& track, const ContourContext& context, std::int64_t time_us) {
+  if (!context.ingredients.stopping || context.signature.density() <= 0) return;
+  const double silent_us = static_cast<double>(time_us - track.last_ring_us());
+  const double missing =
+      track.expected_events(context.signature) * silent_us / RingEvidence::kMemory_us;
+  if (missing > kSurelyMissing && silent_us > kSilent_us &&
+      track.clutter_since_ring() < kMostClutter * missing) {
+    track.stop_at(track.last_ring_position(), time_us, context);
+  }
+}
+
+void stop_beyond_image(ContourTrack& track, const ContourContext& context, SensorSize sensor,
+                       std::int64_t time_us) {
+  const Pixel position = track.filter().position();
+  const Pixel inside{std::clamp(position.x, -kBeyondImage_px, sensor.width - 1 + kBeyondImage_px),
+                     std::clamp(position.y, -kBeyondImage_px, sensor.height - 1 + kBeyondImage_px)};
+  if (!(inside == position)) track.stop_at(inside, time_us, context);
+}
+
+}  // namespace puck

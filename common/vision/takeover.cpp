@@ -1,0 +1,109 @@
+#include "common/vision/takeover.h"
+
+#include <algorithm>
+
+namespace puck {
+namespace {
+
+// A lead over fewer events is chance more often than not. Opinions on the wall differ by little.
+constexpr std::int64_t kTwinAge_us = 1'500;
+constexpr std::int64_t kWitnessAge_us = 900;
+constexpr std::int64_t kWallTwinAge_us = 15'000;
+// A track that has not been sound for so long gives way to an evident puck, trusted or not.
+constexpr std::int64_t kUnsoundFor_us = 150'000;
+// How long an evident puck is waited for before anything less is believed.
+constexpr std::int64_t kPatience_us = 150'000;
+// How far the puck may be from a track that has just been good, and how much farther it gets.
+constexpr double kTakeoverRadius_px = 12;
+constexpr double kTakeoverGrowth_px_us = 1.5e-3;
+constexpr double kFarthestTakeover_px = 60;
+
+}  // namespace
+
+Claim claim_of(const Challenger& challenger, std::int64_t time_us) {
+  return {challenger.track().looks(), challenger.age_us(time_us), challenger.search_score(),
+          challenger.leads()};
+}
+
+bool wins_test(Challenger::Kind kind, const Claim& claim) {
+  switch (kind) {
+    case Challenger::Kind::kTwin:
+      return claim.age_us > kTwinAge_us && claim.leads;
+    case Challenger::Kind::kWitness:
+      return claim.age_us > kWitnessAge_us && claim.leads;
+    case Challenger::Kind::kWall:
+      return claim.age_us > kWallTwinAge_us && claim.leads && claim.looks.is_good();
+    case Challenger::Kind::kSearch:
+      break;
+  }
+  return false;
+}
+
+bool is_evident(const Claim& claim) {
+  return claim.search_score > kEvidentScore && claim.age_us > 5'000 && claim.looks.quality > 0.65 &&
+         claim.looks.strength > 10;
+}
+
+bool moves_by_itself(const Claim& claim) {
+  return claim.age_us > 12'000 && claim.looks.quality > 0.75 && claim.looks.strength > 25 &&
+         claim.looks.cover > 0.35 && claim.looks.is_fast();
+}
+
+bool outshines(const Claim& claim, const Defence& main) {
+  return claim.age_us > 10'000 && claim.looks.quality > 0.75 && claim.looks.strength > 40 &&
+         claim.looks.strength > 3 * std::max(main.looks.strength, 5.0);
+}
+
+bool outmoves(const Claim& claim, const Defence& main) {
+  return !main.is_proven && moves_by_itself(claim) &&
+         claim.looks.quality > main.looks.quality - 0.1;
+}
+
+bool unmasks(const Claim& claim, const Defence& main) {
+  return is_evident(claim) && claim.looks.quality > main.looks.quality + 0.1 &&
+         (!main.is_trusted || main.since_sound_us > kUnsoundFor_us);
+}
+
+bool displaces_stranger(const Claim& claim, const Defence& main) {
+  return !main.is_trusted && claim.age_us > 15'000 && claim.looks.quality > 0.8 &&
+         claim.looks.strength > 20 &&
+         (claim.looks.quality > main.looks.quality + 0.12 ||
+          claim.looks.strength > 2 * main.looks.strength);
+}
+
+bool succeeds_nearby(const Claim& claim, const Defence& main) {
+  if (main.is_witnessed) return false;
+  const TrackLooks& looks = claim.looks;
+  const double reach_px = std::min(
+      kFarthestTakeover_px,
+      kTakeoverRadius_px + kTakeoverGrowth_px_us * static_cast<double>(main.since_good_us));
+  const double away_px = distance_px(looks.position, main.looks.position);
+  const double least_quality = 0.5 + 0.3 * away_px / kFarthestTakeover_px;
+  if (claim.age_us <= 6'000 || looks.quality <= least_quality || looks.strength <= 10 ||
+      looks.quality <= main.looks.quality + 0.1 || away_px > reach_px) {
+    return false;
+  }
+  if (main.looks.quality < 0.35 && main.looks.strength < std::max(15.0, looks.strength / 2)) {
+    return true;
+  }
+  return looks.strength > 1.3 * main.looks.strength && claim.leads;
+}
+
+bool is_convincing(const Claim& claim, const Defence& main) {
+  return outshines(claim, main) || outmoves(claim, main) || unmasks(claim, main) ||
+         displaces_stranger(claim, main) || succeeds_nearby(claim, main);
+}
+
+bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
+  return is_evident(claim) || moves_by_itself(claim) ||
+         (searched_us > kPatience_us && claim.age_us > 20'000 && claim.looks.quality > 0.8 &&
+          claim.looks.strength > 30 && claim.looks.growth_px < 0.6 && claim.looks.cover > 0.4);
+}
+
+bool is_weakly_found(const Claim& claim, const std::optional<TrackLooks>& main) {
+  const bool is_near =
+      main && distance_px(main->position, claim.looks.position) < kFarthestTakeover_px;
+  return !is_near && !is_evident(claim) && !moves_by_itself(claim);
+}
+
+}  // namespace puck

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "common/vision/challenger.h"
+#include "common/vision/track_looks.h"
+
+/// The rules by which a challenger takes the main track's place: functions of numbers.
+namespace puck {
+
+/// Of a puck of good contrast the correlation's score is above this, of all else below.
+inline constexpr double kEvidentScore = 0.65;
+/// What the search found must convince for so long without a break.
+inline constexpr std::int64_t kConvincedAfter_us = 3'000;
+
+/// What speaks for a challenger.
+struct Claim {
+  TrackLooks looks;
+  std::int64_t age_us = 0;
+  double search_score = 0;  ///< Challenger::search_score.
+  bool leads = false;       ///< Challenger::leads.
+};
+
+Claim claim_of(const Challenger& challenger, std::int64_t time_us);
+
+/// What speaks for the main track.
+struct Defence {
+  TrackLooks looks;
+  bool is_trusted = false;          ///< TrackTrust's.
+  bool is_proven = false;           ///< TrackTrust's.
+  bool is_witnessed = false;        ///< WitnessCheck vouches for it.
+  std::int64_t since_good_us = 0;   ///< TrackTrust's.
+  std::int64_t since_sound_us = 0;  ///< TrackTrust's.
+};
+
+/// For those born of the main track: the sequential test on the events that both of them saw.
+bool wins_test(Challenger::Kind kind, const Claim& claim);
+
+/// To the correlation it looks like nothing but a puck, and its events do not say otherwise.
+bool is_evident(const Claim& claim);
+/// Nothing that is fixed to the table moves so fast in the image, however the head turns.
+bool moves_by_itself(const Claim& claim);
+
+/// It is by far the stronger, wherever it is.
+bool outshines(const Claim& claim, const Defence& main);
+/// It moves as a puck does; the main track has never done so.
+bool outmoves(const Claim& claim, const Defence& main);
+/// It is evident; the main track is not to be trusted, or has not been sound for long.
+bool unmasks(const Claim& claim, const Defence& main);
+/// It looks better than a main track that is not to be trusted.
+bool displaces_stranger(const Claim& claim, const Defence& main);
+/// It looks better, near a main track that nothing vouches for; the farther away, the better it
+/// must look.
+bool succeeds_nearby(const Claim& claim, const Defence& main);
+
+/// Any of these five.
+bool is_convincing(const Claim& claim, const Defence& main);
+
+/// While nothing is known, `searched_us` after the first search began: what is neither evident nor
+/// moves by itself must look like a puck in every respect, and longer.
+bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us);
+
+/// What the search found far away, or first, and is neither evident nor moves by itself.
+bool is_weakly_found(const Claim& claim, const std::optional<TrackLooks>& main);
+
+}  // namespace puck

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "common/vision/pixel.h"
+
+namespace puck {
+
+/// What a decision about a track regards: ContourTrack::looks() of its last decision, or numbers
+/// of a test's own.
+struct TrackLooks {
+  Pixel position;
+  double speed_px_s = 0;
+  double growth_px = 0;    ///< By how much its contour is larger than the size model says.
+  double quality = 0;      ///< From −1 to 1.
+  double strength = 0;     ///< How many more events lie on the ring than clutter would put there.
+  double cover = 0;        ///< Share of the directions that the ring's events cover.
+  double near_events = 0;  ///< On the ring and around it, of late.
+
+  /// Believed as it stands.
+  constexpr bool is_good() const { return quality > 0.5 && strength > 6; }
+  /// Faster than the image of what is fixed to the table while the head turns as it does in play.
+  constexpr bool is_fast() const { return speed_px_s > 300; }
+  /// Next to nothing happens there.
+  constexpr bool is_quiet() const { return near_events < 6; }
+};
+
+}  // namespace puck

@@ -1,0 +1,34 @@
+#include "common/vision/track_standing.h"
+
+#include <algorithm>
+
+namespace puck {
+namespace {
+
+constexpr double kSlow_px_s = 60;
+// A puck whose centre has been outside the image for so long, unseen, has left.
+constexpr std::int64_t kLeaving_us = 10'000;
+
+}  // namespace
+
+void TrackStanding::judge(const TrackLooks& main, bool witness_agrees, const TrackTrust& trust,
+                          std::int64_t time_us) {
+  const Pixel nearest_in_image{std::clamp(main.position.x, 0.0, sensor_.width - 1.0),
+                               std::clamp(main.position.y, 0.0, sensor_.height - 1.0)};
+  const bool in_image = main.position == nearest_in_image;
+  is_resting_ =
+      main.is_quiet() && trust.may_rest() && main.speed_px_s < kSlow_px_s && witness_agrees;
+  if (in_image && trust.is_believed() &&
+      (main.is_good() || (is_resting_ && state_ == TrackState::kTracking))) {
+    held_us_ = time_us;
+    left_image_.reset();
+  }
+  if (time_us - held_us_ <= (in_image ? coast_us_ : kLeaving_us)) {
+    state_ = TrackState::kTracking;
+    return;
+  }
+  if (!in_image && !left_image_) left_image_ = nearest_in_image;
+  state_ = TrackState::kLost;
+}
+
+}  // namespace puck

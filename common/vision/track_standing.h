@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "common/events/sensor_size.h"
+#include "common/vision/puck_estimate.h"
+#include "common/vision/track_looks.h"
+#include "common/vision/track_trust.h"
+
+namespace puck {
+
+/// What is said of the main track: whether the puck is being followed, rests, has left the image or
+/// is lost.
+class TrackStanding {
+ public:
+  /// `coast_us`: how long a track without support is still believed.
+  TrackStanding(SensorSize sensor, std::int64_t coast_us) : sensor_(sensor), coast_us_(coast_us) {}
+
+  /// To be called at each decision while there is a main track.
+  void judge(const TrackLooks& main, bool witness_agrees, const TrackTrust& trust,
+             std::int64_t time_us);
+
+  TrackState state() const { return state_; }
+  bool is_resting() const { return is_resting_; }
+  std::optional<Pixel> left_image() const { return left_image_; }
+
+ private:
+  SensorSize sensor_;
+  std::int64_t coast_us_;
+  TrackState state_ = TrackState::kSearching;
+  bool is_resting_ = false;
+  std::optional<Pixel> left_image_;
+  std::int64_t held_us_ = 0;  // when it was last good or at rest
+};
+
+}  // namespace puck

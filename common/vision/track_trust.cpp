@@ -1,0 +1,39 @@
+#include "common/vision/track_trust.h"
+
+#include <algorithm>
+
+namespace puck {
+namespace {
+
+// So that trust that has grown for long is still lost within a second.
+constexpr std::int64_t kMostTrust_us = 1'000'000;
+// A track that has moved by itself for so long has proved to be the puck's.
+constexpr std::int64_t kProvenAfter_us = 30'000;
+
+}  // namespace
+
+void TrackTrust::judge(const TrackLooks& main, bool resting, std::int64_t time_us,
+                       std::int64_t passed_us) {
+  const bool is_sound = main.quality > kSound;
+  if (is_sound) sound_us_ = time_us;
+  // What is known of a puck at rest holds while it cannot be seen.
+  if (is_sound || !resting) {
+    trust_us_ =
+        std::clamp<std::int64_t>(trust_us_ + (is_sound ? passed_us : -passed_us), 0, kMostTrust_us);
+  }
+  moving_us_ = is_sound && main.is_fast() ? moving_us_ + passed_us : 0;
+  if (moving_us_ > kProvenAfter_us) is_proven_ = true;
+  if (is_exhausted()) is_proven_ = false;
+  if (main.is_good()) good_us_ = time_us;
+}
+
+void TrackTrust::note_found(bool weakly, std::int64_t time_us) {
+  good_us_ = time_us;
+  found_us_ = time_us;
+  was_weakly_found_ = weakly;
+  trust_us_ /= 2;
+  moving_us_ = 0;
+  is_proven_ = false;
+}
+
+}  // namespace puck

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/vision/track_looks.h"
+
+namespace puck {
+
+/// How much the main track is trusted to be the puck's: the clocks that run while it is sound,
+/// fast, or neither. All times are sensor time, µs.
+class TrackTrust {
+ public:
+  /// A track of more than this quality is beyond doubt.
+  static constexpr double kSound = 0.85;
+
+  /// Notes how the main track looks at a decision, `passed_us` after the last one.
+  void judge(const TrackLooks& main, bool resting, std::int64_t time_us, std::int64_t passed_us);
+
+  /// The main track was replaced by one that passed a test against it.
+  void note_takeover(std::int64_t time_us) { good_us_ = time_us; }
+  /// … by one that a search found; `weakly`: far away and on little evidence.
+  void note_found(bool weakly, std::int64_t time_us);
+
+  /// It has been sound for long. Otherwise it may well be something else, and gives way to anything
+  /// that looks better.
+  bool is_trusted() const { return trust_us_ > kTrusted_us; }
+  /// Nothing speaks for it any more: what was learned from it may be of something else.
+  bool is_exhausted() const { return trust_us_ == 0; }
+  /// It has moved as nothing but the puck does.
+  bool is_proven() const { return is_proven_; }
+  /// Since it was found it has been seen to be a puck, so that it may rest.
+  bool may_rest() const { return sound_us_ - found_us_ > kSoundFirst_us; }
+  /// What was found on little evidence is not said to be the puck before it has looked like one
+  /// beyond doubt.
+  bool is_believed() const {
+    return !was_weakly_found_ || sound_us_ - found_us_ > kWeaklyFoundFor_us;
+  }
+
+  std::int64_t since_good_us(std::int64_t time_us) const { return time_us - good_us_; }
+  std::int64_t since_sound_us(std::int64_t time_us) const { return time_us - sound_us_; }
+
+ private:
+  static constexpr std::int64_t kTrusted_us = 200'000;
+  static constexpr std::int64_t kSoundFirst_us = 20'000;
+  static constexpr std::int64_t kWeaklyFoundFor_us = 20'000;
+
+  std::int64_t good_us_ = 0;    // when it was last good
+  std::int64_t sound_us_ = 0;   // when it was last sound
+  std::int64_t trust_us_ = 0;   // grows while it is sound, wanes while it is not
+  std::int64_t moving_us_ = 0;  // for how long it has been sound and fast
+  bool is_proven_ = false;
+  std::int64_t found_us_ = 0;  // when the search found it
+  bool was_weakly_found_ = false;
+};
+
+}  // namespace puck

@@ -1,0 +1,41 @@
+#include "common/vision/twins.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kAtRestPeriod_us = 2'000;
+constexpr std::int64_t kOfOtherWallPeriod_us = 60'000;
+// Where the ring is, and how fast, is known from the main track.
+constexpr double kOfOtherWallSigma_px = 1;
+constexpr double kOfOtherWallSigma_px_s = 100;
+
+}  // namespace
+
+void Twins::bear_at_rest(const ContourTrack& main, const ContourContext& context,
+                         std::int64_t time_us, Challengers& challengers) {
+  if (!context.ingredients.twins || time_us - at_rest_us_ < kAtRestPeriod_us) return;
+  at_rest_us_ = time_us;
+  ContourFilter::Start start;
+  start.position = main.filter().position();
+  start.growth_px = main.filter().growth_px();
+  start.growth_variance_px2 = main.filter().growth_variance_px2();
+  challengers.add(Challenger::Kind::kTwin, context, start, time_us, main.wall_share());
+}
+
+void Twins::bear_of_other_wall(const ContourTrack& main, const ContourContext& context,
+                               std::int64_t time_us, Challengers& challengers) {
+  if (!context.ingredients.wall || time_us - of_other_wall_us_ < kOfOtherWallPeriod_us) return;
+  of_other_wall_us_ = time_us;
+  const PuckContour& contour = context.contour;
+  const double share = main.wall_share() == contour.calibrated_wall_share()
+                           ? contour.other_wall_share()
+                           : contour.calibrated_wall_share();
+  ContourFilter::Start start;
+  start.position = contour.centre_with_wall(main.filter().position(), main.wall_share(), share);
+  start.velocity = main.filter().velocity();
+  start.sigma_px = kOfOtherWallSigma_px;
+  start.sigma_px_s = kOfOtherWallSigma_px_s;
+  challengers.add(Challenger::Kind::kWall, context, start, time_us, share);
+}
+
+}  // namespace puck

@@ -1,0 +1,161 @@
+#include "common/vision/challengers.h"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "tests/vision/contour_world.h"
+
+namespace puck {
+namespace {
+
+using Kind = Challenger::Kind;
+
+const ContourContext kContext = test::contour_context();
+constexpr ContourFilter::Start kStart{.position = {300, 200}};
+
+void find(Challengers& challengers, const std::vector<SearchCandidate>& candidates,
+          std::int64_t time_us = 0) {
+  challengers.add_found({{}, {}, candidates}, Pixel{600, 400}, kContext, time_us);
+}
+
+TEST_CASE("There are at most so many challengers of each kind") {
+  Challengers challengers;
+  for (int i = 0; i < 50; ++i) challengers.add(Kind::kTwin, kContext, kStart, 0, 0);
+  CHECK(test::count(challengers) == 4);
+  for (int i = 0; i < 50; ++i) challengers.add(Kind::kWitness, kContext, kStart, 0, 0);
+  CHECK(test::count(challengers) == 4 + 8);
+  for (int i = 0; i < 50; ++i) challengers.add(Kind::kWall, kContext, kStart, 0, 0);
+  CHECK(test::count(challengers) == 4 + 8 + 1);
+  for (int i = 0; i < 50; ++i) challengers.add(Kind::kSearch, kContext, kStart, 0, 0);
+  CHECK(test::count(challengers) == 4 + 8 + 1 + 36);
+}
+
+TEST_CASE("What is found is tried with both opinions on the wall, on the same ring") {
+  Challengers challengers;
+  find(challengers, {{{300, 200}, 0.5}});
+  REQUIRE(test::count(challengers) == 2);
+  const ContourTrack& first = challengers.begin()->track();
+  const ContourTrack& second = std::next(challengers.begin())->track();
+  CHECK(first.wall_share() == kContext.contour.calibrated_wall_share());
+  CHECK(second.wall_share() == kContext.contour.other_wall_share());
+  CHECK(first.wall_share() != second.wall_share());
+  CHECK(first.filter().position() == Pixel{300, 200});
+  CHECK(second.filter().position() ==
+        kContext.contour.centre_with_wall({300, 200}, first.wall_share(), second.wall_share()));
+
+  ContourContext plain = kContext;
+  plain.ingredients.wall = false;
+  Challengers of_one_opinion;
+  of_one_opinion.add_found({{}, {}, {{{300, 200}, 0.5}}}, {}, plain, 0);
+  CHECK(test::count(of_one_opinion) == 1);
+}
+
+TEST_CASE("What is found again, or is the main track, is not tried") {
+  Challengers challengers;
+  find(challengers, {{{300, 200}, 0.5}});
+  find(challengers, {{{303, 200}, 0.5}, {{601, 400}, 0.5}});
+  CHECK(test::count(challengers) == 2);
+  find(challengers, {{{250, 200}, 0.5}, {{603, 400}, 0.5}});
+  CHECK(test::count(challengers) == 6);
+}
+
+TEST_CASE("What no event speaks for is refuted, and not tried again for a while") {
+  Challengers challengers;
+  find(challengers, {{{300, 200}, 0.5}});
+  challengers.add(Kind::kWitness, kContext, kStart, 0, 0);
+  challengers.dismiss_hopeless(10'000);
+  CHECK(test::count(challengers) == 3);
+  challengers.dismiss_hopeless(10'001);
+  CHECK(test::count(challengers) == 1);
+  find(challengers, {{{300, 200}, 0.5}}, 20'000);
+  CHECK(test::count(challengers) == 1);
+  find(challengers, {{{300, 200}, 0.5}}, 120'000);
+  CHECK(test::count(challengers) == 3);
+}
+
+TEST_CASE("What is evident takes the place of the least likely") {
+  Challengers challengers;
+  for (int i = 0; i < 18; ++i) find(challengers, {{{20.0 + 20 * i, 100}, 0.3 + 0.01 * i}});
+  CHECK(test::count(challengers) == 36);
+  find(challengers, {{{300, 300}, 0.6}});
+  find(challengers, {{{300, 400}, 0.7}});
+  CHECK(test::count(challengers) == 36);
+  const auto has = [&](double score) {
+    return std::count_if(challengers.begin(), challengers.end(),
+                         [&](const Challenger& one) { return one.search_score() == score; });
+  };
+  CHECK(has(0.3) == 0);
+  CHECK(has(0.31) == 2);
+  CHECK(has(0.6) == 0);
+  CHECK(has(0.7) == 2);
+}
+
+TEST_CASE("Challengers that are too old or the same as the main track are given up") {
+  Challengers challengers;
+  challengers.add(Kind::kTwin, kContext, kStart, 0, 0);
+  challengers.add(Kind::kWall, kContext, kStart, 0, 0);
+  const ContourFilter far({}, {.position = {310, 200}}, 0);
+  challengers.dismiss_idle(far, 8'000);
+  CHECK(test::count(challengers) == 2);
+  challengers.dismiss_idle(far, 8'001);
+  REQUIRE(test::count(challengers) == 1);
+  CHECK(challengers.begin()->kind() == Kind::kWall);
+
+  challengers.add(Kind::kTwin, kContext, kStart, 8'000, 0);
+  const ContourFilter faster({}, {.position = {301, 200}, .velocity = {100, 0}}, 0);
+  challengers.dismiss_idle(faster, 8'001);
+  CHECK(test::count(challengers) == 2);
+  const ContourFilter same({}, {.position = {301, 200}, .velocity = {99, 0}}, 0);
+  challengers.dismiss_idle(same, 8'001);
+  REQUIRE(test::count(challengers) == 1);
+  CHECK(challengers.begin()->kind() == Kind::kWall);
+}
+
+// When the first is found among two of which one follows a moving puck, µs.
+std::int64_t first_found_us(double score, PixelVelocity velocity) {
+  test::MovingContour puck(kContext.contour, {300, 200}, velocity);
+  Challengers challengers;
+  find(challengers, {{{100, 400}, 0.9}, {{300, 200}, score}});
+  for (std::int64_t t = 0; t < 60'000; t += 1'000) {
+    for (const ContourEvent& event : puck.events(t, t + 1'000)) {
+      challengers.take(event, 0, kContext);
+    }
+    challengers.decide(t + 1'000, kContext);
+    const Challenger* first = challengers.first(0, t + 1'000);
+    if (first == nullptr) continue;
+    CHECK(distance_px(first->track().filter().position(), puck.position_at(t + 1'000)) < 2);
+    return t + 1'000;
+  }
+  return 60'000;
+}
+
+TEST_CASE("The first is found 3 ms after it is evident, or moves by itself, or not at all") {
+  const std::int64_t evident_us = first_found_us(0.9, {700, 200});
+  CHECK(evident_us >= 9'000);
+  CHECK(evident_us < 16'000);
+  const std::int64_t moving_us = first_found_us(0.5, {700, 200});
+  CHECK(moving_us >= 16'000);
+  CHECK(moving_us < 30'000);
+  CHECK(first_found_us(0.5, {200, 0}) == 60'000);
+}
+
+TEST_CASE("The successor of a track without events is the one that has them") {
+  test::MovingContour puck(kContext.contour, {300, 200}, {700, 200});
+  Challengers challengers;
+  find(challengers, {{{100, 400}, 0.5}, {{300, 200}, 0.5}});
+  Defence main;
+  std::int64_t t = 0;
+  while (challengers.successor(main, t) == nullptr && t < 60'000) {
+    for (const ContourEvent& event : puck.events(t, t + 1'000)) {
+      challengers.take(event, 0, kContext);
+    }
+    t += 1'000;
+    challengers.decide(t, kContext);
+  }
+  CHECK(t >= 14'000);
+  CHECK(t < 30'000);
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,98 @@
+#include "common/vision/search_plan.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{640, 480};
+constexpr Region kImage = Region::all_of(kSensor);
+constexpr ContourIngredients kAll{};
+constexpr SearchPlan::Situation kCalm{
+    .main = {.position = {300, 200}, .quality = 0.9, .strength = 100},
+    .is_trusted = true,
+    .is_proven = true};
+
+TEST_CASE("Before anything is known the detection region is searched each 20 ms, one at a time") {
+  SearchPlan plan(kSensor, {600, 10, 100, 50});
+  plan.plan_first(500);
+  CHECK(plan.searched_us(1'500) == 1'000);
+  CHECK(plan.give_out() == Region{600, 10, 40, 50});
+  CHECK(plan.give_out().empty());
+  plan.plan_first(30'000);
+  CHECK(plan.give_out().empty());
+  plan.note_answer();
+  plan.plan_first(20'499);
+  CHECK(plan.give_out().empty());
+  plan.plan_first(20'500);
+  CHECK_FALSE(plan.give_out().empty());
+  CHECK(plan.searched_us(21'500) == 21'000);
+}
+
+TEST_CASE("Without a detection region the search is everywhere") {
+  SearchPlan plan(kSensor, {});
+  plan.plan_first(0);
+  CHECK(plan.give_out() == kImage);
+}
+
+TEST_CASE("The better the track, the more seldom the whole image is searched") {
+  SearchPlan::Situation now = kCalm;
+  CHECK(SearchPlan::wide_period_us(now) == 500'000);
+  now.is_proven = false;
+  CHECK(SearchPlan::wide_period_us(now) == 100'000);
+  now.main.strength = 301;
+  CHECK(SearchPlan::wide_period_us(now) == SearchPlan::kNever_us);
+  now.main.quality = 0.84;
+  CHECK(SearchPlan::wide_period_us(now) == 100'000);
+  now.is_trusted = false;
+  CHECK(SearchPlan::wide_period_us(now) == 40'000);
+  now.is_trusted = true;
+  now.main.quality = 0.29;
+  CHECK(SearchPlan::wide_period_us(now) == 40'000);
+  now.is_resting = true;
+  CHECK(SearchPlan::wide_period_us(now) == 1'000'000);
+  now.is_lost = true;
+  CHECK(SearchPlan::wide_period_us(now) == 20'000);
+}
+
+TEST_CASE("A calm track is left in peace until the whole image is due") {
+  SearchPlan plan(kSensor, {});
+  plan.plan(kCalm, kAll, 499'999);
+  CHECK(plan.give_out().empty());
+  plan.plan(kCalm, kAll, 500'000);
+  CHECK(plan.give_out() == kImage);
+}
+
+TEST_CASE("Near a doubtful track is searched each 5 ms, the farther the longer it was not good") {
+  SearchPlan plan(kSensor, {});
+  SearchPlan::Situation now = kCalm;
+  now.main.quality = 0.59;
+  plan.plan(now, kAll, 5'000);
+  CHECK(plan.give_out() == Region{280, 180, 41, 41});
+  plan.note_answer();
+  plan.plan(now, kAll, 9'999);
+  CHECK(plan.give_out().empty());
+  now.since_good_us = 10'000;
+  plan.plan(now, kAll, 10'000);
+  CHECK(plan.give_out() == Region{265, 165, 71, 71});
+  plan.note_answer();
+  now.is_resting = true;
+  plan.plan(now, kAll, 20'000);
+  CHECK(plan.give_out().empty());
+}
+
+TEST_CASE("Each of the two searches can be switched off") {
+  SearchPlan plan(kSensor, {});
+  SearchPlan::Situation now = kCalm;
+  now.main.quality = 0.2;
+  plan.plan(now, {.search = false, .wide_search = false}, 1'000'000);
+  CHECK(plan.give_out().empty());
+  plan.plan(now, {.wide_search = false}, 1'000'000);
+  CHECK(plan.give_out() == Region{280, 180, 41, 41});
+  plan.note_answer();
+  plan.plan(now, {.search = false}, 1'000'000);
+  CHECK(plan.give_out() == kImage);
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,171 @@
+#include "common/vision/takeover.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+using Kind = Challenger::Kind;
+
+// Beyond doubt in all respects; no rule applies against it.
+constexpr Defence kStrongMain{.looks = {.quality = 0.9, .strength = 100},
+                              .is_trusted = true,
+                              .is_proven = true,
+                              .is_witnessed = true};
+constexpr Defence kBadMain{.looks = {.quality = 0.3, .strength = 10}, .is_trusted = true};
+
+TEST_CASE("A twin and a witness win by a lead, the other opinion on the wall as a good track") {
+  Claim claim{.age_us = 1'501, .leads = true};
+  CHECK(wins_test(Kind::kTwin, claim));
+  CHECK(wins_test(Kind::kWitness, claim));
+  claim.age_us = 1'500;
+  CHECK_FALSE(wins_test(Kind::kTwin, claim));
+  claim.age_us = 900;
+  CHECK_FALSE(wins_test(Kind::kWitness, claim));
+  claim.age_us = 15'001;
+  CHECK_FALSE(wins_test(Kind::kWall, claim));
+  claim.looks = {.quality = 0.51, .strength = 7};
+  CHECK(wins_test(Kind::kWall, claim));
+  CHECK_FALSE(wins_test(Kind::kSearch, claim));
+  claim.leads = false;
+  CHECK_FALSE(wins_test(Kind::kTwin, claim));
+  CHECK_FALSE(wins_test(Kind::kWitness, claim));
+  CHECK_FALSE(wins_test(Kind::kWall, claim));
+}
+
+TEST_CASE("What the correlation scores above 0.65 is evident after 5 ms if its events agree") {
+  const Claim evident{
+      .looks = {.quality = 0.66, .strength = 11}, .age_us = 5'001, .search_score = 0.66};
+  CHECK(is_evident(evident));
+  Claim claim = evident;
+  claim.search_score = 0.65;
+  CHECK_FALSE(is_evident(claim));
+  claim = evident;
+  claim.looks.quality = 0.65;
+  CHECK_FALSE(is_evident(claim));
+  claim = evident;
+  claim.age_us = 5'000;
+  CHECK_FALSE(is_evident(claim));
+}
+
+constexpr Claim kMoving{
+    .looks = {.speed_px_s = 301, .quality = 0.76, .strength = 26, .cover = 0.36}, .age_us = 12'001};
+
+TEST_CASE("What is faster than 300 px/s in all directions moves by itself") {
+  CHECK(moves_by_itself(kMoving));
+  Claim claim = kMoving;
+  claim.looks.speed_px_s = 300;
+  CHECK_FALSE(moves_by_itself(claim));
+  claim = kMoving;
+  claim.looks.cover = 0.35;
+  CHECK_FALSE(moves_by_itself(claim));
+}
+
+TEST_CASE("What is three times as strong takes over wherever it is, from any track") {
+  Claim claim{.looks = {.position = {500, 0}, .quality = 0.76, .strength = 301}, .age_us = 10'001};
+  CHECK(outshines(claim, kStrongMain));
+  CHECK(is_convincing(claim, kStrongMain));
+  claim.looks.strength = 300;
+  CHECK_FALSE(is_convincing(claim, kStrongMain));
+}
+
+TEST_CASE("What moves by itself takes over from what never has") {
+  Defence main = kStrongMain;
+  main.looks.quality = 0.85;
+  CHECK_FALSE(is_convincing(kMoving, main));
+  main.is_proven = false;
+  CHECK(outmoves(kMoving, main));
+  CHECK(is_convincing(kMoving, main));
+  main.looks.quality = 0.87;
+  CHECK_FALSE(is_convincing(kMoving, main));
+}
+
+TEST_CASE("An evident puck takes over from a track that is not trusted or long unsound") {
+  const Claim claim{.looks = {.position = {500, 0}, .quality = 0.7, .strength = 20},
+                    .age_us = 6'000,
+                    .search_score = 0.7};
+  Defence main = kStrongMain;
+  main.looks.quality = 0.5;
+  main.since_sound_us = 150'000;
+  CHECK_FALSE(is_convincing(claim, main));
+  main.since_sound_us = 150'001;
+  CHECK(unmasks(claim, main));
+  CHECK(is_convincing(claim, main));
+  main.since_sound_us = 0;
+  main.is_trusted = false;
+  CHECK(is_convincing(claim, main));
+}
+
+TEST_CASE("A track that is not trusted gives way to what looks better or twice as strong") {
+  Claim claim{.looks = {.position = {500, 0}, .quality = 0.81, .strength = 30}, .age_us = 15'001};
+  Defence main = kStrongMain;
+  main.is_trusted = false;
+  main.looks = {.quality = 0.8, .strength = 14};
+  CHECK(displaces_stranger(claim, main));
+  CHECK(is_convincing(claim, main));
+  main.looks.strength = 15;
+  CHECK_FALSE(is_convincing(claim, main));
+  main.looks.quality = 0.68;
+  CHECK(is_convincing(claim, main));
+  main.is_trusted = true;
+  CHECK_FALSE(is_convincing(claim, main));
+}
+
+TEST_CASE("A track that looks bad gives way to a better one within a reach that grows") {
+  // 12 px, and 1.5 px more each millisecond without a good track.
+  Claim claim{.looks = {.position = {15, 0}, .quality = 0.6, .strength = 20}, .age_us = 6'001};
+  Defence main = kBadMain;
+  main.since_good_us = 1'900;
+  CHECK_FALSE(succeeds_nearby(claim, main));
+  main.since_good_us = 2'100;
+  CHECK(succeeds_nearby(claim, main));
+  CHECK(is_convincing(claim, main));
+  main.is_witnessed = true;
+  CHECK_FALSE(is_convincing(claim, main));
+}
+
+TEST_CASE("The farther away, the better it must look, and never beyond 60 px") {
+  Claim claim{.looks = {.position = {40, 0}, .quality = 0.69, .strength = 20}, .age_us = 6'001};
+  Defence main = kBadMain;
+  main.since_good_us = 1'000'000;
+  CHECK_FALSE(succeeds_nearby(claim, main));
+  claim.looks.quality = 0.71;
+  CHECK(succeeds_nearby(claim, main));
+  claim.looks = {.position = {61, 0}, .quality = 1, .strength = 20};
+  CHECK_FALSE(succeeds_nearby(claim, main));
+}
+
+TEST_CASE("From a track of some quality it takes over only if it is stronger and leads") {
+  Claim claim{.looks = {.quality = 0.7, .strength = 27}, .age_us = 6'001, .leads = true};
+  Defence main = kBadMain;
+  main.looks = {.quality = 0.5, .strength = 20};
+  CHECK(succeeds_nearby(claim, main));
+  claim.leads = false;
+  CHECK_FALSE(succeeds_nearby(claim, main));
+  claim.leads = true;
+  claim.looks.strength = 26;
+  CHECK_FALSE(succeeds_nearby(claim, main));
+}
+
+TEST_CASE("The first is waited for 150 ms before less than the evident is believed") {
+  Claim claim{.looks = {.growth_px = 0.5, .quality = 0.81, .strength = 31, .cover = 0.41},
+              .age_us = 20'001};
+  CHECK_FALSE(is_convincing_as_first(claim, 150'000));
+  CHECK(is_convincing_as_first(claim, 150'001));
+  claim.looks.growth_px = 0.6;
+  CHECK_FALSE(is_convincing_as_first(claim, 150'001));
+  claim.search_score = 0.7;
+  CHECK(is_convincing_as_first(claim, 0));
+  CHECK(is_convincing_as_first(kMoving, 0));
+}
+
+TEST_CASE("What was found near the track, is evident or moves by itself was not found weakly") {
+  const Claim claim{.looks = {.position = {60, 0}}};
+  CHECK(is_weakly_found(claim, std::nullopt));
+  CHECK(is_weakly_found(claim, TrackLooks{}));
+  CHECK_FALSE(is_weakly_found(claim, TrackLooks{.position = {1, 0}}));
+  CHECK_FALSE(is_weakly_found(kMoving, std::nullopt));
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,90 @@
+#include "common/vision/track_standing.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{640, 480};
+constexpr TrackLooks kGood{
+    .position = {300, 200}, .speed_px_s = 500, .quality = 0.9, .strength = 50, .near_events = 60};
+constexpr TrackLooks kSilent{.position = {300, 200}, .speed_px_s = 20};
+constexpr TrackLooks kOutside{.position = {650, 200}, .speed_px_s = 500};
+
+// Trust in a track that has been sound for 50 ms.
+TrackTrust sound() {
+  TrackTrust trust;
+  trust.judge(kGood, false, 50'000, 50'000);
+  return trust;
+}
+
+TEST_CASE("A track without support is believed for as long as it may coast") {
+  TrackStanding standing(kSensor, 50'000);
+  CHECK(standing.state() == TrackState::kSearching);
+  standing.judge(kGood, true, sound(), 100'000);
+  CHECK(standing.state() == TrackState::kTracking);
+  standing.judge(kSilent, false, sound(), 150'000);
+  CHECK(standing.state() == TrackState::kTracking);
+  standing.judge(kSilent, false, sound(), 150'001);
+  CHECK(standing.state() == TrackState::kLost);
+  CHECK_FALSE(standing.left_image().has_value());
+}
+
+TEST_CASE("A slow, quiet puck that the witness sees, too, rests for ever") {
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kGood, true, sound(), 100'000);
+  CHECK_FALSE(standing.is_resting());
+  for (std::int64_t t = 101'000; t < 400'000; t += 1'000) {
+    standing.judge(kSilent, true, sound(), t);
+  }
+  CHECK(standing.is_resting());
+  CHECK(standing.state() == TrackState::kTracking);
+}
+
+TEST_CASE(
+    "What has never been sound does not rest, nor what is fast or has the witness against it") {
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kSilent, true, TrackTrust(), 100'000);
+  CHECK_FALSE(standing.is_resting());
+  standing.judge(kSilent, false, sound(), 100'000);
+  CHECK_FALSE(standing.is_resting());
+  TrackLooks fast = kSilent;
+  fast.speed_px_s = 60;
+  standing.judge(fast, true, sound(), 100'000);
+  CHECK_FALSE(standing.is_resting());
+}
+
+TEST_CASE("A lost track is not found again by resting") {
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kSilent, true, sound(), 200'000);
+  CHECK(standing.is_resting());
+  CHECK(standing.state() == TrackState::kLost);
+}
+
+TEST_CASE("What was found weakly is not followed before it has been sound") {
+  TrackTrust trust;
+  trust.note_found(true, 100'000);
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kGood, true, trust, 100'000);
+  CHECK(standing.state() == TrackState::kLost);
+  trust.judge(kGood, false, 120'001, 500);
+  standing.judge(kGood, true, trust, 120'001);
+  CHECK(standing.state() == TrackState::kTracking);
+}
+
+TEST_CASE("A puck outside the image has left after 10 ms, at the nearest pixel, until it is back") {
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kGood, true, sound(), 100'000);
+  standing.judge(kOutside, true, sound(), 110'000);
+  CHECK(standing.state() == TrackState::kTracking);
+  standing.judge(kOutside, true, sound(), 110'001);
+  CHECK(standing.state() == TrackState::kLost);
+  REQUIRE(standing.left_image().has_value());
+  CHECK(*standing.left_image() == Pixel{639, 200});
+  standing.judge(kGood, true, sound(), 120'000);
+  CHECK(standing.state() == TrackState::kTracking);
+  CHECK_FALSE(standing.left_image().has_value());
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,95 @@
+#include "common/vision/track_trust.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+constexpr TrackLooks kSound{.quality = 0.9, .strength = 50};
+constexpr TrackLooks kGood{.quality = 0.6, .strength = 50};
+constexpr TrackLooks kBad{.quality = 0.2, .strength = 50};
+constexpr TrackLooks kFast{.speed_px_s = 301, .quality = 0.9, .strength = 50};
+
+// A track that decisions, 500 µs apart, are made about.
+struct Judged {
+  void look(const TrackLooks& looks, int milliseconds, bool resting = false) {
+    for (int i = 0; i < 2 * milliseconds; ++i) {
+      now_us += 500;
+      trust.judge(looks, resting, now_us, 500);
+    }
+  }
+  TrackTrust trust;
+  std::int64_t now_us = 0;
+};
+
+TEST_CASE("A track is trusted once it has been sound for more than 200 ms") {
+  Judged track;
+  track.look(kSound, 200);
+  CHECK_FALSE(track.trust.is_trusted());
+  track.look(kSound, 1);
+  CHECK(track.trust.is_trusted());
+  CHECK(track.trust.since_sound_us(track.now_us) == 0);
+}
+
+TEST_CASE("Trust wanes as fast as it grew, is never more than a second's, and is kept at rest") {
+  Judged track;
+  track.look(kSound, 3'000);
+  track.look(kBad, 500, true);
+  track.look(kBad, 799);
+  CHECK(track.trust.is_trusted());
+  track.look(kBad, 1);
+  CHECK_FALSE(track.trust.is_trusted());
+  CHECK_FALSE(track.trust.is_exhausted());
+  track.look(kBad, 200);
+  CHECK(track.trust.is_exhausted());
+}
+
+TEST_CASE("A track is proven once it has been sound and fast for more than 30 ms on end") {
+  Judged track;
+  track.look(kFast, 30);
+  track.look(kSound, 1);
+  track.look(kFast, 30);
+  CHECK_FALSE(track.trust.is_proven());
+  track.look(kFast, 1);
+  CHECK(track.trust.is_proven());
+  track.look(kBad, 50);
+  CHECK(track.trust.is_proven());
+  track.look(kBad, 50);
+  CHECK_FALSE(track.trust.is_proven());
+}
+
+TEST_CASE("What is good but not sound stops one clock only") {
+  Judged track;
+  track.look(kSound, 10);
+  track.look(kGood, 5);
+  track.look(kBad, 5);
+  CHECK(track.trust.since_good_us(track.now_us) == 5'000);
+  CHECK(track.trust.since_sound_us(track.now_us) == 10'000);
+  track.trust.note_takeover(track.now_us);
+  CHECK(track.trust.since_good_us(track.now_us) == 0);
+}
+
+TEST_CASE(
+    "What was found is trusted half as much, and must be sound for 20 ms before it may rest") {
+  Judged track;
+  track.look(kFast, 300);
+  track.trust.note_found(true, track.now_us);
+  CHECK_FALSE(track.trust.is_trusted());
+  CHECK_FALSE(track.trust.is_proven());
+  CHECK_FALSE(track.trust.is_believed());
+  track.look(kSound, 20);
+  CHECK_FALSE(track.trust.may_rest());
+  CHECK_FALSE(track.trust.is_believed());
+  track.look(kSound, 1);
+  CHECK(track.trust.may_rest());
+  CHECK(track.trust.is_believed());
+}
+
+TEST_CASE("What was found on good evidence is believed at once") {
+  TrackTrust trust;
+  trust.note_found(false, 1'000);
+  CHECK(trust.is_believed());
+}
+
+}  // namespace
+}  // namespace puck
