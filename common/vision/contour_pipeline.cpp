@@ -98,6 +98,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
   const Defence defence{.looks = looks,
                         .is_trusted = context_.is_trusted,
                         .is_proven = trust_.is_proven(),
+                        .is_resting = standing_.is_resting(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
                         .since_good_us = trust_.since_good_us(time_us),
                         .since_sound_us = trust_.since_sound_us(time_us)};

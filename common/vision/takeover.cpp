@@ -51,7 +51,8 @@ bool moves_by_itself(const Claim& claim) {
 
 bool outshines(const Claim& claim, const Defence& main) {
   return claim.age_us > 10'000 && claim.looks.quality > 0.75 && claim.looks.strength > 40 &&
-         claim.looks.strength > 3 * std::max(main.looks.strength, 5.0);
+         claim.looks.strength > 3 * std::max(main.looks.strength, 5.0) &&
+         (main.since_sound_us > kUnsoundFor_us || is_evident(claim));
 }
 
 bool outmoves(const Claim& claim, const Defence& main) {
@@ -90,6 +91,8 @@ bool succeeds_nearby(const Claim& claim, const Defence& main) {
 }
 
 bool is_convincing(const Claim& claim, const Defence& main) {
+  // Whatever makes events is stronger than a puck at rest, a mallet as well.
+  if (main.is_resting && main.is_proven) return is_evident(claim);
   return outshines(claim, main) || outmoves(claim, main) || unmasks(claim, main) ||
          displaces_stranger(claim, main) || succeeds_nearby(claim, main);
 }

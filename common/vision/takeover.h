@@ -29,6 +29,7 @@ struct Defence {
   TrackLooks looks;
   bool is_trusted = false;          ///< TrackTrust's.
   bool is_proven = false;           ///< TrackTrust's.
+  bool is_resting = false;          ///< TrackStanding's.
   bool is_witnessed = false;        ///< WitnessCheck vouches for it.
   std::int64_t since_good_us = 0;   ///< TrackTrust's.
   std::int64_t since_sound_us = 0;  ///< TrackTrust's.
@@ -42,7 +43,8 @@ bool is_evident(const Claim& claim);
 /// Nothing that is fixed to the table moves so fast in the image, however the head turns.
 bool moves_by_itself(const Claim& claim);
 
-/// It is by far the stronger, wherever it is.
+/// It is by far the stronger, wherever it is, and the main track has not been sound for long or it
+/// is evident itself.
 bool outshines(const Claim& claim, const Defence& main);
 /// It moves as a puck does; the main track has never done so.
 bool outmoves(const Claim& claim, const Defence& main);
@@ -54,7 +56,7 @@ bool displaces_stranger(const Claim& claim, const Defence& main);
 /// must look.
 bool succeeds_nearby(const Claim& claim, const Defence& main);
 
-/// Any of these five.
+/// Any of these five; against a puck at rest, which makes no events, that it is evident.
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident nor

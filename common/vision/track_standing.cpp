@@ -6,6 +6,8 @@ namespace puck {
 namespace {
 
 constexpr double kSlow_px_s = 60;
+constexpr double kSupportedQuality = 0.1;
+constexpr double kSupportedStrength = 15;
 // A puck whose centre has been outside the image for so long, unseen, has left.
 constexpr std::int64_t kLeaving_us = 10'000;
 
@@ -18,8 +20,12 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_agrees, const Tra
   const bool in_image = main.position == nearest_in_image;
   is_resting_ =
       main.is_quiet() && trust.may_rest() && main.speed_px_s < kSlow_px_s && witness_agrees;
+  // Beside a hand or a mallet the track looks poor. That the blob agrees, and that the ring still
+  // has more events than its surroundings explain, says that it is right all the same.
+  const bool is_supported = trust.is_trusted() && witness_agrees &&
+                            main.quality > kSupportedQuality && main.strength > kSupportedStrength;
   if (in_image && trust.is_believed() &&
-      (main.is_good() || (is_resting_ && state_ == TrackState::kTracking))) {
+      (main.is_good() || is_supported || (is_resting_ && state_ == TrackState::kTracking))) {
     held_us_ = time_us;
     left_image_.reset();
   }

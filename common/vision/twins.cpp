@@ -5,6 +5,7 @@ namespace {
 
 constexpr std::int64_t kAtRestPeriod_us = 2'000;
 constexpr std::int64_t kOfOtherWallPeriod_us = 60'000;
+constexpr std::int64_t kTrustedOfOtherWallPeriod_us = 300'000;
 // Where the ring is, and how fast, is known from the main track.
 constexpr double kOfOtherWallSigma_px = 1;
 constexpr double kOfOtherWallSigma_px_s = 100;
@@ -24,7 +25,9 @@ void Twins::bear_at_rest(const ContourTrack& main, const ContourContext& context
 
 void Twins::bear_of_other_wall(const ContourTrack& main, const ContourContext& context,
                                std::int64_t time_us, Challengers& challengers) {
-  if (!context.ingredients.wall || time_us - of_other_wall_us_ < kOfOtherWallPeriod_us) return;
+  const std::int64_t period_us =
+      context.is_trusted ? kTrustedOfOtherWallPeriod_us : kOfOtherWallPeriod_us;
+  if (!context.ingredients.wall || time_us - of_other_wall_us_ < period_us) return;
   of_other_wall_us_ = time_us;
   const PuckContour& contour = context.contour;
   const double share = main.wall_share() == contour.calibrated_wall_share()

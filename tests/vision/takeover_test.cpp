@@ -61,12 +61,30 @@ TEST_CASE("What is faster than 300 px/s in all directions moves by itself") {
   CHECK_FALSE(moves_by_itself(claim));
 }
 
-TEST_CASE("What is three times as strong takes over wherever it is, from any track") {
+TEST_CASE(
+    "What is three times as strong takes over wherever it is, from a sound track if evident") {
   Claim claim{.looks = {.position = {500, 0}, .quality = 0.76, .strength = 301}, .age_us = 10'001};
-  CHECK(outshines(claim, kStrongMain));
-  CHECK(is_convincing(claim, kStrongMain));
+  Defence main = kStrongMain;
+  CHECK_FALSE(is_convincing(claim, main));
+  main.since_sound_us = 150'001;
+  CHECK(outshines(claim, main));
+  CHECK(is_convincing(claim, main));
   claim.looks.strength = 300;
-  CHECK_FALSE(is_convincing(claim, kStrongMain));
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks.strength = 301;
+  claim.search_score = 0.66;
+  CHECK(is_convincing(claim, kStrongMain));
+}
+
+TEST_CASE("A puck at rest gives way to what is evident only, however weak it looks itself") {
+  Defence main{
+      .looks = {.quality = 0, .strength = 0}, .is_proven = true, .since_sound_us = 1'000'000};
+  Claim mallet{.looks = {.quality = 0.9, .strength = 500}, .age_us = 30'000};
+  CHECK(is_convincing(mallet, main));
+  main.is_resting = true;
+  CHECK_FALSE(is_convincing(mallet, main));
+  mallet.search_score = 0.66;
+  CHECK(is_convincing(mallet, main));
 }
 
 TEST_CASE("What moves by itself takes over from what never has") {

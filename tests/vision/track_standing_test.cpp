@@ -54,6 +54,26 @@ TEST_CASE(
   CHECK_FALSE(standing.is_resting());
 }
 
+TEST_CASE("A poor track that is trusted is held as long as the blob and its ring support it") {
+  TrackTrust trusted;
+  trusted.judge(kGood, false, 300'000, 300'000);
+  TrackLooks poor = kGood;
+  poor.quality = 0.2;
+  poor.strength = 16;
+  const auto state_after = [&](const TrackLooks& looks, bool witness_agrees,
+                               const TrackTrust& trust) {
+    TrackStanding standing(kSensor, 50'000);
+    standing.judge(kGood, true, trusted, 100'000);
+    standing.judge(looks, witness_agrees, trust, 200'000);
+    return standing.state();
+  };
+  CHECK(state_after(poor, true, trusted) == TrackState::kTracking);
+  CHECK(state_after(poor, false, trusted) == TrackState::kLost);
+  CHECK(state_after(poor, true, sound()) == TrackState::kLost);
+  poor.strength = 15;
+  CHECK(state_after(poor, true, trusted) == TrackState::kLost);
+}
+
 TEST_CASE("A lost track is not found again by resting") {
   TrackStanding standing(kSensor, 50'000);
   standing.judge(kSilent, true, sound(), 200'000);
