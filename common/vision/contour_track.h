@@ -57,8 +57,6 @@ class ContourTrack {
   double quality() const { return quality_; }
   /// The same without regard to how many events there are.
   double shape_quality() const { return shape_quality_; }
-  /// RingEvidence::strength.
-  double strength() const { return strength_; }
   /// All that is decided by.
   TrackLooks looks() const;
   bool is_good() const { return looks().is_good(); }
