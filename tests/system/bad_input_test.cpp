@@ -190,6 +190,7 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
   write_text(folder / "scene.toml", "[world]\nsede = 1\n");
   write_text(folder / "scene2.toml", "[world]\nseed = \"one\"\n");
   write_text(folder / "scene3.toml", "[table]\n\nlength_m = -1.0\n");
+  write_text(folder / "scene4.toml", "[game]\nwait_min_s = 2.0\n");
   write_text(folder / "mask.toml", "[pixel_mask]\nwidth = 64\nheight = 48\npixels = []\n");
   write_text(folder / "model.toml", "[size_model]\nwidth_0 = \"wide\"\n");
   REQUIRE(run("puck-simulate", {"--output", "FOLDER/a", "--seconds", "0.1"}, folder).exit_code ==
@@ -218,6 +219,9 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
       {"puck-simulate",
        {"--output", "FOLDER/x", "--scene", "FOLDER/scene3.toml"},
        {"FOLDER/scene3.toml:3: table.length_m must be", "-1"}},
+      {"puck-simulate",
+       {"--output", "FOLDER/x", "--scene", "FOLDER/scene4.toml"},
+       {"FOLDER/scene4.toml: game.wait_min_s must not be more than game.wait_max_s"}},
       {"puck-simulate",
        {"--output", "/nowhere/x", "--seconds", "0.01"},
        {"/nowhere/x.raw: cannot be opened for writing"}},
