@@ -54,6 +54,15 @@ void read_range(Config& config, PuckSizeModel& model) {
   config.read("size_range.sensor_height", model.sensor.height, 0, SensorSize::kMax);
 }
 
+// Such a puck would be kept to the smallest size everywhere, and specks be taken for it.
+void refuse_sizeless(const Config& config, double at_corner, double along_x, double along_y,
+                     const std::string& side) {
+  if (at_corner > 0 || along_x > 0 || along_y > 0) return;
+  const std::string key = "size_model." + side;
+  config.fail(key + "_0", "must be above 0, or " + side + "_x or " + side + "_y: the puck has no " +
+                              side + " anywhere in the image");
+}
+
 std::string entry(std::string_view key, const std::string& value) {
   return std::string(key.substr(key.find('.') + 1)) + " = " + value + "\n";
 }
@@ -67,6 +76,8 @@ PuckSizeModel read_size_model_file(const std::filesystem::path& path) {
     if (!config.has(coefficient.key)) config.fail(coefficient.key, "is missing");
     config.read(coefficient.key, model.*coefficient.member, -kLargest, kLargest);
   }
+  refuse_sizeless(config, model.width_0, model.width_x, model.width_y, "width");
+  refuse_sizeless(config, model.height_0, model.height_x, model.height_y, "height");
   read_range(config, model);
   return model;
 }

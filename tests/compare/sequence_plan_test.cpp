@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 #include <doctest/doctest.h>
 
@@ -53,7 +54,7 @@ TEST_CASE("the quick form has every set, shorter") {
     CHECK(sequence.seconds == (sequence.set.is_hard ? 2 : 5));
   }
   CHECK(sets.size() == sequence_sets().size());
-  const SequenceSet& hard = set_of(sequence_sets(), "rests");
+  const SequenceSet hard = set_of(sequence_sets(), "rests");
   CHECK(seconds_of(hard, {.sequences = 1, .seconds = 1}) == 1);
   CHECK(sequences_of(hard, quick) == 1);
 }

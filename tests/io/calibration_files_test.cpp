@@ -51,6 +51,10 @@ TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused")
                  "size.toml: size_model.height_y is missing"));
   CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("6\n")) + "\"x\"\n"),
                  "size.toml:7: size_model.height_y must be a number"));
+  CHECK(contains(refusal("[size_model]\nwidth_0 = 9\nwidth_x = 0\nwidth_y = 0\nheight_0 = 0\n"
+                         "height_x = 0\nheight_y = -0.1\n"),
+                 "size.toml:5: size_model.height_0 must be above 0, or height_x or height_y: the "
+                 "puck has no height anywhere in the image"));
   CHECK(contains(message_of<ConfigError>([&] { write_size_model_file(folder / "no/a", {}, ""); }),
                  "cannot be written"));
 }

@@ -1,7 +1,8 @@
 // Real recordings, made by others; what is expected of each comes from their MANIFEST.md, the first
 // times from their bytes.
+#include "tests/support/recordings.h"
+
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <vector>
 
@@ -14,18 +15,6 @@
 namespace puck {
 namespace {
 
-// Nothing, and a word about it, where there are no recordings.
-std::filesystem::path recordings_folder() {
-  const char* named = std::getenv("PUCK_RECORDINGS");
-  const char* source = std::getenv("PUCK_SOURCE_DIR");
-  const std::filesystem::path folder =
-      named ? std::filesystem::path(named)
-            : std::filesystem::path(source ? source : ".") / ".." / "shared" / "recordings";
-  if (std::filesystem::exists(folder / "MANIFEST.md")) return folder;
-  MESSAGE("skipped: no recordings in " << folder.string());
-  return {};
-}
-
 struct Expected {
   const char* file = nullptr;
   EventFileOptions options;
@@ -37,8 +26,9 @@ struct Expected {
 };
 
 TEST_CASE("real recordings have the events, times and geometry that their manifest says") {
-  const std::filesystem::path folder = recordings_folder();
-  if (folder.empty()) return;
+  const auto recordings = recordings_folder();
+  if (!recordings) return;
+  const std::filesystem::path& folder = *recordings;
   const std::vector<Expected> all{
       {"sparklers_gen31_640x480_evt2.raw", {}, {640, 480}, 521252, 913716224, 0.096, 0.0005},
       {"driving_gen41_1280x720_evt3.raw", {}, {1280, 720}, 219596, 11718656, 0.0088, 0.00005},
@@ -81,8 +71,9 @@ TEST_CASE("real recordings have the events, times and geometry that their manife
 }
 
 TEST_CASE("recordings of other formats are refused by name") {
-  const std::filesystem::path folder = recordings_folder();
-  if (folder.empty()) return;
+  const auto recordings = recordings_folder();
+  if (!recordings) return;
+  const std::filesystem::path& folder = *recordings;
   const auto refusal = [&](const char* file) {
     return message_of<EventFileError>([&] { open_event_file(folder / file); });
   };
@@ -92,8 +83,9 @@ TEST_CASE("recordings of other formats are refused by name") {
 }
 
 TEST_CASE("the truth beside a real recording reads, and lies within the recording") {
-  const std::filesystem::path folder = recordings_folder();
-  if (folder.empty()) return;
+  const auto recordings = recordings_folder();
+  if (!recordings) return;
+  const std::filesystem::path& folder = *recordings;
   const auto rows = read_truth_file(folder / "shapes_rotation_davis240c_240x180.truth.csv");
   REQUIRE(rows.size() == 26);
   CHECK(rows[0].time.us == 43506029);

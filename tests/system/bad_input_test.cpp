@@ -172,9 +172,7 @@ TEST_CASE("a size model of another sensor, or one that is clamped in the image, 
              "height_x = 0\nheight_y = 0.15\n[size_range]\nsensor_width = 1280\n"
              "sensor_height = 720\n");
   const Finished finished =
-      run("puck-evaluate",
-          {"FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model", "FOLDER/model.toml"},
-          folder);
+      run("puck-evaluate", {"FOLDER/a.raw", "--size-model", "FOLDER/model.toml"}, folder);
   CAPTURE(finished.errors);
   CHECK(finished.exit_code == 0);
   CHECK(finished.errors.find("fitted for a sensor of 1280x720 px, this one has 640x480") !=
@@ -192,6 +190,7 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
   write_text(folder / "scene.toml", "[world]\nsede = 1\n");
   write_text(folder / "scene2.toml", "[world]\nseed = \"one\"\n");
   write_text(folder / "scene3.toml", "[table]\n\nlength_m = -1.0\n");
+  write_text(folder / "scene4.toml", "[game]\nwait_min_s = 2.0\n");
   write_text(folder / "mask.toml", "[pixel_mask]\nwidth = 64\nheight = 48\npixels = []\n");
   write_text(folder / "model.toml", "[size_model]\nwidth_0 = \"wide\"\n");
   REQUIRE(run("puck-simulate", {"--output", "FOLDER/a", "--seconds", "0.1"}, folder).exit_code ==
@@ -220,6 +219,9 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
       {"puck-simulate",
        {"--output", "FOLDER/x", "--scene", "FOLDER/scene3.toml"},
        {"FOLDER/scene3.toml:3: table.length_m must be", "-1"}},
+      {"puck-simulate",
+       {"--output", "FOLDER/x", "--scene", "FOLDER/scene4.toml"},
+       {"FOLDER/scene4.toml: game.wait_min_s must not be more than game.wait_max_s"}},
       {"puck-simulate",
        {"--output", "/nowhere/x", "--seconds", "0.01"},
        {"/nowhere/x.raw: cannot be opened for writing"}},
@@ -261,6 +263,29 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
       {"puck-calibrate",
        {"hot-pixels", "FOLDER/a.raw", "--output", "FOLDER/x.toml"},
        {"FOLDER/a.raw: hot pixels need a second of events or more"}},
+      {"puck-calibrate",
+       {"size", "FOLDER/a.annotations.csv", "--output", "FOLDER/a.annotations.csv"},
+       {"FOLDER/a.annotations.csv: --output would overwrite what is read"}},
+      {"puck-calibrate",
+       {"lag", "FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model",
+        "config/calibration/simulated_size.toml", "--output", "FOLDER/a.truth.csv"},
+       {"FOLDER/a.truth.csv: --output would overwrite what is read"}},
+      {"puck-evaluate",
+       {"FOLDER/a.raw", "--truth", "FOLDER/a.truth.csv", "--size-model",
+        "config/calibration/simulated_size.toml", "--plots", "FOLDER/a.raw"},
+       {"FOLDER/a.raw: no folder can be made here"}},
+      {"puck-evaluate",
+       {"FOLDER/a.raw", "--size-model", "config/calibration/simulated_size.toml",
+        "--detection-region", "640,0,50,50"},
+       {"tracker.detection_region lies outside the sensor"}},
+      {"puck-evaluate",
+       {"FOLDER/a.raw", "--size-model", "config/calibration/simulated_size.toml", "--without",
+        "haste"},
+       {"there is no ingredient haste", "--list-ingredients"}},
+      {"puck-evaluate",
+       {"FOLDER/a.raw", "--size-model", "config/calibration/simulated_size.toml", "--preset",
+        "correlation", "--without", "shear"},
+       {"--without shear needs preset default"}},
       {"puck-demo-report", {"FOLDER/nowhere.lcm"}, {"FOLDER/nowhere.lcm: cannot be read"}},
       {"puck-demo-report", {"FOLDER/a.raw"}, {"FOLDER/a.raw: is not an LCM log"}},
   };
@@ -272,6 +297,7 @@ TEST_CASE("every program answers a wrong command line with 2, and --help with 0"
   std::vector<Refused> wrong{{"puck-simulate", {}},
                              {"puck-simulate", {"--output", "FOLDER/x", "--seconds", "long"}},
                              {"puck-simulate", {"--output", "FOLDER/x", "--format", "avi"}},
+                             {"puck-simulate", {"--output", "FOLDER/x", "--seconds", "nan"}},
                              {"puck-calibrate", {}},
                              {"puck-calibrate", {"colour", "x.csv"}},
                              {"puck-calibrate", {"size", "x.csv"}},
@@ -279,6 +305,7 @@ TEST_CASE("every program answers a wrong command line with 2, and --help with 0"
                              {"puck-evaluate", {"x.raw", "--algorithm", "best"}},
                              {"puck-evaluate", {"x.raw", "--preset", "best"}},
                              {"puck-evaluate", {"x.raw", "--rate", "0"}},
+                             {"puck-evaluate", {"x.raw", "--rate", "nan"}},
                              {"puck-evaluate", {"x.raw", "--rate", "9", "--real-time"}},
                              {"puck-demo-report", {}}};
   for (const std::string& service : kServices) {

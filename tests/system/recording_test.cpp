@@ -8,6 +8,7 @@
 
 #include "common/messaging/log_file.h"
 #include "common/messaging/message_codec.h"
+#include "tests/support/recordings.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/system/system_bench.h"
 
@@ -93,10 +94,7 @@ void play(const std::filesystem::path& recordings, const Recording& recording) {
 
 TEST_CASE("real recordings reach the tracker whole, in real time, and it answers") {
   const auto recordings = recordings_folder();
-  if (!recordings) {
-    MESSAGE("skipped: there are no recordings; PUCK_RECORDINGS can tell where they are");
-    return;
-  }
+  if (!recordings) return;
   play(*recordings, {.file = "walking_640x480_evt3.extracted.raw",
                      .events = 343'474,
                      .span_us = 2'078'000,

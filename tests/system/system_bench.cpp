@@ -29,14 +29,6 @@ std::string new_lcm_url() {
   return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
 }
 
-std::optional<std::filesystem::path> recordings_folder() {
-  const char* named = std::getenv("PUCK_RECORDINGS");
-  const std::filesystem::path folder =
-      named != nullptr ? named : source_folder() / "../shared/recordings";
-  if (!std::filesystem::exists(folder)) return std::nullopt;
-  return folder;
-}
-
 std::vector<std::string> service_command(const std::string& name, const std::string& url,
                                          const std::vector<std::string>& settings) {
   const std::string config = "config/" + name.substr(name.find('-') + 1) + ".toml";

@@ -23,8 +23,6 @@ std::filesystem::path source_folder();
 std::string program(const std::string& name);
 /// A bus on this host, on another port at every call.
 std::string new_lcm_url();
-/// The folder of real recordings, if it is there.
-std::optional<std::filesystem::path> recordings_folder();
 
 /// Command line of a service with its shipped settings, then those given: KEY=VALUE.
 std::vector<std::string> service_command(const std::string& name, const std::string& url,

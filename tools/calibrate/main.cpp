@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +20,14 @@ std::string typed_command(int argc, char** argv) {
   std::string command = std::filesystem::path(argv[0]).filename();
   for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
   return command;
+}
+
+// A slip of the hand must not cost a person the annotations or the recording.
+void refuse_to_overwrite(const std::filesystem::path& input, const std::filesystem::path& output) {
+  std::error_code none;  // Where one of them does not exist they are not the same.
+  if (!std::filesystem::equivalent(input, output, none)) return;
+  throw std::runtime_error(output.string() +
+                           ": --output would overwrite what is read; name another file");
 }
 
 // What a recording may not say of itself.
@@ -72,6 +81,8 @@ int run(int argc, char** argv) {
 
   const std::string typed = typed_command(argc, argv);
   try {
+    refuse_to_overwrite(input, output);
+    if (lag_app->parsed()) refuse_to_overwrite(lag.truth, output);
     if (size_app->parsed()) {
       size.annotations = input;
       size.output = output;

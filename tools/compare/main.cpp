@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/command_line/number_range.h"
 #include "tools/compare/charts.h"
 #include "tools/compare/experiment.h"
 #include "tools/compare/program.h"
@@ -58,7 +59,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seconds", options.plan.seconds,
                  "of each of them; hard ones are a third as long")
-      ->check(CLI::Range(1.0, 600.0))
+      ->check(puck::number_range(1, 600))
       ->capture_default_str();
   app.add_option("--output", options.experiment.output, "folder")
       ->take_last()

@@ -83,7 +83,7 @@ std::vector<SequenceSet> sequence_sets() {
   return sets;
 }
 
-const SequenceSet& set_of(const std::vector<SequenceSet>& sets, const std::string& name) {
+SequenceSet set_of(const std::vector<SequenceSet>& sets, const std::string& name) {
   const auto found =
       std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.name == name; });
   if (found == sets.end()) throw std::invalid_argument("no set of sequences is called " + name);

@@ -35,7 +35,7 @@ struct SequenceSet {
 /// 1201, 1211, 1221 and so on.
 std::vector<SequenceSet> sequence_sets();
 /// Throws std::invalid_argument when there is none of that name.
-const SequenceSet& set_of(const std::vector<SequenceSet>& sets, const std::string& name);
+SequenceSet set_of(const std::vector<SequenceSet>& sets, const std::string& name);
 
 struct PlanOptions {
   int sequences = 10;   ///< Of the still and of the moving set each.

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "common/io/pixel_mask_file.h"
 #include "common/io/size_model_file.h"
 #include "common/io/truth_file.h"
+#include "tools/command_line/number_range.h"
 #include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/plots.h"
 #include "tools/evaluate/report.h"
@@ -74,7 +77,7 @@ void add_options(CLI::App& app, Options& options) {
       "print what --without takes, and stop");
   app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
   auto* rate = app.add_option("--rate", options.rate_hz, "estimates a second of sensor time")
-                   ->check(CLI::Range(1.0, 1e6))
+                   ->check(number_range(1, 1e6))
                    ->capture_default_str();
   auto* real_time = app.add_flag("--real-time", options.real_time,
                                  "play at the recording's pace: measures latency");
@@ -101,6 +104,14 @@ RunSummary run(EventReader& events, const TrackerSetup& setup, const Options& op
   if (options.real_time) return run_in_real_time(events, setup, on_tick);
   if (options.as_fast_as_possible) return run_as_fast_as_possible(events, setup);
   return run_at_rate(events, setup, options.rate_hz, on_tick);
+}
+
+void make_output_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw std::runtime_error(folder.string() + ": no folder can be made here: " + error.message());
+  }
 }
 
 void evaluate(const Options& options) {
@@ -138,6 +149,8 @@ void evaluate(const Options& options) {
   if (!options.plots.empty() && !score) {
     throw std::invalid_argument("--plots needs --truth, and ticks: not --as-fast-as-possible");
   }
+  // Before the run: who waited for it shall not lose it to a folder that can't be.
+  if (!options.plots.empty()) make_output_folder(options.plots);
   std::optional<TickFile> ticks;
   if (!options.csv.empty()) ticks.emplace(options.csv);
 

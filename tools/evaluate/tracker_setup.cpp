@@ -48,6 +48,10 @@ PipelineParams TrackerSetup::pipeline_params() const {
   PipelineParams params = preset_params(preset);
   if (detection_region) params.detector.region = *detection_region;
   params.contour.calibration = contour;
+  if (!without.empty() && (algorithm != Algorithm::kPuck || !params.follows_contour)) {
+    throw std::invalid_argument("--without " + without.front() +
+                                " needs preset default: nothing else is made of ingredients");
+  }
   for (const std::string& name : without) {
     const auto found = std::find_if(kContourIngredients.begin(), kContourIngredients.end(),
                                     [&](const ContourIngredient& i) { return i.name == name; });

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/command_line/number_range.h"
 #include "tools/simulate/recording.h"
 #include "tools/simulate/sensor_plots.h"
 #include "tools/simulate/simulate_settings.h"
@@ -44,7 +45,7 @@ int run(int argc, char** argv) {
   app.add_option("--seed", settings.seed, "The same seed gives the same game and events")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}));
   app.add_option("--seconds", settings.seconds, "Length of the recording")
-      ->check(CLI::Range(0.001, 3600.0))
+      ->check(number_range(0.001, 3600))
       ->capture_default_str();
   app.add_flag("--moving", settings.moving, "The camera turns, as on a robot that plays");
   app.add_option("--format", settings.format, "Of the events")

@@ -1,0 +1,70 @@
+// Preset default on recordings of real cameras that show no puck.
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/io/event_reader.h"
+#include "tests/support/recordings.h"
+#include "tools/evaluate/runs.h"
+
+namespace puck {
+namespace {
+
+struct Recording {
+  std::string file;
+  EventFileOptions options;
+  int ticks = 0;  // Milliseconds, so that a run that tells nothing is no proof.
+};
+
+const std::vector<Recording> kWithoutPuck{
+    {"dynamic_translation_davis240c_240x180.txt", {.sensor = {240, 180}}, 40},
+    {"driving_gen41_1280x720_evt3.raw", {}, 10},
+    {"sparklers_gen31_640x480_evt2.raw", {}, 97},
+    {"walking_640x480_evt3.extracted.raw", {.sensor = {640, 480}}, 2080},
+};
+
+// As large as a puck at the far end, in the middle and near by; and one as the table shows it.
+std::vector<PuckSizeModel> size_models() {
+  std::vector<PuckSizeModel> models;
+  for (const double width : {16.0, 32.0, 48.0}) {
+    PuckSizeModel model;
+    model.width_0 = width;
+    model.height_0 = 0.75 * width;
+    models.push_back(model);
+  }
+  PuckSizeModel table;
+  table.width_0 = 16;
+  table.width_y = 0.072;
+  table.height_0 = 6;
+  table.height_y = 0.071;
+  table.smallest = {9, 4};
+  table.largest = {80, 61};
+  models.push_back(table);
+  return models;
+}
+
+TEST_CASE("no puck is confirmed in recordings of a desk, a street, sparks and a person") {
+  const auto recordings = recordings_folder();
+  if (!recordings) return;
+  for (const Recording& recording : kWithoutPuck) {
+    for (const PuckSizeModel& model : size_models()) {
+      CAPTURE(recording.file);
+      CAPTURE(model.width_0);
+      TrackerSetup setup;
+      setup.size_model = model;
+      const auto events = open_event_file(*recordings / recording.file, recording.options);
+      int ticks = 0;
+      int confirmed = 0;
+      run_at_rate(*events, setup, 1000, [&](const EvaluatedTick& tick) {
+        ++ticks;
+        if (tick.estimate.state == TrackState::kTracking) ++confirmed;
+      });
+      CHECK(ticks == recording.ticks);
+      CHECK(confirmed == 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace puck
