@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "tools/simulate/chart.h"
+#include "tools/simulate/curve_plot.h"
 #include "tools/simulate/sensor_checks.h"
 
 namespace puck {
@@ -27,10 +27,10 @@ Curve cumulative(std::string name, const std::vector<double>& sorted) {
 }
 
 void plot_light_dependence(SensorBench::Set set, const std::filesystem::path& folder) {
-  Chart bode("events per cycle, as a share of those at low frequency", "Hz");
-  Chart delays("pixels that have answered a step of 1.5 thresholds", "us");
-  Chart rate("noise of a pixel, Hz", "lux");
-  Chart balance("share of ON among noise events", "lux");
+  CurvePlot bode("events per cycle, as a share of those at low frequency", "Hz");
+  CurvePlot delays("pixels that have answered a step of 1.5 thresholds", "us");
+  CurvePlot rate("noise of a pixel, Hz", "lux");
+  CurvePlot balance("share of ON among noise events", "lux");
   bode.make_x_logarithmic();
   delays.make_x_logarithmic();
   rate.make_x_logarithmic();
@@ -63,12 +63,13 @@ void write_sensor_plots(const SensorBench::Set& set, const std::filesystem::path
   std::filesystem::create_directories(folder);
 
   const StepResponse step = step_response(set, std::log(3.0));
-  Chart steps("pixels that answer a step to three times the light with so many events", "events");
+  CurvePlot steps("pixels that answer a step to three times the light with so many events",
+                  "events");
   steps.add(step.measured);
   steps.add(step.expected);
   steps.save(folder / "step.png");
 
-  Chart contrast("events per cycle of a slow sinusoid", "swing of ln(light)");
+  CurvePlot contrast("events per cycle of a slow sinusoid", "swing of ln(light)");
   contrast.add(contrast_response(set));
   contrast.save(folder / "contrast.png");
 
@@ -77,30 +78,30 @@ void write_sensor_plots(const SensorBench::Set& set, const std::filesystem::path
   SensorBench::Set noisy = set;
   noisy.sensor.noise_hz = 50;
   noisy.sensor.hot_pixel_fraction = 0;
-  Chart intervals("intervals between noise events of a pixel at 50 Hz, cumulative", "s");
+  CurvePlot intervals("intervals between noise events of a pixel at 50 Hz, cumulative", "s");
   intervals.add(cumulative("measured", noise(noisy, 1).intervals_s));
   intervals.save(folder / "noise_intervals.png");
 
-  Chart mismatch("S-curve: pixels that have fired again", "growth of ln(light)");
+  CurvePlot mismatch("S-curve: pixels that have fired again", "growth of ln(light)");
   mismatch.add(cumulative("measured", thresholds(set)));
   mismatch.save(folder / "thresholds.png");
 
-  Chart refractory("intervals in light that changes too fast, cumulative", "us");
+  CurvePlot refractory("intervals in light that changes too fast, cumulative", "us");
   refractory.make_x_logarithmic();
   refractory.add(cumulative("measured", refractory_intervals(set)));
   refractory.save(folder / "refractory.png");
 
   const Saturation readout = saturation(set);
-  Chart saturated("readout of 1 Mev/s", "Mev/s made");
+  CurvePlot saturated("readout of 1 Mev/s", "Mev/s made");
   saturated.add(readout.output_mev_s);
   saturated.add(readout.lost_share);
   saturated.save(folder / "saturation.png");
-  Chart burst("share of simultaneous events that have left at 1 Mev/s", "us");
+  CurvePlot burst("share of simultaneous events that have left at 1 Mev/s", "us");
   burst.add(readout.burst);
   burst.save(folder / "burst.png");
 
   const Conservation conserved = conservation(set);
-  Chart sums("ln(light) and the sum of signed events", "s");
+  CurvePlot sums("ln(light) and the sum of signed events", "s");
   sums.add(conserved.light);
   sums.add(conserved.sum);
   sums.save(folder / "conservation.png");

@@ -2,16 +2,18 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/simulate/sensor_checks.h"
 
 namespace puck {
 
-/// A picture of some curves over one pair of axes, which reach as far as the curves do.
-class Chart {
+/// A chart of some curves over one pair of axes, which reach as far as the curves do.
+class CurvePlot {
  public:
-  Chart(std::string title, std::string x_label) : title_(title), x_label_(x_label) {}
+  CurvePlot(std::string title, std::string x_label)
+      : title_(std::move(title)), x_label_(std::move(x_label)) {}
 
   void add(Curve curve) { curves_.push_back(std::move(curve)); }
   /// For x more than 0 only.
