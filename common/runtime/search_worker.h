@@ -37,8 +37,10 @@ class SearchWorker {
   /// True while the surface is being copied for the search.
   bool is_copying() const { return stage_ == Stage::kCopying; }
 
-  /// Begins to search for the puck in `region`, which is not empty. Only when idle.
-  void begin(const Region& region);
+  /// Begins to search for the puck in `region`, which is not empty. Only when idle. `is_urgent`:
+  /// there is no track that could be delayed, so that all but a very large image is searched at
+  /// once, however busy the machine is.
+  void begin(const Region& region, bool is_urgent = false);
 
   /// Copies the next few rows; with the last ones the search starts, or, if it is small, is made.
   /// Only while copying. A few rows at a time, because both the event and the tracking thread stand
@@ -55,6 +57,7 @@ class SearchWorker {
   void search();
 
   Stage stage_ = Stage::kIdle;  // tracking thread
+  int at_once_pixels_ = 0;      // tracking thread
 
   // The tracking thread's until it releases `posted_`; then the worker's until it sets `done_`.
   PuckSearch search_;

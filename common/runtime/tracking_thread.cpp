@@ -105,18 +105,17 @@ bool TrackingThread::take_events() {
   while (true) {
     const Timestamp start = surface_.pop_events(snapshot_.events_end, kHandful, events_);
     if (events_.empty()) return true;
-    for_each_piece(start, events_, pipeline_->decision_period_us(),
-                   [&](std::span<const Event> piece) {
-                     // The region may have moved on since these events were let into the queue.
-                     const Region region = pipeline_->events_needed();
-                     wanted_.clear();
-                     std::copy_if(
-                         piece.begin(), piece.end(), std::back_inserter(wanted_),
-                         [&](const Event& event) { return region.contains(event.x, event.y); });
-                     if (wanted_.empty()) return;
-                     pipeline_->take(start, wanted_);
-                     begin_search_if_wanted();
-                   });
+    for_each_piece(
+        start, events_, pipeline_->decision_period_us(), [&](std::span<const Event> piece) {
+          // The region may have moved on since these events were let into the queue.
+          const Region region = pipeline_->events_needed();
+          wanted_.clear();
+          std::copy_if(piece.begin(), piece.end(), std::back_inserter(wanted_),
+                       [&](const Event& event) { return region.contains(event.x, event.y); });
+          if (wanted_.empty()) return;
+          pipeline_->take(start, wanted_);
+          begin_search_if_wanted();
+        });
     if (Clock::now() >= time_up) {
       const Timestamp newest_taken = start + events_.back().offset_us;
       snapshot_.backlog_us += snapshot_.surface.newest_event - newest_taken;
@@ -129,7 +128,8 @@ bool TrackingThread::take_events() {
 void TrackingThread::begin_search_if_wanted() {
   if (!worker_.is_idle()) return;
   const Region wanted = pipeline_->search_wanted();
-  if (!wanted.empty()) worker_.begin(wanted);
+  const bool has_track = newest_.estimate.state == TrackState::kTracking;
+  if (!wanted.empty()) worker_.begin(wanted, !has_track);
 }
 
 void TrackingThread::publish_if_due() {
