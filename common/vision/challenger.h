@@ -20,6 +20,7 @@ class Challenger {
              std::int64_t time_us, double wall_share, double search_score = 0)
       : kind_(kind),
         search_score_(search_score),
+        has_other_wall_(wall_share != context.contour.calibrated_wall_share()),
         born_us_(time_us),
         track_(context, start, time_us, wall_share) {}
 
@@ -47,12 +48,15 @@ class Challenger {
   Kind kind() const { return kind_; }
   /// SearchCandidate::score, of what the search found.
   double search_score() const { return search_score_; }
+  /// Whether it is of the other opinion on the puck's side wall than the calibration.
+  bool has_other_wall() const { return has_other_wall_; }
   std::int64_t age_us(std::int64_t time_us) const { return time_us - born_us_; }
   const ContourTrack& track() const { return track_; }
 
  private:
   Kind kind_;
   double search_score_;
+  bool has_other_wall_;
   std::int64_t born_us_;
   std::int64_t convincing_since_us_ = -1;
   ContourTrack track_;

@@ -22,7 +22,7 @@ constexpr double kFarthestTakeover_px = 60;
 
 Claim claim_of(const Challenger& challenger, std::int64_t time_us) {
   return {challenger.track().looks(), challenger.age_us(time_us), challenger.search_score(),
-          challenger.leads()};
+          challenger.leads(), challenger.has_other_wall()};
 }
 
 bool wins_test(Challenger::Kind kind, const Claim& claim) {
@@ -98,7 +98,9 @@ bool is_convincing(const Claim& claim, const Defence& main) {
 }
 
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
-  return is_evident(claim) || moves_by_itself(claim) ||
+  // A round mark on the table has no side wall; the puck has the one that the calibration knows.
+  const bool is_like_a_mark = claim.has_other_wall && searched_us <= kPatience_us;
+  return (is_evident(claim) && !is_like_a_mark) || moves_by_itself(claim) ||
          (searched_us > kPatience_us && claim.age_us > 20'000 && claim.looks.quality > 0.8 &&
           claim.looks.strength > 30 && claim.looks.growth_px < 0.6 && claim.looks.cover > 0.4);
 }

@@ -18,8 +18,9 @@ inline constexpr std::int64_t kConvincedAfter_us = 3'000;
 struct Claim {
   TrackLooks looks;
   std::int64_t age_us = 0;
-  double search_score = 0;  ///< Challenger::search_score.
-  bool leads = false;       ///< Challenger::leads.
+  double search_score = 0;      ///< Challenger::search_score.
+  bool leads = false;           ///< Challenger::leads.
+  bool has_other_wall = false;  ///< Challenger::has_other_wall.
 };
 
 Claim claim_of(const Challenger& challenger, std::int64_t time_us);
@@ -60,7 +61,8 @@ bool succeeds_nearby(const Claim& claim, const Defence& main);
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident nor
-/// moves by itself must look like a puck in every respect, and longer.
+/// moves by itself must look like a puck in every respect, and longer; so must, for a while, what
+/// has another side wall than the puck.
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us);
 
 /// What the search found far away, or first, and is neither evident nor moves by itself.

@@ -175,6 +175,11 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
   claim.search_score = 0.7;
   CHECK(is_convincing_as_first(claim, 0));
   CHECK(is_convincing_as_first(kMoving, 0));
+  Claim evident{.looks = {.quality = 0.9, .strength = 200}, .age_us = 8'000, .search_score = 0.8};
+  CHECK(is_convincing_as_first(evident, 0));
+  evident.has_other_wall = true;
+  CHECK_FALSE(is_convincing_as_first(evident, 150'000));
+  CHECK(is_convincing_as_first(evident, 150'001));
 }
 
 TEST_CASE("What was found near the track, is evident or moves by itself was not found weakly") {
