@@ -11,6 +11,14 @@ ContourFilter::ContourFilter(const ContourFilterParams& params, const Start& sta
   restart(start);
 }
 
+ContourFilter::Start ContourFilter::start_at(Pixel position) const {
+  Start start;
+  start.position = position;
+  start.growth_px = state_[4];
+  start.growth_variance_px2 = cov(4, 4);
+  return start;
+}
+
 void ContourFilter::restart(const Start& start) {
   state_ = {start.position.x, start.position.y, start.velocity.x, start.velocity.y,
             params_.follows_size ? start.growth_px : 0};

@@ -44,6 +44,9 @@ class ContourFilter {
 
   ContourFilter(const ContourFilterParams& params, const Start& start, std::int64_t time_us);
 
+  /// A start at rest at a place, for a puck of the size that this filter has found.
+  Start start_at(Pixel position) const;
+
   /// Moves on to `time_us`, not before the last; `blind`: nothing has supported the track of late.
   void predict(std::int64_t time_us, bool blind);
 
@@ -66,7 +69,6 @@ class ContourFilter {
   Pixel position() const { return {state_[0], state_[1]}; }
   PixelVelocity velocity() const { return {state_[2], state_[3]}; }
   double growth_px() const { return state_[4]; }
-  double growth_variance_px2() const { return covariance_[24]; }
   double speed_px_s() const;
   /// Of (x, y, vx, vy), row by row.
   std::array<double, 16> covariance() const;

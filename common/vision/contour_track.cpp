@@ -164,10 +164,7 @@ TrackLooks ContourTrack::looks() const {
 void ContourTrack::park() { filter_.park(kParkedSigma_px, kParkedSigma_px_s); }
 
 void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourContext& context) {
-  ContourFilter::Start start;
-  start.position = position;
-  start.growth_px = filter_.growth_px();
-  start.growth_variance_px2 = filter_.growth_variance_px2();
+  const ContourFilter::Start start = filter_.start_at(position);
   filter_.predict(time_us, true);
   filter_.restart(start);
   follow_contour(context);

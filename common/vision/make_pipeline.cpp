@@ -14,9 +14,4 @@ std::unique_ptr<TrackingPipeline> make_pipeline(SensorSize sensor, const Pipelin
   return std::make_unique<PuckPipeline>(sensor, params, size_model);
 }
 
-PuckSearch make_search(SensorSize sensor, const PipelineParams& params,
-                       const PuckSizeModel& size_model) {
-  return PuckSearch(sensor, params, size_model);
-}
-
 }  // namespace puck

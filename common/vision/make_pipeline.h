@@ -4,7 +4,6 @@
 
 #include "common/events/sensor_size.h"
 #include "common/vision/puck_pipeline.h"
-#include "common/vision/puck_search.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/tracking_pipeline.h"
 
@@ -14,9 +13,5 @@ namespace puck {
 /// std::invalid_argument, naming the key, when a parameter is out of range.
 std::unique_ptr<TrackingPipeline> make_pipeline(SensorSize sensor, const PipelineParams& params,
                                                 const PuckSizeModel& size_model);
-
-/// The search that belongs to it.
-PuckSearch make_search(SensorSize sensor, const PipelineParams& params,
-                       const PuckSizeModel& size_model);
 
 }  // namespace puck

@@ -18,7 +18,7 @@ SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
                                std::unique_ptr<TrackingPipeline> pipeline)
     : surface_(sensor, params.eros),
       pipeline_(std::move(pipeline)),
-      search_(make_search(sensor, params, size_model)) {}
+      search_(sensor, params, size_model) {}
 
 void SurfaceTracker::update(const EventPacket& packet) {
   for_each_piece(packet.start, packet.events, pipeline_->decision_period_us(),

@@ -16,11 +16,8 @@ void Twins::bear_at_rest(const ContourTrack& main, const ContourContext& context
                          std::int64_t time_us, Challengers& challengers) {
   if (!context.ingredients.twins || time_us - at_rest_us_ < kAtRestPeriod_us) return;
   at_rest_us_ = time_us;
-  ContourFilter::Start start;
-  start.position = main.filter().position();
-  start.growth_px = main.filter().growth_px();
-  start.growth_variance_px2 = main.filter().growth_variance_px2();
-  challengers.add(Challenger::Kind::kTwin, context, start, time_us, main.wall_share());
+  challengers.add(Challenger::Kind::kTwin, context,
+                  main.filter().start_at(main.filter().position()), time_us, main.wall_share());
 }
 
 void Twins::bear_of_other_wall(const ContourTrack& main, const ContourContext& context,

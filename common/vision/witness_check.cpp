@@ -31,13 +31,10 @@ void WitnessCheck::consult(const ContourTrack& main, const ContourContext& conte
   // First events alone, which a faint puck is followed by, are too few for a blob.
   if (context.signature.is_faint() || time_us - spoke_us_ < kSpeakingPeriod_us) return;
   spoke_us_ = time_us;
-  ContourFilter::Start start;
-  start.position = witness_.position();
+  ContourFilter::Start start = main.filter().start_at(witness_.position());
   start.velocity = witness_.velocity();
   start.sigma_px = kSigma_px;
   start.sigma_px_s = kSigma_px_s;
-  start.growth_px = main.filter().growth_px();
-  start.growth_variance_px2 = main.filter().growth_variance_px2();
   challengers.add(Challenger::Kind::kWitness, context, start, time_us, main.wall_share());
 }
 

@@ -8,6 +8,7 @@
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
 #include "common/vision/make_pipeline.h"
+#include "common/vision/puck_search.h"
 #include "common/vision/surface_tracker.h"
 
 namespace puck {
@@ -38,7 +39,7 @@ TrackerService::Track::Track(SensorSize sensor, const TrackerServiceParams& para
                              TrackingThread::Publish publish)
     : surface(sensor, params.pipeline.eros),
       thread(surface, make_pipeline(sensor, params.pipeline, params.size_model),
-             make_search(sensor, params.pipeline, params.size_model), params.thread,
+             PuckSearch(sensor, params.pipeline, params.size_model), params.thread,
              std::move(publish)) {}
 
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)

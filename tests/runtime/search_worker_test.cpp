@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "common/vision/make_pipeline.h"
 #include "common/vision/presets.h"
+#include "common/vision/puck_search.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -15,7 +15,7 @@ namespace {
 constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
 
 PuckSearch search_for(SensorSize sensor) {
-  return make_search(sensor, preset_params(Preset::kCorrelation), kSizeModel);
+  return PuckSearch(sensor, preset_params(Preset::kCorrelation), kSizeModel);
 }
 
 SearchResult result_of(SearchWorker& worker, SharedSurface& surface) {

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include "common/vision/presets.h"
+#include "common/vision/puck_search.h"
 #include "tests/runtime/tracking_fixtures.h"
 #include "tests/vision/puck_picture.h"
 
@@ -167,7 +168,7 @@ TEST_CASE("the tracking and its heartbeat go on while a large surface is searche
     const TrackingThread thread(
         surface,
         std::make_unique<LivingPipeline>(life, Region{0, 0, 200, 200}, Region::all_of(kLarge)),
-        make_search(kLarge, params, kSizeModel), {.heartbeat = milliseconds(2)},
+        PuckSearch(kLarge, params, kSizeModel), {.heartbeat = milliseconds(2)},
         [&](const TrackedEstimate& e) { published.add(e); });
     // A single search may happen to meet a machine that is busy with something else.
     for (int i = 1; life.steps_during_search < kManySteps && life.results < 20; ++i) {
@@ -188,7 +189,7 @@ TEST_CASE("a search that ends when there is nothing new is told all the same") {
     Published published;
     const TrackingThread thread(
         surface, make_pipeline(sensor, params, kSizeModel),
-        make_search(sensor, params, kSizeModel), {},
+        PuckSearch(sensor, params, kSizeModel), {},
         [&](const TrackedEstimate& e) { published.add(e); });
     surface.update({{1000}, test::contour_events(sensor, {60, 50}, kSizeModel.at({}), 150)}, {});
     CHECK(eventually([&] {

@@ -10,6 +10,7 @@
 #include "common/runtime/tracking_thread.h"
 #include "common/vision/make_pipeline.h"
 #include "common/vision/presets.h"
+#include "common/vision/puck_search.h"
 
 namespace puck::test {
 
@@ -43,7 +44,7 @@ inline std::unique_ptr<TrackingPipeline> default_pipeline() {
 }
 
 inline PuckSearch default_search() {
-  return make_search(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
+  return PuckSearch(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
 }
 
 template <typename Condition>

@@ -11,6 +11,7 @@
 #include "common/runtime/shared_surface.h"
 #include "common/runtime/tracking_thread.h"
 #include "common/vision/make_pipeline.h"
+#include "common/vision/puck_search.h"
 #include "tools/evaluate/cpu_time.h"
 
 namespace puck {
@@ -152,7 +153,7 @@ RunSummary run_in_real_time(EventReader& events, const TrackerSetup& setup, cons
     SharedSurface surface(sensor, params.eros);
     Timestamp newest{-1};
     const TrackingThread thread(surface, make_pipeline(sensor, params, setup.size_model),
-                                make_search(sensor, params, setup.size_model), {},
+                                PuckSearch(sensor, params, setup.size_model), {},
                                 [&](const TrackedEstimate& tracked) {
                                   if (tracked.estimate.newest_event <= newest) return;
                                   newest = tracked.estimate.newest_event;
@@ -197,7 +198,7 @@ RunSummary run_as_fast_as_possible(EventReader& events, const TrackerSetup& setu
     const PipelineParams params = setup.pipeline_params();
     SharedSurface surface(sensor, params.eros);
     const TrackingThread thread(surface, make_pipeline(sensor, params, setup.size_model),
-                                make_search(sensor, params, setup.size_model), {},
+                                PuckSearch(sensor, params, setup.size_model), {},
                                 [](const TrackedEstimate&) {});
     feed([&](const EventPacket& p) { surface.update(p, {}); });
   } else {
