@@ -20,6 +20,8 @@ struct EventCounters {
   std::int64_t time_glitches = 0;    ///< Time words that their neighbours contradict; ignored.
   std::int64_t truncated_bytes = 0;  ///< Left at the end: too few for a word or a line.
 
+  friend bool operator==(const EventCounters&, const EventCounters&) = default;
+
   std::int64_t dropped() const { return before_start + outside_sensor + backwards; }
 };
 

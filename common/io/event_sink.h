@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "common/events/event_packet.h"
@@ -41,6 +42,28 @@ class EventSink {
     const TimedEvent event{time, static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
                            brighter};
     if (!has_room() || !hand_out(event)) backlog_.push_back(event);
+  }
+
+  /// What a decoder needs to know to fill the packet itself with a run of events, all at `time`:
+  /// how many it may hand to `append_run`. None when the packet is empty, or when such an event is
+  /// one for `append` to look at: older than the newest, or too long after the packet's start.
+  std::size_t room_at(Timestamp time) const {
+    if (!has_room() || packet_->empty() || time < newest_) return 0;
+    const std::int64_t offset_us = time - packet_->start;
+    if (offset_us < 0 || offset_us > std::numeric_limits<std::uint32_t>::max()) return 0;
+    return max_events_ - packet_->events.size();
+  }
+  /// What the offsets of such events count from.
+  Timestamp packet_start() const { return packet_->start; }
+  SensorSize sensor() const { return sensor_; }
+
+  /// Puts events into the packet that need no look: inside the sensor, in order, none older than
+  /// the newest, and not more than there is room for.
+  void append_run(std::span<const Event> events) {
+    if (events.empty()) return;
+    packet_->events.insert(packet_->events.end(), events.begin(), events.end());
+    newest_ = packet_->newest();
+    counters_.events += static_cast<std::int64_t>(events.size());
   }
 
   EventCounters& counters() { return counters_; }

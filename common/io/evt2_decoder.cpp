@@ -1,5 +1,11 @@
 #include "common/io/evt2_decoder.h"
 
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "common/events/event_bits.h"
+
 namespace puck {
 namespace {
 
@@ -19,10 +25,12 @@ std::size_t Evt2Decoder::decode(std::span<const std::byte> bytes, EventPacket& p
                                 std::size_t max_events) {
   sink_.begin(packet, max_events);
   if (!sink_.has_room()) return 0;
-  return words_.feed(bytes, [this](std::uint32_t word) {
-    take(word);
-    return sink_.has_room();
-  });
+  return words_.feed(
+      bytes, [this](std::span<const std::byte> rest) { return take_run(rest); },
+      [this](std::uint32_t word) {
+        take(word);
+        return sink_.has_room();
+      });
 }
 
 void Evt2Decoder::finish() {
@@ -31,6 +39,40 @@ void Evt2Decoder::finish() {
   clock_.finish(sink_);
   sink_.counters().truncated_bytes += static_cast<std::int64_t>(words_.partial_bytes());
   words_.reset();
+}
+
+// Takes events until a word is something else, or its event is not plain: it is left to `take`, as
+// is the last event that the packet has room for.
+std::size_t Evt2Decoder::take_run(std::span<const std::byte> bytes) {
+  if (bytes.size() < sizeof(std::uint32_t) || !clock_.is_steady()) return 0;
+  // Of the first word, whatever it is: the packet's room is the same for all.
+  const auto low_us = [](std::uint32_t word) { return word >> 22 & 0x3fU; };
+  const std::uint32_t first_us = low_us(load_word<std::uint32_t>(bytes.data()));
+  const std::size_t room = sink_.room_at(clock_.time_of(first_us));
+  const std::size_t most =
+      std::min({room - (room > 0 ? 1 : 0), kRunEvents, bytes.size() / sizeof(std::uint32_t)});
+  const auto width = static_cast<std::uint32_t>(sink_.sensor().width);
+  const auto height = static_cast<std::uint32_t>(sink_.sensor().height);
+  const std::int64_t base_us = clock_.time_of(0) - sink_.packet_start();
+  std::int64_t newest_us = base_us + first_us;
+
+  std::size_t taken = 0;
+  for (; taken < most; ++taken) {
+    const auto word = load_word<std::uint32_t>(bytes.data() + taken * sizeof(std::uint32_t));
+    const std::uint32_t type = word >> 28;
+    const std::uint32_t x = word >> 11 & 0x7ffU;
+    const std::uint32_t y = word & 0x7ffU;
+    const std::int64_t offset_us = base_us + low_us(word);
+    if ((type > kBrighter) | (x >= width) | (y >= height) | (offset_us < newest_us) |
+        (offset_us > std::numeric_limits<std::uint32_t>::max())) {
+      break;
+    }
+    newest_us = offset_us;
+    run_[taken] =
+        std::bit_cast<Event>(event_bits(x, y, type, static_cast<std::uint32_t>(offset_us)));
+  }
+  sink_.append_run({run_.data(), taken});
+  return taken * sizeof(std::uint32_t);
 }
 
 void Evt2Decoder::take(std::uint32_t word) {

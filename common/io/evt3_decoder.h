@@ -1,7 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
+#include "common/events/event.h"
 #include "common/io/event_decoder.h"
 #include "common/io/event_sink.h"
 #include "common/io/sensor_clock.h"
@@ -11,6 +15,9 @@ namespace puck {
 
 /// Prophesee EVT 3.0: 16-bit words that build on one another, time of 24 bits, up to 12 events a
 /// word. Triggers, monitoring and IMU words are passed over.
+///
+/// Runs of words that hold nothing unusual are taken in a tight loop; all else goes word by word.
+/// Both give the same events and counts.
 class Evt3Decoder final : public EventDecoder {
  public:
   explicit Evt3Decoder(SensorSize sensor) : sink_(sensor) {}
@@ -22,6 +29,12 @@ class Evt3Decoder final : public EventDecoder {
   const EventCounters& counters() const override { return sink_.counters(); }
 
  private:
+  static constexpr std::size_t kMostInVector = 12;
+  static constexpr std::size_t kRunEvents = 1024;
+
+  std::size_t take_run(std::span<const std::byte> bytes);
+  std::size_t room_for_run() const;
+  std::uint32_t base_for_run() const;
   void take(std::uint16_t word);
   void take_event(int x, bool brighter);
   void take_vector(std::uint32_t mask, int width);
@@ -34,6 +47,8 @@ class Evt3Decoder final : public EventDecoder {
   int row_ = -1;          // −1: not known yet.
   int vector_base_ = -1;  // −1: not known yet.
   bool vector_brighter_ = false;
+
+  std::array<Event, kRunEvents + kMostInVector> run_{};
 };
 
 }  // namespace puck

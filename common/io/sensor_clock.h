@@ -21,6 +21,12 @@ class SensorClock {
 
   bool is_known() const { return is_known_; }
 
+  /// Whether events can be placed in time at once.
+  bool is_steady() const { return is_known_ && !is_doubtful_; }
+
+  /// The time `low_us` after the newest time word, of a steady clock.
+  Timestamp time_of(std::uint32_t low_us) const { return time_of(high_, low_us); }
+
   /// A time word. True when it differs from the one before it.
   bool set_high(std::uint32_t raw, EventSink& sink);
 

@@ -1,18 +1,36 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
+#include <cstring>
 #include <span>
 
 namespace puck {
+
+/// Little-endian bytes as a number.
+template <typename Word>
+Word load_word(const std::byte* bytes) {
+  Word word = 0;
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(&word, bytes, sizeof word);
+  } else {
+    for (std::size_t i = 0; i < sizeof word; ++i) {
+      word = static_cast<Word>(word | (std::to_integer<Word>(bytes[i]) << (8 * i)));
+    }
+  }
+  return word;
+}
 
 /// Cuts a byte stream into little-endian words, whatever pieces it comes in.
 template <typename Word>
 class WordAssembler {
  public:
-  /// Calls `take(Word)` for each whole word as long as it returns true. Returns how many bytes were
-  /// used; the bytes of a word that is not whole yet are kept, and count as used.
-  template <typename Take>
-  std::size_t feed(std::span<const std::byte> bytes, Take take) {
+  /// Calls `take(Word)` for each whole word as long as it returns true. Before each word that lies
+  /// whole in `bytes`, `take_run(bytes)` may take as many words as it likes; it returns how many
+  /// bytes those were. Returns how many bytes were used; the bytes of a word that is not whole yet
+  /// are kept, and count as used.
+  template <typename TakeRun, typename Take>
+  std::size_t feed(std::span<const std::byte> bytes, TakeRun take_run, Take take) {
     std::size_t used = 0;
     if (partial_bytes_ > 0) {
       while (used < bytes.size() && partial_bytes_ < sizeof(Word)) put(bytes[used++]);
@@ -21,8 +39,12 @@ class WordAssembler {
       reset();
       if (!take(word)) return used;
     }
-    for (; bytes.size() - used >= sizeof(Word); used += sizeof(Word)) {
-      if (!take(load(bytes.data() + used))) return used + sizeof(Word);
+    while (true) {
+      used += take_run(bytes.subspan(used));
+      if (bytes.size() - used < sizeof(Word)) break;
+      const Word word = load_word<Word>(bytes.data() + used);
+      used += sizeof(Word);
+      if (!take(word)) return used;
     }
     while (used < bytes.size()) put(bytes[used++]);
     return used;
@@ -37,14 +59,6 @@ class WordAssembler {
   }
 
  private:
-  static Word load(const std::byte* bytes) {
-    Word word = 0;
-    for (std::size_t i = 0; i < sizeof(Word); ++i) {
-      word = static_cast<Word>(word | (std::to_integer<Word>(bytes[i]) << (8 * i)));
-    }
-    return word;
-  }
-
   void put(std::byte byte) {
     partial_ = static_cast<Word>(partial_ | (std::to_integer<Word>(byte) << (8 * partial_bytes_)));
     ++partial_bytes_;

@@ -1,5 +1,7 @@
 #include "common/io/evt2_decoder.h"
 
+#include <random>
+
 #include <doctest/doctest.h>
 
 #include "tests/io/io_fixtures.h"
@@ -110,6 +112,41 @@ TEST_CASE("a packet ends before an event more than 2^32 - 1 µs after its start"
   REQUIRE(packet.events.size() == 2);
   CHECK(packet.start.us == std::int64_t{1} << 32);
   CHECK(packet.events[1].offset_us == 1);
+}
+
+TEST_CASE("EVT2 words in runs give the events and counts that they give one by one") {
+  std::mt19937 random(6);
+  const auto below = [&](std::uint32_t count) {
+    return static_cast<std::uint32_t>(random() % count);
+  };
+  for (const std::uint32_t oddities : {0U, 5U, 300U}) {
+    CAPTURE(oddities);
+    std::vector<std::uint32_t> words;
+    std::uint32_t time = 0;
+    while (words.size() < 5000) {
+      time += below(3);
+      if (below(1000) < oddities) {
+        words.push_back(static_cast<std::uint32_t>(random()));
+      } else if (below(40) == 0) {
+        words.push_back(time_high(time >> 6));
+      } else {
+        words.push_back(event(below(2), time & 63, below(642), below(482)));
+      }
+    }
+    const auto bytes = bytes_of(words);
+    Evt2Decoder one_by_one(kSensor);
+    // A word that comes in pieces cannot be part of a run.
+    const auto expected = decode_all(one_by_one, bytes, 1);
+    REQUIRE(!expected.empty());
+    for (const std::size_t piece :
+         {std::size_t{4}, std::size_t{7}, 64 + random() % 500, bytes.size()}) {
+      for (const std::size_t max_events : {1, 2, 100, 1 << 20}) {
+        Evt2Decoder decoder(kSensor);
+        REQUIRE(decode_all(decoder, bytes, piece, max_events) == expected);
+        REQUIRE(decoder.counters() == one_by_one.counters());
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "common/io/evt3_decoder.h"
 
+#include <random>
+
 #include <doctest/doctest.h>
 
 #include "tests/io/io_fixtures.h"
@@ -170,6 +172,93 @@ TEST_CASE("held-back events are bounded") {
     used += decoder.decode(std::span(bytes).subspan(used), packet, 100000);
   }
   CHECK(packet.events.size() == 70000);
+}
+
+/// Words as a camera sends them, `oddities` in 1000 of which are anything at all.
+std::vector<std::uint16_t> random_words(std::mt19937& random, unsigned oddities) {
+  std::vector<std::uint16_t> words;
+  unsigned time = 0;
+  const auto below = [&](unsigned count) { return static_cast<unsigned>(random() % count); };
+  while (words.size() < 3000) {
+    if (below(1000) < oddities) {
+      words.push_back(static_cast<std::uint16_t>(random()));
+      continue;
+    }
+    const unsigned kind = below(32);
+    if (kind < 1) {
+      words.push_back(high(time >> 12 & 0xfff));
+    } else if (kind < 4) {
+      time += below(200);
+      words.push_back(low(time & 0xfff));
+    } else if (kind < 10) {
+      words.push_back(row(below(205)));
+    } else if (kind < 22) {
+      words.push_back(column(below(2), below(305)));
+    } else if (kind < 25) {
+      words.push_back(base(below(2), below(305)));
+    } else if (kind < 28) {
+      words.push_back(vector12(below(4096)));
+    } else {
+      words.push_back(vector8(below(256)));
+    }
+  }
+  return words;
+}
+
+TEST_CASE("EVT3 words in runs give the events and counts that they give one by one") {
+  std::mt19937 random(5);
+  for (const unsigned oddities : {0U, 2U, 20U, 300U}) {
+    for (int round = 0; round < 10; ++round) {
+      CAPTURE(oddities);
+      CAPTURE(round);
+      const auto bytes = bytes_of(random_words(random, oddities));
+      // A sensor that ends within vectors, and one on which every coordinate is inside.
+      for (const SensorSize sensor : {SensorSize{300, 200}, SensorSize{2048, 2048}}) {
+        Evt3Decoder one_by_one(sensor);
+        // A word that comes in two pieces cannot be part of a run.
+        const auto expected = decode_all(one_by_one, bytes, 1);
+        REQUIRE(!expected.empty());
+        for (const std::size_t piece :
+             {std::size_t{2}, std::size_t{7}, 64 + random() % 500, bytes.size()}) {
+          for (const std::size_t max_events : {13, 100, 1 << 20}) {
+            Evt3Decoder decoder(sensor);
+            REQUIRE(decode_all(decoder, bytes, piece, max_events) == expected);
+            REQUIRE(decoder.counters() == one_by_one.counters());
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("EVT3 vectors at the edge of the largest sensor keep their polarity and their place") {
+  Evt3Decoder decoder({2048, 2048});
+  const auto events = decode(
+      decoder, {high(0), row(2047), column(1, 1), base(0, 2036), vector12(0x801), vector12(0x001),
+                base(1, 2040), vector8(0x80), vector8(0x01), column(0, 2047)});
+  CHECK(events == std::vector<PlainEvent>{{0, 1, 2047, 1},
+                                          {0, 2036, 2047, 0},
+                                          {0, 2047, 2047, 0},
+                                          {0, 2047, 2047, 1},
+                                          {0, 2047, 2047, 0}});
+  CHECK(decoder.counters().outside_sensor == 2);
+}
+
+TEST_CASE("EVT3 events more than an hour after the packet's start begin the next one") {
+  // 2^32 µs are 256 wraps of the format's time and some more.
+  std::vector<std::uint16_t> words{high(0), row(0), column(1, 1), column(1, 2)};
+  for (unsigned step = 1; step <= 0x100001; ++step) words.push_back(high(step & 0xfff));
+  words.insert(words.end(), {column(1, 3), column(1, 4)});
+  Evt3Decoder decoder(kSensor);
+  const auto bytes = bytes_of(words);
+  EventPacket packet;
+  std::size_t used = decoder.decode(bytes, packet, 100);
+  CHECK(packet.events.size() == 2);
+  packet.events.clear();
+  used += decoder.decode(std::span(bytes).subspan(used), packet, 100);
+  CHECK(used == bytes.size());
+  REQUIRE(packet.events.size() == 2);
+  CHECK(packet.newest().us == std::int64_t{0x100001} << 12);
 }
 
 TEST_CASE("any bytes decode without an event outside the sensor or out of order") {
