@@ -9,6 +9,8 @@ endif()
 set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fno-omit-frame-pointer")
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 
+# SIMD for the core, whose only dependency it is.
+find_package(hwy REQUIRED)
 if(NOT PUCK_CORE_ONLY)
   find_package(Threads REQUIRED)
 endif()

@@ -1,5 +1,6 @@
 #include "common/messaging/bus.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <condition_variable>
@@ -11,6 +12,8 @@
 
 #include "common/messaging/host_time.h"
 #include "common/messaging/multicast_route.h"
+#include "common/messaging/queue_bound.h"
+#include "common/messaging/receive_filter.h"
 
 namespace puck {
 namespace {
@@ -23,10 +26,14 @@ constexpr std::chrono::seconds kWaitingReport{5};
 constexpr milliseconds kLongestDrain{50};
 
 // LCM's default of 30 loses messages at 7000 a second; without a limit, a reader that hangs eats
-// the memory. These hold 0.3 s of EVENTS in single frames at 10 Mev/s, and 12 s in 60 kB packets.
-constexpr int kEventQueue = 8192;
-constexpr int kLogQueue = 16384;
+// the memory, and LCM takes up to thrice as much as it holds. So many messages are 0.5 s of EVENTS
+// in single frames at 10 Mev/s, and so many bytes 0.8 s in 60 kB packets.
+constexpr std::size_t kQueueBytes = std::size_t{32} << 20;
+constexpr int kEventQueue = 16384;
 constexpr int kQueue = 1024;
+// A log shall hold everything, also when the disk is slow for a while.
+constexpr std::size_t kLogQueueBytes = std::size_t{256} << 20;
+constexpr int kLogQueue = 16384;
 
 struct LcmDeleter {
   void operator()(lcm_t* lcm) const { lcm_destroy(lcm); }
@@ -79,6 +86,7 @@ class Bus::Impl {
       line.owner = this;
       line.channel = channel;
       line.counters.channel = channel_name(channel, prefix_);
+      if (channel == Channel::kEvents) line.queue = QueueBound(kQueueBytes, kEventQueue);
     }
   }
 
@@ -87,26 +95,33 @@ class Bus::Impl {
     if (!url_.in_memory) {
       if (auto problem = find_route_problem(url_)) return problem;
     }
+    const std::vector<int> others = sockets_at_port();
     LcmHandle lcm(lcm_create(url_.to_string().c_str()));
     // Asking for the file runs LCM's self-test; after a failed one its subscriptions are traps.
     if (!lcm || lcm_get_fileno(lcm.get()) < 0) return "LCM does not start on " + url_.to_string();
     const std::lock_guard lock(publish_mutex_);
     lcm_ = std::move(lcm);
+    find_receive_socket(others);
     for (Line& line : lines_) join(line);
     if (raw_handler_) join_all();
+    filter_what_comes();
     return std::nullopt;
   }
 
   void add_handler(Channel channel, CheckedHandler handler) {
     Line& line = line_of(channel);
     line.handlers.push_back(std::move(handler));
-    if (lcm_) join(line);
+    if (!lcm_) return;
+    join(line);
+    filter_what_comes();
   }
 
   void add_raw_handler(RawHandler handler) {
     const bool first = !raw_handler_;
     raw_handler_ = std::move(handler);
-    if (lcm_ && first) join_all();
+    if (!lcm_ || !first) return;
+    join_all();
+    filter_what_comes();
   }
 
   bool send(Channel channel, const Encoder& encode_with) {
@@ -150,7 +165,8 @@ class Bus::Impl {
     Impl* owner = nullptr;
     Channel channel{};
     std::vector<CheckedHandler> handlers;
-    bool joined = false;
+    lcm_subscription_t* subscription = nullptr;  // nullptr: none
+    QueueBound queue{kQueueBytes, kQueue};
     std::int64_t next_seq = 0;  // Guarded by publish_mutex_.
     LossAccount account;        // Guarded by counters_mutex_, as are the counters.
     ChannelCounters counters;
@@ -159,18 +175,49 @@ class Bus::Impl {
   Line& line_of(Channel channel) { return lines_[static_cast<std::size_t>(channel)]; }
 
   void join(Line& line) {
-    if (line.joined || line.handlers.empty()) return;
-    auto* subscription =
+    if (line.subscription != nullptr || line.handlers.empty()) return;
+    line.subscription =
         lcm_subscribe(lcm_.get(), line.counters.channel.c_str(), &Impl::on_message, &line);
-    lcm_subscription_set_queue_capacity(subscription,
-                                        line.channel == Channel::kEvents ? kEventQueue : kQueue);
-    line.joined = true;
+    lcm_subscription_set_queue_capacity(line.subscription, line.queue.messages());
   }
 
   void join_all() {
     const std::string pattern = (prefix_.empty() ? "" : prefix_ + "_") + "PUCK_.*";
-    auto* subscription = lcm_subscribe(lcm_.get(), pattern.c_str(), &Impl::on_raw_message, this);
-    lcm_subscription_set_queue_capacity(subscription, kLogQueue);
+    raw_subscription_ = lcm_subscribe(lcm_.get(), pattern.c_str(), &Impl::on_raw_message, this);
+    lcm_subscription_set_queue_capacity(raw_subscription_, raw_queue_.messages());
+  }
+
+  std::vector<int> sockets_at_port() const {
+    if (url_.in_memory) return {};
+    return udp_sockets_at(static_cast<std::uint16_t>(url_.port));
+  }
+
+  // LCM does not tell its socket. It is the one that was not there before; when somebody else in
+  // this process has made one meanwhile, it cannot be told which is whose.
+  void find_receive_socket(const std::vector<int>& others) {
+    std::vector<int> ours = sockets_at_port();
+    std::erase_if(ours, [&](int socket) {
+      return std::find(others.begin(), others.end(), socket) != others.end();
+    });
+    if (ours.size() == 1) receive_socket_ = ours.front();
+  }
+
+  void filter_what_comes() {
+    if (!receive_socket_) return;
+    if (raw_handler_) {
+      remove_filter(*receive_socket_);
+      return;
+    }
+    std::vector<std::string> channels;
+    for (const Line& line : lines_) {
+      if (line.subscription != nullptr) channels.push_back(line.counters.channel);
+    }
+    // Without a filter the same is heard, at a greater cost.
+    filter_channels(*receive_socket_, channels);
+  }
+
+  static void adapt(QueueBound& queue, std::size_t bytes, lcm_subscription_t* subscription) {
+    if (queue.add(bytes)) lcm_subscription_set_queue_capacity(subscription, queue.messages());
   }
 
   static void on_message(const lcm_recv_buf_t* buffer, const char*, void* line) noexcept {
@@ -181,6 +228,7 @@ class Bus::Impl {
   static void on_raw_message(const lcm_recv_buf_t* buffer, const char* channel,
                              void* impl) noexcept {
     auto& self = *static_cast<Impl*>(impl);
+    adapt(self.raw_queue_, buffer->data_size, self.raw_subscription_);
     const auto failure =
         failure_of([&] { self.raw_handler_(channel, bytes_of(*buffer), receipt_of(*buffer)); });
     if (!failure) return;
@@ -191,6 +239,7 @@ class Bus::Impl {
 
   void receive(Line& line, const lcm_recv_buf_t& buffer) {
     const auto bytes = bytes_of(buffer);
+    adapt(line.queue, bytes.size(), line.subscription);
     Receipt receipt = receipt_of(buffer);
     const auto rejection = check_message(line.channel, bytes);
     {
@@ -244,7 +293,10 @@ class Bus::Impl {
 
   std::array<Line, kAllChannels.size()> lines_;
   RawHandler raw_handler_;
-  LcmHandle lcm_;  // Last, so that it stops before what its callbacks use.
+  lcm_subscription_t* raw_subscription_ = nullptr;
+  QueueBound raw_queue_{kLogQueueBytes, kLogQueue};
+  std::optional<int> receive_socket_;  // LCM's
+  LcmHandle lcm_;                      // Last, so that it stops before what its callbacks use.
 };
 
 Bus::Bus(const BusParams& params) : impl_(std::make_unique<Impl>(params)) {}

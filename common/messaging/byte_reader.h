@@ -3,7 +3,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
+#include <type_traits>
 
 namespace puck {
 
@@ -18,9 +20,14 @@ class ByteReader {
 
   template <typename Whole>
   Whole whole() {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < sizeof(Whole); ++i) value = value << 8 | bytes_[at_ + i];
-    at_ += sizeof(Whole);
+    static_assert(sizeof(Whole) == 1 || sizeof(Whole) == 4 || sizeof(Whole) == 8);
+    std::make_unsigned_t<Whole> value = 0;
+    std::memcpy(&value, bytes_.data() + at_, sizeof value);
+    at_ += sizeof value;
+    if constexpr (std::endian::native == std::endian::little) {
+      if constexpr (sizeof value == 4) value = __builtin_bswap32(value);
+      if constexpr (sizeof value == 8) value = __builtin_bswap64(value);
+    }
     return static_cast<Whole>(value);
   }
   double real() { return std::bit_cast<double>(whole<std::uint64_t>()); }

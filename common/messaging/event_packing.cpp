@@ -1,9 +1,11 @@
 #include "common/messaging/event_packing.h"
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
+#include "common/events/event_bits.h"
 #include "common/messaging/event_word.h"
 
 namespace puck {
@@ -34,7 +36,7 @@ void check(const EventPackerParams& params) {
 template <typename Word>
 std::size_t fill(std::span<const Event> events, SensorSize sensor, std::size_t max_events,
                  event_packet_t& packet, Word) {
-  packet.data.resize(4 * max_events);
+  packet.data.resize(4 * std::min(max_events, events.size()));
   const std::uint32_t first_us = events.front().offset_us;
   std::uint32_t newest_us = first_us;
   std::size_t used = 0;
@@ -57,18 +59,13 @@ std::size_t fill(std::span<const Event> events, SensorSize sensor, std::size_t m
 }
 
 template <typename Word>
-void unpack_words(const event_packet_t& packet, std::vector<Event>& events, Word) {
-  const std::uint8_t* data = packet.data.data();
-  Event* out = events.data();
-  const std::size_t count = events.size();
-  for (std::size_t i = 0; i < count; ++i) {
+void unpack_words(const std::uint8_t* data, std::span<Event> events, Word) {
+  Event* const out = events.data();
+  for (std::size_t i = 0; i < events.size(); ++i) {
     const std::uint32_t word = load_event_word(data + 4 * i);
-    Event event;
-    event.x = static_cast<std::uint16_t>(Word::x(word));
-    event.y = static_cast<std::uint16_t>(Word::y(word) & 0x7fffU);
-    event.polarity = static_cast<std::uint16_t>(Word::polarity(word) & 1U);
-    event.offset_us = Word::dt_us(word);
-    out[i] = event;
+    const std::uint64_t bits =
+        event_bits(Word::x(word), Word::y(word), Word::polarity(word), Word::dt_us(word));
+    std::memcpy(static_cast<void*>(out + i), &bits, sizeof bits);
   }
 }
 
@@ -98,10 +95,11 @@ void EventPacker::pack(Timestamp start, std::span<const Event> events,
   }
 }
 
-void unpack(const event_packet_t& packet, EventPacket& events) {
+void unpack(const EventPacketView& packet, EventPacket& events) {
   events.start = Timestamp{packet.first_event_us};
   events.events.resize(static_cast<std::size_t>(packet.count));
-  with_event_word(packet.encoding, [&](auto word) { unpack_words(packet, events.events, word); });
+  with_event_word(packet.encoding,
+                  [&](auto word) { unpack_words(packet.data.data(), events.events, word); });
 }
 
 }  // namespace puck

@@ -7,6 +7,7 @@
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
 #include "common/events/timestamp.h"
+#include "common/messaging/event_packet_view.h"
 #include "puck/event_packet_t.hpp"
 
 namespace puck {
@@ -53,6 +54,9 @@ class EventPacker {
 
 /// The events of a packet that was received from a Bus or passed check_message(). `events` takes
 /// them in the memory that it has; its start is the time of the first event.
-void unpack(const event_packet_t& packet, EventPacket& events);
+void unpack(const EventPacketView& packet, EventPacket& events);
+inline void unpack(const event_packet_t& packet, EventPacket& events) {
+  unpack(view_of(packet), events);
+}
 
 }  // namespace puck

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "common/events/sensor_size.h"
 #include "common/messaging/byte_reader.h"
+#include "common/messaging/event_packet_view.h"
 #include "common/messaging/event_word.h"
 #include "common/messaging/wire_layout.h"
 
@@ -16,7 +16,6 @@ using Rejection = std::optional<std::string>;
 
 constexpr std::size_t kMaxMessageBytes = std::size_t{1} << 20;
 constexpr std::size_t kFingerprintBytes = 8;
-constexpr std::size_t kHeaderBytes = kFingerprintBytes + 3 * 8;
 constexpr std::size_t kMaxFields = 64;
 
 std::size_t bytes_of(WireKind kind) {
@@ -136,66 +135,52 @@ class Walk {
   std::array<std::int64_t, kMaxFields> values_{};
 };
 
-/// What check_events needs, from a message that a Walk let pass.
-struct EventFields {
-  SensorSize sensor;
-  std::int64_t duration_us = 0;
-  EventNumbering numbering;
-  std::int32_t encoding = 0;
-  std::int32_t size = 0;
-  const std::uint8_t* data = nullptr;
-};
-
-EventFields read_event_fields(std::span<const std::uint8_t> bytes) {
-  ByteReader reader(bytes);
-  reader.take(kHeaderBytes);
-  EventFields fields;
-  fields.sensor.width = reader.whole<std::int32_t>();
-  fields.sensor.height = reader.whole<std::int32_t>();
-  reader.take(8);  // first_event_us
-  fields.duration_us = reader.whole<std::int64_t>();
-  reader.take(8);  // sensor_zero_utime
-  fields.numbering.events_before = reader.whole<std::int64_t>();
-  reader.take(8);  // events_dropped
-  fields.encoding = reader.whole<std::int32_t>();
-  fields.numbering.events = reader.whole<std::int32_t>();
-  fields.size = reader.whole<std::int32_t>();
-  fields.data = reader.rest().data();
-  return fields;
+EventPacketView view_of_events(std::span<const std::uint8_t> bytes) {
+  EventPacketView packet;
+  decode_checked(bytes, packet);
+  return packet;
 }
 
 template <typename Word>
-Rejection check_event_words(const EventFields& fields, Word) {
-  const auto width = static_cast<std::uint32_t>(fields.sensor.width);
-  const auto height = static_cast<std::uint32_t>(fields.sensor.height);
-  std::uint32_t outside = 0;
-  std::uint32_t backwards = 0;
-  std::uint32_t previous_us = 0;
-  for (std::int64_t i = 0; i < fields.numbering.events; ++i) {
-    const std::uint32_t word = load_event_word(fields.data + 4 * i);
-    const std::uint32_t dt_us = Word::dt_us(word);
-    outside |= static_cast<std::uint32_t>(Word::x(word) >= width) |
-               static_cast<std::uint32_t>(Word::y(word) >= height);
-    backwards |= static_cast<std::uint32_t>(dt_us < previous_us);
-    previous_us = dt_us;
+Rejection check_event_words(const EventPacketView& packet, Word) {
+  // Signed, for every vector unit can compare signed numbers; no field of a word reaches the sign.
+  const std::int32_t width = packet.width;
+  const std::int32_t height = packet.height;
+  const auto count = static_cast<std::size_t>(packet.count);
+  const auto dt_us = [&](std::size_t i) {
+    return static_cast<std::int32_t>(Word::dt_us(load_event_word(packet.data.data() + 4 * i)));
+  };
+  // Sums of what is wrong, without a branch or a value carried from event to event: a loop that
+  // compilers turn into vector code.
+  std::int32_t outside = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t word = load_event_word(packet.data.data() + 4 * i);
+    outside |= static_cast<std::int32_t>(static_cast<std::int32_t>(Word::x(word)) >= width) |
+               static_cast<std::int32_t>(static_cast<std::int32_t>(Word::y(word)) >= height);
+  }
+  std::int32_t backwards = 0;
+  for (std::size_t i = 1; i < count; ++i) {
+    backwards |= static_cast<std::int32_t>(dt_us(i) < dt_us(i - 1));
   }
   if (outside != 0) return "event_packet_t has an event outside its sensor";
   if (backwards != 0) return "event_packet_t has events that go back in time";
-  if (previous_us > fields.duration_us) return "event_packet_t has an event after its duration";
+  if (count > 0 && dt_us(count - 1) > packet.duration_us) {
+    return "event_packet_t has an event after its duration";
+  }
   return std::nullopt;
 }
 
-Rejection check_events(const EventFields& fields) {
-  if (fields.size != 4 * fields.numbering.events) {
-    return "event_packet_t.size must be 4 * count = " +
-           std::to_string(4 * fields.numbering.events) + ", got " + std::to_string(fields.size);
+Rejection check_events(const EventPacketView& packet) {
+  if (packet.size != 4 * packet.count) {
+    return "event_packet_t.size must be 4 * count = " + std::to_string(4 * packet.count) +
+           ", got " + std::to_string(packet.size);
   }
-  return with_event_word(fields.encoding, [&](auto word) -> Rejection {
+  return with_event_word(packet.encoding, [&](auto word) -> Rejection {
     using Word = decltype(word);
-    if (fields.sensor.width > 1 << Word::kXBits || fields.sensor.height > 1 << Word::kYBits) {
+    if (packet.width > 1 << Word::kXBits || packet.height > 1 << Word::kYBits) {
       return "event_packet_t has a sensor too large for its encoding";
     }
-    return check_event_words(fields, word);
+    return check_event_words(packet, word);
   });
 }
 
@@ -203,7 +188,7 @@ Rejection check_events(const EventFields& fields) {
 
 std::optional<std::string> check_message(Channel channel, std::span<const std::uint8_t> bytes) {
   if (auto bad = Walk(wire_layout(channel), bytes).run()) return bad;
-  if (channel == Channel::kEvents) return check_events(read_event_fields(bytes));
+  if (channel == Channel::kEvents) return check_events(view_of_events(bytes));
   return std::nullopt;
 }
 
@@ -218,7 +203,8 @@ MessageHeader read_header(std::span<const std::uint8_t> bytes) {
 }
 
 EventNumbering read_event_numbering(std::span<const std::uint8_t> bytes) {
-  return read_event_fields(bytes).numbering;
+  const EventPacketView packet = view_of_events(bytes);
+  return {packet.events_before, packet.count};
 }
 
 }  // namespace puck

@@ -109,6 +109,7 @@ constexpr std::array kPuckEstimate{
     amount("packets_late"),
     amount("packets_rejected"),
     amount("events_lost"),
+    amount("events_skipped"),
     amount("events_dropped"),
 };
 

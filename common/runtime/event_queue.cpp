@@ -6,27 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/vision/region_filter.h"
+
 namespace puck {
-namespace {
-
-constexpr std::size_t kMaskBits = 64;
-
-// Which of the first 64 events lie inside. Without a branch an event: where they lie is chance to
-// the processor, and each wrong guess costs as much as the rest of the work.
-std::uint64_t mask_of_inside(std::span<const Event> events, const Region& region) {
-  const std::size_t count = std::min(events.size(), kMaskBits);
-  std::uint64_t mask = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto right_of = static_cast<unsigned>(events[i].x - region.x);
-    const auto below = static_cast<unsigned>(events[i].y - region.y);
-    const bool inside = (right_of < static_cast<unsigned>(region.width)) &
-                        (below < static_cast<unsigned>(region.height));
-    mask |= static_cast<std::uint64_t>(inside) << i;
-  }
-  return mask;
-}
-
-}  // namespace
 
 EventQueue::EventQueue(std::size_t capacity) {
   if (capacity < 2) {
@@ -36,31 +18,29 @@ EventQueue::EventQueue(std::size_t capacity) {
   slots_.resize(std::bit_ceil(capacity));
 }
 
-std::size_t EventQueue::push(Timestamp start, std::span<const Event> events,
-                             const Region& region) {
+std::size_t EventQueue::push(Timestamp start, std::span<const Event> events, const Region& region) {
   const std::uint64_t begin = begin_.load(std::memory_order_acquire);
   std::uint64_t end = end_.load(std::memory_order_relaxed);
   const auto room = [&] { return slots_.size() - static_cast<std::size_t>(end - begin); };
   std::size_t inside = 0;
   std::size_t let_in = 0;
   std::size_t one_in = one_event_in(room());
-  for (; !events.empty(); events = events.subspan(std::min(events.size(), kMaskBits))) {
-    for (std::uint64_t mask = mask_of_inside(events, region); mask != 0; mask &= mask - 1) {
-      ++inside;
+  for_inside(events, region, [&](std::span<const Event> part) {
+    inside += part.size();
+    for (const Event& event : part) {
       if (++skipped_ < one_in) continue;
       skipped_ = 0;
-      const Event& event = events[static_cast<std::size_t>(std::countr_zero(mask))];
       slot(end) = {(start + event.offset_us).us, event};
       ++end;
       ++let_in;
       one_in = one_event_in(room());
     }
-  }
+  });
   if (let_in > 0) end_.store(end, std::memory_order_release);
   if (let_in < inside) {
-    thinned_.store(thinned_.load(std::memory_order_relaxed) +
-                       static_cast<std::int64_t>(inside - let_in),
-                   std::memory_order_relaxed);
+    thinned_.store(
+        thinned_.load(std::memory_order_relaxed) + static_cast<std::int64_t>(inside - let_in),
+        std::memory_order_relaxed);
   }
   return inside;
 }

@@ -28,7 +28,7 @@ class LatencyHistogram {
  private:
   // Relaxed order suffices throughout: each counter stands alone.
   static constexpr int kSubBuckets = 16;
-  static constexpr int kOctaves = 28;
+  static constexpr int kOctaves = 30;
   static constexpr int kBuckets = kSubBuckets * kOctaves;
 
   static int bucket_of(std::int64_t duration_us);

@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <thread>
 
+#include "common/vision/region_filter.h"
+
 namespace puck {
 namespace {
 
 // Events between two looks for a request: about a microsecond's worth.
 constexpr std::size_t kHandful = 100;
 
-bool any_inside(std::span<const Event> events, const Region& region) {
-  return std::any_of(events.begin(), events.end(),
-                     [&](const Event& event) { return region.contains(event.x, event.y); });
-}
+// How often the tracking thread looks whether it has been served before it tries to serve itself,
+// which disturbs the event thread, and how often it tries before it lets others run.
+constexpr int kLooks = 64;
+constexpr int kTriesBeforeYielding = 32;
 
 }  // namespace
 
@@ -26,8 +28,7 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
         events.subspan(applied, std::min(kHandful, events.size() - applied));
     surface_.update(packet.start, handful);
     applied += handful.size();
-    const bool queued =
-        !queued_.empty() && queue_.push(packet.start, handful, queued_) > 0;
+    const bool queued = !queued_.empty() && queue_.push(packet.start, handful, queued_) > 0;
     const bool watches_all = watched_.empty() && queued_.empty();
     if (queued || watches_all || any_inside(handful, watched_)) report_news();
     if (requested_.load(std::memory_order_acquire)) serve(&packet, applied);
@@ -36,24 +37,29 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
 
 void SharedSurface::snapshot(const Region& region, const Region& events, SharedSnapshot& out) {
   ask({.region = region, .events = events, .snapshot = &out});
+  surface_.develop(taken_, out.surface);
 }
 
 void SharedSurface::copy_part(const Region& part, SurfaceSnapshot& out) {
-  ask({.region = part, .part = &out});
+  ask({.region = part});
+  surface_.develop_part(taken_, out);
 }
 
 void SharedSurface::ask(const Request& request) {
   request_ = request;
   requested_.store(true, std::memory_order_release);
-  while (requested_.load(std::memory_order_acquire)) {
+  for (int tries = 0; requested_.load(std::memory_order_acquire); ++tries) {
     const std::unique_lock lock(surface_mutex_, std::try_to_lock);
-    if (!lock.owns_lock()) {
-      // The event thread is at work and will serve the request within a handful of events.
-      std::this_thread::yield();
-      continue;
+    // The event thread may have served the request just before it let go of the surface.
+    if (lock.owns_lock()) {
+      if (requested_.load(std::memory_order_acquire)) serve(nullptr, 0);
+      return;
     }
-    // It may have served the request just before it let go of the surface.
-    if (requested_.load(std::memory_order_acquire)) serve(nullptr, 0);
+    // It is at work and will serve the request within a handful of events, unless it has been
+    // interrupted.
+    for (int looks = 0; looks < kLooks && requested_.load(std::memory_order_acquire); ++looks) {
+    }
+    if (tries >= kTriesBeforeYielding) std::this_thread::yield();
   }
 }
 
@@ -78,15 +84,17 @@ void SharedSurface::wake() {
 }
 
 void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
-  if (request_.part != nullptr) {
-    surface_.copy(request_.region, *request_.part);
-  } else {
+  if (request_.snapshot != nullptr && roi_only_) {
+    const Region asked = request_.region.united(request_.events);
+    surface_.keep_only(asked.empty() ? Region::all_of(size()) : asked);
+  }
+  surface_.take(request_.region, taken_);
+  if (request_.snapshot != nullptr) {
     SharedSnapshot& out = *request_.snapshot;
-    // Cleared first: what comes after the copy is news again.
+    // Cleared under the lock: what comes after the copy is news again.
     news_.store(false, std::memory_order_release);
     watched_ = request_.region;
     queued_ = request_.events;
-    surface_.snapshot(request_.region, out.surface);
     out.events_end = queue_.end();
     out.origin = origin_;
     out.backlog_us = 0;

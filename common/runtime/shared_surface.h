@@ -24,6 +24,7 @@ struct PacketCounters {
   std::int64_t late = 0;  ///< Came after a later one, or twice, and were dropped.
   std::int64_t rejected = 0;
   std::int64_t events_lost = 0;     ///< In lost packets.
+  std::int64_t events_skipped = 0;  ///< In packets left out to keep to the newest.
   std::int64_t events_dropped = 0;  ///< By the source, before they were published.
 };
 
@@ -34,7 +35,8 @@ struct PacketOrigin {
   std::int64_t sensor_zero_utime = 0;  ///< Host realtime at sensor time 0, µs; 0: not known.
   std::int64_t received_utime = 0;     ///< Host realtime at its receipt, µs.
   std::chrono::steady_clock::time_point received;
-  PacketCounters counters;  ///< As of this packet.
+  std::int64_t queued_us = 0;  ///< Sensor time that had been received after it when it was applied.
+  PacketCounters counters;     ///< As of this packet.
 };
 
 /// A copy of a part of the shared surface with what was going on when it was made.
@@ -51,14 +53,18 @@ struct SharedSnapshot {
 /// tracking thread asks for a part of it. A request is served by the event thread between two
 /// handfuls of events, or, while that one has nothing to do, by the tracking thread itself; so
 /// neither waits for the other for longer than it takes to apply a handful, or to copy a region.
-/// Single events of a region that the tracking thread asks for come over in a queue.
+/// What is copied are counts; the tracking thread makes grey values of them. Single events of a
+/// region that the tracking thread asks for come over in a queue.
 class SharedSurface {
  public:
   /// The queue's room. A tracking thread that falls behind is behind by no more than so many
   /// events; half as many may come at once without being thinned.
   static constexpr std::size_t kQueuedEvents = 8192;
 
-  SharedSurface(SensorSize sensor, const ErosParams& params) : surface_(sensor, params) {}
+  /// `roi_only`: of the surface only the regions of the last snapshot are kept up to date, or all
+  /// of it while both are empty.
+  SharedSurface(SensorSize sensor, const ErosParams& params, bool roi_only = false)
+      : surface_(sensor, params), roi_only_(roi_only) {}
 
   SensorSize size() const { return surface_.size(); }
 
@@ -70,7 +76,8 @@ class SharedSurface {
   /// and both are watched. When both are empty the whole sensor is watched.
   void snapshot(const Region& region, const Region& events, SharedSnapshot& out);
 
-  /// Tracking thread only. As ErosSurface::copy; what is watched stays as it is.
+  /// Tracking thread only. Copies `part`, which lies inside `out`'s region and picture, to its
+  /// place there; the stamps become those of this copy. What is watched stays as it is.
   void copy_part(const Region& part, SurfaceSnapshot& out);
 
   /// Tracking thread only. Takes at most `most` of the queue's events up to the position `until`,
@@ -104,8 +111,7 @@ class SharedSurface {
   struct Request {
     Region region;
     Region events;
-    SharedSnapshot* snapshot = nullptr;
-    SurfaceSnapshot* part = nullptr;
+    SharedSnapshot* snapshot = nullptr;  // nullptr: a part, which carries no more than its stamps
   };
 
   void ask(const Request& request);
@@ -116,6 +122,7 @@ class SharedSurface {
   // itself.
   std::mutex surface_mutex_;
   ErosSurface surface_;  // by surface_mutex_
+  const bool roi_only_;
   PacketOrigin origin_;  // by surface_mutex_
   Region watched_;       // by surface_mutex_
   Region queued_;        // by surface_mutex_; both empty: the whole sensor is watched
@@ -124,7 +131,9 @@ class SharedSurface {
   // Written by the tracking thread before it sets `requested_` (release), served by whoever holds
   // surface_mutex_ after seeing it (acquire), finished by clearing it (release).
   Request request_;
-  std::atomic<bool> requested_{false};
+  SurfaceExposure taken_;
+  // On a cache line of its own, because the event thread looks at it all the time.
+  alignas(64) std::atomic<bool> requested_{false};
 
   // Relaxed: it stands alone.
   std::atomic<std::chrono::steady_clock::rep> newest_packet_{0};

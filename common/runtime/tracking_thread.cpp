@@ -1,12 +1,12 @@
 #include "common/runtime/tracking_thread.h"
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "common/vision/event_pieces.h"
+#include "common/vision/region_filter.h"
 
 namespace puck {
 namespace {
@@ -39,6 +39,7 @@ TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingP
   publish_period_ = microseconds(1'000'000 / params.max_publish_hz);
   events_.reserve(kHandful);
   wanted_.reserve(kHandful);
+  snapshot_.surface.grey.reserve(surface.size().width, surface.size().height);
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -61,7 +62,8 @@ void TrackingThread::run(const std::stop_token& stop) {
 // True when there is something new to look at; false when something else is due.
 bool TrackingThread::wait_for_news() {
   const auto now = Clock::now();
-  auto until = unpublished_ ? std::min(next_publish_, heartbeat_due_) : heartbeat_due_;
+  auto until = unpublished_ ? std::min(std::max(next_publish_, publish_from_), heartbeat_due_)
+                            : heartbeat_due_;
   if (worker_.is_copying()) {
     until = now;
   } else if (!worker_.is_idle()) {
@@ -85,13 +87,24 @@ void TrackingThread::take_search_result() {
 
 void TrackingThread::look() {
   newest_.tracking_started = system_clock::now();
+  const auto began = Clock::now();
   surface_.snapshot(pipeline_->region_needed(), pipeline_->events_needed(), snapshot_);
   look_anyway_ = !take_events();
   newest_.estimate = pipeline_->step(snapshot_.surface);
   begin_search_if_wanted();
+  if (snapshot_.origin.received != newest_.origin.received) {
+    newest_.packet_to_look = std::max(began - snapshot_.origin.received, Clock::duration::zero());
+  }
   newest_.origin = snapshot_.origin;
   newest_.backlog_us = snapshot_.backlog_us;
   newest_.backlog_events = snapshot_.backlog_events;
+  // One that rests on a part of a packet lets the one on all of it go first, which is soon made.
+  const bool is_whole = snapshot_.backlog_events == 0 && !look_anyway_;
+  if (is_whole) {
+    publish_from_ = began;
+  } else if (!unpublished_) {
+    publish_from_ = began + publish_period_ / 2;
+  }
   unpublished_ = true;
   if (pipeline_->region_needed().empty() && pipeline_->events_needed().empty()) {
     next_look_ = Clock::now() + std::min(publish_period_, kIdleLook);
@@ -109,9 +122,7 @@ bool TrackingThread::take_events() {
         start, events_, pipeline_->decision_period_us(), [&](std::span<const Event> piece) {
           // The region may have moved on since these events were let into the queue.
           const Region region = pipeline_->events_needed();
-          wanted_.clear();
-          std::copy_if(piece.begin(), piece.end(), std::back_inserter(wanted_),
-                       [&](const Event& event) { return region.contains(event.x, event.y); });
+          keep_inside(piece, region, wanted_);
           if (wanted_.empty()) return;
           pipeline_->take(start, wanted_);
           begin_search_if_wanted();
@@ -135,7 +146,7 @@ void TrackingThread::begin_search_if_wanted() {
 void TrackingThread::publish_if_due() {
   const auto now = Clock::now();
   const bool changed = newest_.estimate.state != published_state_;
-  const bool slot = unpublished_ && now >= next_publish_;
+  const bool slot = unpublished_ && now >= next_publish_ && now >= publish_from_;
   if (!changed && !slot && now < heartbeat_due_) return;
   newest_.input_age = now - surface_.newest_packet_received();
   publish_(newest_);

@@ -27,6 +27,8 @@ struct TrackedEstimate {
   PuckEstimate estimate;
   PacketOrigin origin;
   std::chrono::system_clock::time_point tracking_started;
+  /// From the receipt of the newest packet to the first look at the surface that showed some of it.
+  std::chrono::steady_clock::duration packet_to_look{};
   std::int64_t backlog_us = 0;
   std::int64_t backlog_events = 0;
   /// How long ago, at publication, the newest packet came, even if it brought nothing for the
@@ -77,6 +79,7 @@ class TrackingThread {
   TrackedEstimate newest_;
   bool unpublished_ = true;  // the first word is that the search has begun
   TrackState published_state_ = TrackState::kSearching;
+  Clock::time_point publish_from_;  // what is unpublished; not before
   Clock::time_point next_publish_;
   Clock::time_point heartbeat_due_;
 

@@ -20,6 +20,12 @@ class BlobWitness {
     past_.fill(position);
   }
 
+  /// Moves it a share of the way, from 0 to 1, to a place.
+  void draw_to(Pixel place, double share) {
+    position_.x += share * (place.x - position_.x);
+    position_.y += share * (place.y - position_.y);
+  }
+
   /// How large the puck is here. To be called at each decision.
   void set_size(PuckSize size) {
     per_semi_x_ = 2 / size.width;

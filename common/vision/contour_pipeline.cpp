@@ -42,6 +42,7 @@ void ContourPipeline::take(Timestamp start, std::span<const Event> events) {
 void ContourPipeline::take_event(const Event& event, std::int64_t time_us) {
   now_us_ = std::max(now_us_, time_us);
   const bool first = history_.is_first(event, time_us);
+  if (first) search_plan_.take(event.x, event.y);
   if (main_) witness_.take(event.x, event.y);
   const ContourEvent seen{time_us, static_cast<double>(event.x), static_cast<double>(event.y),
                           event.polarity != 0, first};
@@ -76,7 +77,7 @@ void ContourPipeline::decide(std::int64_t time_us) {
     standing_.judge(looks, witness_.agrees(looks.position, context_), trust_, time_us);
   }
   plan_search(time_us);
-  plan_events();
+  plan_events(time_us);
   decided_us_ = time_us;
 }
 
@@ -84,7 +85,10 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   const std::int64_t passed_us = time_us - decided_us_;
   main_->decide(time_us, trust_.since_good_us(time_us) > kBlindAfter_us, context_);
   const PuckSignature::Sample sample = main_->take_sample();
-  if (standing_.is_resting()) main_->park();
+  if (standing_.is_resting()) {
+    main_->park();
+    if (standing_.has_settled(time_us)) witness_.draw_to(main_->filter().position(), passed_us);
+  }
   trust_.judge(main_->looks(), standing_.is_resting(), time_us, passed_us);
   context_.is_trusted = trust_.is_trusted();
   if (trust_.is_exhausted()) context_.signature = {};
@@ -146,9 +150,10 @@ void ContourPipeline::plan_search(std::int64_t time_us) {
                     context_.ingredients, time_us);
 }
 
-void ContourPipeline::plan_events() {
+void ContourPipeline::plan_events(std::int64_t time_us) {
   const Region image = Region::all_of(sensor_);
-  if (!main_) {
+  const bool awaits = standing_.state() == TrackState::kLost && search_plan_.is_still(time_us);
+  if (!main_ || awaits) {
     events_needed_ = image;
     return;
   }

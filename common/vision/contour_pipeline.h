@@ -55,7 +55,7 @@ class ContourPipeline final : public TrackingPipeline {
   void find_first(std::int64_t time_us);
   void enthrone(const Challenger& challenger, std::int64_t time_us);
   void plan_search(std::int64_t time_us);
-  void plan_events();
+  void plan_events(std::int64_t time_us);
 
   SensorSize sensor_;
   ContourPipelineParams params_;

@@ -30,6 +30,8 @@ constexpr double kSurePuckSign = 0.9;
 // A puck at rest stays where it is, whatever a few stray events say.
 constexpr double kParkedSigma_px = 0.4;
 constexpr double kParkedSigma_px_s = 60;
+// … fewer than so many more on the ring than chance puts there.
+constexpr double kStray = 2;
 // How far the ring's centre may move before the ring's shape is made anew.
 constexpr double kSamePlace_px = 0.5;
 
@@ -104,6 +106,7 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   const double variance = filter_.distance_variance(offset.normal_x, offset.normal_y);
   const double gate = std::clamp(3 * std::sqrt(variance + 1), kSmallestGate_px, kLargestGate_px);
   if (distance >= gate) return worth;
+  if (is_parked_ && evidence_.strength(areas_) < kStray) return worth;
   filter_.predict(event.time_us, blind_);
   filter_.correct(offset.distance_px, offset.normal_x, offset.normal_y);
   if (distance <= RingEvidence::kRing_px) {
@@ -120,6 +123,7 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
 
 void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext& context) {
   blind_ = blind;
+  is_parked_ = false;
   filter_.predict(time_us, blind);
   follow_contour(context);
   const auto passed_us = static_cast<double>(time_us - decided_us_);
@@ -161,7 +165,10 @@ TrackLooks ContourTrack::looks() const {
           .near_events = evidence_.near_events()};
 }
 
-void ContourTrack::park() { filter_.park(kParkedSigma_px, kParkedSigma_px_s); }
+void ContourTrack::park() {
+  is_parked_ = true;
+  filter_.park(kParkedSigma_px, kParkedSigma_px_s);
+}
 
 void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourContext& context) {
   const ContourFilter::Start start = filter_.start_at(position);

@@ -44,7 +44,8 @@ class ContourTrack {
   /// Moves on to a decision: fades the evidence and judges it. `blind`: unsupported for long.
   void decide(std::int64_t time_us, bool blind, const ContourContext& context);
 
-  /// To be called at each decision while the puck rests: keeps the track sure of its place.
+  /// To be called at each decision while the puck rests: keeps the track sure of its place, and
+  /// stray events from moving it.
   void park();
 
   /// Puts the track at rest somewhere, keeping its evidence.
@@ -87,6 +88,7 @@ class ContourTrack {
   double strength_ = 0;
   std::int64_t decided_us_ = 0;
   bool blind_ = false;
+  bool is_parked_ = false;  // until the next decision
   std::int64_t last_ring_us_ = 0;
   Pixel last_ring_position_;
   int clutter_since_ring_ = 0;

@@ -1,108 +1,138 @@
 #include "common/vision/correlation.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace puck {
+namespace {
+
+// What a kernel covers with its anchor on each of some candidates.
+Region reach_of(const EllipseKernel& kernel, const Region& candidates) {
+  return {candidates.x - kernel.anchor_x(), candidates.y - kernel.anchor_y(),
+          candidates.width + kernel.width() - 1, candidates.height + kernel.height() - 1};
+}
+
+bool holds(const Region& outer, const Region& inner) { return outer.intersect(inner) == inner; }
+
+}  // namespace
 
 void Correlation::set_picture(ImageView<const std::uint8_t> picture, const Region& region) {
+  show(picture, region, false);
+}
+
+void Correlation::set_surface(ImageView<const std::uint8_t> surface, const Region& region) {
+  show(surface, region, true);
+}
+
+void Correlation::show(ImageView<const std::uint8_t> picture, const Region& region, bool blurs) {
+  picture_ = picture;
   region_ = region;
-  row_sums_.resize(picture.width() + 1, picture.height());
-  for (int y = 0; y < picture.height(); ++y) {
-    const std::uint8_t* from = picture.row(y);
-    std::int32_t* to = row_sums_.row(y);
-    std::int32_t sum = 0;
-    to[0] = 0;
-    for (int x = 0; x < picture.width(); ++x) {
-      sum += from[x];
-      to[x + 1] = sum;
+  blurs_ = blurs;
+  ready_ = false;
+}
+
+void Correlation::cover(const Region& region) {
+  sums_of_rows_.resize(region);
+  const ImageView<std::uint8_t> pixels = sums_of_rows_.pixels();
+  const Region shown = region.intersect(region_);
+  for (int y = region.y; y < region.bottom(); ++y) {
+    std::uint8_t* row = pixels.row(y - region.y);
+    if (shown.empty() || y < shown.y || y >= shown.bottom()) {
+      std::fill_n(row, region.width, std::uint8_t{0});
+      continue;
     }
+    std::fill_n(row, shown.x - region.x, std::uint8_t{0});
+    std::fill_n(row + shown.right() - region.x, region.right() - shown.right(), std::uint8_t{0});
+    if (blurs_) continue;
+    std::copy_n(picture_.row(y - region_.y) + (shown.x - region_.x), shown.width,
+                row + (shown.x - region.x));
   }
+  if (blurs_ && !shown.empty()) {
+    blur_.apply(picture_, {shown.x - region_.x, shown.y - region_.y, shown.width, shown.height},
+                pixels.part(shown.x - region.x, shown.y - region.y, shown.width, shown.height));
+  }
+  sums_of_rows_.sum_up();
+  ready_ = true;
+}
+
+void Correlation::cover_reach(const EllipseKernel& kernel, const Region& candidates) {
+  const Region needed = reach_of(kernel, candidates);
+  if (!ready_ || !holds(sums_of_rows_.place(), needed)) cover(needed);
 }
 
 void Correlation::correlate(const EllipseKernel& kernel, const Region& candidates,
                             CorrelationMap& out) {
+  if (weigh(kernel, candidates, candidates, out)) return;
+  measure(kernel, candidates, out);
+}
+
+double Correlation::correlate_lowest(const EllipseKernel& kernel, const Region& candidates,
+                                     const Region& kept, CorrelationMap& out) {
+  if (const auto lowest = weigh(kernel, candidates, kept, out)) return *lowest;
+  measure(kernel, candidates, out);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int y = 0; y < candidates.height; ++y) {
+    const double* row = out.response.row(y);
+    lowest = std::min(lowest, *std::min_element(row, row + candidates.width));
+  }
+  return lowest;
+}
+
+std::optional<double> Correlation::weigh(const EllipseKernel& kernel, const Region& candidates,
+                                         const Region& kept, CorrelationMap& out) {
+  const auto& weights = kernel.whole_weights();
+  if (!weights || !KernelSweep::can_sweep(kernel) || candidates.empty()) return std::nullopt;
+  cover_reach(kernel, candidates);
+  const std::int32_t lowest =
+      sweep_.sweep(sums_of_rows_, kernel, *weights, candidates, kept, totals_);
+  out.region = kept;
+  out.response.resize(kept.width, kept.height);
+  for (int y = 0; y < kept.height; ++y) {
+    const std::int32_t* from = totals_.row(kept.y + y);
+    double* to = out.response.row(y);
+    for (int x = 0; x < kept.width; ++x) to[x] = EllipseKernel::kWeightUnit * from[x];
+  }
+  return EllipseKernel::kWeightUnit * lowest;
+}
+
+void Correlation::measure(const EllipseKernel& kernel, const Region& candidates,
+                          CorrelationMap& out) {
   out.region = candidates;
   out.response.resize(candidates.width, candidates.height);
   if (candidates.empty()) return;
-  const auto count = static_cast<std::size_t>(candidates.width);
-
-  // Sums that a kernel row needs: from the first candidate's first column to the last one's end.
-  const int first_column = candidates.x - kernel.anchor_x() - region_.x;
-  const int columns = candidates.width + kernel.width();
-
-  // Which picture rows the kernel reaches from each candidate row; the sums of each such row are
-  // laid out once and added to every candidate row that it belongs to.
-  canvas_sum_.assign(count * static_cast<std::size_t>(candidates.height), 0);
-  outer_sum_.assign(canvas_sum_.size(), 0);
-  inner_sum_.assign(canvas_sum_.size(), 0);
-
-  const int first_row = candidates.y - kernel.anchor_y() - region_.y;
-  const int rows = candidates.height + kernel.height() - 1;
-  for (int i = std::max(0, -first_row); i < rows; ++i) {
-    const int picture_row = first_row + i;
-    if (picture_row >= row_sums_.height()) break;
-    const std::int32_t* sums = sums_from(picture_row, first_column, columns);
-    const int first_candidate = std::max(0, i - kernel.height() + 1);
-    const int last_candidate = std::min(i, candidates.height - 1);
-    for (int candidate_row = first_candidate; candidate_row <= last_candidate; ++candidate_row) {
-      const auto add = [&](std::vector<std::int32_t>& total, EllipseKernel::Run run) {
-        if (run.first == run.last) return;
-        std::int32_t* to = total.data() + static_cast<std::ptrdiff_t>(candidate_row) *
-                                              static_cast<std::ptrdiff_t>(count);
-        const std::int32_t* high = sums + run.last;
-        const std::int32_t* low = sums + run.first;
-        for (std::size_t x = 0; x < count; ++x) to[x] += high[x] - low[x];
-      };
-      const int kernel_row = i - candidate_row;
-      add(canvas_sum_, {0, static_cast<std::int16_t>(kernel.width())});
-      add(outer_sum_, kernel.outer_run(kernel_row));
-      add(inner_sum_, kernel.inner_run(kernel_row));
-    }
-  }
-
+  cover_reach(kernel, candidates);
+  sum_shapes(kernel, candidates);
+  const bool contrast = kernel.measure() == KernelMeasure::kContrast;
   for (int y = 0; y < candidates.height; ++y) {
-    const std::size_t offset = static_cast<std::size_t>(y) * count;
+    const std::int32_t* canvas = sums_[0].row(candidates.y + y);
+    const std::int32_t* outer = sums_[1].row(candidates.y + y);
+    const std::int32_t* inner = sums_[2].row(candidates.y + y);
     double* to = out.response.row(y);
-    for (std::size_t x = 0; x < count; ++x) {
-      to[x] =
-          kernel.response(canvas_sum_[offset + x], outer_sum_[offset + x], inner_sum_[offset + x]);
+    if (contrast) {
+      for (int x = 0; x < candidates.width; ++x) {
+        to[x] = kernel.contrast(canvas[x], outer[x], inner[x]);
+      }
+    } else {
+      for (int x = 0; x < candidates.width; ++x) {
+        to[x] = kernel.weighted_sum(canvas[x], outer[x], inner[x]);
+      }
     }
   }
 }
 
-const std::int32_t* Correlation::sums_from(int row, int first, int count) {
-  const std::int32_t* sums = row_sums_.row(row);
-  if (first >= 0 && first + count <= row_sums_.width()) return sums + first;
-  const int before = std::clamp(-first, 0, count);
-  const int from = std::clamp(first, 0, row_sums_.width());
-  const int inside = std::min(row_sums_.width() - from, count - before);
-  padded_.assign(static_cast<std::size_t>(count), sums[row_sums_.width() - 1]);
-  std::fill_n(padded_.begin(), before, 0);
-  std::copy_n(sums + from, inside, padded_.begin() + before);
-  return padded_.data();
-}
-
-double Correlation::contrast_at(const EllipseKernel& kernel, int x, int y) const {
-  const int left = x - kernel.anchor_x() - region_.x;
-  const int top = y - kernel.anchor_y() - region_.y;
-  double canvas = 0;
-  double outer = 0;
-  double inner = 0;
-  for (int row = std::max(0, -top); row < kernel.height(); ++row) {
-    const int picture_row = top + row;
-    if (picture_row >= row_sums_.height()) break;
-    const auto sum = [&](int first, int last) {
-      return sum_left_of(picture_row, left + last) - sum_left_of(picture_row, left + first);
-    };
-    canvas += sum(0, kernel.width());
-    outer += sum(kernel.outer_run(row).first, kernel.outer_run(row).last);
-    inner += sum(kernel.inner_run(row).first, kernel.inner_run(row).last);
+void Correlation::sum_shapes(const EllipseKernel& kernel, const Region& candidates) {
+  if (KernelSweep::can_sweep(kernel)) {
+    sweep_.sweep(sums_of_rows_, kernel, candidates, sums_);
+  } else {
+    sum_plainly(sums_of_rows_, kernel, candidates, sums_);
   }
-  return kernel.contrast(canvas, outer, inner);
 }
 
-std::int32_t Correlation::sum_left_of(int row, int x) const {
-  return row_sums_(std::clamp(x, 0, row_sums_.width() - 1), row);
+double Correlation::contrast_at(const EllipseKernel& kernel, int x, int y) {
+  const Region place{x, y, 1, 1};
+  cover_reach(kernel, place);
+  sum_shapes(kernel, place);
+  return kernel.contrast(*sums_[0].row(y), *sums_[1].row(y), *sums_[2].row(y));
 }
 
 }  // namespace puck

@@ -1,6 +1,8 @@
 #include "common/vision/ellipse_kernel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace puck {
@@ -21,6 +23,16 @@ EllipseKernel::Run run_within(const KernelGeometry& geometry, int row, double bo
 }
 
 double share_of_one(int pixels) { return 1.0 / std::max(pixels, 1); }
+
+// The factor in units of the weights; nothing where it is no whole number of them.
+std::optional<std::int16_t> whole_weight(double factor) {
+  constexpr double kLargest = 1000;
+  constexpr double kWhole = 1e-9;
+  const double units = factor / EllipseKernel::kWeightUnit;
+  const double whole = std::nearbyint(units);
+  if (!(std::abs(units - whole) < kWhole && std::abs(whole) < kLargest)) return std::nullopt;
+  return static_cast<std::int16_t>(whole);
+}
 
 }  // namespace
 
@@ -46,6 +58,20 @@ EllipseKernel::EllipseKernel(const KernelGeometry& geometry, const KernelProfile
   canvas_factor_ = profile.outside_weight;
   outer_factor_ = profile.ring_weight - profile.outside_weight;
   inner_factor_ = profile.inside_weight - profile.ring_weight;
+
+  if (measure_ == KernelMeasure::kContrast) return;
+  lowest_response_ = 255 * (std::min(profile.inside_weight, 0.0) * inside_pixels_ +
+                            std::min(profile.ring_weight, 0.0) * ring_pixels_ +
+                            std::min(profile.outside_weight, 0.0) * outside_pixels_);
+  const auto canvas = whole_weight(canvas_factor_);
+  const auto outer = whole_weight(outer_factor_);
+  const auto inner = whole_weight(inner_factor_);
+  if (!canvas || !outer || !inner) return;
+  const double most = 255.0 * geometry.canvas_width * geometry.canvas_height *
+                      (std::abs(*canvas) + std::abs(*outer) + std::abs(*inner));
+  if (most < std::numeric_limits<std::int32_t>::max()) {
+    whole_weights_ = WholeWeights{*canvas, *outer, *inner};
+  }
 }
 
 Image<double> EllipseKernel::weights() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/vision/image.h"
@@ -61,6 +62,24 @@ class EllipseKernel {
   Run outer_run(int row) const { return outer_[static_cast<std::size_t>(row)]; }
   Run inner_run(int row) const { return inner_[static_cast<std::size_t>(row)]; }
 
+  /// Weights of the sums over the canvas, the outer and the inner ellipse.
+  struct WholeWeights {
+    std::int16_t canvas = 0;
+    std::int16_t outer = 0;
+    std::int16_t inner = 0;
+  };
+
+  /// The weights of the three sums in units of kWeightUnit, where the measure is a weighted sum,
+  /// all three are whole numbers and no picture makes the total exceed 32 bits: a weighted sum is
+  /// an integer then, so it is exact, and which of two is larger is never a matter of rounding.
+  const std::optional<WholeWeights>& whole_weights() const { return whole_weights_; }
+  static constexpr double kWeightUnit = 0.2;
+
+  KernelMeasure measure() const { return measure_; }
+
+  /// No picture has a lower response.
+  double lowest_response() const { return lowest_response_; }
+
   int inside_pixels() const { return inside_pixels_; }
   int ring_pixels() const { return ring_pixels_; }
   int outside_pixels() const { return outside_pixels_; }
@@ -105,6 +124,8 @@ class EllipseKernel {
   double canvas_factor_ = 0;
   double outer_factor_ = 0;
   double inner_factor_ = 0;
+  double lowest_response_ = 0;
+  std::optional<WholeWeights> whole_weights_;
 };
 
 }  // namespace puck

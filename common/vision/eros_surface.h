@@ -1,24 +1,17 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "common/events/event.h"
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
+#include "common/vision/eros_grey.h"
+#include "common/vision/eros_strips.h"
 #include "common/vision/region.h"
 #include "common/vision/surface_snapshot.h"
 
 namespace puck {
-
-/// How a decayed pixel becomes a whole grey value.
-enum class ErosRounding : std::uint8_t {
-  kNearest,           ///< 255·dⁿ, rounded once.
-  kTruncateEachStep,  ///< Truncated after every decay, as the authors' 8-bit surface does.
-};
 
 struct ErosParams {
   /// The paper's k: the decayed window is 2k + 1 pixels wide. 1 to 8.
@@ -28,10 +21,17 @@ struct ErosParams {
   ErosRounding rounding = ErosRounding::kNearest;
 };
 
+/// A part of the surface with its stamps, taken on the event thread and developed on another.
+struct SurfaceExposure {
+  SurfaceCounts counts;
+  Timestamp newest_event;           ///< Newest event on the surface when it was taken.
+  std::int64_t events_applied = 0;  ///< Events applied to the surface until then.
+};
+
 /// The Exponential Reduced Ordinal Surface (paper, Algorithm 1): each event sets its pixel to 255
 /// and multiplies the pixels around it by the decay. Exact and without a multiplication: a pixel
 /// holds 255 − n, n the events in its window since its own last one, and becomes the grey value
-/// 255·dⁿ only when it is read. Not safe for use from several threads at once.
+/// 255·dⁿ only when it is read. Not safe for use from several threads at once, but for develop().
 class ErosSurface {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
@@ -44,26 +44,34 @@ class ErosSurface {
   /// Like the batch form, for a part of a packet that starts at `start`. `events` is not empty.
   void update(Timestamp start, std::span<const Event> events);
 
+  /// From now on only `region` is kept up to date, which is cheaper: events farther away than their
+  /// windows reach are counted but not applied. What does not stay becomes dark, and so what comes
+  /// in begins dark, whatever has happened there before. All of the sensor, as at the start:
+  /// nothing is left out.
+  void keep_only(const Region& region);
+
   /// Copies the part of `region` that lies inside the sensor.
-  void snapshot(const Region& region, SurfaceSnapshot& out) const;
-  /// Copies `part`, which lies inside `out`'s region and picture, to its place there; the stamps
-  /// become those of this copy.
-  void copy(const Region& part, SurfaceSnapshot& out) const;
+  void snapshot(const Region& region, SurfaceSnapshot& out);
+
+  /// The same in two steps: the first is quick …
+  void take(const Region& region, SurfaceExposure& out) const;
+  /// … and the second, which uses up what was taken, may be made while another thread goes on
+  /// updating the surface.
+  void develop(SurfaceExposure& taken, SurfaceSnapshot& out) const;
+  /// As develop(), but to its place in `out`, whose region and picture hold what was taken.
+  void develop_part(SurfaceExposure& taken, SurfaceSnapshot& out) const;
 
   SensorSize size() const { return size_; }
   std::int64_t events_applied() const { return events_applied_; }
   Timestamp newest_event() const { return newest_event_; }
 
  private:
-  template <int kVectors>
-  void apply(std::span<const Event> events);
-
   SensorSize size_;
   int half_width_;
-  std::ptrdiff_t stride_;
-  std::vector<std::uint8_t> counts_;       // 255 − n, with a border as wide as the window
-  std::array<std::uint8_t, 32> window_{};  // 1 for the columns of the window, 0 beyond
-  std::array<std::uint8_t, 256> grey_of_count_{};
+  ErosStrips strips_;
+  ErosGrey grey_;
+  Region kept_;            // what is kept up to date
+  SurfaceExposure taken_;  // of a snapshot
   std::int64_t events_applied_ = 0;
   Timestamp newest_event_;
 };

@@ -3,12 +3,14 @@
 #include <cstdint>
 
 #include "common/vision/image.h"
+#include "common/vision/region.h"
 
 namespace puck {
 
 /// Smooths a surface before it is correlated: 5×5 Gaussian, sigma about 1.1 px, in 8-bit fixed
 /// point; at the border of what it is given the picture is mirrored about its outermost pixels. The
-/// same result as OpenCV's GaussianBlur(…, Size(5, 5), 0), which the authors' code calls.
+/// same result as OpenCV's GaussianBlur(…, Size(5, 5), 0), which the authors' code calls. Every
+/// instruction set gives the same bytes.
 class GaussianBlur {
  public:
   /// How far a pixel's value reaches.
@@ -17,9 +19,15 @@ class GaussianBlur {
   /// Blurs all of `source` into `out`, which takes its size.
   void apply(ImageView<const std::uint8_t> source, Image<std::uint8_t>& out);
 
+  /// Blurs only `part` of the source, which lies inside it, into `out`, which has the part's size.
+  void apply(ImageView<const std::uint8_t> source, const Region& part, ImageView<std::uint8_t> out);
+
  private:
-  Image<std::uint16_t> rows_;         // blurred along x, 8.8 fixed point
-  Image<std::uint8_t> mirrored_row_;  // one row with its mirrored ends
+  // The columns of a source row that the part needs, with mirrored pixels where the source ends.
+  const std::uint8_t* padded(const std::uint8_t* row, int source_width, const Region& part);
+
+  Image<std::uint16_t> rows_;  // blurred along x, in 16ths
+  Image<std::uint8_t> padded_row_;
 };
 
 }  // namespace puck

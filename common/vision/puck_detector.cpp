@@ -90,6 +90,7 @@ void PuckDetector::find_best(Correlation& picture, const EllipseKernel& kernel,
 
 void PuckDetector::find_peaks(Correlation& picture, const Region& where, const KernelBank& bank) {
   responses_.resize(where.width, (where.height + kRowStep - 1) / kRowStep);
+  picture.cover(where.inflated(bank.reach_beyond(where, size_model_)));
   for (int row = 0; row < responses_.height(); ++row) {
     const Region line{where.x, where.y + row * kRowStep, where.width, 1};
     picture.correlate(bank.nearest(size_model_.at(line.centre())), line, map_);
@@ -121,9 +122,9 @@ void PuckDetector::collect_peaks(const Region& where) {
         }
       }
       if (!highest) continue;
-      peaks_.push_back({{static_cast<double>(where.x + x),
-                         static_cast<double>(where.y + y * kRowStep)},
-                        response});
+      peaks_.push_back(
+          {{static_cast<double>(where.x + x), static_cast<double>(where.y + y * kRowStep)},
+           response});
     }
   }
 }

@@ -31,13 +31,32 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PipelineParams& params,
     throw std::invalid_argument(
         "tracker.coast_us and tracker.search_period_us must not be negative");
   }
+  make_room();
+}
+
+// Looks once for the largest puck there can be, where there is nothing, so that no look later has
+// to ask for memory.
+void PuckPipeline::make_room() {
+  const double right = sensor_.width - 1;
+  const double bottom = sensor_.height - 1;
+  for (const Pixel corner :
+       {Pixel{0, 0}, Pixel{right, 0}, Pixel{0, bottom}, Pixel{right, bottom}}) {
+    const Region region = tracker_.whole_region_around(corner, kernels_);
+    SurfaceSnapshot nothing;
+    nothing.region = with_surroundings(region);
+    nothing.grey.resize(nothing.region.width, nothing.region.height);
+    tracker_.step(nothing, region, corner, kernels_);
+  }
 }
 
 Region PuckPipeline::region_needed() const {
   if (region_.empty()) return {};
-  // A kernel on the region's border reaches beyond it, and the blur a little more.
-  const int reach = kernels_.reach_beyond(region_, size_model_) + GaussianBlur::kRadius;
-  return region_.inflated(reach).intersect(Region::all_of(sensor_));
+  return with_surroundings(region_).intersect(Region::all_of(sensor_));
+}
+
+// A kernel on the region's border reaches beyond it, and the blur a little more.
+Region PuckPipeline::with_surroundings(const Region& region) const {
+  return region.inflated(kernels_.reach_beyond(region, size_model_) + GaussianBlur::kRadius);
 }
 
 PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {
@@ -48,8 +67,6 @@ PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {
   if (something_new) {
     looked_at_ = region_;
     if (state_ == TrackState::kTracking && !snapshot.region.empty()) {
-      blur_.apply(snapshot.grey.view(), blurred_);
-      picture_.set_picture(blurred_.view(), snapshot.region);
       track(snapshot);
     }
     if (state_ != TrackState::kTracking) plan_search(now_);
@@ -76,7 +93,7 @@ void PuckPipeline::take(const SearchResult& result) {
 void PuckPipeline::track(const SurfaceSnapshot& snapshot) {
   const Timestamp now = snapshot.newest_event;
   const Pixel expected = params_.predicts ? motion_.expected_at(now) : position_;
-  const PuckTracker::Step found = tracker_.step(picture_, snapshot, region_, expected, kernels_);
+  const PuckTracker::Step found = tracker_.step(snapshot, region_, expected, kernels_);
   score_ = found.score;
   motion_.measure(found.position, now, found.variance);
   position_ = params_.predicts ? motion_.position() : found.position;
@@ -150,9 +167,9 @@ PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
   estimate.left_image = left_image_;
   if (state_ != TrackState::kTracking) return estimate;
 
-  const LedPosition led = lead_forward(position_, motion_.velocity(), motion_.covariance(),
-                                       params_.contour.calibration.lag_us, trail_.length(),
-                                       params_.lead);
+  const LedPosition led =
+      lead_forward(position_, motion_.velocity(), motion_.covariance(),
+                   params_.contour.calibration.lag_us, trail_.length(), params_.lead);
   estimate.position = led.position;
   estimate.velocity = motion_.velocity();
   estimate.covariance = led.covariance;

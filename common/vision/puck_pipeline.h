@@ -6,7 +6,6 @@
 
 #include "common/events/sensor_size.h"
 #include "common/vision/contour_pipeline.h"
-#include "common/vision/correlation.h"
 #include "common/vision/edge_trail.h"
 #include "common/vision/eros_surface.h"
 #include "common/vision/gaussian_blur.h"
@@ -42,6 +41,9 @@ struct LossParams {
 
 struct PipelineParams {
   ErosParams eros;
+  /// While there is a track, only what the next step looks at is kept up to date on the surface:
+  /// the paper's optimisation that it did not test. What is elsewhere cannot be found then.
+  bool roi_only = false;
   KernelBankParams kernels;
   DetectorParams detector;
   TrackerParams tracker;
@@ -50,8 +52,8 @@ struct PipelineParams {
   MotionLeadParams lead;
   EdgeTrailParams trail;
   /// A contour filter on single events follows the puck (ContourPipeline); correlation only
-  /// searches for it then. Of the parameters above, only those of the surface, the kernels and the detector
-  /// count.
+  /// searches for it then. Of the parameters above, only those of the surface, the kernels and the
+  /// detector count.
   bool follows_contour = false;
   /// Its calibration is also that of the correlation's soft ring.
   ContourPipelineParams contour;
@@ -80,6 +82,8 @@ class PuckPipeline final : public TrackingPipeline {
   void take(const SearchResult& result) override;
 
  private:
+  void make_room();
+  Region with_surroundings(const Region& region) const;
   void track(const SurfaceSnapshot& snapshot);
   void coast(Timestamp now);
   void begin_track(const SearchCandidate& candidate, Timestamp time);
@@ -95,9 +99,6 @@ class PuckPipeline final : public TrackingPipeline {
   PuckTracker tracker_;
   PixelMotion motion_;
   EdgeTrail trail_;
-  GaussianBlur blur_;
-  Correlation picture_;
-  Image<std::uint8_t> blurred_;
 
   TrackState state_ = TrackState::kSearching;
   Region region_;  // ROI_t of the next step; empty while there is no track

@@ -23,8 +23,7 @@ Region PuckSearch::snapshot_region(const Region& search) const {
 SearchResult PuckSearch::search(const SurfaceSnapshot& snapshot, const Region& search) {
   SearchResult result{snapshot.newest_event, search, {}};
   if (snapshot.region.empty()) return result;
-  blur_.apply(snapshot.grey.view(), blurred_);
-  picture_.set_picture(blurred_.view(), snapshot.region);
+  picture_.set_surface(snapshot.grey.view(), snapshot.region);
   for (const PuckDetector::Detection& found : detector_.detect(picture_, search, kernels_)) {
     if (has_ring_) {
       // As the tracker will see the place: finer, and with the score that it goes by.

@@ -35,9 +35,7 @@ class PuckSearch {
   PuckDetector detector_;
   bool has_ring_;
   SoftRing ring_;
-  GaussianBlur blur_;
   Correlation picture_;
-  Image<std::uint8_t> blurred_;
 };
 
 }  // namespace puck

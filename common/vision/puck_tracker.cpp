@@ -8,33 +8,17 @@
 namespace puck {
 namespace {
 
-int odd(double value) { return 2 * static_cast<int>(std::floor(value / 2)) + 1; }
+// A region of so few candidates is correlated as quickly as it takes to find out whether it must
+// be.
+constexpr int kFewCandidates = 2'000;
 
-double gaussian(double distance, double sigma) {
-  return std::exp(-0.5 * distance * distance / (sigma * sigma));
-}
+int odd(double value) { return 2 * static_cast<int>(std::floor(value / 2)) + 1; }
 
 // Where the parabola through three neighbouring values peaks, from the middle one, −0.5 to 0.5.
 double parabola_offset(double before, double middle, double after) {
   const double curvature = before - 2 * middle + after;
   if (!(curvature < 0)) return 0;
   return std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5);
-}
-
-void quantise(Image<double>& values) {
-  double lowest = values(0, 0);
-  double highest = lowest;
-  for (int y = 0; y < values.height(); ++y) {
-    const auto [low, high] = std::minmax_element(values.row(y), values.row(y) + values.width());
-    lowest = std::min(lowest, *low);
-    highest = std::max(highest, *high);
-  }
-  const double scale = highest > lowest ? 255 / (highest - lowest) : 0;
-  for (int y = 0; y < values.height(); ++y) {
-    for (int x = 0; x < values.width(); ++x) {
-      values(x, y) = std::nearbyint((values(x, y) - lowest) * scale);
-    }
-  }
 }
 
 }  // namespace
@@ -55,11 +39,14 @@ PuckTracker::PuckTracker(SensorSize sensor, const TrackerParams& params,
   require_positive("tracker.prior_sigma", params.prior_sigma);
 }
 
-Region PuckTracker::region_around(Pixel position, const KernelBank& bank) const {
+Region PuckTracker::whole_region_around(Pixel position, const KernelBank& bank) const {
   const PuckSize size = bank.nominal(size_model_.at(position));
-  return Region::around(position, odd(params_.region_factor * size.width),
-                        odd(params_.region_factor * size.height))
-      .intersect(Region::all_of(sensor_));
+  return Region::around(position, std::min(odd(params_.region_factor * size.width), sensor_.width),
+                        std::min(odd(params_.region_factor * size.height), sensor_.height));
+}
+
+Region PuckTracker::region_around(Pixel position, const KernelBank& bank) const {
+  return whole_region_around(position, bank).intersect(Region::all_of(sensor_));
 }
 
 Region PuckTracker::first_region_at(Pixel position, const KernelBank& bank) const {
@@ -70,8 +57,8 @@ Region PuckTracker::first_region_at(Pixel position, const KernelBank& bank) cons
   return region.intersect(Region::all_of(sensor_));
 }
 
-PuckTracker::Step PuckTracker::step(Correlation& picture, const SurfaceSnapshot& surface,
-                                    const Region& region, Pixel expected, const KernelBank& bank) {
+PuckTracker::Step PuckTracker::step(const SurfaceSnapshot& surface, const Region& region,
+                                    Pixel expected, const KernelBank& bank) {
   // Equation (2): the kernel's size follows from the place.
   const EllipseKernel& kernel = bank.nearest(size_model_.at(expected));
   const Region window = window_around(expected, kernel, region);
@@ -79,32 +66,20 @@ PuckTracker::Step PuckTracker::step(Correlation& picture, const SurfaceSnapshot&
   if (window.empty()) return result;
 
   // The convolution with the kernel.
-  picture.correlate(kernel, params_.shift_to_lowest ? region : window, map_);
-  // The Gaussian around the last position.
-  weigh(window, params_.centred_window ? expected : window.centre(), kernel);
-  if (params_.quantised) quantise(weighted_);
-
-  // The restricted maximum: the first one in reading order.
-  int best_x = 0;
-  int best_y = 0;
-  for (int y = 0; y < window.height; ++y) {
-    for (int x = 0; x < window.width; ++x) {
-      if (weighted_(x, y) > weighted_(best_x, best_y)) {
-        best_x = x;
-        best_y = y;
-      }
-    }
-  }
+  picture_.set_surface(surface.grey.view(), surface.region);
+  // The Gaussian around the last position, and the restricted maximum.
+  const WeightedPeak peak =
+      find_peak(kernel, region, window, params_.centred_window ? expected : window.centre());
   // Where nothing stands out the puck stays where it was expected.
-  if (weighted_(best_x, best_y) > 0) {
-    result.position = {static_cast<double>(window.x + best_x),
-                       static_cast<double>(window.y + best_y)};
+  if (peak.stands_out) {
+    result.position = {static_cast<double>(window.x + peak.x),
+                       static_cast<double>(window.y + peak.y)};
   }
   const int peak_x = static_cast<int>(std::lround(result.position.x));
   const int peak_y = static_cast<int>(std::lround(result.position.y));
-  result.score = picture.contrast_at(kernel, peak_x, peak_y);
+  result.score = picture_.contrast_at(kernel, peak_x, peak_y);
 
-  if (params_.sub_pixel && weighted_(best_x, best_y) > 0) {
+  if (params_.sub_pixel && peak.stands_out) {
     const int x = peak_x - map_.region.x;
     const int y = peak_y - map_.region.y;
     const Image<double>& r = map_.response;
@@ -136,31 +111,39 @@ Region PuckTracker::window_around(Pixel expected, const EllipseKernel& kernel,
       .intersect(region);
 }
 
-void PuckTracker::weigh(const Region& window, Pixel centre, const EllipseKernel& kernel) {
-  double lowest = 0;
-  if (params_.shift_to_lowest) {
-    lowest = map_.response(0, 0);
-    for (int y = 0; y < map_.region.height; ++y) {
-      const double* row = map_.response.row(y);
-      lowest = std::min(lowest, *std::min_element(row, row + map_.region.width));
-    }
+// The response shifted by the lowest one in all of the region takes several times the candidates
+// that the window has. What it is matters little, though: mostly the maximum is the same for any
+// value that it can have.
+WeightedPeak PuckTracker::find_peak(const EllipseKernel& kernel, const Region& region,
+                                    const Region& window, Pixel centre) {
+  if (!params_.shift_to_lowest) {
+    picture_.correlate(kernel, window, map_);
+    return finder_.find(weigh(window, centre, kernel), 0);
   }
-  column_weight_.resize(static_cast<std::size_t>(window.width));
-  for (int x = 0; x < window.width; ++x) {
-    column_weight_[static_cast<std::size_t>(x)] =
-        gaussian(window.x + x - centre.x, params_.prior_sigma * kernel.width());
+  const Region kept = params_.sub_pixel ? window.inflated(1).intersect(region) : window;
+  if (region.width * region.height <= kFewCandidates) {
+    const double lowest = picture_.correlate_lowest(kernel, region, kept, map_);
+    return finder_.find(weigh(window, centre, kernel), lowest);
   }
-  weighted_.resize(window.width, window.height);
-  for (int y = 0; y < window.height; ++y) {
-    const double row_weight =
-        gaussian(window.y + y - centre.y, params_.prior_sigma * kernel.height());
-    const double* response =
-        map_.response.row(window.y + y - map_.region.y) + (window.x - map_.region.x);
-    for (int x = 0; x < window.width; ++x) {
-      weighted_(x, y) = std::max(0.0, response[x] - lowest) * row_weight *
-                        column_weight_[static_cast<std::size_t>(x)];
-    }
+  const double most = picture_.correlate_lowest(kernel, kept, kept, map_);
+  if (const auto peak =
+          finder_.find_between(weigh(window, centre, kernel), kernel.lowest_response(), most)) {
+    return *peak;
   }
+  const double lowest = picture_.correlate_lowest(kernel, region, kept, map_);
+  return finder_.find(weigh(window, centre, kernel), lowest);
+}
+
+WeightedWindow PuckTracker::weigh(const Region& window, Pixel centre, const EllipseKernel& kernel) {
+  WeightedWindow weighted;
+  weighted.response = map_.response.view().part(window.x - map_.region.x, window.y - map_.region.y,
+                                                window.width, window.height);
+  weighted.columns =
+      &columns_.at(window.x - centre.x, window.width, params_.prior_sigma * kernel.width());
+  weighted.rows =
+      &rows_.at(window.y - centre.y, window.height, params_.prior_sigma * kernel.height());
+  weighted.quantised = params_.quantised;
+  return weighted;
 }
 
 }  // namespace puck

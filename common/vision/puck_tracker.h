@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "common/events/sensor_size.h"
-#include "common/vision/correlation.h"
 #include "common/vision/contour_calibration.h"
+#include "common/vision/correlation.h"
 #include "common/vision/kernel_bank.h"
 #include "common/vision/measurement_noise.h"
 #include "common/vision/pixel.h"
@@ -13,6 +13,7 @@
 #include "common/vision/region.h"
 #include "common/vision/soft_ring.h"
 #include "common/vision/surface_snapshot.h"
+#include "common/vision/weighted_peak.h"
 
 namespace puck {
 
@@ -53,12 +54,15 @@ class PuckTracker {
     PuckSize size;     ///< What the size model gives there.
     double score = 0;  ///< EllipseKernel::contrast at the nearest pixel, or the soft ring's score.
     std::optional<PixelVariance> variance;  ///< Of the position; known where the ring is soft.
-    double spread_px = 0;  ///< The soft ring's.
+    double spread_px = 0;                   ///< The soft ring's.
   };
 
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
   PuckTracker(SensorSize sensor, const TrackerParams& params, const PuckSizeModel& size_model,
               const ContourCalibration& calibration);
+
+  /// ROI_t around a position, as if the sensor had no end there, but never larger than the sensor.
+  Region whole_region_around(Pixel position, const KernelBank& bank) const;
 
   /// ROI_t around a position, inside the sensor.
   Region region_around(Pixel position, const KernelBank& bank) const;
@@ -66,21 +70,25 @@ class PuckTracker {
   /// The first ROI_t after a detection there, inside the sensor.
   Region first_region_at(Pixel position, const KernelBank& bank) const;
 
-  /// Looks for the puck in `region`, near `expected`. `picture` shows the blurred `surface`.
-  Step step(Correlation& picture, const SurfaceSnapshot& surface, const Region& region,
-            Pixel expected, const KernelBank& bank);
+  /// Looks for the puck in `region`, near `expected`.
+  Step step(const SurfaceSnapshot& surface, const Region& region, Pixel expected,
+            const KernelBank& bank);
 
  private:
   Region window_around(Pixel expected, const EllipseKernel& kernel, const Region& region) const;
-  void weigh(const Region& window, Pixel centre, const EllipseKernel& kernel);
+  WeightedPeak find_peak(const EllipseKernel& kernel, const Region& region, const Region& window,
+                         Pixel centre);
+  WeightedWindow weigh(const Region& window, Pixel centre, const EllipseKernel& kernel);
 
   SensorSize sensor_;
   TrackerParams params_;
   PuckSizeModel size_model_;
   SoftRing ring_;
+  Correlation picture_;
   CorrelationMap map_;
-  Image<double> weighted_;
-  std::vector<double> column_weight_;
+  GaussianTable columns_;
+  GaussianTable rows_;
+  WeightedPeakFinder finder_;
 };
 
 }  // namespace puck

@@ -14,6 +14,8 @@ constexpr std::int64_t kWidePeriod_us = 40'000;
 constexpr std::int64_t kGuardPeriod_us = 100'000;
 constexpr std::int64_t kCalmPeriod_us = 500'000;
 constexpr std::int64_t kRestingPeriod_us = 1'000'000;
+// While nothing moves the search finds nothing that could prove itself.
+constexpr std::int64_t kStillPeriod_us = 1'000'000;
 
 constexpr double kDoubtful = 0.6;
 constexpr double kBad = 0.3;
@@ -28,7 +30,8 @@ constexpr double kLargestRadius_px = 200;
 
 SearchPlan::SearchPlan(SensorSize sensor, const Region& detection_region)
     : image_(Region::all_of(sensor)),
-      detection_region_(detection_region.empty() ? image_ : detection_region.intersect(image_)) {}
+      detection_region_(detection_region.empty() ? image_ : detection_region.intersect(image_)),
+      stirrings_(sensor) {}
 
 std::int64_t SearchPlan::wide_period_us(const Situation& now) {
   if (now.is_lost) return kFirstPeriod_us;
@@ -40,18 +43,20 @@ std::int64_t SearchPlan::wide_period_us(const Situation& now) {
 }
 
 void SearchPlan::plan_first(std::int64_t time_us) {
-  if (is_busy() || time_us < next_us_) return;
+  stirrings_.judge(time_us);
+  if (is_busy() || time_us < next_us_ || is_pointless(time_us)) return;
   next_us_ = time_us + kFirstPeriod_us;
   if (since_us_ < 0) since_us_ = time_us;
-  wanted_ = detection_region_;
+  want(detection_region_, time_us);
 }
 
 void SearchPlan::plan(const Situation& now, const ContourIngredients& ingredients,
                       std::int64_t time_us) {
-  if (is_busy()) return;
+  stirrings_.judge(time_us);
+  if (is_busy() || (now.is_lost && is_pointless(time_us))) return;
   if (ingredients.wide_search && time_us - wide_us_ >= wide_period_us(now)) {
     wide_us_ = time_us;
-    wanted_ = image_;
+    want(image_, time_us);
     return;
   }
   if (ingredients.search && !now.is_resting && now.main.quality < kDoubtful &&
@@ -60,8 +65,17 @@ void SearchPlan::plan(const Situation& now, const ContourIngredients& ingredient
     const double radius_px = std::min(
         kLargestRadius_px, kRadius_px + kGrowth_px_us * static_cast<double>(now.since_good_us));
     const int side = 2 * static_cast<int>(radius_px) + 1;
-    wanted_ = Region::around(now.main.position, side, side).intersect(image_);
+    want(Region::around(now.main.position, side, side).intersect(image_), time_us);
   }
+}
+
+bool SearchPlan::is_pointless(std::int64_t time_us) const {
+  return is_still(time_us) && time_us - wanted_us_ < kStillPeriod_us;
+}
+
+void SearchPlan::want(const Region& region, std::int64_t time_us) {
+  wanted_ = region;
+  wanted_us_ = time_us;
 }
 
 Region SearchPlan::give_out() {

@@ -6,11 +6,13 @@
 #include "common/events/sensor_size.h"
 #include "common/vision/contour_params.h"
 #include "common/vision/region.h"
+#include "common/vision/stirrings.h"
 #include "common/vision/track_looks.h"
 
 namespace puck {
 
-/// When and where the correlation looks for the puck. One search at a time.
+/// When and where the correlation looks for the puck. One search at a time. What it finds must
+/// prove itself on events, so that a puck that is lost is hardly searched for while nothing moves.
 class SearchPlan {
  public:
   /// What there is to know of the main track.
@@ -26,6 +28,9 @@ class SearchPlan {
   /// `detection_region`: where the puck is looked for before it has been seen; empty: everywhere.
   SearchPlan(SensorSize sensor, const Region& detection_region);
 
+  /// Takes an event, unless its pixel has fired of late.
+  void take(int x, int y) { stirrings_.take(x, y); }
+
   /// To be called at each decision while there is no main track: searches for the first.
   void plan_first(std::int64_t time_us);
   /// To be called at each decision while there is one: searches everywhere now and then (switched
@@ -36,6 +41,9 @@ class SearchPlan {
   Region give_out();
   void note_answer() { is_out_ = false; }
 
+  /// Nothing moves where events were taken. What moves elsewhere should be taken as well then.
+  bool is_still(std::int64_t time_us) const { return stirrings_.is_still(time_us); }
+
   /// Since the first search was wanted.
   std::int64_t searched_us(std::int64_t time_us) const { return time_us - since_us_; }
 
@@ -45,14 +53,18 @@ class SearchPlan {
 
  private:
   bool is_busy() const { return is_out_ || !wanted_.empty(); }
+  bool is_pointless(std::int64_t time_us) const;
+  void want(const Region& region, std::int64_t time_us);
 
   Region image_;
   Region detection_region_;
+  Stirrings stirrings_;
   Region wanted_;  // now; empty: none
   bool is_out_ = false;
   std::int64_t since_us_ = -1;
-  std::int64_t next_us_ = 0;  // first or near search
-  std::int64_t wide_us_ = 0;  // last wide search
+  std::int64_t next_us_ = 0;                                               // first or near search
+  std::int64_t wide_us_ = 0;                                               // last wide search
+  std::int64_t wanted_us_ = std::numeric_limits<std::int64_t>::min() / 2;  // last of any
 };
 
 }  // namespace puck

@@ -1,11 +1,10 @@
 #include "common/vision/surface_tracker.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "common/vision/event_pieces.h"
 #include "common/vision/make_pipeline.h"
+#include "common/vision/region_filter.h"
 
 namespace puck {
 
@@ -18,7 +17,8 @@ SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
                                std::unique_ptr<TrackingPipeline> pipeline)
     : surface_(sensor, params.eros),
       pipeline_(std::move(pipeline)),
-      search_(sensor, params, size_model) {}
+      search_(sensor, params, size_model),
+      roi_only_(params.roi_only) {}
 
 void SurfaceTracker::update(const EventPacket& packet) {
   for_each_piece(packet.start, packet.events, pipeline_->decision_period_us(),
@@ -33,16 +33,19 @@ PuckEstimate SurfaceTracker::estimate() {
 
 PuckEstimate SurfaceTracker::step() {
   surface_.snapshot(pipeline_->region_needed(), snapshot_);
-  return pipeline_->step(snapshot_);
+  const PuckEstimate estimate = pipeline_->step(snapshot_);
+  if (roi_only_) {
+    const Region next = pipeline_->region_needed().united(pipeline_->events_needed());
+    surface_.keep_only(next.empty() ? Region::all_of(surface_.size()) : next);
+  }
+  return estimate;
 }
 
 void SurfaceTracker::take(Timestamp start, std::span<const Event> piece) {
   surface_.update(start, piece);
   const Region region = pipeline_->events_needed();
   if (region.empty()) return;
-  wanted_.clear();
-  std::copy_if(piece.begin(), piece.end(), std::back_inserter(wanted_),
-               [&](const Event& event) { return region.contains(event.x, event.y); });
+  keep_inside(piece, region, wanted_);
   if (wanted_.empty()) return;
   pipeline_->take(start, wanted_);
   search_if_wanted();

@@ -34,6 +34,7 @@ class SurfaceTracker final : public TrackingAlgorithm {
   ErosSurface surface_;
   std::unique_ptr<TrackingPipeline> pipeline_;
   PuckSearch search_;
+  bool roi_only_;
   SurfaceSnapshot snapshot_;
   SurfaceSnapshot searched_;
   std::vector<Event> wanted_;

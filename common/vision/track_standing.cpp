@@ -20,6 +20,7 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_agrees, const Tra
   const bool in_image = main.position == nearest_in_image;
   is_resting_ =
       main.is_quiet() && trust.may_rest() && main.speed_px_s < kSlow_px_s && witness_agrees;
+  if (!is_resting_) moved_us_ = time_us;
   // Beside a hand or a mallet the track looks poor. That the blob agrees, and that the ring still
   // has more events than its surroundings explain, says that it is right all the same.
   const bool is_supported = trust.is_trusted() && witness_agrees &&

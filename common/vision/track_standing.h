@@ -23,15 +23,20 @@ class TrackStanding {
 
   TrackState state() const { return state_; }
   bool is_resting() const { return is_resting_; }
+  /// It has rested for so long that what it rests on is no moment's mistake.
+  bool has_settled(std::int64_t time_us) const { return time_us - moved_us_ > kSettling_us; }
   std::optional<Pixel> left_image() const { return left_image_; }
 
  private:
+  static constexpr std::int64_t kSettling_us = 200'000;
+
   SensorSize sensor_;
   std::int64_t coast_us_;
   TrackState state_ = TrackState::kSearching;
   bool is_resting_ = false;
   std::optional<Pixel> left_image_;
-  std::int64_t held_us_ = 0;  // when it was last good or at rest
+  std::int64_t held_us_ = 0;   // when it was last good or at rest
+  std::int64_t moved_us_ = 0;  // when it was last not at rest
 };
 
 }  // namespace puck

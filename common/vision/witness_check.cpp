@@ -1,5 +1,7 @@
 #include "common/vision/witness_check.h"
 
+#include <algorithm>
+
 namespace puck {
 namespace {
 
@@ -9,6 +11,7 @@ constexpr std::int64_t kAstrayFor_us = 20'000;
 constexpr std::int64_t kSpeakingPeriod_us = 1'000;
 constexpr double kSigma_px = 4;
 constexpr double kSigma_px_s = 1'000;
+constexpr double kReturn_us = 100'000;
 
 }  // namespace
 
@@ -36,6 +39,10 @@ void WitnessCheck::consult(const ContourTrack& main, const ContourContext& conte
   start.sigma_px = kSigma_px;
   start.sigma_px_s = kSigma_px_s;
   challengers.add(Challenger::Kind::kWitness, context, start, time_us, main.wall_share());
+}
+
+void WitnessCheck::draw_to(Pixel main, std::int64_t passed_us) {
+  witness_.draw_to(main, std::min(static_cast<double>(passed_us) / kReturn_us, 1.0));
 }
 
 void WitnessCheck::put(Pixel position, std::int64_t time_us) {

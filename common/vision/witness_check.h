@@ -18,6 +18,10 @@ class WitnessCheck {
   void consult(const ContourTrack& main, const ContourContext& context, std::int64_t time_us,
                Challengers& challengers);
 
+  /// To be called at each decision once the puck has settled, `passed_us` after the last one: noise
+  /// would lead the blob astray in time, and draws it more weakly than this does.
+  void draw_to(Pixel main, std::int64_t passed_us);
+
   /// The main track is somewhere else now.
   void put(Pixel position, std::int64_t time_us);
 

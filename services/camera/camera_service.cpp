@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/messaging/host_time.h"
+#include "services/camera/live_source.h"
 #include "services/camera/stream_source.h"
 #include "services/camera/tcp_source.h"
 #include "services/camera/truth_messages.h"
@@ -17,9 +18,18 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-// Between two looks at the bus: a compromise between the mallet's age and system calls.
+// Between two looks at the bus: a compromise between the mallet's age and system calls …
 constexpr milliseconds kBusPeriod{1};
+// … and where there is no mallet, so that only STATUS waits.
+constexpr milliseconds kQuietBusPeriod{10};
+// Packets that are due more often than this go a few at a time: waking up for each would cost more
+// than publishing it.
+constexpr microseconds kShortestSleep{200};
 constexpr std::int64_t kLateUs = 20'000;
+// What a receiver can take when the camera makes up for lost time. A packet costs it as much as so
+// many events.
+constexpr double kCatchUpMevS = 100;
+constexpr std::size_t kPacketCostEvents = 500;
 // Nothing late for so long means that all is well again.
 constexpr std::chrono::seconds kRecovered{1};
 // A camera may well see nothing for a while.
@@ -37,7 +47,12 @@ CameraService::CameraService(const CameraSettings& settings, ServiceContext& con
       context_(context),
       source_(make_source()),
       is_paced_(is_paced(settings, *source_)),
-      pacer_(settings.speed) {
+      pacer_(settings.speed),
+      limit_(is_paced_ ? kCatchUpMevS : settings.arrival_limit_mev_s) {
+  // What nobody holds back comes as it comes: it must be read in time, whatever else there is to
+  // do.
+  const bool is_stream = settings.source == "stdin" || settings.source == "tcp";
+  if (!is_paced_ && is_stream) source_ = std::make_unique<LiveSource>(std::move(source_));
   if (const auto sensor = source_->sensor_size()) check_mask(*sensor);
   if (simulated_) listen_to_arm();
 }
@@ -86,13 +101,14 @@ bool CameraService::play(std::stop_token stop) {
     serve_bus();
     const EventSource::Outcome outcome = source_->next(chunk_);
     warn_of_drops();
+    watch_overflow();
     switch (outcome) {
       case EventSource::Outcome::kEvents:
         if (!send_chunk(stop)) return false;
         break;
       case EventSource::Outcome::kNothingYet:
         if (batcher_ && !batcher_->batch().empty() &&
-            Clock::now() - batch_began_ >= microseconds(settings_.flush_us)) {
+            Clock::now() - batch_began_ >= microseconds(batcher_->age_limit_us())) {
           publish_batch();
         }
         if (Clock::now() - last_events_ >= kSilent) say_waiting(source_->waiting_for());
@@ -123,7 +139,9 @@ bool CameraService::send_chunk(std::stop_token stop) {
     pacer_zero_utime_ = host_utime() - first.us;
   }
   if (chunk_.new_clock) live_zero_ = {};
-  if (!is_paced_ && !chunk_.packet.empty()) live_zero_.add(chunk_.until, host_utime());
+  if (!is_paced_ && !chunk_.packet.empty()) {
+    live_zero_.add(chunk_.until, chunk_.came_utime != 0 ? chunk_.came_utime : host_utime());
+  }
 
   std::size_t next = 0;
   while (true) {
@@ -132,6 +150,7 @@ bool CameraService::send_chunk(std::stop_token stop) {
     if (was_empty && !batcher_->batch().empty()) batch_began_ = Clock::now();
     if (!batcher_->is_complete(chunk_.until)) break;
     if (is_paced_ && !wait_until(batcher_->due(), stop)) return false;
+    if (!wait_for_turn(stop)) return false;
     publish_batch();
   }
   return !is_paced_ || wait_until(chunk_.until, stop);
@@ -146,9 +165,12 @@ void CameraService::prepare(SensorSize sensor) {
                                                        : EventPackerParams::kOneFrame;
   sensor_ = sensor;
   packer_.emplace(EventPackerParams{sensor, packet_bytes});
-  const double window_us = is_paced_ ? settings_.flush_us * settings_.speed : settings_.flush_us;
-  batcher_.emplace(static_cast<std::size_t>(packer_->max_events()),
-                   std::max<std::int64_t>(1, std::llround(window_us)));
+  const double speed = is_paced_ ? settings_.speed : 1;
+  const auto window_us = [&](int host_us) {
+    return std::max<std::int64_t>(1, std::llround(host_us * speed));
+  };
+  batcher_.emplace(static_cast<std::size_t>(packer_->max_events()), window_us(settings_.flush_us),
+                   window_us(settings_.quiet_flush_us));
   context_.log.info("sensor {}x{}, packets of up to {} bytes", sensor.width, sensor.height,
                     packet_bytes);
 }
@@ -162,16 +184,30 @@ bool CameraService::wait_until(Timestamp time, std::stop_token stop) {
     const Clock::time_point now = Clock::now();
     if (now >= due) break;
     if (due - now > kSilent) say_waiting("the end of a gap in the sensor's time");
-    std::this_thread::sleep_until(std::min(due, now + kBusPeriod));
+    std::this_thread::sleep_until(std::min(std::max(due, now + kShortestSleep), bus_due_));
   }
   note_pace(time);
   return true;
 }
 
+// Serves the bus meanwhile. False when it was stopped.
+bool CameraService::wait_for_turn(std::stop_token stop) {
+  while (!stop.stop_requested()) {
+    serve_bus();
+    const Clock::time_point now = Clock::now();
+    if (now >= limit_.due()) {
+      limit_.count(batcher_->batch().events.size() + (is_paced_ ? kPacketCostEvents : 0), now);
+      return true;
+    }
+    std::this_thread::sleep_until(std::min(limit_.due(), now + kBusPeriod));
+  }
+  return false;
+}
+
 void CameraService::serve_bus() {
   const auto now = Clock::now();
   if (now < bus_due_) return;
-  bus_due_ = now + kBusPeriod;
+  bus_due_ = now + (simulated_ != nullptr ? kBusPeriod : kQuietBusPeriod);
   context_.bus.handle(milliseconds(0));
   poll_status(context_, *this);
 }
@@ -186,20 +222,29 @@ void CameraService::say_waiting(const std::string& for_what) {
 }
 
 void CameraService::note_pace(Timestamp time) {
-  const auto now = Clock::now();
   const std::int64_t slipped_before_us = pacer_.slipped_us();
-  const bool has_slipped = pacer_.note(time, now);
+  const bool has_slipped = pacer_.note(time, Clock::now());
   pacer_zero_utime_ += pacer_.slipped_us() - slipped_before_us;
-  const bool is_degraded = context_.status.state() == ServiceState::kDegraded;
   if (has_slipped || pacer_.lateness_us() > kLateUs) {
-    last_late_ = now;
     context_.limited_log.warn(
         "pace", "cannot keep up: " + std::to_string(pacer_.lateness_us() / 1000) + " ms late, " +
                     std::to_string(pacer_.slipped_us() / 1000) + " ms given up so far");
-    if (!is_degraded) {
-      context_.status.set_state(ServiceState::kDegraded, "cannot keep up with the sensor's clock");
-    }
-  } else if (is_degraded && now - last_late_ > kRecovered) {
+    note_trouble("cannot keep up with the sensor's clock");
+  } else {
+    note_recovery();
+  }
+}
+
+void CameraService::note_trouble(const std::string& what) {
+  last_trouble_ = Clock::now();
+  if (context_.status.state() != ServiceState::kDegraded) {
+    context_.status.set_state(ServiceState::kDegraded, what);
+  }
+}
+
+void CameraService::note_recovery() {
+  if (context_.status.state() == ServiceState::kDegraded &&
+      Clock::now() - last_trouble_ > kRecovered) {
     context_.status.set_state(ServiceState::kRunning);
   }
 }
@@ -246,6 +291,16 @@ void CameraService::warn_of_drops() {
   context_.limited_log.warn(
       "input", std::to_string(source_->events_dropped()) + " events dropped, " +
                    std::to_string(source_->malformed_words()) + " malformed words so far");
+}
+
+void CameraService::watch_overflow() {
+  if (is_paced_) return;
+  const std::int64_t overflowed = source_->events_overflowed();
+  if (std::exchange(overflow_seen_, overflowed) != overflowed) {
+    note_trouble("drops events: more come than can be published");
+  } else {
+    note_recovery();
+  }
 }
 
 void CameraService::wait_at_end(std::stop_token stop) {

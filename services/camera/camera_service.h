@@ -13,6 +13,7 @@
 #include "services/camera/event_batcher.h"
 #include "services/camera/event_source.h"
 #include "services/camera/pacer.h"
+#include "services/camera/publish_limit.h"
 #include "services/camera/sensor_zero.h"
 #include "services/camera/simulated_source.h"
 #include "services/launch/service.h"
@@ -45,14 +46,18 @@ class CameraService final : public Service {
   void wait_at_end(std::stop_token stop);
   void prepare(SensorSize sensor);
   bool wait_until(Timestamp time, std::stop_token stop);
+  bool wait_for_turn(std::stop_token stop);
   void serve_bus();
   void say_waiting(const std::string& for_what);
   void note_pace(Timestamp time);
+  void note_trouble(const std::string& what);
+  void note_recovery();
   void publish_batch();
   void rotate(Event& event) const;
   std::int64_t sensor_zero_utime() const;
   void publish_truth(const SimulatedTruth& truth);
   void warn_of_drops();
+  void watch_overflow();
 
   CameraSettings settings_;
   ServiceContext& context_;
@@ -61,6 +66,7 @@ class CameraService final : public Service {
   SinglePublisher arm_;
   bool is_paced_;
   Pacer pacer_;
+  PublishLimit limit_;
   SensorZero live_zero_;
   std::int64_t pacer_zero_utime_ = 0;
 
@@ -73,11 +79,12 @@ class CameraService final : public Service {
   EventPacket rotated_;
   Clock::time_point batch_began_;
   Clock::time_point bus_due_;
-  Clock::time_point last_late_;
+  Clock::time_point last_trouble_;
   Clock::time_point last_events_;
   std::int64_t packets_sent_ = 0;
   std::int64_t events_masked_ = 0;
   std::int64_t drops_told_ = 0;
+  std::int64_t overflow_seen_ = 0;
 };
 
 }  // namespace puck

@@ -75,7 +75,9 @@ CameraSettings read_camera_settings(Config& config) {
   if (!hot_pixel_mask.empty()) settings.hot_pixels = read_pixel_mask_file(hot_pixel_mask);
   config.read("camera.rotate_180", settings.rotate_180);
   config.read("camera.packet_bytes", settings.packet_bytes, 0, EventPackerParams::kMaxBytes);
+  config.read("camera.arrival_limit_mev_s", settings.arrival_limit_mev_s, 0, 1000);
   config.read("camera.flush_us", settings.flush_us, 50, 100'000);
+  config.read("camera.quiet_flush_us", settings.quiet_flush_us, 50, 100'000);
   config.read("camera.truth_hz", settings.truth_hz, 1, 10'000);
   read_scene(config, settings.simulation);
 

@@ -22,8 +22,10 @@ struct CameraSettings {
 
   PixelMask hot_pixels;  ///< As the sensor has them: before any rotation.
   bool rotate_180 = false;
-  int packet_bytes = 0;  ///< 0: what suits the bus.
-  int flush_us = 500;    ///< Host time that the first event of a packet waits for others.
+  int packet_bytes = 0;             ///< 0: what suits the bus.
+  double arrival_limit_mev_s = 40;  ///< What is published on arrival at most; 0: any.
+  int flush_us = 500;         ///< Host time that the first event of a packet waits for others.
+  int quiet_flush_us = 5000;  ///< The same while there are fewer than EventBatcher::kFew.
 
   SimulationParams simulation;
   int truth_hz = 1000;

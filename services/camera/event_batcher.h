@@ -8,11 +8,17 @@
 namespace puck {
 
 /// Gathers events until there are enough for a packet, or until the first of them has waited for
-/// long enough. Knows sensor time only.
+/// long enough: for longer while there are only a few, as in a scene where nothing moves. Knows
+/// sensor time only.
 class EventBatcher {
  public:
-  /// Throws std::invalid_argument for a limit below 1.
-  EventBatcher(std::size_t max_events, std::int64_t max_age_us);
+  /// So many events do not wait for longer than usual. A moving puck makes them within a fraction
+  /// of a pixel.
+  static constexpr std::size_t kFew = 32;
+
+  /// `quiet_age_us`: the age while there are fewer than kFew; no less than `max_age_us`. Throws
+  /// std::invalid_argument for a limit below 1.
+  EventBatcher(std::size_t max_events, std::int64_t max_age_us, std::int64_t quiet_age_us);
 
   /// Takes events from `packet`, from index `next` on, until the batch is complete or they are used
   /// up. Events come in the order of their times.
@@ -24,15 +30,21 @@ class EventBatcher {
   /// not be empty.
   Timestamp due() const;
 
+  /// How long the first event may wait now.
+  std::int64_t age_limit_us() const { return has_few() ? quiet_age_us_ : max_age_us_; }
+
   const EventPacket& batch() const { return batch_; }
   void clear() { batch_.events.clear(); }
 
  private:
+  void take_until(const EventPacket& packet, std::size_t& next, std::size_t most);
   bool is_full() const { return batch_.events.size() >= max_events_; }
-  Timestamp window_end() const { return batch_.start + max_age_us_; }
+  bool has_few() const { return batch_.events.size() < kFew; }
+  Timestamp window_end() const { return batch_.start + age_limit_us(); }
 
   std::size_t max_events_;
   std::int64_t max_age_us_;
+  std::int64_t quiet_age_us_;
   EventPacket batch_;
 };
 

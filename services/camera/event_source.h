@@ -24,6 +24,8 @@ class EventSource {
     Timestamp until;  ///< No later chunk has an event before this.
     /// The sensor's clock has been joined anew to the one before: when it was 0 has changed.
     bool new_clock = false;
+    /// CLOCK_REALTIME, µs, when a live source's events came; 0: just now.
+    std::int64_t came_utime = 0;
   };
 
   virtual ~EventSource() = default;
@@ -41,8 +43,10 @@ class EventSource {
   /// What a silent stream waits for, for a person.
   virtual std::string waiting_for() const { return {}; }
 
-  /// Events that were found but could not be used, so far.
+  /// Events that were found but could not be used, so far; overflowed ones included.
   virtual std::int64_t events_dropped() const { return 0; }
+  /// Events that a live source had to let go because they were not fetched in time, so far.
+  virtual std::int64_t events_overflowed() const { return 0; }
   /// Words of the input that made no sense, so far.
   virtual std::int64_t malformed_words() const { return 0; }
   /// What a person should know about an input that has ended.

@@ -64,8 +64,9 @@ void FileSource::place(Chunk& chunk) {
   const Timestamp old_newest = packet.newest();
   packet.start = time_.place(stretched(old_start));
   if (stretch_ != 1) {
+    const Timestamp new_start = stretched(old_start);
     for (Event& event : packet.events) {
-      const std::int64_t offset_us = stretched(old_start + event.offset_us) - stretched(old_start);
+      const std::int64_t offset_us = stretched(old_start + event.offset_us) - new_start;
       // A chunk stretched beyond an hour cannot be said in a packet; its end is drawn in.
       event.offset_us = static_cast<std::uint32_t>(
           std::min<std::int64_t>(offset_us, std::numeric_limits<std::uint32_t>::max()));
@@ -76,7 +77,8 @@ void FileSource::place(Chunk& chunk) {
 
 Timestamp FileSource::stretched(Timestamp time) const {
   if (stretch_ == 1) return time;
-  return first_ + std::llround(static_cast<double>(time - first_) * stretch_);
+  // Rounded to the nearest, for no time is before the first; std::llround is not inlined.
+  return first_ + static_cast<std::int64_t>(static_cast<double>(time - first_) * stretch_ + 0.5);
 }
 
 std::int64_t FileSource::events_dropped() const {

@@ -46,6 +46,7 @@ TrackerServiceParams read_tracker_params(Config& config) {
   PipelineParams& pipeline = params.pipeline;
   config.read("tracker.half_width_px", pipeline.eros.half_width_px, 1, 8);
   config.read("tracker.decay", pipeline.eros.decay, 0.01, 0.999);
+  config.read("tracker.roi_only", pipeline.roi_only);
   read_detection_region(config, pipeline.detector.region);
   config.read("tracker.detection_threshold", pipeline.detector.threshold, 0, 1e9);
   config.read("tracker.region_factor", pipeline.tracker.region_factor, 1, 20);

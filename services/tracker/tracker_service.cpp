@@ -1,14 +1,14 @@
 #include "services/tracker/tracker_service.h"
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
-#include "common/vision/make_pipeline.h"
-#include "common/vision/puck_search.h"
 #include "common/vision/surface_tracker.h"
 
 namespace puck {
@@ -18,6 +18,8 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kHandle{20};
 constexpr std::int64_t kSilentUs = 1'000'000;
+// A flood is told for so long after its end.
+constexpr std::int64_t kFloodToldUs = 1'000'000;
 // A camera that sees nothing move still has noise; one that sends nothing for so long may be dead.
 constexpr milliseconds kRestEnds{500};
 // Packets overlap by less; a sensor's clock that steps back by more has been started anew. Believed
@@ -35,26 +37,20 @@ StatusLatency named(const char* name, const LatencyHistogram& histogram) {
 
 }  // namespace
 
-TrackerService::Track::Track(SensorSize sensor, const TrackerServiceParams& params,
-                             TrackingThread::Publish publish)
-    : surface(sensor, params.pipeline.eros),
-      thread(surface, make_pipeline(sensor, params.pipeline, params.size_model),
-             PuckSearch(sensor, params.pipeline, params.size_model), params.thread,
-             std::move(publish)) {}
-
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
     : params_(params), context_(context) {
   // Parameters that cannot work are refused at the start, not with the first packet.
   // On the largest sensor, since it is not known yet how far the detection region may reach.
   const SurfaceTracker trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
                              params.size_model);
-  context_.bus.subscribe<event_packet_t>(
-      [this](const event_packet_t& packet, const Receipt& receipt) { receive(packet, receipt); });
+  context_.bus.subscribe<EventPacketView>(
+      [this](const EventPacketView& packet, const Receipt& receipt) { receive(packet, receipt); });
 }
 
 void TrackerService::run(std::stop_token stop) {
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
+    take_held();
     watch_input();
     count_thinned();
     poll_status(context_, *this);
@@ -63,7 +59,7 @@ void TrackerService::run(std::stop_token stop) {
   track_.reset();
 }
 
-void TrackerService::receive(const event_packet_t& packet, const Receipt& receipt) {
+void TrackerService::receive(const EventPacketView& packet, const Receipt& receipt) {
   switch (publisher_.hear(packet.session, packet.seq, receipt.monotonic_us)) {
     case SinglePublisher::Verdict::kOtherPublisher:
       ++others_packets_;
@@ -88,8 +84,8 @@ void TrackerService::receive(const event_packet_t& packet, const Receipt& receip
       break;
   }
   packets_.add(packet.session, packet.seq, packet.events_before, packet.count);
-  unpack(packet, events_);
-  if (SensorSize{packet.width, packet.height} != sensor_ || events_.start < newest_event_) {
+  if (SensorSize{packet.width, packet.height} != sensor_ ||
+      packet.first_event_us < newest_event_.us) {
     ++dropped_packets_;
     context_.limited_log.warn("events",
                               "a packet of another sensor, or from before the newest event, is "
@@ -97,25 +93,72 @@ void TrackerService::receive(const event_packet_t& packet, const Receipt& receip
     return;
   }
   heard_us_ = receipt.monotonic_us;
+  skip_held();
+  if (catch_up_.leaves_out(receipt.monotonic_us, host_monotonic_us())) {
+    hold(packet, receipt);
+  } else {
+    take(packet, receipt);
+  }
+}
+
+void TrackerService::take(const EventPacketView& packet, const Receipt& receipt) {
+  unpack(packet, events_);
   events_received_ += packet.count;
   if (masks_hot_pixels_) events_masked_ += params_.hot_pixels.remove_from(events_);
   if (events_.empty()) return;
+
+  PacketOrigin origin = origin_of(packet, receipt);
+  // What came while it waited waits behind it: packets as long as this one, if there are any.
+  const std::int64_t waited_us = host_monotonic_us() - receipt.monotonic_us;
+  const std::int64_t length_us = std::max<std::int64_t>(1, events_.newest() - newest_event_);
+  origin.queued_us = waited_us / length_us * length_us;
   newest_event_ = events_.newest();
-  track_->surface.update(events_, origin_of(packet, receipt));
+  watch_.expect(newest_event_, origin.received);
+  track_->surface.update(events_, origin);
 }
 
-bool TrackerService::clock_began_anew(const event_packet_t& packet, const Receipt& receipt) const {
+// A packet is skipped only when another one comes: the newest is what matters most. Until then it
+// lies here as it came, so that a queue is gone through quickly.
+void TrackerService::hold(const EventPacketView& packet, const Receipt& receipt) {
+  held_data_.assign(packet.data.begin(), packet.data.end());
+  held_packet_ = packet;
+  held_packet_.data = held_data_;
+  held_receipt_ = receipt;
+  holds_packet_ = true;
+}
+
+void TrackerService::skip_held() {
+  if (!std::exchange(holds_packet_, false)) return;
+  events_received_ += held_packet_.count;
+  events_skipped_ += held_packet_.count;
+  ++packets_skipped_;
+  skipped_us_ = host_monotonic_us();
+  context_.limited_log.warn("events",
+                            "more come than can be taken; packets are skipped to keep to the "
+                            "newest");
+}
+
+void TrackerService::take_held() {
+  if (std::exchange(holds_packet_, false)) take(held_packet_, held_receipt_);
+}
+
+bool TrackerService::clock_began_anew(const EventPacketView& packet, const Receipt& receipt) const {
   return packet.first_event_us < newest_event_.us - kClockRestartedUs &&
          receipt.monotonic_us - began_us_ > kClockRestartedUs;
 }
 
-void TrackerService::begin(const event_packet_t& packet, const Receipt& receipt) {
+void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt) {
   track_.reset();
   began_us_ = receipt.monotonic_us;
   sensor_ = {packet.width, packet.height};
   newest_event_ = {packet.first_event_us};
   published_event_ = {-1};
   packets_ = {};
+  catch_up_ = {};
+  holds_packet_ = false;
+  watch_.clear();
+  packets_skipped_ = 0;
+  events_skipped_ = 0;
   dropped_packets_ = 0;
   events_received_ = 0;
   events_thinned_ = 0;
@@ -123,14 +166,15 @@ void TrackerService::begin(const event_packet_t& packet, const Receipt& receipt)
   context_.log.info("following events of session {:x}, sensor {}x{}", packet.session, packet.width,
                     packet.height);
   check_calibration();
-  TrackerServiceParams params = params_;
-  const Region& wanted = params.pipeline.detector.region;
+  PipelineParams pipeline = params_.pipeline;
+  const Region& wanted = pipeline.detector.region;
   if (!wanted.empty() && wanted.intersect(Region::all_of(sensor_)).empty()) {
     context_.log.error("tracker.detection_region lies outside the sensor; searching all of it");
-    params.pipeline.detector.region = {};
+    pipeline.detector.region = {};
   }
   track_ =
-      std::make_unique<Track>(sensor_, params, [this](const TrackedEstimate& t) { publish(t); });
+      std::make_unique<LiveTracker>(sensor_, pipeline, params_.size_model, params_.thread,
+                                    [this](const TrackedEstimate& tracked) { publish(tracked); });
 }
 
 // A camera that nobody calibrated for is followed all the same, as well as it can be.
@@ -147,7 +191,8 @@ void TrackerService::check_calibration() {
   }
 }
 
-PacketOrigin TrackerService::origin_of(const event_packet_t& packet, const Receipt& receipt) const {
+PacketOrigin TrackerService::origin_of(const EventPacketView& packet,
+                                       const Receipt& receipt) const {
   PacketOrigin origin;
   origin.session = packet.session;
   origin.sensor_zero_utime = packet.sensor_zero_utime;
@@ -155,8 +200,8 @@ PacketOrigin TrackerService::origin_of(const event_packet_t& packet, const Recei
   origin.received =
       std::chrono::steady_clock::time_point(std::chrono::microseconds(receipt.monotonic_us));
   const LossCounters& counters = packets_.counters();
-  origin.counters = {counters.received, counters.lost,       dropped_packets_,
-                     rejected_packets_, counters.items_lost, packet.events_dropped};
+  origin.counters = {counters.received,   counters.lost,   dropped_packets_,     rejected_packets_,
+                     counters.items_lost, events_skipped_, packet.events_dropped};
   return origin;
 }
 
@@ -171,32 +216,40 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
   }
   message.packet_received_utime = origin.received_utime;
   message.tracking_started_utime = utime_of(tracked.tracking_started);
-  message.backlog_us = tracked.backlog_us;
+  message.backlog_us = tracked.backlog_us + origin.queued_us;
   message.backlog_events = tracked.backlog_events;
   message.packets_received = origin.counters.received;
   message.packets_lost = origin.counters.lost;
   message.packets_late = origin.counters.late;
   message.packets_rejected = origin.counters.rejected;
   message.events_lost = origin.counters.events_lost;
+  message.events_skipped = origin.counters.events_skipped;
   message.events_dropped = origin.counters.events_dropped;
   context_.bus.publish(message);
 
-  // Only the first estimate with a new event says how long that event took.
+  // Only the first estimate with a new event says how long that event took; the first word of a
+  // track rests on none.
+  if (tracked.estimate.events_applied == 0) return;
   if (tracked.estimate.newest_event <= published_event_) return;
   published_event_ = tracked.estimate.newest_event;
-  packet_to_estimate_.record(std::chrono::duration_cast<std::chrono::microseconds>(
-                                 std::chrono::steady_clock::now() - origin.received)
-                                 .count());
-  backlog_.record(tracked.backlog_us);
+  watch_.answer(published_event_, std::chrono::steady_clock::now(), packet_to_estimate_);
+  if (origin.received != published_packet_) {
+    published_packet_ = origin.received;
+    packet_to_look_.record(
+        std::chrono::duration_cast<std::chrono::microseconds>(tracked.packet_to_look).count());
+  }
+  backlog_.record(message.backlog_us);
   if (message.event_utime != 0) sensor_to_estimate_.record(message.utime - message.event_utime);
 }
 
 void TrackerService::watch_input() {
-  rejected_packets_ = context_.bus.counters<event_packet_t>().rejected;
+  rejected_packets_ = context_.bus.counters<EventPacketView>().rejected;
   if (heard_us_ == 0) {
     context_.status.set_state(ServiceState::kWaiting, "for events");
   } else if (host_monotonic_us() - heard_us_ > kSilentUs) {
     context_.status.set_state(ServiceState::kWaiting, "for events, which have stopped coming");
+  } else if (skipped_us_ != 0 && host_monotonic_us() - skipped_us_ < kFloodToldUs) {
+    context_.status.set_state(ServiceState::kDegraded, "more events come than can be taken");
   } else {
     context_.status.set_state(ServiceState::kRunning);
   }
@@ -215,12 +268,15 @@ void TrackerService::report(StatusReport& report) const {
       {"packets_lost", counters.lost},
       {"packets_late", dropped_packets_},
       {"packets_rejected", rejected_packets_},
+      {"packets_skipped", packets_skipped_},
       {"packets_of_others", others_packets_},
       {"events_lost", counters.items_lost},
+      {"events_skipped", events_skipped_},
       {"events_thinned", events_thinned_},
       {"estimates", context_.bus.counters<puck_estimate_t>().published},
   };
-  report.latencies = {named("packet_to_estimate", packet_to_estimate_),
+  report.latencies = {named("packet_to_look", packet_to_look_),
+                      named("packet_to_estimate", packet_to_estimate_),
                       named("sensor_to_estimate", sensor_to_estimate_), named("backlog", backlog_)};
 }
 

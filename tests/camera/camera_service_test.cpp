@@ -4,12 +4,15 @@
 #include <functional>
 #include <memory>
 #include <sstream>
+#include <thread>
 
 #include <doctest/doctest.h>
 #include <spdlog/sinks/ostream_sink.h>
 
 #include "common/io/pixel_mask_file.h"
 #include "tests/camera/camera_fixtures.h"
+#include "tests/camera/tcp_server.h"
+#include "tests/support/temporary_folder.h"
 
 namespace puck {
 namespace {
@@ -66,12 +69,13 @@ class CameraRun {
   std::vector<service_status_t> statuses_;
   std::ostringstream log_text_;
   std::function<void()> on_truth_ = [] {};
+  std::function<bool()> stop_when_ = [] { return false; };
   std::stop_source stop_;
   Bus bus_{{.url = "memq://"}};
 
  private:
   void after_packet() {
-    if (events_.size() >= stop_after_) stop_.request_stop();
+    if (events_.size() >= stop_after_ || stop_when_()) stop_.request_stop();
   }
 
   spdlog::logger log_;
@@ -108,7 +112,7 @@ TEST_CASE("a recording goes over the bus whole, in order and unbent, and the cam
 TEST_CASE("no packet is published before its events have happened") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(1000, 1000, 50));
-  CameraRun run(file_settings(folder / "a.raw"));
+  CameraRun run(file_settings(folder / "a.raw", "quiet_flush_us = 500\n"));
   run.run();
   REQUIRE(run.packets_.size() > 50);
   const std::int64_t zero_utime = run.packets_.front().sensor_zero_utime;
@@ -190,6 +194,35 @@ TEST_CASE("events outside the sensor are counted in every packet and in STATUS")
   CHECK(run.packets_.front().events_dropped == 2);
   CHECK(run.last_counter("events_dropped") == 2);
   CHECK(run.log_text_.str().find("2 events lie outside the sensor") != std::string::npos);
+}
+
+TEST_CASE(
+    "a stream that brings more than may be published loses its oldest events, and it is told") {
+  const CameraFolder folder;
+  // 2.4 s of publishing at the limit, sent as fast as it goes.
+  constexpr int kEvents = 1'200'000;
+  write_recording(folder / "a.raw", even_events(kEvents, 0, 1));
+  const TcpServer server;
+  CameraRun run("[camera]\nsource = \"tcp\"\ntcp_host = \"127.0.0.1\"\ntcp_port = " +
+                std::to_string(server.port()) + "\narrival_limit_mev_s = 0.5\n");
+  const std::string bytes = read_text(folder / "a.raw");
+  std::jthread sender([&] { server.serve(bytes); });
+  // The newest events come last, whatever was lost before them.
+  run.stop_when_ = [&] { return run.events_.back().t_us == kEvents - 1; };
+  run.run();
+  REQUIRE(!run.events_.empty());
+  CHECK(run.events_.size() < kEvents);
+  CHECK(run.in_order_);
+  const std::int64_t dropped = run.last_counter("events_dropped");
+  CHECK(dropped > 0);
+  CHECK(static_cast<std::int64_t>(run.events_.size()) + dropped == kEvents);
+  CHECK(run.packets_.back().events_dropped == dropped);
+  bool was_degraded = false;
+  for (const service_status_t& status : run.statuses_) {
+    was_degraded = was_degraded || (status.state == service_status_t::STATE_DEGRADED &&
+                                    status.state_text.find("drops events") == 0);
+  }
+  CHECK(was_degraded);
 }
 
 TEST_CASE("a camera that waits for a gap in a recording to pass says so") {

@@ -24,7 +24,7 @@ EventPacket packet_at(std::int64_t start_us, std::initializer_list<std::uint32_t
 }
 
 TEST_CASE("a batch goes when it is full, with its last event") {
-  EventBatcher batcher(2, 500);
+  EventBatcher batcher(2, 500, 500);
   const EventPacket packet = packet_at(1000, {0, 10, 20});
   std::size_t next = 0;
   batcher.take(packet, next);
@@ -35,7 +35,7 @@ TEST_CASE("a batch goes when it is full, with its last event") {
 }
 
 TEST_CASE("a batch goes when its first event has waited long enough") {
-  EventBatcher batcher(100, 500);
+  EventBatcher batcher(100, 500, 500);
   const EventPacket packet = packet_at(1000, {7, 506, 507});
   std::size_t next = 0;
   batcher.take(packet, next);
@@ -48,7 +48,7 @@ TEST_CASE("a batch goes when its first event has waited long enough") {
 }
 
 TEST_CASE("a batch takes events from several packets, and none is lost between batches") {
-  EventBatcher batcher(100, 500);
+  EventBatcher batcher(100, 500, 500);
   std::size_t next = 0;
   batcher.take(packet_at(0, {0, 100}), next);
   CHECK_FALSE(batcher.is_complete({100}));
@@ -64,6 +64,41 @@ TEST_CASE("a batch takes events from several packets, and none is lost between b
   CHECK(next == 3);
   CHECK(batcher.batch().start.us == 600);
   CHECK(batcher.batch().events.size() == 2);
+}
+
+TEST_CASE("a batch with few events waits longer, but not once it has enough") {
+  EventBatcher batcher(1000, 500, 4000);
+  EventPacket packet{{1000}, {}};
+  for (std::uint32_t i = 0; i <= EventBatcher::kFew; ++i)
+    packet.events.push_back({0, 0, 0, i * 40});
+  packet.events[EventBatcher::kFew].offset_us = 5000;
+  const std::int64_t newest_us = 1000 + (EventBatcher::kFew - 1) * 40;
+  std::size_t next = 0;
+  batcher.take({packet.start, {packet.events.begin(), packet.events.begin() + 10}}, next);
+  CHECK(batcher.age_limit_us() == 4000);
+  CHECK_FALSE(batcher.is_complete({4999}));
+  CHECK(batcher.is_complete({5000}));
+  CHECK(batcher.due().us == 5000);
+  batcher.take(packet, next);
+  CHECK(next == EventBatcher::kFew);
+  CHECK(batcher.age_limit_us() == 500);
+  CHECK(batcher.is_complete({newest_us}));
+  CHECK(batcher.due().us == newest_us);
+}
+
+TEST_CASE("a batch that comes to more than a few in one go takes no more than the shorter time's") {
+  EventPacket packet;
+  for (std::uint32_t i = 0; i < 400; ++i) packet.events.push_back({1, 1, 1, 10 * i});
+  EventBatcher batcher(10'000, 500, 4'000);
+  std::size_t next = 0;
+  batcher.take(packet, next);
+  CHECK(next == 50);
+  CHECK(batcher.is_complete({500}));
+  CHECK(batcher.due() == Timestamp{500});
+  EventBatcher short_ones(10, 500, 4'000);
+  next = 0;
+  short_ones.take(packet, next);
+  CHECK(next == 10);
 }
 
 TEST_CASE("sensor time comes at its speed on the host's clock") {

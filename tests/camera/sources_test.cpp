@@ -3,10 +3,7 @@
 #include <fstream>
 #include <iterator>
 
-#include <arpa/inet.h>
 #include <doctest/doctest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include "common/io/event_reader.h"
@@ -15,6 +12,7 @@
 #include "services/camera/stream_source.h"
 #include "services/camera/tcp_source.h"
 #include "tests/camera/camera_fixtures.h"
+#include "tests/camera/tcp_server.h"
 
 namespace puck {
 namespace {
@@ -127,51 +125,20 @@ TEST_CASE("a byte stream that is no recording is refused") {
   close(ends[1]);
 }
 
-// Listens on a free port of this host.
-class Server {
- public:
-  Server() : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t length = sizeof address;
-    REQUIRE(bind(socket_, reinterpret_cast<const sockaddr*>(&address), length) == 0);
-    REQUIRE(listen(socket_, 1) == 0);
-    REQUIRE(getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &length) == 0);
-    port_ = ntohs(address.sin_port);
-  }
-  ~Server() { close(socket_); }
-  Server(const Server&) = delete;
-  Server& operator=(const Server&) = delete;
-
-  int port() const { return port_; }
-  // Sends to the next client, whose connection the kernel has accepted already, and hangs up.
-  void serve(const std::string& bytes) const {
-    const int client = accept(socket_, nullptr, nullptr);
-    REQUIRE(client >= 0);
-    REQUIRE(write(client, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
-    close(client);
-  }
-
- private:
-  int socket_;
-  int port_ = 0;
-};
-
 TEST_CASE("a TCP source connects again after a break, a refusal and rubbish, and time goes on") {
   const CameraFolder folder;
   const auto once = even_events(100, 1000, 10);
   write_recording(folder / "a.raw", once);
   const std::string bytes = content_of(folder / "a.raw");
 
-  const Server server;
+  const TcpServer server;
   TcpSource source("127.0.0.1", server.port(), {});
   CHECK(source.is_live());
   EventSource::Chunk chunk;
   CHECK(source.next(chunk) == EventSource::Outcome::kNothingYet);
   CHECK(source.waiting_for().find("127.0.0.1:") != std::string::npos);
 
-  server.serve(bytes);
+  REQUIRE(server.serve(bytes));
   EventSource::Chunk first;
   while (source.next(first) != EventSource::Outcome::kEvents) continue;
   CHECK(first.new_clock);
@@ -182,12 +149,12 @@ TEST_CASE("a TCP source connects again after a break, a refusal and rubbish, and
   while (source.disconnections() < 1) source.next(chunk);
   while (source.waiting_for().find("events from") == std::string::npos) source.next(chunk);
 
-  server.serve("rubbish, longer than a header line may ever be? no: just not one\n");
+  REQUIRE(server.serve("rubbish, longer than a header line may ever be? no: just not one\n"));
   while (source.disconnections() < 2) source.next(chunk);
   CHECK(source.waiting_for().find("no Prophesee RAW header") != std::string::npos);
   while (source.waiting_for().find("events from") == std::string::npos) source.next(chunk);
 
-  server.serve(bytes);
+  REQUIRE(server.serve(bytes));
   events = take(source, 100);
   REQUIRE(events.size() == 100);
   CHECK(events.front().t_us == once.back().t_us + 1);
@@ -198,12 +165,12 @@ TEST_CASE("a later connection's clock is told to be new with its first events on
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(20000, 1000, 10));
   const std::string bytes = content_of(folder / "a.raw");
-  const Server server;
+  const TcpServer server;
   TcpSource source("127.0.0.1", server.port(), {});
   EventSource::Chunk chunk;
   for (int connection = 0; connection < 2; ++connection) {
     while (source.waiting_for().find("events from") == std::string::npos) source.next(chunk);
-    server.serve(bytes);
+    REQUIRE(server.serve(bytes));
     while (source.next(chunk) != EventSource::Outcome::kEvents) continue;
     CHECK(chunk.new_clock);
     while (source.next(chunk) != EventSource::Outcome::kEvents) continue;

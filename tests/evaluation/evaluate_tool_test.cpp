@@ -1,3 +1,4 @@
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -33,14 +34,18 @@ EventPacket one_event_at(std::int64_t t_us) {
   return packet;
 }
 
-// Two events so far apart.
-std::filesystem::path recording_with_pause(const TemporaryFolder& folder, std::int64_t pause_us) {
-  const std::filesystem::path path = folder / "pause.txt";
+std::filesystem::path recording_of(const TemporaryFolder& folder,
+                                   const std::vector<std::int64_t>& times_us) {
+  const std::filesystem::path path = folder / "events.txt";
   const auto writer = make_event_writer(path, "text", kSensor);
-  writer->write(one_event_at(1000));
-  writer->write(one_event_at(1000 + pause_us));
+  for (const std::int64_t t_us : times_us) writer->write(one_event_at(t_us));
   writer->close();
   return path;
+}
+
+// Two events so far apart.
+std::filesystem::path recording_with_pause(const TemporaryFolder& folder, std::int64_t pause_us) {
+  return recording_of(folder, {1000, 1000 + pause_us});
 }
 
 TEST_CASE("a recording with a pause is asked for an estimate at every tick of it") {
@@ -68,6 +73,22 @@ TEST_CASE("a recording with a damaged time is refused and does not run for ever"
         "damaged?");
   events->rewind();
   CHECK_THROWS_AS(run_in_real_time(*events, setup(), nothing), std::runtime_error);
+}
+
+TEST_CASE("in real time the ticks are those with events, and none waits longer than the run") {
+  const TemporaryFolder folder;
+  // The first packet comes when the tracking thread has said its first word, the last one late
+  // enough for an answer to those before it.
+  const auto events = open_event_file(recording_of(folder, {1000, 1499, 301'000}));
+  const auto began = std::chrono::steady_clock::now();
+  std::vector<EvaluatedTick> ticks;
+  run_in_real_time(*events, setup(), [&](const EvaluatedTick& tick) { ticks.push_back(tick); });
+  const auto ran = std::chrono::steady_clock::now() - began;
+  REQUIRE(!ticks.empty());
+  CHECK(ticks.front().tick.us >= 1000);
+  for (const EvaluatedTick& tick : ticks) {
+    CHECK(std::chrono::microseconds(tick.latency_us.value()) <= ran);
+  }
 }
 
 TEST_CASE("a log's events are those of its first session, and the others are told") {

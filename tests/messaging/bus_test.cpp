@@ -186,6 +186,43 @@ TEST_CASE("a burst of event packets waits in the queue and is not lost") {
   CHECK(receiver.counters<event_packet_t>().arrivals.items_lost == 0);
 }
 
+TEST_CASE("large packets that nobody reads take no more memory than many small ones") {
+  const std::string url = private_lcm_url();
+  Bus sender({.url = url});
+  Bus receiver({.url = url});
+  receiver.subscribe<event_packet_t>([](const event_packet_t&, const Receipt&) {});
+  start(sender);
+  start(receiver);
+  const auto received = [&] { return receiver.counters<event_packet_t>().arrivals.received; };
+  const auto publish_unread = [&](int packet_bytes, int packets) {
+    EventPacker packer({.sensor = {640, 480}, .packet_bytes = packet_bytes});
+    const std::vector<Event> events(static_cast<std::size_t>(packer.max_events()));
+    for (int i = 0; i < packets; ++i) {
+      packer.pack({i}, events, [&](event_packet_t& packet) { REQUIRE(sender.publish(packet)); });
+      if (i % 4 == 0) std::this_thread::sleep_for(milliseconds(1));
+    }
+  };
+  const auto handle_all = [&] {
+    while (receiver.handle(milliseconds(50)) > 0) {
+    }
+  };
+  // 32 MB are 512 of them; a few more come from the socket's buffer as soon as there is room.
+  publish_unread(60'000, 1'000);
+  handle_all();
+  CHECK(received() > 0);
+  CHECK(received() <= 700);
+
+  // After many small ones there is room for many.
+  for (int i = 0; i < 10; ++i) {
+    publish_unread(1472, 200);
+    handle_all();
+  }
+  const std::int64_t before = received();
+  publish_unread(1472, 1500);
+  handle_all();
+  CHECK(received() - before > 700);
+}
+
 TEST_CASE("malformed messages on every channel are dropped and counted, and good ones still come") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url});

@@ -1,5 +1,6 @@
 #include "common/runtime/latency_histogram.h"
 
+#include <cstdint>
 #include <limits>
 
 #include <doctest/doctest.h>
@@ -23,6 +24,19 @@ TEST_CASE("percentiles are at most a sixteenth too high and never too low") {
   CHECK(summary.p50_us <= 5'000 * 17 / 16);
   CHECK(summary.p99_us >= 9'900);
   CHECK(summary.p99_us <= 10'000);
+}
+
+TEST_CASE("no duration up to an hour is read more than a sixteenth too high, nor too low") {
+  constexpr std::int64_t kHourUs = 3'600'000'000;
+  for (std::int64_t duration_us = 1; duration_us < kHourUs; duration_us += 1 + duration_us / 50) {
+    LatencyHistogram histogram;
+    histogram.record(duration_us);
+    histogram.record(duration_us);
+    // So that the longest, which is exact, does not hide what its bucket would say.
+    histogram.record(kHourUs * 2);
+    REQUIRE(histogram.summary().p50_us >= duration_us);
+    REQUIRE(histogram.summary().p50_us * 16 <= duration_us * 17);
+  }
 }
 
 TEST_CASE("short durations are exact") {

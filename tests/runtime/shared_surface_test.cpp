@@ -93,6 +93,30 @@ TEST_CASE("every snapshot of a busy surface is the surface after some number of 
   }
 }
 
+TEST_CASE(
+    "a surface that keeps only the regions asked for is dark elsewhere, and whole while none is") {
+  SharedSurface shared(kSensor, {}, true);
+  SharedSnapshot snapshot;
+  SurfaceSnapshot whole;
+  whole.region = kAll;
+  whole.grey.resize(160, 120);
+  shared.update({{0}, {{10, 10, 1, 0}, {110, 110, 1, 1}}}, {});
+  shared.copy_part(kAll, whole);
+  CHECK(whole.grey(10, 10) == 255);
+  shared.snapshot({100, 100, 20, 20}, {100, 80, 10, 5}, snapshot);
+  CHECK(snapshot.surface.grey(10, 10) == 255);
+  shared.update({{10}, {{10, 10, 1, 0}, {100, 80, 1, 1}, {110, 112, 0, 2}}}, {});
+  shared.copy_part(kAll, whole);
+  CHECK(whole.grey(10, 10) == 0);
+  CHECK(whole.grey(100, 80) == 255);
+  CHECK(whole.grey(110, 112) == 255);
+  CHECK(whole.events_applied == 5);
+  shared.snapshot({}, {}, snapshot);
+  shared.update({{20}, {{10, 10, 1, 0}}}, {});
+  shared.copy_part(kAll, whole);
+  CHECK(whole.grey(10, 10) == 255);
+}
+
 TEST_CASE("there is news only for events in the region of the last snapshot") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;

@@ -1,4 +1,4 @@
-// Recordings of real cameras through puck-camera, LCM and puck-tracker, in real time.
+// Recordings of real cameras through puck-camera, LCM and puck-tracker.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -92,7 +92,7 @@ void play(const std::filesystem::path& recordings, const Recording& recording) {
   CHECK(run.estimates.back().events_applied == recording.events);
 }
 
-TEST_CASE("real recordings reach the tracker whole, in real time, and it answers") {
+TEST_CASE("real recordings reach the tracker whole, and it answers") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   play(*recordings, {.file = "walking_640x480_evt3.extracted.raw",
@@ -100,9 +100,11 @@ TEST_CASE("real recordings reach the tracker whole, in real time, and it answers
                      .span_us = 2'078'000,
                      .settings = {"camera.width=640", "camera.height=480"},
                      .least_estimates = 100});
+  // 5 Mev/s, of which a tracker on a busy machine would rightly leave packets out: slower.
   play(*recordings, {.file = "sparklers_gen31_640x480_evt2.raw",
                      .events = 521'252,
                      .span_us = 96'000,
+                     .settings = {"camera.speed=0.1"},
                      .least_estimates = 5});
 }
 

@@ -54,6 +54,8 @@ class BusListener {
   std::int64_t counter(const std::string& service, const std::string& name) const;
   /// ESTIMATEs with newer events than all before them.
   std::int64_t fresh_estimates() const { return fresh_estimates_; }
+  /// Sensor time of the newest event that an ESTIMATE rested on, µs; -1 before the first.
+  std::int64_t newest_event_us() const { return newest_event_us_; }
 
  private:
   Bus bus_;

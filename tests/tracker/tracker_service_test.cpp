@@ -12,95 +12,17 @@
 
 #include "common/io/pixel_mask_file.h"
 #include "common/messaging/event_packing.h"
+#include "common/messaging/host_time.h"
 #include "tests/messaging/test_url.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/vision/puck_picture.h"
+#include "tests/tracker/running_tracker.h"
 
 namespace puck {
 namespace {
 
 using std::chrono::milliseconds;
-
-// Small, so that a search of all of it is quick under a sanitizer too.
-constexpr SensorSize kSensor{160, 120};
-
-// A tracker on a bus of its own. The test publishes on the same bus, from its own thread.
-class RunningTracker {
- public:
-  explicit RunningTracker(const std::string& settings = "") {
-    // The rings that these tests show have no motion, from which `default` knows a puck.
-    Config config =
-        Config::from_text("[tracker]\npreset = \"correlation\"\n" + settings, "tracker.toml");
-    TrackerServiceParams params = TrackerService::read_params(config);
-    params.size_model = {25, 0, 0, 17, 0, 0};
-    bus_.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate, const Receipt&) {
-      const std::lock_guard lock(mutex_);
-      estimates_.push_back(estimate);
-    });
-    service_ = std::make_unique<TrackerService>(params, context_);
-    REQUIRE(bus_.start({}, [](const std::string&) {}));
-    thread_ = std::jthread([this](const std::stop_token& stop) { service_->run(stop); });
-  }
-
-  void publish(const EventPacket& events, std::int64_t sensor_zero_utime = 0) {
-    packer_.pack(events.start, events.events, [&](event_packet_t& packet) {
-      packet.sensor_zero_utime = sensor_zero_utime;
-      bus_.publish(packet);
-    });
-  }
-
-  // Sends a packet as it stands, whatever its header says of its order.
-  void publish_raw(event_packet_t packet) { bus_.publish(packet); }
-
-  std::vector<puck_estimate_t> estimates() const {
-    const std::lock_guard lock(mutex_);
-    return estimates_;
-  }
-
-  template <typename Condition>
-  bool eventually(const Condition& condition) const {
-    for (int i = 0; i < 10'000; ++i) {
-      const auto all = estimates();
-      if (!all.empty() && condition(all.back())) return true;
-      std::this_thread::sleep_for(milliseconds(1));
-    }
-    return false;
-  }
-
-  Bus& bus() { return bus_; }
-  void stop() {
-    thread_.request_stop();
-    thread_.join();
-  }
-  const TrackerService& service() const { return *service_; }
-
- private:
-  Bus bus_{{.url = "memq://"}};
-  StatusReporter status_{bus_, "puck-tracker"};
-  spdlog::logger log_{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
-  RateLimitedLog limited_log_{log_};
-  BusWatch bus_watch_{bus_, log_};
-  ServiceContext context_{bus_, status_, log_, limited_log_, bus_watch_};
-  EventPacker packer_{{.sensor = kSensor, .packet_bytes = 60000}};
-  mutable std::mutex mutex_;
-  std::vector<puck_estimate_t> estimates_;
-  std::unique_ptr<TrackerService> service_;
-  std::jthread thread_;
-};
-
-EventPacket puck_at(Pixel centre, std::int64_t t_us) {
-  return {{t_us}, test::contour_events(kSensor, centre, {25, 17}, 150)};
-}
-
-std::int64_t counter(const TrackerService& service, const std::string& name) {
-  StatusReport report;
-  service.report(report);
-  for (const auto& [key, value] : report.counters) {
-    if (key == name) return value;
-  }
-  return -1;
-}
+using namespace test;
 
 }  // namespace
 
@@ -111,6 +33,10 @@ TEST_CASE("events come in and estimates go out, with the chain of times") {
     truth = {40 + 0.3 * i, 50 + 0.1 * i};
     tracker.publish(puck_at(truth, i * 1000), 1'000'000);
     std::this_thread::sleep_for(milliseconds(1));
+    // A tracker that falls behind would skip packets.
+    if (i % 5 == 0) {
+      REQUIRE(tracker.eventually([&](const auto& e) { return e.sensor_us == i * 1000; }));
+    }
   }
   REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 200'000; }));
   const puck_estimate_t last = tracker.estimates().back();
@@ -257,13 +183,52 @@ TEST_CASE("a puck at rest is said to rest only as long as its camera is heard") 
   const auto is_resting = [](const puck_estimate_t& e) {
     return (e.flags & puck_estimate_t::FLAG_RESTING) != 0;
   };
-  for (int i = 1; i <= 60; ++i) {
-    tracker.publish(puck_at({80, 60}, i * 5'000));
-    std::this_thread::sleep_for(milliseconds(3));
-  }
-  REQUIRE(tracker.eventually([&](const auto& e) { return is_resting(e); }));
+  std::int64_t t_us = 0;
+  REQUIRE(ServiceBench::until(
+      [&] {
+        const auto estimates = tracker.estimates();
+        return !estimates.empty() && is_resting(estimates.back());
+      },
+      [&] {
+        tracker.publish(puck_at({80, 60}, t_us += 5'000));
+        std::this_thread::sleep_for(milliseconds(3));
+      }));
   REQUIRE(tracker.eventually([&](const auto& e) { return !is_resting(e); }));
   CHECK(tracker.estimates().back().state == puck_estimate_t::STATE_TRACKING);
+}
+
+TEST_CASE("an estimate that rests on no packet says nothing of how long packets wait") {
+  const TemporaryFolder folder;
+  const std::vector<PixelPlace> masked{{1, 1}};
+  write_pixel_mask_file(folder / "mask.toml", PixelMask(kSensor, masked), "");
+  const std::int64_t began_us = host_monotonic_us();
+  RunningTracker tracker("hot_pixel_mask = \"" + (folder / "mask.toml").string() + "\"\n");
+  // A packet of which nothing is left begins a track, whose first word rests on nothing.
+  const auto begin_track = [&](std::int64_t t_us) {
+    tracker.publish({{t_us}, {{1, 1, 1, 0}}});
+    REQUIRE(tracker.eventually([](const auto& e) { return e.events_applied == 0; }));
+  };
+  const auto follow = [&](std::int64_t t_us) {
+    tracker.publish(puck_at({80, 60}, t_us));
+    REQUIRE(tracker.eventually([&](const auto& e) { return e.sensor_us == t_us; }));
+  };
+  begin_track(10'000'000);
+  follow(10'001'000);
+  follow(10'002'000);
+  // Longer than it takes until the tracker believes that a clock began anew.
+  std::this_thread::sleep_for(milliseconds(1'100));
+  begin_track(1'000);
+  follow(2'000);
+  tracker.stop();
+
+  StatusReport report;
+  tracker.service().report(report);
+  const std::int64_t ran_us = host_monotonic_us() - began_us;
+  for (const StatusLatency& latency : report.latencies) {
+    CAPTURE(latency.name);
+    CHECK(latency.max_us <= ran_us);
+    if (latency.name != "sensor_to_estimate") CHECK(latency.samples == 3);
+  }
 }
 
 TEST_CASE("estimates keep coming while there are no more events") {

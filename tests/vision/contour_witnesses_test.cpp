@@ -30,6 +30,13 @@ TEST_CASE("The blob follows events within two semi-axes and ignores the others")
   CHECK(blob.position().x == doctest::Approx(100.3));
 }
 
+TEST_CASE("The blob can be drawn a share of the way to a place") {
+  BlobWitness blob({100, 100});
+  blob.draw_to({110, 80}, 0.1);
+  CHECK(blob.position().x == doctest::Approx(101));
+  CHECK(blob.position().y == doctest::Approx(98));
+}
+
 TEST_CASE("The blob keeps up with a shot of 6 px a millisecond, and knows its speed") {
   BlobWitness blob({50, 100});
   blob.set_size({36, 28});

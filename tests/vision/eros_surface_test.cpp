@@ -1,5 +1,6 @@
 #include "common/vision/eros_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -24,7 +25,7 @@ std::vector<Event> random_events(SensorSize size, int count, unsigned seed) {
   return events;
 }
 
-SurfaceSnapshot whole(const ErosSurface& surface) {
+SurfaceSnapshot whole(ErosSurface& surface) {
   SurfaceSnapshot snapshot;
   surface.snapshot(Region::all_of(surface.size()), snapshot);
   return snapshot;
@@ -124,6 +125,89 @@ TEST_CASE("a snapshot is cut to the sensor and carries the newest event and the 
   CHECK(snapshot.grey(2, 3) == 255);
   surface.snapshot({40, 20, 5, 5}, snapshot);
   CHECK(snapshot.region.empty());
+}
+
+TEST_CASE(
+    "a surface that keeps only a region shows there what a whole one does, and what comes in is "
+    "dark") {
+  const SensorSize size{90, 70};
+  const ErosParams params{4, 0.8, ErosRounding::kNearest};
+  const auto events = random_events(size, 40'000, 11);
+  ErosSurface whole_one(size, params);
+  ErosSurface part(size, params);
+  part.update(std::span(events).first(10'000));
+  whole_one.update(std::span(events).first(10'000));
+
+  const auto same_in = [&](const Region& region) {
+    SurfaceSnapshot a;
+    SurfaceSnapshot b;
+    part.snapshot(region, a);
+    whole_one.snapshot(region, b);
+    return a.events_applied == b.events_applied && a.grey.view().width() == region.width &&
+           std::equal(a.grey.row(0), a.grey.row(0) + region.width * region.height, b.grey.row(0));
+  };
+  const auto is_dark = [&](const Region& region) {
+    SurfaceSnapshot a;
+    part.snapshot(region, a);
+    return std::all_of(a.grey.row(0), a.grey.row(0) + region.width * region.height,
+                       [](std::uint8_t grey) { return grey == 0; });
+  };
+  CHECK(same_in({0, 0, 90, 70}));
+
+  const Region first{20, 15, 31, 22};
+  part.keep_only(first);
+  CHECK(same_in(first));
+  CHECK(is_dark({0, 0, 90, 15}));
+  CHECK(is_dark({0, 15, 20, 55}));
+  part.update(std::span(events).subspan(10'000, 10'000));
+  whole_one.update(std::span(events).subspan(10'000, 10'000));
+  CHECK(same_in(first));
+  CHECK(is_dark({0, 0, 90, 11}));  // farther than windows reach
+
+  // It moves to the lower right, and grows: what stays inside is as it was.
+  const Region second{23, 11, 34, 30};
+  part.keep_only(second);
+  CHECK(same_in(first.intersect(second)));
+  CHECK(is_dark({23, 11, 34, 4}));
+  CHECK(is_dark({23, 37, 34, 4}));
+  CHECK(is_dark({51, 11, 6, 30}));
+  CHECK(is_dark({0, 0, 23, 70}));
+  // Every pixel of it fires again, and many times, so that nothing is left of the past.
+  part.update(std::span(events).subspan(20'000));
+  whole_one.update(std::span(events).subspan(20'000));
+  CHECK(same_in(second));
+
+  part.keep_only({0, 0, 90, 70});
+  CHECK(same_in(second));
+  CHECK(is_dark({0, 0, 90, 11}));
+  CHECK(is_dark({0, 41, 90, 29}));
+  CHECK(is_dark({0, 0, 23, 70}));
+  CHECK(is_dark({57, 0, 33, 70}));
+
+  part.keep_only({});
+  part.update(std::span(events).first(100));
+  CHECK(is_dark({12, 12, 78, 58}));
+  CHECK(part.events_applied() == 40'100);
+}
+
+TEST_CASE("what was taken shows the surface of that time, developed later and to its place") {
+  const SensorSize size{64, 48};
+  const auto events = random_events(size, 5000, 3);
+  ErosSurface surface(size, {});
+  surface.update(events);
+  const SurfaceSnapshot then = whole(surface);
+  SurfaceExposure upper;
+  SurfaceExposure lower;
+  surface.take({0, 0, 64, 17}, upper);
+  surface.take({0, 17, 64, 31}, lower);
+  surface.update(events);
+  SurfaceSnapshot joined;
+  joined.region = Region::all_of(size);
+  joined.grey.resize(64, 48);
+  surface.develop_part(upper, joined);
+  surface.develop_part(lower, joined);
+  CHECK(std::equal(then.grey.row(0), then.grey.row(0) + 64 * 48, joined.grey.row(0)));
+  CHECK(joined.events_applied == 5000);
 }
 
 TEST_CASE("EROS refuses parameters out of range and names the key") {

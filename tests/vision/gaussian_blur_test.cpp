@@ -1,30 +1,17 @@
 #include "common/vision/gaussian_blur.h"
 
-#include <random>
-
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/vision/noise_picture.h"
+
 namespace puck {
-namespace {
-
-Image<std::uint8_t> noise(int width, int height, unsigned seed) {
-  std::mt19937 random(seed);
-  Image<std::uint8_t> image(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) image(x, y) = static_cast<std::uint8_t>(random() % 256);
-  }
-  return image;
-}
-
-}  // namespace
-
 TEST_CASE("the blur equals OpenCV's GaussianBlur to the bit, at the borders and when tiny") {
   GaussianBlur blur;
   for (const auto& [width, height] : {std::pair{640, 40}, {37, 21}, {5, 5}, {3, 9}, {2, 2}}) {
     CAPTURE(width);
     CAPTURE(height);
-    Image<std::uint8_t> source = noise(width, height, 11);
+    Image<std::uint8_t> source = test::noise(width, height, 11);
     Image<std::uint8_t> blurred;
     blur.apply(source.view(), blurred);
 

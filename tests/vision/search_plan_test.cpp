@@ -1,5 +1,7 @@
 #include "common/vision/search_plan.h"
 
+#include <random>
+
 #include <doctest/doctest.h>
 
 namespace puck {
@@ -13,8 +15,31 @@ constexpr SearchPlan::Situation kCalm{
     .is_trusted = true,
     .is_proven = true};
 
+// As many events as a puck makes that moves by a pixel or two.
+void stir(SearchPlan& plan) {
+  for (int i = 0; i < 100; ++i) plan.take(300 + i % 10, 200 + i / 10);
+}
+
+// A second of 10,000 events a second anywhere in the image; how often `decide` got a search for it.
+template <typename Decide>
+int searches_in_noise(SearchPlan& plan, unsigned seed, std::int64_t from_us, const Decide& decide) {
+  std::mt19937 random(seed);
+  int searches = 0;
+  for (std::int64_t time_us = from_us; time_us < from_us + 1'000'000; time_us += 500) {
+    for (int i = 0; i < 5; ++i) {
+      plan.take(static_cast<int>(random() % 640), static_cast<int>(random() % 480));
+    }
+    decide(time_us);
+    if (plan.give_out().empty()) continue;
+    ++searches;
+    plan.note_answer();
+  }
+  return searches;
+}
+
 TEST_CASE("Before anything is known the detection region is searched each 20 ms, one at a time") {
   SearchPlan plan(kSensor, {600, 10, 100, 50});
+  stir(plan);
   plan.plan_first(500);
   CHECK(plan.searched_us(1'500) == 1'000);
   CHECK(plan.give_out() == Region{600, 10, 40, 50});
@@ -79,6 +104,35 @@ TEST_CASE("Near a doubtful track is searched each 5 ms, the farther the longer i
   now.is_resting = true;
   plan.plan(now, kAll, 20'000);
   CHECK(plan.give_out().empty());
+}
+
+TEST_CASE(
+    "While there is nothing but noise a search is made once a second, without a track or lost") {
+  SearchPlan::Situation lost = kCalm;
+  lost.is_lost = true;
+  lost.main.quality = 0;
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    CAPTURE(seed);
+    SearchPlan first(kSensor, {});
+    CHECK(searches_in_noise(first, seed, 0, [&](auto now_us) { first.plan_first(now_us); }) == 1);
+    SearchPlan plan(kSensor, {});
+    CHECK(searches_in_noise(plan, seed, 100'000,
+                            [&](auto now_us) { plan.plan(lost, kAll, now_us); }) == 1);
+  }
+}
+
+TEST_CASE("What moves is searched for at once, however long nothing has moved") {
+  SearchPlan plan(kSensor, {});
+  const auto decide = [&](std::int64_t time_us) { plan.plan_first(time_us); };
+  searches_in_noise(plan, 1, 0, decide);
+  CHECK(plan.is_still(999'500));
+  stir(plan);
+  plan.plan_first(1'000'500);
+  CHECK_FALSE(plan.is_still(1'000'500));
+  CHECK(plan.give_out() == kImage);
+  plan.note_answer();
+  plan.plan_first(1'020'500);
+  CHECK(plan.give_out() == kImage);
 }
 
 TEST_CASE("Each of the two searches can be switched off") {

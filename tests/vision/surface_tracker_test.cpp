@@ -52,8 +52,10 @@ class Recorder final : public TrackingPipeline {
 };
 
 SurfaceTracker tracker_with(Record& record, const Region& events, std::int64_t period_us,
-                            const Region& search) {
-  return SurfaceTracker(kSensor, preset_params(Preset::kCorrelation), kSizeModel,
+                            const Region& search, bool roi_only = false) {
+  PipelineParams params = preset_params(Preset::kCorrelation);
+  params.roi_only = roi_only;
+  return SurfaceTracker(kSensor, params, kSizeModel,
                         std::make_unique<Recorder>(record, events, period_us, search));
 }
 
@@ -62,9 +64,9 @@ using Pieces = std::vector<std::vector<std::int64_t>>;
 }  // namespace
 
 TEST_CASE("events are cut at the multiples of the period, which end their pieces") {
-  const std::vector<Event> events{{0, 0, 0, 0},   {0, 0, 0, 5},   {0, 0, 0, 10}, {0, 0, 0, 10},
-                                  {0, 0, 0, 11},  {0, 0, 0, 20},  {0, 0, 0, 21}, {0, 0, 0, 49},
-                                  {0, 0, 0, 1000}};
+  const std::vector<Event> events{{0, 0, 0, 0},  {0, 0, 0, 5},  {0, 0, 0, 10},
+                                  {0, 0, 0, 10}, {0, 0, 0, 11}, {0, 0, 0, 20},
+                                  {0, 0, 0, 21}, {0, 0, 0, 49}, {0, 0, 0, 1000}};
   const auto pieces_of = [&](std::int64_t start_us, std::int64_t period_us) {
     Pieces pieces;
     for_each_piece({start_us}, events, period_us, [&](std::span<const Event> piece) {
@@ -81,8 +83,14 @@ TEST_CASE("events are cut at the multiples of the period, which end their pieces
 TEST_CASE("a pipeline gets the events of its region in pieces, and nothing without any") {
   Record record;
   SurfaceTracker tracker = tracker_with(record, {10, 10, 20, 20}, 100, {});
-  tracker.update({{50}, {{9, 10, 0, 0}, {10, 10, 0, 20}, {29, 29, 1, 50}, {30, 29, 1, 55},
-                         {15, 15, 1, 60}, {15, 15, 1, 151}, {40, 40, 1, 400}}});
+  tracker.update({{50},
+                  {{9, 10, 0, 0},
+                   {10, 10, 0, 20},
+                   {29, 29, 1, 50},
+                   {30, 29, 1, 55},
+                   {15, 15, 1, 60},
+                   {15, 15, 1, 151},
+                   {40, 40, 1, 400}}});
   CHECK(record.pieces == Pieces{{70, 100}, {110}, {201}});
   CHECK(tracker.estimate().newest_event == Timestamp{450});
   CHECK(record.steps == 1);  // one more only after a search
@@ -108,6 +116,21 @@ TEST_CASE("a search is made at once, on the surface as it was when it was wanted
     CHECK(std::abs(best.position.x - puck.x) <= 1);
     CHECK(std::abs(best.position.y - puck.y) <= 1);
     CHECK(best.score > 0.5);
+  }
+}
+
+TEST_CASE("a tracker that keeps only its region of the surface finds nothing elsewhere") {
+  const Pixel puck{80, 60};
+  const std::vector<Event> ring = test::contour_events(kSensor, puck, kSizeModel.at(puck), 150);
+  for (const bool roi_only : {false, true}) {
+    CAPTURE(roi_only);
+    Record record;
+    const Region all = Region::all_of(kSensor);
+    SurfaceTracker tracker = tracker_with(record, {0, 0, 20, 20}, 0, all, roi_only);
+    tracker.update({{3000}, ring});
+    tracker.estimate();
+    REQUIRE(record.results.size() == 1);
+    CHECK(record.results[0].candidates.empty() == roi_only);
   }
 }
 

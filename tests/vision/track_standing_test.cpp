@@ -18,6 +18,17 @@ TrackTrust sound() {
   return trust;
 }
 
+TEST_CASE("A track that has rested for more than 200 ms without a break has settled") {
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kGood, true, sound(), 100'000);
+  standing.judge(kSilent, true, sound(), 100'500);
+  CHECK(standing.is_resting());
+  CHECK_FALSE(standing.has_settled(300'000));
+  CHECK(standing.has_settled(300'001));
+  standing.judge(kGood, true, sound(), 300'500);
+  CHECK_FALSE(standing.has_settled(300'500));
+}
+
 TEST_CASE("A track without support is believed for as long as it may coast") {
   TrackStanding standing(kSensor, 50'000);
   CHECK(standing.state() == TrackState::kSearching);

@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "common/evaluation/accuracy_score.h"
-#include "common/evaluation/quantile.h"
 #include "common/messaging/conversions.h"
 
 namespace puck {
@@ -42,18 +41,6 @@ void score(const GameLog& game, const std::vector<puck_estimate_t>& estimates,
   figures.mean_px = report.mean_px;
   figures.p95_px = report.p95_px;
   figures.lost_percent = report.lost_percent;
-}
-
-void measure_latency(const std::vector<puck_estimate_t>& estimates, DemoFigures& figures) {
-  std::vector<std::int64_t> latencies;
-  for (const puck_estimate_t& estimate : estimates) {
-    if (estimate.packet_received_utime == 0) continue;
-    latencies.push_back(estimate.utime - estimate.packet_received_utime);
-  }
-  if (latencies.empty()) return;
-  std::sort(latencies.begin(), latencies.end());
-  figures.packet_to_estimate_p50_us = quantile(latencies, 0.50);
-  figures.packet_to_estimate_p99_us = quantile(latencies, 0.99);
 }
 
 bool has_position(const puck_estimate_t& estimate) {
@@ -95,6 +82,12 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+void add(Json& json, const std::string& name, const std::optional<LoggedLatency>& latency) {
+  json[name + "_p50_us"] = latency ? Json(latency->p50_us) : Json(nullptr);
+  json[name + "_p99_us"] = latency ? Json(latency->p99_us) : Json(nullptr);
+  json[name + "_max_us"] = latency ? Json(latency->max_us) : Json(nullptr);
+}
+
 Json to_json(const DemoFigures& f) {
   Json json;
   json["events_sent"] = or_null(f.events_sent);
@@ -105,8 +98,9 @@ Json to_json(const DemoFigures& f) {
   json["mean_px"] = or_null(f.mean_px);
   json["p95_px"] = or_null(f.p95_px);
   json["lost_percent"] = or_null(f.lost_percent);
-  json["packet_to_estimate_p50_us"] = or_null(f.packet_to_estimate_p50_us);
-  json["packet_to_estimate_p99_us"] = or_null(f.packet_to_estimate_p99_us);
+  add(json, "packet_to_estimate", f.packet_to_estimate);
+  add(json, "sensor_to_estimate", f.sensor_to_estimate);
+  add(json, "backlog", f.backlog);
   json["shots"] = or_null(f.shots);
   json["saves"] = or_null(f.saves);
   json["goals_against"] = or_null(f.goals_against);
@@ -124,6 +118,15 @@ void print_row(const char* what, const std::optional<T>& value, const char* unit
     std::printf("  %-38s %10.2f %s\n", what, *value, unit);
   } else {
     std::printf("  %-38s %10lld %s\n", what, static_cast<long long>(*value), unit);
+  }
+}
+
+void print_row(const char* what, const std::optional<LoggedLatency>& latency) {
+  if (!latency) {
+    std::printf("  %-38s %10s\n", what, "-");
+  } else {
+    std::printf("  %-38s %10lld %10lld %10lld us\n", what, static_cast<long long>(latency->p50_us),
+                static_cast<long long>(latency->p99_us), static_cast<long long>(latency->max_us));
   }
 }
 
@@ -151,7 +154,9 @@ DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
         static_cast<double>(estimates.size() - 1) / (static_cast<double>(span_us) * 1e-6);
   }
   score(game, estimates, figures);
-  measure_latency(estimates, figures);
+  figures.packet_to_estimate = game.latency("puck-tracker", "packet_to_estimate");
+  figures.sensor_to_estimate = game.latency("puck-tracker", "sensor_to_estimate");
+  figures.backlog = game.latency("puck-tracker", "backlog");
   if (game.last_truth) {
     figures.shots = game.last_truth->shots;
     figures.saves = game.last_truth->saves;
@@ -177,8 +182,10 @@ void print(const DemoFigures& f) {
   print_row("error against truth, mean", f.mean_px, "px");
   print_row("error against truth, 95 %", f.p95_px, "px");
   print_row("puck lost", f.lost_percent, "%");
-  print_row("packet received to estimate, median", f.packet_to_estimate_p50_us, "us");
-  print_row("packet received to estimate, 99 %", f.packet_to_estimate_p99_us, "us");
+  std::printf("%-40s %10s %10s %10s\n", "Latency", "median", "99 %", "longest");
+  print_row("packet received to estimate", f.packet_to_estimate);
+  print_row("event at the sensor to estimate", f.sensor_to_estimate);
+  print_row("received but not on the surface yet", f.backlog);
   std::printf("Game\n");
   print_row("shots at the robot's goal", f.shots, "");
   print_row("saves", f.saves, "");

@@ -18,8 +18,10 @@ struct DemoFigures {
   std::optional<double> mean_px;
   std::optional<double> p95_px;
   std::optional<double> lost_percent;
-  std::optional<std::int64_t> packet_to_estimate_p50_us;
-  std::optional<std::int64_t> packet_to_estimate_p99_us;
+  // As the tracker measures them; its STATUS says more exactly what each is.
+  std::optional<LoggedLatency> packet_to_estimate;
+  std::optional<LoggedLatency> sensor_to_estimate;
+  std::optional<LoggedLatency> backlog;
   std::optional<std::int64_t> shots;
   std::optional<std::int64_t> saves;
   std::optional<std::int64_t> goals_against;

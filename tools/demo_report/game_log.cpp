@@ -16,6 +16,16 @@ bool take_as(const LogRecord& record, const Take& take) {
   return true;
 }
 
+template <typename Value>
+std::optional<Value> find(const std::map<std::string, std::map<std::string, Value>>& values,
+                          const std::string& service, const std::string& name) {
+  const auto of_service = values.find(service);
+  if (of_service == values.end()) return std::nullopt;
+  const auto value = of_service->second.find(name);
+  if (value == of_service->second.end()) return std::nullopt;
+  return value->second;
+}
+
 bool take_record(Channel channel, const LogRecord& record, GameLog& log) {
   switch (channel) {
     case Channel::kEstimate:
@@ -34,6 +44,12 @@ bool take_record(Channel channel, const LogRecord& record, GameLog& log) {
         for (std::size_t i = 0; i < m.counter_name.size(); ++i) {
           counters[m.counter_name[i]] = m.counter_value[i];
         }
+        auto& latencies = log.latencies[m.service];
+        for (std::size_t i = 0; i < m.latency_name.size(); ++i) {
+          if (m.latency_samples[i] == 0) continue;
+          latencies[m.latency_name[i]] = {m.latency_p50_us[i], m.latency_p99_us[i],
+                                          m.latency_max_us[i]};
+        }
       });
     case Channel::kEvents:
     case Channel::kTrajectory:
@@ -49,11 +65,12 @@ bool take_record(Channel channel, const LogRecord& record, GameLog& log) {
 
 std::optional<std::int64_t> GameLog::counter(const std::string& service,
                                              const std::string& name) const {
-  const auto of_service = counters.find(service);
-  if (of_service == counters.end()) return std::nullopt;
-  const auto value = of_service->second.find(name);
-  if (value == of_service->second.end()) return std::nullopt;
-  return value->second;
+  return find(counters, service, name);
+}
+
+std::optional<LoggedLatency> GameLog::latency(const std::string& service,
+                                              const std::string& name) const {
+  return find(latencies, service, name);
 }
 
 GameLog read_game_log(const std::filesystem::path& path) {

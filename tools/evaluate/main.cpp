@@ -42,6 +42,7 @@ struct Options {
   std::string preset = "default";
   std::string detection_region;
   std::vector<std::string> without;
+  bool roi_only = false;
   double rate_hz = 1000;
   bool real_time = false;
   bool as_fast_as_possible = false;
@@ -76,6 +77,8 @@ void add_options(CLI::App& app, Options& options) {
       },
       "print what --without takes, and stop");
   app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
+  app.add_flag("--roi-only", options.roi_only,
+               "while there is a track, keep only its region of the surface up to date");
   auto* rate = app.add_option("--rate", options.rate_hz, "estimates a second of sensor time")
                    ->check(number_range(1, 1e6))
                    ->capture_default_str();
@@ -130,6 +133,7 @@ void evaluate(const Options& options) {
   setup.size_model = read_size_model_file(calibration);
   setup.contour = read_contour_calibration(calibration).value_or(ContourCalibration{});
   setup.without = options.without;
+  setup.roi_only = options.roi_only;
   for (const std::string& doubt : doubts_about(setup.size_model, events->sensor_size())) {
     std::fprintf(stderr, "puck-evaluate: %s\n", doubt.c_str());
   }

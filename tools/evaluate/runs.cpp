@@ -8,10 +8,8 @@
 #include <string>
 #include <thread>
 
-#include "common/runtime/shared_surface.h"
-#include "common/runtime/tracking_thread.h"
-#include "common/vision/make_pipeline.h"
-#include "common/vision/puck_search.h"
+#include "common/runtime/latency_histogram.h"
+#include "common/runtime/live_tracker.h"
 #include "tools/evaluate/cpu_time.h"
 
 namespace puck {
@@ -149,20 +147,19 @@ RunSummary run_in_real_time(EventReader& events, const TrackerSetup& setup, cons
   LatencyHistogram latencies;
   Span span;
   if (setup.algorithm == Algorithm::kPuck) {
-    const PipelineParams params = setup.pipeline_params();
-    SharedSurface surface(sensor, params.eros);
     Timestamp newest{-1};
-    const TrackingThread thread(surface, make_pipeline(sensor, params, setup.size_model),
-                                PuckSearch(sensor, params, setup.size_model), {},
-                                [&](const TrackedEstimate& tracked) {
-                                  if (tracked.estimate.newest_event <= newest) return;
-                                  newest = tracked.estimate.newest_event;
-                                  const std::int64_t latency = us_since(tracked.origin.received);
-                                  latencies.record(latency);
-                                  on_tick({newest, tracked.estimate, latency});
-                                });
+    LiveTracker tracker(sensor, setup.pipeline_params(), setup.size_model, {},
+                        [&](const TrackedEstimate& tracked) {
+                          // The first word rests on no event.
+                          if (tracked.estimate.events_applied == 0) return;
+                          if (tracked.estimate.newest_event <= newest) return;
+                          newest = tracked.estimate.newest_event;
+                          const std::int64_t latency = us_since(tracked.origin.received);
+                          latencies.record(latency);
+                          on_tick({newest, tracked.estimate, latency});
+                        });
     play(events, span, [&](const EventPacket& packet) {
-      surface.update(packet, {.received = steady_clock::now()});
+      tracker.surface.update(packet, {.received = steady_clock::now()});
     });
   } else {
     const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(sensor);
@@ -195,12 +192,9 @@ RunSummary run_as_fast_as_possible(EventReader& events, const TrackerSetup& setu
     }
   };
   if (setup.algorithm == Algorithm::kPuck) {
-    const PipelineParams params = setup.pipeline_params();
-    SharedSurface surface(sensor, params.eros);
-    const TrackingThread thread(surface, make_pipeline(sensor, params, setup.size_model),
-                                PuckSearch(sensor, params, setup.size_model), {},
-                                [](const TrackedEstimate&) {});
-    feed([&](const EventPacket& p) { surface.update(p, {}); });
+    LiveTracker tracker(sensor, setup.pipeline_params(), setup.size_model, {},
+                        [](const TrackedEstimate&) {});
+    feed([&](const EventPacket& p) { tracker.surface.update(p, {}); });
   } else {
     const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(sensor);
     feed([&](const EventPacket& p) {

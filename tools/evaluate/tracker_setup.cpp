@@ -48,6 +48,10 @@ PipelineParams TrackerSetup::pipeline_params() const {
   PipelineParams params = preset_params(preset);
   if (detection_region) params.detector.region = *detection_region;
   params.contour.calibration = contour;
+  params.roi_only = roi_only;
+  if (roi_only && algorithm != Algorithm::kPuck) {
+    throw std::invalid_argument("--roi-only needs algorithm puck: the others have no such region");
+  }
   if (!without.empty() && (algorithm != Algorithm::kPuck || !params.follows_contour)) {
     throw std::invalid_argument("--without " + without.front() +
                                 " needs preset default: nothing else is made of ingredients");

@@ -30,6 +30,7 @@ struct TrackerSetup {
   std::optional<Region> detection_region;  ///< Instead of the preset's.
   /// Names in kContourIngredients: what the preset `default` is to do without.
   std::vector<std::string> without;
+  bool roi_only = false;  ///< PipelineParams::roi_only.
 
   /// The preset's parameters with all of that put in. Throws std::invalid_argument when there is no
   /// ingredient of a name in `without`.

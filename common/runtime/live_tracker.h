@@ -1,0 +1,28 @@
+#pragma once
+
+#include <utility>
+
+#include "common/events/sensor_size.h"
+#include "common/runtime/shared_surface.h"
+#include "common/runtime/tracking_thread.h"
+#include "common/vision/make_pipeline.h"
+#include "common/vision/puck_search.h"
+
+namespace puck {
+
+/// A surface and the thread that looks at it, for one run of one camera: the paper's Figure 2 but
+/// for its first thread, which is the one that calls `surface.update()`.
+struct LiveTracker {
+  /// Starts the thread. Throws std::invalid_argument, naming the key, when a parameter is out of
+  /// range.
+  LiveTracker(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
+              const TrackingThreadParams& thread_params, TrackingThread::Publish publish)
+      : surface(sensor, params.eros, params.roi_only),
+        thread(surface, make_pipeline(sensor, params, size_model),
+               PuckSearch(sensor, params, size_model), thread_params, std::move(publish)) {}
+
+  SharedSurface surface;
+  TrackingThread thread;
+};
+
+}  // namespace puck

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "common/events/event.h"
+#include "common/vision/region.h"
+
+namespace puck {
+
+/// Copies the events inside `region`, in order, to `out`, which has room for all of them and
+/// kCopySlack more; returns how many they are. Uses the widest vectors that the machine has, and no
+/// branch an event: where events lie is chance to the processor, and wrong guesses would cost more
+/// than the rest of the work.
+inline constexpr std::size_t kCopySlack = 8;
+std::size_t copy_inside(std::span<const Event> events, const Region& region, Event* out);
+/// The same, event by event: what copy_inside() must do.
+std::size_t copy_inside_one_by_one(std::span<const Event> events, const Region& region, Event* out);
+
+/// Calls `use(std::span<const Event>)` with the events inside `region`, in order, a few hundred at
+/// a time, and only where there are any.
+template <typename Use>
+void for_inside(std::span<const Event> events, const Region& region, Use&& use) {
+  constexpr std::size_t kAtOnce = 512;
+  // Not an array of events, which would be cleared each time.
+  alignas(Event) std::array<std::byte, (kAtOnce + kCopySlack) * sizeof(Event)> room;
+  auto* const inside = reinterpret_cast<Event*>(room.data());
+  while (!events.empty()) {
+    const std::span<const Event> part = events.first(std::min(events.size(), kAtOnce));
+    const std::size_t count = copy_inside(part, region, inside);
+    if (count > 0) use(std::span<const Event>(inside, count));
+    events = events.subspan(part.size());
+  }
+}
+
+/// `out` becomes the events inside `region`, in order.
+void keep_inside(std::span<const Event> events, const Region& region, std::vector<Event>& out);
+
+/// Whether any event lies inside `region`.
+bool any_inside(std::span<const Event> events, const Region& region);
+
+}  // namespace puck

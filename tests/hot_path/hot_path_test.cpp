@@ -1,0 +1,128 @@
+// What happens for every event and every estimate asks nobody for memory. (A search may: it has a
+// thread of its own, and nobody waits for it.)
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/runtime/live_tracker.h"
+#include "common/vision/presets.h"
+#include "tests/hot_path/counted_allocations.h"
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{640, 480};
+// Grows from 19 to 49 px in width as it comes nearer.
+constexpr PuckSizeModel kSizeModel{10, 0, 0.1, 6, 0, 0.065};
+constexpr std::int64_t kPacketUs = 1000;
+constexpr int kWarmUpPackets = 500;
+constexpr int kPackets = 1000;
+
+// To and fro across the image, and towards the camera all the while.
+Pixel puck_at(double t_s) { return {320 + 180 * std::sin(3 * t_s), 90 + 200 * t_s}; }
+
+bool covers(Pixel centre, int x, int y) {
+  const PuckSize size = kSizeModel.at(centre);
+  return std::hypot((x - centre.x) / (size.width / 2), (y - centre.y) / (size.height / 2)) < 1;
+}
+
+// A dark puck on a bright table: an event of every pixel that it covers or uncovers.
+EventPacket packet_of(int number) {
+  constexpr int kSteps = 5;
+  constexpr int kReach = 60;
+  const std::int64_t start_us = number * kPacketUs;
+  EventPacket packet{{start_us}, {}};
+  for (int step = 0; step < kSteps; ++step) {
+    const std::int64_t offset_us = step * kPacketUs / kSteps;
+    const double t_s = static_cast<double>(start_us + offset_us) * 1e-6;
+    const Pixel before = puck_at(t_s);
+    const Pixel after = puck_at(t_s + 1e-6 * kPacketUs / kSteps);
+    const int left = static_cast<int>(before.x) - kReach;
+    const int top = static_cast<int>(before.y) - kReach;
+    for (int y = std::max(top, 0); y < std::min(top + 2 * kReach, kSensor.height); ++y) {
+      for (int x = std::max(left, 0); x < std::min(left + 2 * kReach, kSensor.width); ++x) {
+        const bool was = covers(before, x, y);
+        if (was == covers(after, x, y)) continue;
+        packet.events.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                                 static_cast<std::uint16_t>(was ? 1 : 0),
+                                 static_cast<std::uint32_t>(offset_us)});
+      }
+    }
+  }
+  return packet;
+}
+
+// What the tracking thread has said so far.
+struct Said {
+  std::atomic<std::int64_t> newest_us{-1};
+  std::atomic<int> estimates{0};
+  std::atomic<int> tracked{0};
+  std::atomic<std::int64_t> allocations{0};  // the tracking thread's own
+
+  void hear(const TrackedEstimate& tracked_estimate) {
+    allocations = test::own_allocations();
+    newest_us = tracked_estimate.estimate.newest_event.us;
+    ++estimates;
+    if (tracked_estimate.estimate.state == TrackState::kTracking) ++tracked;
+  }
+};
+
+// Hands the packets over, each when the one before is answered, or after 5 ms: one without an event
+// in the region is not.
+void play(SharedSurface& surface, const Said& said, const std::vector<EventPacket>& packets,
+          std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    surface.update(packets[i], {.session = 1});
+    for (int k = 0; k < 100 && said.newest_us < packets[i].newest().us; ++k) {
+      std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("what asks for memory is counted") {
+  const std::int64_t before = test::own_allocations();
+  const auto memory = std::make_unique<int>(1);
+  const std::vector<int> more(10);
+  CHECK(test::own_allocations() - before == 2);
+}
+
+TEST_CASE("a second of tracking asks for no memory, neither thread") {
+  std::vector<EventPacket> packets;
+  for (int i = 0; i < kWarmUpPackets + kPackets; ++i) {
+    EventPacket packet = packet_of(i + 1);
+    if (!packet.empty()) packets.push_back(std::move(packet));
+  }
+  REQUIRE(packets.size() > kPackets);
+  for (const Preset preset : {Preset::kDefault, Preset::kReference, Preset::kCorrelation}) {
+    CAPTURE(static_cast<int>(preset));
+    PipelineParams params = preset_params(preset);
+    // Everywhere, not only where the authors' robot had it.
+    params.detector.region = {};
+    Said said;
+    LiveTracker tracker(kSensor, params, kSizeModel, {.max_publish_hz = 100'000},
+                        [&](const TrackedEstimate& estimate) { said.hear(estimate); });
+    play(tracker.surface, said, packets, 0, kWarmUpPackets);
+    REQUIRE(said.tracked > 0);
+    const int estimates_before = said.estimates;
+    const int tracked_before = said.tracked;
+    const std::int64_t tracking_before = said.allocations;
+    const std::int64_t events_before = test::own_allocations();
+    play(tracker.surface, said, packets, kWarmUpPackets, packets.size());
+    CHECK(test::own_allocations() == events_before);
+    CHECK(said.allocations == tracking_before);
+    // That much was done meanwhile.
+    CHECK(said.estimates - estimates_before > kPackets / 50);
+    CHECK(said.tracked - tracked_before > kPackets / 50);
+  }
+}
+
+}  // namespace puck

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include <hwy/targets.h>
+
+namespace puck {
+
+/// Calls `test(name)` once with each instruction set that this machine has and the code was
+/// compiled for, forced to be the one that is used.
+template <typename Test>
+void with_each_simd_target(Test&& test) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    test(std::string(hwy::TargetName(target)));
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+}  // namespace puck

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <spdlog/sinks/null_sink.h>
+
+#include "common/messaging/event_packing.h"
+#include "services/tracker/tracker_service.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck::test {
+
+// Small, so that a search of all of it is quick under a sanitizer too.
+inline constexpr SensorSize kSensor{160, 120};
+
+// A tracker on a bus of its own. The test publishes on the same bus, from its own thread.
+class RunningTracker {
+ public:
+  explicit RunningTracker(const std::string& settings = "") {
+    // The rings that these tests show have no motion, from which `default` knows a puck.
+    Config config =
+        Config::from_text("[tracker]\npreset = \"correlation\"\n" + settings, "tracker.toml");
+    TrackerServiceParams params = TrackerService::read_params(config);
+    params.size_model = {25, 0, 0, 17, 0, 0};
+    bus_.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate, const Receipt&) {
+      const std::lock_guard lock(mutex_);
+      estimates_.push_back(estimate);
+    });
+    service_ = std::make_unique<TrackerService>(params, context_);
+    REQUIRE(bus_.start({}, [](const std::string&) {}));
+    thread_ = std::jthread([this](const std::stop_token& stop) { service_->run(stop); });
+  }
+
+  void publish(const EventPacket& events, std::int64_t sensor_zero_utime = 0) {
+    packer_.pack(events.start, events.events, [&](event_packet_t& packet) {
+      packet.sensor_zero_utime = sensor_zero_utime;
+      bus_.publish(packet);
+    });
+  }
+
+  // Sends a packet as it stands, whatever its header says of its order.
+  void publish_raw(event_packet_t packet) { bus_.publish(packet); }
+
+  std::vector<puck_estimate_t> estimates() const {
+    const std::lock_guard lock(mutex_);
+    return estimates_;
+  }
+
+  template <typename Condition>
+  bool eventually(const Condition& condition) const {
+    for (int i = 0; i < 10'000; ++i) {
+      const auto all = estimates();
+      if (!all.empty() && condition(all.back())) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return false;
+  }
+
+  Bus& bus() { return bus_; }
+  void stop() {
+    thread_.request_stop();
+    thread_.join();
+  }
+  const TrackerService& service() const { return *service_; }
+
+ private:
+  Bus bus_{{.url = "memq://"}};
+  StatusReporter status_{bus_, "puck-tracker"};
+  spdlog::logger log_{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
+  RateLimitedLog limited_log_{log_};
+  BusWatch bus_watch_{bus_, log_};
+  ServiceContext context_{bus_, status_, log_, limited_log_, bus_watch_};
+  EventPacker packer_{{.sensor = kSensor, .packet_bytes = 60000}};
+  mutable std::mutex mutex_;
+  std::vector<puck_estimate_t> estimates_;
+  std::unique_ptr<TrackerService> service_;
+  std::jthread thread_;
+};
+
+inline EventPacket puck_at(Pixel centre, std::int64_t t_us) {
+  return {{t_us}, contour_events(kSensor, centre, {25, 17}, 150)};
+}
+
+inline std::int64_t counter(const TrackerService& service, const std::string& name) {
+  StatusReport report;
+  service.report(report);
+  for (const auto& [key, value] : report.counters) {
+    if (key == name) return value;
+  }
+  return -1;
+}
+
+}  // namespace puck::test

@@ -1,0 +1,142 @@
+#include "common/vision/kernel_sweep.h"
+
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/correlation.h"
+#include "common/vision/gaussian_blur.h"
+#include "common/vision/kernel_bank.h"
+#include "common/vision/presets.h"
+#include "tests/support/simd_targets.h"
+#include "tests/vision/noise_picture.h"
+
+namespace puck {
+namespace {
+
+void show(RowSums& sums_of_rows, const Image<std::uint8_t>& picture) {
+  sums_of_rows.resize({0, 0, picture.width(), picture.height()});
+  const ImageView<std::uint8_t> pixels = sums_of_rows.pixels();
+  for (int y = 0; y < picture.height(); ++y) {
+    std::copy_n(picture.row(y), picture.width(), pixels.row(y));
+  }
+  sums_of_rows.sum_up();
+}
+
+// All candidates for which the kernel lies inside the picture.
+Region candidates_in(const Image<std::uint8_t>& picture, const EllipseKernel& kernel) {
+  return {kernel.anchor_x(), kernel.anchor_y(), picture.width() - kernel.width() + 1,
+          picture.height() - kernel.height() + 1};
+}
+
+void check_sums(const Image<std::uint8_t>& picture, const EllipseKernel& kernel) {
+  RowSums sums_of_rows;
+  show(sums_of_rows, picture);
+  const Region candidates = candidates_in(picture, kernel);
+  std::array<KernelSweep::Totals, 3> expected;
+  sum_plainly(sums_of_rows, kernel, candidates, expected);
+  KernelSweep sweep;
+  std::array<KernelSweep::Totals, 3> sums;
+  sweep.sweep(sums_of_rows, kernel, candidates, sums);
+  for (std::size_t shape = 0; shape < 3; ++shape) {
+    for (int y = candidates.y; y < candidates.bottom(); ++y) {
+      const bool same = std::equal(sums[shape].row(y), sums[shape].row(y) + candidates.width,
+                                   expected[shape].row(y));
+      REQUIRE(same);
+    }
+  }
+  if (!kernel.whole_weights()) return;
+  const EllipseKernel::WholeWeights w = *kernel.whole_weights();
+  const Region kept = candidates.inflated(-1).intersect(candidates);
+  KernelSweep::Totals totals;
+  const std::int32_t lowest = sweep.sweep(sums_of_rows, kernel, w, candidates, kept, totals);
+  std::int32_t expected_lowest = std::numeric_limits<std::int32_t>::max();
+  for (int y = candidates.y; y < candidates.bottom(); ++y) {
+    for (int x = 0; x < candidates.width; ++x) {
+      const std::int32_t total = w.canvas * expected[0].row(y)[x] +
+                                 w.outer * expected[1].row(y)[x] + w.inner * expected[2].row(y)[x];
+      expected_lowest = std::min(expected_lowest, total);
+      if (kept.contains(candidates.x + x, y)) {
+        REQUIRE(totals.row(y)[x - (kept.x - candidates.x)] == total);
+      }
+    }
+  }
+  CHECK(lowest == expected_lowest);
+}
+
+}  // namespace
+
+TEST_CASE("on every instruction set the sums over a kernel's shapes are those pixel by pixel") {
+  std::vector<KernelBank> banks;
+  for (const Preset preset : {Preset::kReference, Preset::kPaper, Preset::kCorrelation}) {
+    banks.emplace_back(preset_params(preset).kernels);
+  }
+  with_each_simd_target([&](const std::string& target) {
+    CAPTURE(target);
+    unsigned seed = 1;
+    for (const KernelBank& bank : banks) {
+      for (const PuckSize size : {PuckSize{7, 7}, {15, 7}, {29, 19}, {39, 35}}) {
+        const EllipseKernel& kernel = bank.nearest(size);
+        for (const int more : {0, 1, 5, 66}) {
+          check_sums(test::noise(kernel.width() + more, kernel.height() + more / 2, seed++),
+                     kernel);
+        }
+      }
+    }
+  });
+}
+
+TEST_CASE(
+    "on every instruction set nothing overflows on a white picture with the largest kernels") {
+  const KernelBank bank(preset_params(Preset::kCorrelation).kernels);
+  const EllipseKernel& largest = bank.nearest({1e9, 1e9});
+  REQUIRE(largest.width() == 91);
+  KernelProfile profile;
+  const EllipseKernel widest({128, 90, 64, 45, 63.5, 44.5, 64, 45}, profile);
+  REQUIRE(KernelSweep::can_sweep(widest));
+  Image<std::uint8_t> white(200, 110);
+  std::fill_n(white.row(0), 200 * 110, std::uint8_t{255});
+  // The lower half dark: every edge pixel changes by all that it can.
+  Image<std::uint8_t> half = white;
+  std::fill_n(half.row(55), 200 * 55, std::uint8_t{0});
+  with_each_simd_target([&](const std::string& target) {
+    CAPTURE(target);
+    for (const EllipseKernel* kernel : {&largest, &widest}) {
+      check_sums(white, *kernel);
+      check_sums(half, *kernel);
+    }
+  });
+}
+
+TEST_CASE("on every instruction set a blurred surface gives the same responses, at borders too") {
+  const Image<std::uint8_t> surface = test::noise(90, 70, 3);
+  const Region place{20, 10, 90, 70};
+  const KernelBank bank(preset_params(Preset::kReference).kernels);
+  GaussianBlur blur;
+  Image<std::uint8_t> blurred;
+  blur.apply(surface.view(), blurred);
+  for (const PuckSize size : {PuckSize{9, 9}, {28, 19}}) {
+    const EllipseKernel& kernel = bank.nearest(size);
+    for (const Region& candidates : {Region{10, 0, 110, 90}, {50, 30, 20, 15}, {15, 60, 7, 30}}) {
+      Correlation plain;
+      CorrelationMap expected;
+      plain.set_picture(blurred.view(), place);
+      hwy::SetSupportedTargetsForTest(HWY_STATIC_TARGET);
+      plain.correlate(kernel, candidates, expected);
+      with_each_simd_target([&](const std::string& target) {
+        CAPTURE(target);
+        Correlation correlation;
+        CorrelationMap map;
+        correlation.set_surface(surface.view(), place);
+        correlation.correlate(kernel, candidates, map);
+        for (int y = 0; y < candidates.height; ++y) {
+          for (int x = 0; x < candidates.width; ++x) {
+            REQUIRE(map.response(x, y) == expected.response(x, y));
+          }
+        }
+      });
+    }
+  }
+}
+
+}  // namespace puck
