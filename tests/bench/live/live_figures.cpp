@@ -1,0 +1,133 @@
+#include "tests/bench/live/live_figures.h"
+
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+namespace puck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void print_cpu(const CpuLoad& cpu) {
+  for (const auto& [service, percent] : cpu) std::printf("  %s %.0f %%", service.c_str(), percent);
+  std::printf("\n");
+}
+
+void print(const TransportRun& run) {
+  std::printf("  %4.0f Mev/s: %5.1f sent, %lld lost of %lld", run.wanted_mev_s, run.sent_mev_s,
+              static_cast<long long>(run.lost()), static_cast<long long>(run.events_sent));
+  std::printf(" (%lld on the way, the tracker counted %lld; %lld skipped)",
+              static_cast<long long>(run.lost_on_the_way),
+              static_cast<long long>(run.counted_by_tracker), static_cast<long long>(run.skipped));
+  std::printf(", camera %.1f ms late\n        ", static_cast<double>(run.late_us) * 1e-3);
+  print_cpu(run.cpu);
+}
+
+void print(const char* what, const std::optional<LatencySummary>& latency) {
+  if (!latency) return;
+  std::printf("  %-20s p50 %6lld, p99 %6lld, most %6lld us (%lld)\n", what,
+              static_cast<long long>(latency->p50_us), static_cast<long long>(latency->p99_us),
+              static_cast<long long>(latency->max_us), static_cast<long long>(latency->samples));
+}
+
+void print(const FloodRun& run) {
+  std::printf("Flood: %.1f Mev/s sent, %.1f taken; %lld events skipped, %lld lost\n",
+              run.sent_mev_s, run.taken_mev_s, static_cast<long long>(run.skipped),
+              static_cast<long long>(run.lost));
+  std::printf("  the tracker's memory %.0f MB, at the end %.0f MB\n", run.first_mb, run.last_mb);
+  std::printf("  estimates were up to %.0f ms old; at the newest again after %.0f ms\n",
+              run.oldest_ms, run.recovery_ms);
+}
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+void add(Json& json, const std::string& name, const std::optional<LatencySummary>& latency) {
+  json[name + "_p50_us"] = latency ? Json(latency->p50_us) : Json(nullptr);
+  json[name + "_p99_us"] = latency ? Json(latency->p99_us) : Json(nullptr);
+}
+
+Json to_json(const LiveFigures& f) {
+  Json json;
+  const bool has_transport = !f.transport.empty();
+  json["lcm_lossless_mev_s"] =
+      has_transport ? Json(highest_lossless_mev_s(f.transport)) : Json(nullptr);
+  json["lcm_lost"] = has_transport ? Json(f.transport.front().lost()) : Json(nullptr);
+  json["estimate_rate_hz"] = or_null(f.estimate_rate_hz);
+  json["estimate_rate_unlimited_hz"] = or_null(f.estimate_rate_unlimited_hz);
+  add(json, "machine_wake", f.machine_wake);
+  add(json, "packet_to_estimate", f.packet_to_estimate);
+  add(json, "sensor_to_estimate", f.sensor_to_estimate);
+  add(json, "backlog", f.backlog);
+  json["still_scene_cpu_percent"] = or_null(f.still_scene_cpu_percent);
+  add(json, "wake", f.wake);
+  json["flood_recovery_ms"] = f.flood ? Json(f.flood->recovery_ms) : Json(nullptr);
+  json["flood_growth_mb"] = f.flood ? Json(f.flood->last_mb - f.flood->first_mb) : Json(nullptr);
+  return json;
+}
+
+}  // namespace
+
+bool TransportRun::is_lossless() const {
+  constexpr double kAsFast = 0.98;
+  return lost() == 0 && counted_by_tracker == 0 && sent_mev_s >= kAsFast * wanted_mev_s;
+}
+
+double highest_lossless_mev_s(const std::vector<TransportRun>& runs) {
+  double highest = 0;
+  for (const TransportRun& run : runs) {
+    if (!run.is_lossless()) break;
+    highest = run.wanted_mev_s;
+  }
+  return highest;
+}
+
+void print(const LiveFigures& f) {
+  if (!f.transport.empty()) {
+    std::printf("Camera to tracker over LCM, %s in a loop\n", f.recording.c_str());
+    for (const TransportRun& run : f.transport) print(run);
+    std::printf("  highest rate with nothing lost: %.0f Mev/s\n",
+                highest_lossless_mev_s(f.transport));
+  }
+  if (f.packet_to_estimate) {
+    std::printf("At 1 Mev/s\n");
+    print("machine: a wake-up", f.machine_wake);
+    print("packet to estimate", f.packet_to_estimate);
+    print("sensor to estimate", f.sensor_to_estimate);
+    print("backlog", f.backlog);
+    print_cpu(f.cpu_at_1_mev_s);
+  }
+  if (f.estimate_rate_hz) {
+    std::printf("Estimates while events come: %.0f Hz at the default limit of 5000",
+                *f.estimate_rate_hz);
+    if (f.estimate_rate_unlimited_hz) {
+      std::printf(", %.0f Hz without", *f.estimate_rate_unlimited_hz);
+    }
+    std::printf("\n");
+  }
+  if (f.still_scene_cpu_percent) {
+    std::printf("Still scene, 10 kev/s of noise, puck %s\n",
+                f.still_scene_tracked ? "tracked" : "NOT TRACKED");
+    std::printf(
+        "  tracker and camera: %.1f %% of a core; they wake up %.0f and %.0f times a second\n",
+        *f.still_scene_cpu_percent, f.still_scene_tracker_wake_ups_hz,
+        f.still_scene_camera_wake_ups_hz);
+    print_cpu(f.still_scene_cpu);
+    print("event to waking up", f.wake);
+  }
+  if (f.flood) print(*f.flood);
+}
+
+void write_json(const LiveFigures& figures, const std::filesystem::path& path) {
+  std::ofstream file(path);
+  file << to_json(figures).dump(2) << '\n';
+  file.close();
+  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+}  // namespace puck

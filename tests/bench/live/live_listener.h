@@ -1,0 +1,65 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+
+#include "common/messaging/bus.h"
+
+namespace puck {
+
+/// The benchmark was stopped by a signal.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Estimates heard since a moment.
+struct EstimateTally {
+  static constexpr std::int64_t kOldUs = 10'000;
+
+  std::int64_t first_seq = 0;
+  std::int64_t first_utime = 0;
+  puck_estimate_t newest{};
+  std::int64_t oldest_us = 0;       ///< Age of an estimate's newest event at publication, at most.
+  std::int64_t last_old_utime = 0;  ///< When one older than kOldUs was published last; 0: never.
+  std::int64_t heard = 0;
+  std::int64_t tracking = 0;  ///< Of these: with the puck tracked.
+
+  /// How many a second were published, heard or not; 0 while there are not two.
+  double rate_hz() const;
+};
+
+/// Hears what the services say on a bus, while it is told to listen. One thread.
+class LiveListener {
+ public:
+  /// Throws std::runtime_error when there is no way to the bus.
+  LiveListener(const std::string& url, std::stop_token stop);
+
+  /// Listens for so long. Throws Interrupted.
+  void listen(std::chrono::milliseconds time);
+  /// Listens until `condition` holds; false after `timeout`. Throws Interrupted.
+  bool until(const std::function<bool()>& condition, std::chrono::milliseconds timeout);
+
+  /// The newest STATUS of a service; nothing while it has not spoken.
+  const service_status_t* status(const std::string& service) const;
+  /// From the newest STATUS; 0 where that does not have it.
+  std::int64_t counter(const std::string& service, const std::string& name) const;
+
+  const EstimateTally& estimates() const { return estimates_; }
+  void forget_estimates() { estimates_ = {}; }
+
+ private:
+  void hear(const puck_estimate_t& estimate);
+
+  std::stop_token stop_;
+  Bus bus_;
+  std::map<std::string, service_status_t> statuses_;
+  EstimateTally estimates_;
+};
+
+}  // namespace puck

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "tests/bench/live/live_listener.h"
+#include "tests/support/child_process.h"
+#include "tests/support/process_usage.h"
+#include "tests/support/temporary_folder.h"
+
+namespace puck {
+
+struct LiveSetup {
+  std::filesystem::path bin;     ///< Where the services are.
+  std::filesystem::path source;  ///< Root of the project: their settings name files from there.
+  std::stop_token stop;
+};
+
+/// Percentages of a core by service.
+using CpuLoad = std::map<std::string, double>;
+
+/// The five services as processes, on a bus of their own on this machine, as long as this object
+/// lives. They run with their shipped settings and those given, KEY=VALUE. One thread.
+class LiveSystem {
+ public:
+  /// Starts all but the camera and waits until they speak. Throws std::runtime_error, with the last
+  /// of what it said, when one does not; Interrupted.
+  explicit LiveSystem(const LiveSetup& setup, const std::vector<std::string>& tracker = {});
+  ~LiveSystem();
+
+  /// The same for the camera.
+  void start_camera(const std::vector<std::string>& settings);
+
+  const std::string& url() const { return url_; }
+  pid_t pid(const std::string& service) const { return services_.at(service)->pid(); }
+
+  /// Joins the bus. While nobody listens, the services are not disturbed by one more receiver.
+  LiveListener& listener();
+  void stop_listening() { listener_.reset(); }
+
+  /// Lets them run and watches what they use meanwhile. Throws when one ends.
+  CpuLoad watch(std::chrono::milliseconds time);
+  /// How often a second the threads of a service woke up, during the last watch.
+  double wake_ups_hz(const std::string& service) const { return wake_ups_hz_.at(service); }
+
+  /// Ends the camera and waits for its last STATUS, and until the tracker has got what came.
+  void stop_camera();
+
+ private:
+  struct Watch {
+    std::chrono::steady_clock::time_point began;
+    std::map<std::string, ProcessUsage> usage;
+  };
+
+  void start(const std::string& name, const std::vector<std::string>& settings);
+  void await(const std::vector<std::string>& names);
+  void check_alive();
+  Watch begin_watch();
+  CpuLoad end_watch(const Watch& watch);
+
+  LiveSetup setup_;
+  TemporaryFolder folder_;
+  std::string url_;
+  std::map<std::string, double> wake_ups_hz_;
+  std::map<std::string, std::unique_ptr<ChildProcess>> services_;
+  std::optional<LiveListener> listener_;
+};
+
+}  // namespace puck
