@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <condition_variable>
-#include <cstring>
 #include <mutex>
 #include <random>
 
-#include <lcm/lcm.h>
-
 #include "common/messaging/host_time.h"
-#include "common/messaging/multicast_route.h"
-#include "common/messaging/queue_bound.h"
-#include "common/messaging/receive_filter.h"
+#include "common/messaging/memory_transport.h"
+#include "common/messaging/udp_transport.h"
+#include "common/messaging/wire_layout.h"
 
 namespace puck {
 namespace {
@@ -25,41 +21,11 @@ constexpr milliseconds kRouteRetry{200};
 constexpr std::chrono::seconds kWaitingReport{5};
 constexpr milliseconds kLongestDrain{50};
 
-// LCM's default of 30 loses messages at 7000 a second; without a limit, a reader that hangs eats
-// the memory, and LCM takes up to thrice as much as it holds. So many messages are 0.5 s of EVENTS
-// in single frames at 10 Mev/s, and so many bytes 0.8 s in 60 kB packets.
-constexpr std::size_t kQueueBytes = std::size_t{32} << 20;
-constexpr int kEventQueue = 16384;
-constexpr int kQueue = 1024;
-// A log shall hold everything, also when the disk is slow for a while.
-constexpr std::size_t kLogQueueBytes = std::size_t{256} << 20;
-constexpr int kLogQueue = 16384;
-
-struct LcmDeleter {
-  void operator()(lcm_t* lcm) const { lcm_destroy(lcm); }
-};
-using LcmHandle = std::unique_ptr<lcm_t, LcmDeleter>;
-
 std::int64_t random_session() {
   // Below 2^53, so that it survives tools that keep numbers in doubles.
   std::random_device random;
   std::uniform_int_distribution<std::int64_t> ids(1, (std::int64_t{1} << 53) - 1);
   return ids(random);
-}
-
-Receipt receipt_of(const lcm_recv_buf_t& buffer) {
-  // LCM's stamp is older than now by the time in the queue; carried over to the clock that ages are
-  // judged by. A step of the real-time clock in between must not turn into an age.
-  constexpr std::int64_t kLongestQueue_us = 60'000'000;
-  const std::int64_t utime = host_utime();
-  const std::int64_t monotonic_us = host_monotonic_us();
-  std::int64_t queued_us = utime - buffer.recv_utime;
-  if (queued_us < 0 || queued_us > kLongestQueue_us) queued_us = 0;
-  return {utime - queued_us, monotonic_us - queued_us, buffer.data_size, Arrival::kNewest};
-}
-
-std::span<const std::uint8_t> bytes_of(const lcm_recv_buf_t& buffer) {
-  return {static_cast<const std::uint8_t*>(buffer.data), buffer.data_size};
 }
 
 /// Runs a handler; what it throws, as text.
@@ -79,71 +45,65 @@ std::optional<std::string> failure_of(const Call& call) {
 
 class Bus::Impl {
  public:
-  explicit Impl(const BusParams& params) : url_(parse_lcm_url(params.url)), prefix_(params.prefix) {
+  explicit Impl(const BusParams& params)
+      : url_(parse_lcm_url(params.url)),
+        prefix_(params.prefix),
+        beginning_(channel_beginning(params.prefix)),
+        allow_fragments_(params.allow_fragments) {
     check_prefix(prefix_);
     for (const Channel channel : kAllChannels) {
       Line& line = line_of(channel);
-      line.owner = this;
       line.channel = channel;
       line.counters.channel = channel_name(channel, prefix_);
-      if (channel == Channel::kEvents) line.queue = QueueBound(kQueueBytes, kEventQueue);
+      line.most_bytes = most_message_bytes(channel);
     }
   }
 
   /// Nothing when it worked, else why not.
   std::optional<std::string> open() {
-    if (!url_.in_memory) {
-      if (auto problem = find_route_problem(url_)) return problem;
+    std::unique_ptr<Transport> transport;
+    if (url_.in_memory) {
+      transport = std::make_unique<MemoryTransport>();
+    } else {
+      auto udp = std::make_unique<UdpTransport>(UdpTransportParams{url_, allow_fragments_});
+      if (auto problem = udp->open()) return problem;
+      transport = std::move(udp);
     }
-    const std::vector<int> others = sockets_at_port();
-    LcmHandle lcm(lcm_create(url_.to_string().c_str()));
-    // Asking for the file runs LCM's self-test; after a failed one its subscriptions are traps.
-    if (!lcm || lcm_get_fileno(lcm.get()) < 0) return "LCM does not start on " + url_.to_string();
     const std::lock_guard lock(publish_mutex_);
-    lcm_ = std::move(lcm);
-    find_receive_socket(others);
-    for (Line& line : lines_) join(line);
-    if (raw_handler_) join_all();
-    filter_what_comes();
+    transport_ = std::move(transport);
+    listen();
     return std::nullopt;
   }
 
   void add_handler(Channel channel, CheckedHandler handler) {
-    Line& line = line_of(channel);
-    line.handlers.push_back(std::move(handler));
-    if (!lcm_) return;
-    join(line);
-    filter_what_comes();
+    line_of(channel).handlers.push_back(std::move(handler));
+    listen();
   }
 
   void add_raw_handler(RawHandler handler) {
-    const bool first = !raw_handler_;
     raw_handler_ = std::move(handler);
-    if (!lcm_ || !first) return;
-    join_all();
-    filter_what_comes();
+    listen();
   }
 
   bool send(Channel channel, const Encoder& encode_with) {
     const std::lock_guard lock(publish_mutex_);
     Line& line = line_of(channel);
-    if (!lcm_) return count_failure(line, "the bus has not started");
+    if (!transport_) return count_failure(line, "the bus has not started");
     encode_with({host_utime(), session_, line.next_seq++}, buffer_);
     count_published(line);
     // What every receiver would reject is better refused here, where it can be seen.
     if (auto rejection = check_message(channel, buffer_)) return count_failure(line, *rejection);
-    const int status = lcm_publish(lcm_.get(), line.counters.channel.c_str(), buffer_.data(),
-                                   static_cast<unsigned>(buffer_.size()));
-    if (status < 0) return count_failure(line, std::strerror(errno));
+    if (auto problem = transport_->send(line.counters.channel, buffer_)) {
+      return count_failure(line, *problem);
+    }
     return true;
   }
 
   int handle(milliseconds timeout) {
-    if (!lcm_) return 0;
-    if (lcm_handle_timeout(lcm_.get(), static_cast<int>(timeout.count())) <= 0) return 0;
-    int handled = 1;
-    const auto end = SteadyClock::now() + kLongestDrain;
-    while (SteadyClock::now() < end && lcm_handle_timeout(lcm_.get(), 0) > 0) ++handled;
+    if (!transport_) return 0;
+    const int handled = transport_->receive(
+        timeout, kLongestDrain, [this](const ArrivedMessage& message) { receive(message); });
+    keep_network_counters();
     return handled;
   }
 
@@ -155,18 +115,21 @@ class Bus::Impl {
     return counters;
   }
 
+  TransportCounters network_counters() const {
+    const std::lock_guard lock(counters_mutex_);
+    return network_counters_;
+  }
+
   std::int64_t session() const { return session_; }
   const std::string& prefix() const { return prefix_; }
   const LcmUrl& url() const { return url_; }
 
  private:
-  /// All that belongs to one channel. LCM holds its address.
+  /// All that belongs to one channel.
   struct Line {
-    Impl* owner = nullptr;
     Channel channel{};
+    std::size_t most_bytes = 0;
     std::vector<CheckedHandler> handlers;
-    lcm_subscription_t* subscription = nullptr;  // nullptr: none
-    QueueBound queue{kQueueBytes, kQueue};
     std::int64_t next_seq = 0;  // Guarded by publish_mutex_.
     LossAccount account;        // Guarded by counters_mutex_, as are the counters.
     ChannelCounters counters;
@@ -174,88 +137,57 @@ class Bus::Impl {
 
   Line& line_of(Channel channel) { return lines_[static_cast<std::size_t>(channel)]; }
 
-  void join(Line& line) {
-    if (line.subscription != nullptr || line.handlers.empty()) return;
-    line.subscription =
-        lcm_subscribe(lcm_.get(), line.counters.channel.c_str(), &Impl::on_message, &line);
-    lcm_subscription_set_queue_capacity(line.subscription, line.queue.messages());
-  }
-
-  void join_all() {
-    const std::string pattern = (prefix_.empty() ? "" : prefix_ + "_") + "PUCK_.*";
-    raw_subscription_ = lcm_subscribe(lcm_.get(), pattern.c_str(), &Impl::on_raw_message, this);
-    lcm_subscription_set_queue_capacity(raw_subscription_, raw_queue_.messages());
-  }
-
-  std::vector<int> sockets_at_port() const {
-    if (url_.in_memory) return {};
-    return udp_sockets_at(static_cast<std::uint16_t>(url_.port));
-  }
-
-  // LCM does not tell its socket. It is the one that was not there before; when somebody else in
-  // this process has made one meanwhile, it cannot be told which is whose.
-  void find_receive_socket(const std::vector<int>& others) {
-    std::vector<int> ours = sockets_at_port();
-    std::erase_if(ours, [&](int socket) {
-      return std::find(others.begin(), others.end(), socket) != others.end();
+  Line* find_line(std::string_view name) {
+    const auto found = std::find_if(lines_.begin(), lines_.end(), [name](const Line& line) {
+      return line.counters.channel == name;
     });
-    if (ours.size() == 1) receive_socket_ = ours.front();
+    return found == lines_.end() ? nullptr : &*found;
   }
 
-  void filter_what_comes() {
-    if (!receive_socket_) return;
-    if (raw_handler_) {
-      remove_filter(*receive_socket_);
-      return;
-    }
-    std::vector<std::string> channels;
+  void listen() {
+    if (!transport_) return;
+    Listening listening{beginning_, static_cast<bool>(raw_handler_), {}};
     for (const Line& line : lines_) {
-      if (line.subscription != nullptr) channels.push_back(line.counters.channel);
+      if (!line.handlers.empty()) listening.channels.push_back(line.counters.channel);
     }
-    // Without a filter the same is heard, at a greater cost.
-    filter_channels(*receive_socket_, channels);
+    transport_->listen(listening);
   }
 
-  static void adapt(QueueBound& queue, std::size_t bytes, lcm_subscription_t* subscription) {
-    if (queue.add(bytes)) lcm_subscription_set_queue_capacity(subscription, queue.messages());
-  }
-
-  static void on_message(const lcm_recv_buf_t* buffer, const char*, void* line) noexcept {
-    auto& its_line = *static_cast<Line*>(line);
-    its_line.owner->receive(its_line, *buffer);
-  }
-
-  static void on_raw_message(const lcm_recv_buf_t* buffer, const char* channel,
-                             void* impl) noexcept {
-    auto& self = *static_cast<Impl*>(impl);
-    adapt(self.raw_queue_, buffer->data_size, self.raw_subscription_);
-    const auto failure =
-        failure_of([&] { self.raw_handler_(channel, bytes_of(*buffer), receipt_of(*buffer)); });
-    if (!failure) return;
-    if (const auto known = find_channel(channel, self.prefix_)) {
-      self.count_handler_failure(self.line_of(*known), *failure);
+  void receive(const ArrivedMessage& message) {
+    Receipt receipt{message.utime, message.monotonic_us, message.payload.size(), message.sender,
+                    Arrival::kNewest};
+    Line* line = find_line(message.channel);
+    if (raw_handler_) {
+      const auto failure =
+          failure_of([&] { raw_handler_(std::string(message.channel), message.payload, receipt); });
+      if (failure && line != nullptr) count_handler_failure(*line, *failure);
+    }
+    if (line == nullptr || line->handlers.empty() || !take(*line, message, receipt)) return;
+    for (const CheckedHandler& handler : line->handlers) {
+      const auto failure = failure_of([&] { handler(message.payload, receipt); });
+      if (failure) count_handler_failure(*line, *failure);
     }
   }
 
-  void receive(Line& line, const lcm_recv_buf_t& buffer) {
-    const auto bytes = bytes_of(buffer);
-    adapt(line.queue, bytes.size(), line.subscription);
-    Receipt receipt = receipt_of(buffer);
-    const auto rejection = check_message(line.channel, bytes);
-    {
-      const std::lock_guard lock(counters_mutex_);
-      line.counters.received_bytes += static_cast<std::int64_t>(bytes.size());
-      if (rejection) {
-        ++line.counters.rejected;
-        line.counters.last_rejection = *rejection;
-        return;
-      }
-      receipt.arrival = account(line, bytes);
+  /// Counts a message; whether it is a good one.
+  bool take(Line& line, const ArrivedMessage& message, Receipt& receipt) {
+    const bool is_oversize = message.payload.size() > line.most_bytes;
+    std::optional<std::string> rejection;
+    if (is_oversize) {
+      rejection = "has " + std::to_string(message.payload.size()) + " bytes, more than the " +
+                  std::to_string(line.most_bytes) + " that its type can have";
+    } else {
+      rejection = check_message(line.channel, message.payload);
     }
-    for (const CheckedHandler& handler : line.handlers) {
-      const auto failure = failure_of([&] { handler(bytes, receipt); });
-      if (failure) count_handler_failure(line, *failure);
+    const std::lock_guard lock(counters_mutex_);
+    line.counters.received_bytes += static_cast<std::int64_t>(message.payload.size());
+    if (rejection) {
+      ++(is_oversize ? line.counters.oversize : line.counters.rejected);
+      line.counters.last_rejection = *rejection + ", from " + to_string(message.sender);
+      return false;
     }
+    receipt.arrival = account(line, message.payload);
+    return true;
   }
 
   static Arrival account(Line& line, std::span<const std::uint8_t> bytes) {
@@ -263,6 +195,17 @@ class Bus::Impl {
     if (line.channel != Channel::kEvents) return line.account.add(header.session, header.seq);
     const EventNumbering numbering = read_event_numbering(bytes);
     return line.account.add(header.session, header.seq, numbering.events_before, numbering.events);
+  }
+
+  /// The transport's own may be read by the thread that handles only; copied when they have grown.
+  void keep_network_counters() {
+    const TransportCounters& now = transport_->counters();
+    if (now.malformed == network_counters_.malformed && now.foreign == network_counters_.foreign &&
+        now.rejoined == network_counters_.rejoined) {
+      return;
+    }
+    const std::lock_guard lock(counters_mutex_);
+    network_counters_ = now;
   }
 
   void count_handler_failure(Line& line, const std::string& what) {
@@ -285,6 +228,8 @@ class Bus::Impl {
 
   const LcmUrl url_;
   const std::string prefix_;
+  const std::string beginning_;  // Of all channels under the prefix.
+  const bool allow_fragments_;
   const std::int64_t session_ = random_session();
 
   std::mutex publish_mutex_;
@@ -293,10 +238,8 @@ class Bus::Impl {
 
   std::array<Line, kAllChannels.size()> lines_;
   RawHandler raw_handler_;
-  lcm_subscription_t* raw_subscription_ = nullptr;
-  QueueBound raw_queue_{kLogQueueBytes, kLogQueue};
-  std::optional<int> receive_socket_;  // LCM's
-  LcmHandle lcm_;                      // Last, so that it stops before what its callbacks use.
+  std::unique_ptr<Transport> transport_;
+  TransportCounters network_counters_;  // Written by the handling thread, under counters_mutex_.
 };
 
 Bus::Bus(const BusParams& params) : impl_(std::make_unique<Impl>(params)) {}
@@ -330,6 +273,8 @@ const std::string& Bus::prefix() const { return impl_->prefix(); }
 const LcmUrl& Bus::url() const { return impl_->url(); }
 
 ChannelCounters Bus::counters(Channel channel) const { return impl_->counters(channel); }
+
+TransportCounters Bus::network_counters() const { return impl_->network_counters(); }
 
 void Bus::add_handler(Channel channel, CheckedHandler handler) {
   impl_->add_handler(channel, std::move(handler));

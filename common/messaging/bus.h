@@ -17,12 +17,16 @@
 #include "common/messaging/lcm_url.h"
 #include "common/messaging/message_codec.h"
 #include "common/messaging/receipt.h"
+#include "common/messaging/transport.h"
 
 namespace puck {
 
 struct BusParams {
   std::string url = kDefaultLcmUrl;  ///< Key lcm.url.
   std::string prefix{};              ///< Key lcm.prefix: LEFT makes every channel LEFT_PUCK_…
+  /// Key lcm.allow_fragments: send and take messages that need several datagrams. None of ours
+  /// does, and the loss of one datagram is then the loss of many.
+  bool allow_fragments = false;
 };
 
 /// What came and went on one channel since the Bus was made.
@@ -31,7 +35,8 @@ struct ChannelCounters {
   LossCounters arrivals;              ///< Of the valid messages.
   std::int64_t received_bytes = 0;    ///< All bytes that came, valid or not.
   std::int64_t rejected = 0;          ///< Malformed, dropped.
-  std::string last_rejection;         ///< Why the newest of them was rejected.
+  std::int64_t oversize = 0;          ///< Larger than its type can be, dropped unread.
+  std::string last_rejection;         ///< Why the newest of both was dropped, and who sent it.
   std::int64_t handler_failures = 0;  ///< A handler threw: that message was not dealt with.
   std::string last_handler_failure;
   std::int64_t published = 0;         ///< Messages numbered, sent or not.
@@ -40,8 +45,8 @@ struct ChannelCounters {
 };
 
 /// The one place that talks LCM. Subscribes to messages that are checked whole before any handler
-/// sees them, publishes messages that carry session and number, and counts what is lost. Neither
-/// copied nor moved: LCM holds its address.
+/// sees them, publishes messages that carry session and number, and counts what is lost. Hears
+/// again by itself when the network was away. Neither copied nor moved.
 ///
 /// Subscribe first, then start(), then one thread calls handle() in a loop; handlers run on it and
 /// may publish but not subscribe.
@@ -105,6 +110,8 @@ class Bus {
   ChannelCounters counters() const {
     return counters(kChannelOf<Message>);
   }
+  /// Of what belongs to no channel of ours. Safe from any thread.
+  TransportCounters network_counters() const;
 
  private:
   using CheckedHandler = std::function<void(std::span<const std::uint8_t> bytes, const Receipt&)>;

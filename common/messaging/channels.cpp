@@ -36,6 +36,10 @@ std::string channel_name(Channel channel, std::string_view prefix) {
   return name.append(base_name(channel));
 }
 
+std::string channel_beginning(std::string_view prefix) {
+  return std::string(prefix) + (prefix.empty() ? "PUCK_" : "_PUCK_");
+}
+
 std::optional<Channel> find_channel(std::string_view name, std::string_view prefix) {
   for (const Channel channel : kAllChannels) {
     if (name == channel_name(channel, prefix)) return channel;

@@ -63,6 +63,9 @@ std::string_view base_name(Channel channel);
 /// `LEFT_PUCK_EVENTS` with prefix LEFT; `PUCK_EVENTS` with none.
 std::string channel_name(Channel channel, std::string_view prefix);
 
+/// `LEFT_PUCK_` with prefix LEFT: what the names of all channels of ours begin with.
+std::string channel_beginning(std::string_view prefix);
+
 /// The channel of ours that has this name under the prefix, if one has.
 std::optional<Channel> find_channel(std::string_view name, std::string_view prefix);
 

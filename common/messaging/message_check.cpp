@@ -18,21 +18,15 @@ constexpr std::size_t kMaxMessageBytes = std::size_t{1} << 20;
 constexpr std::size_t kFingerprintBytes = 8;
 constexpr std::size_t kMaxFields = 64;
 
-std::size_t bytes_of(WireKind kind) {
-  switch (kind) {
-    case WireKind::kInt8:
-    case WireKind::kBoolean:
-    case WireKind::kByte:
-      return 1;
-    case WireKind::kInt32:
-      return 4;
-    case WireKind::kInt64:
-    case WireKind::kDouble:
-      return 8;
-    case WireKind::kString:
-      return 5;  // Its length and its NUL at least.
+/// What a fingerprint that is not the one expected tells.
+std::string name_of_other(std::int64_t fingerprint) {
+  for (const Channel channel : kAllChannels) {
+    const WireLayout& layout = wire_layout(channel);
+    if (layout.fingerprint() == fingerprint) {
+      return "is expected, but this is " + std::string(layout.type);
+    }
   }
-  return 0;
+  return "has the fingerprint of another type, or of another version of its own";
 }
 
 /// Walks one message along its layout.
@@ -44,9 +38,8 @@ class Walk {
   Rejection run() {
     if (reader_.left() > kMaxMessageBytes) return rejection("is too large");
     if (!reader_.has(kFingerprintBytes)) return rejection("is cut off before its fingerprint");
-    if (reader_.whole<std::int64_t>() != layout_.fingerprint()) {
-      return rejection("has the fingerprint of another type");
-    }
+    const auto fingerprint = reader_.whole<std::int64_t>();
+    if (fingerprint != layout_.fingerprint()) return rejection(name_of_other(fingerprint));
     for (std::size_t i = 0; i < layout_.fields.size(); ++i) {
       if (auto bad = check_field(i)) return bad;
     }
@@ -61,7 +54,7 @@ class Walk {
     const WireField& field = layout_.fields[index];
     const std::size_t count = count_of(field);
     // Counts and sizes were bounded when they were read, so the product cannot wrap.
-    if (!reader_.has(count * bytes_of(field.kind))) return rejection(field, "is cut off");
+    if (!reader_.has(count * wire_bytes(field.kind))) return rejection(field, "is cut off");
     if (field.kind == WireKind::kByte) {
       reader_.take(count);
       return std::nullopt;

@@ -1,14 +1,9 @@
 #include "common/messaging/receive_filter.h"
 
 #include <cstddef>
-#include <cstdlib>
-#include <filesystem>
-#include <string_view>
-#include <system_error>
+#include <cstdint>
 
-#include <arpa/inet.h>
 #include <linux/filter.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 
 namespace puck {
@@ -16,19 +11,27 @@ namespace {
 
 // A filter sees the UDP header first, then LCM's: a magic word, a number, the channel with its
 // final zero.
-constexpr std::uint32_t kMagicAt = 8;
+constexpr std::uint32_t kUdpHeaderBytes = 8;
+constexpr std::uint32_t kMagicAt = kUdpHeaderBytes;
 constexpr std::uint32_t kChannelAt = kMagicAt + 8;
 constexpr std::uint32_t kWholeMessage = 0x4c433032;  // "LC02"
+constexpr std::uint32_t kFragment = 0x4c433033;      // "LC03"
+
 constexpr std::uint32_t kDrop = 0;
 constexpr std::uint32_t kKeepAll = 0xffffffff;
+constexpr std::uint32_t kKeepSome = kUdpHeaderBytes + 255;
+
+using Program = std::vector<sock_filter>;
 
 sock_filter statement(int code, std::uint32_t value) {
   return {static_cast<std::uint16_t>(code), 0, 0, value};
 }
 
-sock_filter jump_unless_equal(std::uint32_t value, std::size_t instructions) {
-  return {static_cast<std::uint16_t>(BPF_JMP | BPF_JEQ | BPF_K), 0,
-          static_cast<std::uint8_t>(instructions), value};
+sock_filter leave_with(std::uint32_t verdict) { return statement(BPF_RET | BPF_K, verdict); }
+
+sock_filter jump(std::uint32_t value, std::size_t if_equal, std::size_t if_not) {
+  return {static_cast<std::uint16_t>(BPF_JMP | BPF_JEQ | BPF_K),
+          static_cast<std::uint8_t>(if_equal), static_cast<std::uint8_t>(if_not), value};
 }
 
 std::uint32_t big_endian(std::string_view bytes) {
@@ -37,9 +40,17 @@ std::uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
-// Keeps the datagram when its channel has this name; else goes on behind this.
-void add_channel(const std::string& name, std::vector<sock_filter>& program) {
-  const std::string_view bytes(name.c_str(), name.size() + 1);
+// Goes on when the datagram is long enough to hold what is asked for: to load what is not there
+// would drop it.
+void add_length_check(std::size_t channel_bytes, std::uint32_t otherwise, Program& program) {
+  program.push_back(statement(BPF_LD | BPF_W | BPF_LEN, 0));
+  program.push_back({static_cast<std::uint16_t>(BPF_JMP | BPF_JGE | BPF_K), 1, 0,
+                     kChannelAt + static_cast<std::uint32_t>(channel_bytes)});
+  program.push_back(leave_with(otherwise));
+}
+
+// Leaves with a verdict when the channel begins with these bytes; else goes on behind this.
+void add_name(std::string_view bytes, std::uint32_t verdict, Program& program) {
   // Four at once, then one by one.
   std::size_t left = 2 * (bytes.size() / 4 + bytes.size() % 4) + 1;
   for (std::size_t at = 0; at < bytes.size();) {
@@ -48,49 +59,53 @@ void add_channel(const std::string& name, std::vector<sock_filter>& program) {
     program.push_back(statement(BPF_LD | (is_word ? BPF_W : BPF_B) | BPF_ABS,
                                 kChannelAt + static_cast<std::uint32_t>(at)));
     left -= 2;
-    program.push_back(jump_unless_equal(big_endian(bytes.substr(at, size)), left));
+    program.push_back(jump(big_endian(bytes.substr(at, size)), 0, left));
     at += size;
   }
-  program.push_back(statement(BPF_RET | BPF_K, kKeepAll));
+  program.push_back(leave_with(verdict));
 }
 
-bool is_udp_at(int socket, std::uint16_t port) {
-  int type = 0;
-  socklen_t size = sizeof type;
-  if (getsockopt(socket, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_DGRAM) {
-    return false;
-  }
-  sockaddr_in address{};
-  size = sizeof address;
-  return getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0 &&
-         address.sin_family == AF_INET && ntohs(address.sin_port) == port;
+// Goes on with whole messages; other datagrams leave with a verdict, fragments with theirs.
+void add_magic_check(std::uint32_t of_fragments, std::uint32_t otherwise, Program& program) {
+  program.push_back(statement(BPF_LD | BPF_W | BPF_ABS, kMagicAt));
+  program.push_back(jump(kWholeMessage, 3, 0));
+  program.push_back(jump(kFragment, 0, 1));
+  program.push_back(leave_with(of_fragments));
+  program.push_back(leave_with(otherwise));
 }
 
-}  // namespace
-
-std::vector<int> udp_sockets_at(std::uint16_t port) {
-  std::vector<int> sockets;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", error)) {
-    const int descriptor = std::atoi(entry.path().filename().c_str());
-    if (is_udp_at(descriptor, port)) sockets.push_back(descriptor);
-  }
-  return sockets;
-}
-
-bool filter_channels(int socket, const std::vector<std::string>& channels) {
-  std::vector<sock_filter> program{statement(BPF_LD | BPF_W | BPF_ABS, kMagicAt),
-                                   {BPF_JMP | BPF_JEQ | BPF_K, 1, 0, kWholeMessage},
-                                   statement(BPF_RET | BPF_K, kDrop)};
-  for (const std::string& channel : channels) add_channel(channel, program);
-  program.push_back(statement(BPF_RET | BPF_K, kDrop));
+bool attach(int socket, Program& program) {
   const sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
   return setsockopt(socket, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof filter) == 0;
 }
 
-void remove_filter(int socket) {
-  const int unused = 0;
-  setsockopt(socket, SOL_SOCKET, SO_DETACH_FILTER, &unused, sizeof unused);
+}  // namespace
+
+bool filter_channels(int socket, const std::vector<std::string>& channels, bool with_fragments) {
+  Program program;
+  add_magic_check(with_fragments ? kKeepAll : kDrop, kDrop, program);
+  for (const std::string& channel : channels) {
+    add_name({channel.c_str(), channel.size() + 1}, kKeepAll, program);
+  }
+  program.push_back(leave_with(kDrop));
+  return attach(socket, program);
+}
+
+bool filter_beginning(int socket, std::string_view beginning, bool with_fragments) {
+  Program program;
+  add_magic_check(with_fragments ? kKeepAll : kDrop, kDrop, program);
+  add_name(beginning, kKeepAll, program);
+  program.push_back(leave_with(kDrop));
+  return attach(socket, program);
+}
+
+bool filter_foreign(int socket, std::string_view beginning, bool with_fragments) {
+  Program program;
+  add_length_check(beginning.size(), kKeepSome, program);
+  add_magic_check(with_fragments ? kDrop : kKeepSome, kKeepSome, program);
+  add_name(beginning, kDrop, program);
+  program.push_back(leave_with(kKeepSome));
+  return attach(socket, program);
 }
 
 }  // namespace puck

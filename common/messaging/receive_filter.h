@@ -1,20 +1,22 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace puck {
 
-/// The sockets of this process that UDP datagrams for `port` come to.
-std::vector<int> udp_sockets_at(std::uint16_t port);
+// Filters in the kernel that keep a datagram of LCM away from a socket before it costs a wake-up.
+// Each replaces the one before it, and lets nothing through that is not named here. False, and the
+// socket as it was, when the kernel refuses.
 
-/// Lets only those datagrams through to a socket of LCM that hold a whole message on one of these
-/// channels. A multicast reaches every process; one that has no use for it is not even woken up.
-/// Takes the place of the socket's filter before. False when the system does not have it.
-bool filter_channels(int socket, const std::vector<std::string>& channels);
+/// Messages in one datagram on these channels, by their full name.
+bool filter_channels(int socket, const std::vector<std::string>& channels, bool with_fragments);
 
-/// Lets everything through again.
-void remove_filter(int socket);
+/// Messages in one datagram on channels whose name begins so: LEFT_PUCK_.
+bool filter_beginning(int socket, std::string_view beginning, bool with_fragments);
+
+/// Whatever the other two would never let through, cut off after 255 bytes.
+bool filter_foreign(int socket, std::string_view beginning, bool with_fragments);
 
 }  // namespace puck

@@ -271,10 +271,47 @@ constexpr std::array kLayouts{
 };
 static_assert(kLayouts.size() == kAllChannels.size());
 
+constexpr std::size_t kFingerprintBytes = 8;
+
+std::size_t most_count(const WireLayout& layout, const WireField& field) {
+  for (const WireField& count : layout.fields) {
+    if (count.name == field.count_field) return static_cast<std::size_t>(count.max);
+  }
+  return static_cast<std::size_t>(field.fixed_count);
+}
+
 }  // namespace
+
+std::size_t wire_bytes(WireKind kind) {
+  switch (kind) {
+    case WireKind::kInt8:
+    case WireKind::kBoolean:
+    case WireKind::kByte:
+      return 1;
+    case WireKind::kInt32:
+      return 4;
+    case WireKind::kInt64:
+    case WireKind::kDouble:
+      return 8;
+    case WireKind::kString:
+      return 5;
+  }
+  return 0;
+}
 
 const WireLayout& wire_layout(Channel channel) {
   return kLayouts[static_cast<std::size_t>(channel)];
+}
+
+std::size_t most_message_bytes(Channel channel) {
+  const WireLayout& layout = wire_layout(channel);
+  std::size_t bytes = kFingerprintBytes;
+  for (const WireField& field : layout.fields) {
+    const std::size_t text =
+        field.kind == WireKind::kString ? static_cast<std::size_t>(field.max) : 0;
+    bytes += most_count(layout, field) * (wire_bytes(field.kind) + text);
+  }
+  return bytes;
 }
 
 }  // namespace puck

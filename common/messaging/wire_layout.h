@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -22,6 +23,9 @@ struct WireField {
   int fixed_count = 1;             ///< Of an array of fixed length.
 };
 
+/// Encoded, one value; of a string the least: its length and its NUL.
+std::size_t wire_bytes(WireKind kind);
+
 struct WireLayout {
   std::string_view type;  ///< As in lcmtypes/.
   std::int64_t (*fingerprint)() = nullptr;
@@ -31,5 +35,8 @@ struct WireLayout {
 /// How a channel's messages look: what the receiver's checks are made from. A new type needs a row
 /// here and nothing else to be received safely.
 const WireLayout& wire_layout(Channel channel);
+
+/// The most that a message of the channel's type may have, encoded.
+std::size_t most_message_bytes(Channel channel);
 
 }  // namespace puck

@@ -10,6 +10,7 @@ void BusWatch::look() {
   constexpr std::chrono::seconds kPeriod{1};
   due_ = std::chrono::steady_clock::now() + kPeriod;
   for (const Channel channel : kAllChannels) look_at(channel);
+  look_at_network();
 }
 
 void BusWatch::look_at(Channel channel) {
@@ -19,7 +20,8 @@ void BusWatch::look_at(Channel channel) {
     if (count > 0)
       log_.warn("{}: {} {}{}{}", now.channel, count, what, last.empty() ? "" : ": ", last);
   };
-  warn(now.rejected - before.rejected, "malformed messages dropped, the last", now.last_rejection);
+  warn(now.rejected - before.rejected + now.oversize - before.oversize,
+       "malformed messages dropped, the last", now.last_rejection);
   warn(now.arrivals.lost - before.arrivals.lost, "messages lost", "");
   warn(now.handler_failures - before.handler_failures, "messages not dealt with, the last",
        now.last_handler_failure);
@@ -28,25 +30,65 @@ void BusWatch::look_at(Channel channel) {
   before = now;
 }
 
+void BusWatch::look_at_network() {
+  TransportCounters now = bus_.network_counters();
+  if (const auto malformed = now.malformed - network_seen_.malformed; malformed > 0) {
+    log_.warn("{} datagrams on our channels are no messages, the last: {}", malformed,
+              now.last_malformed);
+  }
+  if (now.rejoined > network_seen_.rejoined) log_.warn("the network was away, and is heard again");
+  // A stranger is named once; how much it sends is in STATUS.
+  for (std::size_t i = network_seen_.foreign_traffic.size(); i < now.foreign_traffic.size(); ++i) {
+    const ForeignTraffic& stranger = now.foreign_traffic[i];
+    log_.warn("somebody else at this group and port: {} from {}", stranger.what,
+              to_string(stranger.sender));
+  }
+  network_seen_ = std::move(now);
+}
+
 void BusWatch::report(StatusReport& report) const {
-  std::int64_t rejected = 0;
-  std::int64_t lost = 0;
-  std::int64_t late = 0;
-  std::int64_t handler_failures = 0;
-  std::int64_t publish_failures = 0;
+  const TransportCounters network = bus_.network_counters();
+  ChannelCounters sum;
+  sum.rejected = network.malformed;
   for (const Channel channel : kAllChannels) {
     const ChannelCounters counters = bus_.counters(channel);
-    rejected += counters.rejected;
-    lost += counters.arrivals.lost;
-    late += counters.arrivals.late + counters.arrivals.duplicates;
-    handler_failures += counters.handler_failures;
-    publish_failures += counters.publish_failures;
+    sum.arrivals.received += counters.arrivals.received;
+    sum.arrivals.lost += counters.arrivals.lost;
+    sum.arrivals.late += counters.arrivals.late;
+    sum.arrivals.duplicates += counters.arrivals.duplicates;
+    sum.rejected += counters.rejected + counters.oversize;
+    sum.oversize += counters.oversize;
+    sum.handler_failures += counters.handler_failures;
+    sum.publish_failures += counters.publish_failures;
+    report_channel(channel, counters, report);
   }
-  report.counters.emplace_back("messages_rejected", rejected);
-  report.counters.emplace_back("messages_lost", lost);
-  report.counters.emplace_back("messages_late", late);
-  report.counters.emplace_back("handler_failures", handler_failures);
-  report.counters.emplace_back("publish_failures", publish_failures);
+  const auto add = [&](const char* name, std::int64_t value) {
+    report.counters.emplace_back(name, value);
+  };
+  add("messages_received", sum.arrivals.received);
+  add("messages_lost", sum.arrivals.lost);
+  add("messages_late", sum.arrivals.late);
+  add("messages_duplicate", sum.arrivals.duplicates);
+  add("messages_rejected", sum.rejected);
+  add("messages_oversize", sum.oversize);
+  add("messages_foreign", network.foreign);
+  add("network_rejoined", network.rejoined);
+  add("handler_failures", sum.handler_failures);
+  add("publish_failures", sum.publish_failures);
+}
+
+void BusWatch::report_channel(Channel channel, const ChannelCounters& counters,
+                              StatusReport& report) {
+  const auto add = [&](const char* name, std::int64_t value) {
+    if (value > 0) report.counters.emplace_back(std::string(base_name(channel)) + name, value);
+  };
+  add(".received", counters.arrivals.received);
+  add(".lost", counters.arrivals.lost);
+  add(".late", counters.arrivals.late);
+  add(".duplicate", counters.arrivals.duplicates);
+  add(".rejected", counters.rejected);
+  add(".oversize", counters.oversize);
+  add(".publishers", counters.arrivals.sessions);
 }
 
 }  // namespace puck

@@ -22,17 +22,22 @@ class BusWatch {
   /// Looks now.
   void look();
 
-  /// Adds messages_rejected, messages_lost, messages_late (or twice), handler_failures and
-  /// publish_failures, of all channels.
+  /// Adds what came and how: messages_received, messages_lost, …, of all channels together, and of
+  /// each single channel what is not zero: PUCK_EVENTS.received. messages_rejected holds those that
+  /// are oversize, too; messages_foreign are not ours at all.
   void report(StatusReport& report) const;
 
  private:
   void look_at(Channel channel);
+  void look_at_network();
+  static void report_channel(Channel channel, const ChannelCounters& counters,
+                             StatusReport& report);
 
   const Bus& bus_;
   spdlog::logger& log_;
   std::chrono::steady_clock::time_point due_;
   std::array<ChannelCounters, kAllChannels.size()> seen_;
+  TransportCounters network_seen_;
 };
 
 }  // namespace puck

@@ -5,6 +5,7 @@
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 
+#include "common/messaging/bus_settings.h"
 #include "common/messaging/status_check.h"
 #include "services/launch/stop_on_signal.h"
 
@@ -27,13 +28,6 @@ Config load_config(const CommandLine& line) {
   if (line.lcm_url) config.override_with("lcm.url=" + quoted(*line.lcm_url));
   if (line.prefix) config.override_with("lcm.prefix=" + quoted(*line.prefix));
   return config;
-}
-
-BusParams read_bus_params(Config& config) {
-  BusParams params;
-  config.read("lcm.url", params.url);
-  config.read("lcm.prefix", params.prefix);
-  return params;
 }
 
 spdlog::logger make_log(const std::string& name, const std::string& level) {

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
 
+#include "common/messaging/bus_settings.h"
 #include "common/messaging/host_time.h"
 #include "services/arm/operator_command.h"
 #include "tests/messaging/test_url.h"
@@ -154,9 +155,7 @@ TEST_CASE("config/arm.toml holds every key with its default") {
     CAPTURE(line);
     CHECK(from_file.has(line.substr(0, line.find(' '))));
   }
-  std::string url;
-  from_file.read("lcm.url", url);
-  from_file.read("lcm.prefix", url);
+  read_bus_params(from_file);
   CHECK_NOTHROW(from_file.reject_unknown());
 }
 

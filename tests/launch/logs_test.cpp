@@ -1,4 +1,5 @@
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -19,6 +20,13 @@ struct ReadableLog {
 
   ReadableLog() { log.set_pattern("%v"); }
 };
+
+std::optional<std::int64_t> counter(const StatusReport& report, const std::string& name) {
+  for (const auto& [key, value] : report.counters) {
+    if (key == name) return value;
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -59,12 +67,14 @@ TEST_CASE("troubles on the bus are logged once, and summed up for the status") {
         "9\nPUCK_HEAD: 1 messages not dealt with, the last: no head\n");
   StatusReport report;
   watch.report(report);
-  using Counter = std::pair<std::string, std::int64_t>;
-  CHECK(report.counters == std::vector<Counter>{{"messages_rejected", 0},
-                                                {"messages_lost", 0},
-                                                {"messages_late", 0},
-                                                {"handler_failures", 1},
-                                                {"publish_failures", 2}});
+  CHECK(counter(report, "messages_rejected") == 0);
+  CHECK(counter(report, "messages_received") == 1);
+  CHECK(counter(report, "PUCK_HEAD.received") == 1);
+  CHECK(counter(report, "PUCK_HEAD.publishers") == 1);
+  CHECK_FALSE(counter(report, "PUCK_HEAD.lost"));
+  CHECK_FALSE(counter(report, "PUCK_GAME.received"));
+  CHECK(counter(report, "handler_failures") == 1);
+  CHECK(counter(report, "publish_failures") == 2);
 }
 
 TEST_CASE("messages that never came or came late are summed up for the status, of every channel") {
@@ -85,7 +95,29 @@ TEST_CASE("messages that never came or came late are summed up for the status, o
   while (heads < 2) REQUIRE(receiver.handle(std::chrono::milliseconds(5000)) > 0);
   StatusReport report;
   watch.report(report);
-  CHECK(report.counters[1] == std::pair<std::string, std::int64_t>{"messages_lost", 1});
+  CHECK(counter(report, "messages_lost") == 1);
+  CHECK(counter(report, "PUCK_HEAD.lost") == 1);
+}
+
+TEST_CASE("a stranger on the port is named once, and counted") {
+  ReadableLog readable;
+  Bus stranger({.url = private_lcm_url(), .prefix = "RIGHT"});
+  Bus bus({.url = private_lcm_url()});
+  BusWatch watch(bus, readable.log);
+  REQUIRE(stranger.start({}, [](const std::string&) {}));
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  head_state_t head{};
+  stranger.publish(head);
+  stranger.publish(head);
+  while (bus.network_counters().foreign < 2) bus.handle(std::chrono::milliseconds(10));
+  watch.look();
+  watch.look();
+  CHECK(readable.text.str().starts_with(
+      "somebody else at this group and port: channel \"RIGHT_PUCK_HEAD\" from "));
+  CHECK(readable.text.str().find('\n') == readable.text.str().size() - 1);
+  StatusReport report;
+  watch.report(report);
+  CHECK(counter(report, "messages_foreign") == 2);
 }
 
 }  // namespace puck

@@ -7,6 +7,7 @@
 #include <spdlog/sinks/null_sink.h>
 #include <unistd.h>
 
+#include "common/messaging/bus_settings.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/message_codec.h"
 #include "common/messaging/status_check.h"
@@ -156,9 +157,7 @@ TEST_CASE("the logger reads its settings and refuses those that make no sense") 
 TEST_CASE("the commented settings file holds every key with its default") {
   Config config = Config::from_file(std::filesystem::path(std::getenv("PUCK_SOURCE_DIR")) /
                                     "config/logger.toml");
-  BusParams bus;
-  config.read("lcm.url", bus.url);
-  config.read("lcm.prefix", bus.prefix);
+  const BusParams bus = read_bus_params(config);
   const LoggerParams params = LoggerService::read_params(config);
   CHECK_NOTHROW(config.reject_unknown());
   for (const char* key :

@@ -130,7 +130,7 @@ TEST_CASE("a message larger than any of ours is rejected before it is read") {
 TEST_CASE("the fingerprint of another type is rejected") {
   std::mt19937_64 random(7);
   const auto head = random_message(Channel::kHead, random).bytes;
-  CHECK(check_message(Channel::kGame, head) == "game_state_t has the fingerprint of another type");
+  CHECK(check_message(Channel::kGame, head) == "game_state_t is expected, but this is head_state_t");
 }
 
 TEST_CASE("values without a meaning are rejected, and the reason names the field") {

@@ -28,15 +28,17 @@ class OwnSocket {
   OwnSocket& operator=(const OwnSocket&) = delete;
 
   int get() const { return socket_; }
-  std::uint16_t port() const { return ntohs(address_.sin_port); }
 
-  /// Whether a datagram comes through; on the loopback it is there at once or never.
-  bool lets_through(std::string_view datagram) {
+  /// Whether a datagram comes through.
+  bool lets_through(std::string_view datagram) { return received_bytes(datagram) > 0; }
+
+  /// How much of a datagram comes through; on the loopback it is there at once or never.
+  std::size_t received_bytes(std::string_view datagram) {
     sendto(socket_, datagram.data(), datagram.size(), 0,
            reinterpret_cast<const sockaddr*>(&address_), sizeof address_);
     std::array<char, 2000> received{};
     const ssize_t size = recv(socket_, received.data(), received.size(), MSG_DONTWAIT);
-    return size == static_cast<ssize_t>(datagram.size());
+    return size < 0 ? 0 : static_cast<std::size_t>(size);
   }
 
  private:
@@ -52,7 +54,7 @@ std::string message_on(const std::string& channel, const std::string& magic = "L
 
 TEST_CASE("only messages on the channels asked for come through, whole and by their full name") {
   OwnSocket socket;
-  REQUIRE(filter_channels(socket.get(), {"PUCK_STATUS", "LEFT_PUCK_ARM_STATE"}));
+  REQUIRE(filter_channels(socket.get(), {"PUCK_STATUS", "LEFT_PUCK_ARM_STATE"}, false));
   CHECK(socket.lets_through(message_on("PUCK_STATUS")));
   CHECK(socket.lets_through(message_on("LEFT_PUCK_ARM_STATE")));
   CHECK_FALSE(socket.lets_through(message_on("PUCK_EVENTS")));
@@ -70,27 +72,61 @@ TEST_CASE("names of every length are told apart to the last letter") {
   for (std::size_t size = 1; size <= 40; ++size) {
     OwnSocket socket;
     const std::string name(size, 'A');
-    REQUIRE(filter_channels(socket.get(), {name}));
+    REQUIRE(filter_channels(socket.get(), {name}, false));
     CHECK(socket.lets_through(message_on(name)));
     CHECK_FALSE(socket.lets_through(message_on(name + 'A')));
     CHECK_FALSE(socket.lets_through(message_on(std::string(size - 1, 'A') + 'B')));
   }
 }
 
-TEST_CASE("a filter can be replaced and removed") {
-  OwnSocket socket;
-  REQUIRE(filter_channels(socket.get(), {"PUCK_STATUS"}));
-  REQUIRE(filter_channels(socket.get(), {}));
-  CHECK_FALSE(socket.lets_through(message_on("PUCK_STATUS")));
-  remove_filter(socket.get());
-  CHECK(socket.lets_through(message_on("PUCK_STATUS")));
-  CHECK(socket.lets_through("anything"));
+TEST_CASE("all channels that begin alike come through, and the foreign ones are all the others") {
+  OwnSocket ours;
+  OwnSocket foreign;
+  REQUIRE(filter_beginning(ours.get(), "LEFT_PUCK_", false));
+  REQUIRE(filter_foreign(foreign.get(), "LEFT_PUCK_", false));
+  const auto is_foreign = [&](std::string_view datagram) {
+    const bool is_ours = ours.lets_through(datagram);
+    CHECK(is_ours != foreign.lets_through(datagram));
+    return !is_ours;
+  };
+  CHECK_FALSE(is_foreign(message_on("LEFT_PUCK_EVENTS")));
+  CHECK_FALSE(is_foreign(message_on("LEFT_PUCK_NEW_THING")));
+  CHECK(is_foreign(message_on("PUCK_EVENTS")));
+  CHECK(is_foreign(message_on("RIGHT_PUCK_EVENTS")));
+  CHECK(is_foreign(message_on("LEFT_PUCK")));
+  CHECK(is_foreign(message_on("LEFT_PUCK_EVENTS", "LC03")));
+  CHECK(is_foreign(message_on("LEFT_PUCK_EVENTS", "HTTP")));
+  CHECK(is_foreign("LC02"));
+  CHECK(is_foreign("LC02....LEFT"));
+  CHECK(is_foreign("x"));
 }
 
-TEST_CASE("a socket is found by its port") {
-  const OwnSocket socket;
-  const OwnSocket other;
-  CHECK(udp_sockets_at(socket.port()) == std::vector<int>{socket.get()});
+TEST_CASE("fragments come through where they are allowed") {
+  OwnSocket ours;
+  OwnSocket foreign;
+  const std::string fragment = message_on("PUCK_STATUS", "LC03");
+  REQUIRE(filter_channels(ours.get(), {"PUCK_STATUS"}, true));
+  REQUIRE(filter_foreign(foreign.get(), "PUCK_", true));
+  CHECK(ours.lets_through(fragment));
+  CHECK_FALSE(foreign.lets_through(fragment));
+  REQUIRE(filter_beginning(ours.get(), "PUCK_", true));
+  CHECK(ours.lets_through(fragment));
+}
+
+TEST_CASE("of what is foreign only the beginning is kept") {
+  OwnSocket socket;
+  REQUIRE(filter_foreign(socket.get(), "PUCK_", false));
+  CHECK(socket.received_bytes(std::string(255, 'x')) == 255);
+  CHECK(socket.received_bytes(std::string(1000, 'x')) == 255);
+}
+
+TEST_CASE("a filter can be replaced") {
+  OwnSocket socket;
+  REQUIRE(filter_channels(socket.get(), {"PUCK_STATUS"}, false));
+  REQUIRE(filter_channels(socket.get(), {}, false));
+  CHECK_FALSE(socket.lets_through(message_on("PUCK_STATUS")));
+  REQUIRE(filter_channels(socket.get(), {"PUCK_HEAD"}, false));
+  CHECK(socket.lets_through(message_on("PUCK_HEAD")));
 }
 
 }  // namespace puck

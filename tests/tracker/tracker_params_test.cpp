@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/messaging/bus_settings.h"
 #include "common/vision/presets.h"
 
 namespace puck {
@@ -12,9 +13,7 @@ namespace puck {
 TEST_CASE("config/tracker.toml shows every key with its default") {
   const std::string file = std::string(std::getenv("PUCK_SOURCE_DIR")) + "/config/tracker.toml";
   Config config = Config::from_file(file);
-  std::string ignored;
-  config.read("lcm.url", ignored);
-  config.read("lcm.prefix", ignored);
+  read_bus_params(config);
   // The size model's path is relative to the project's root, which a test may not run in.
   config.override_with("tracker.size_model=\"\"");
   const TrackerServiceParams shown = read_tracker_params(config);

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <mutex>
+
+#include "common/messaging/transport.h"
+
+namespace puck {
+
+/// What one object sends, the same object receives: for tests and trials, without a network. Sends
+/// from any thread.
+class MemoryTransport : public Transport {
+ public:
+  std::optional<std::string> send(const std::string& channel,
+                                  std::span<const std::uint8_t> payload) override;
+  void listen(const Listening& listening) override;
+  int receive(std::chrono::milliseconds timeout, std::chrono::milliseconds longest,
+              const Receive& receive) override;
+  const TransportCounters& counters() const override { return counters_; }
+
+ private:
+  struct Waiting {
+    std::string channel;
+    std::vector<std::uint8_t> payload;
+    std::int64_t utime = 0;
+    std::int64_t monotonic_us = 0;
+  };
+
+  std::optional<Waiting> take(std::chrono::milliseconds timeout);
+
+  // Guards all below but the counters.
+  std::mutex mutex_;
+  std::condition_variable came_;
+  Listening listening_;
+  std::deque<Waiting> waiting_;
+  std::size_t waiting_bytes_ = 0;
+
+  TransportCounters counters_;  // stay zero: nobody else can send
+};
+
+}  // namespace puck

@@ -1,0 +1,107 @@
+#include "common/messaging/receive_socket.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace puck {
+namespace {
+
+in_addr address_of(const LcmUrl& url) {
+  in_addr address{};
+  inet_pton(AF_INET, url.group.c_str(), &address);
+  return address;
+}
+
+int join(int socket, const LcmUrl& url) {
+  ip_mreq membership{};
+  membership.imr_multiaddr = address_of(url);
+  return setsockopt(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership);
+}
+
+/// Whether any interface of this host is in the group, as the kernel lists them.
+bool is_joined_anywhere(const LcmUrl& url) {
+  std::ifstream igmp("/proc/net/igmp");
+  if (!igmp) return true;  // It cannot be told.
+  std::array<char, 9> group{};
+  std::snprintf(group.data(), group.size(), "%08X", address_of(url).s_addr);
+  for (std::string line; std::getline(igmp, line);) {
+    std::istringstream words(line);
+    if (std::string first; words >> first && first == group.data()) return true;
+  }
+  return false;
+}
+
+void set_option(int socket, int level, int option, int value) {
+  setsockopt(socket, level, option, &value, sizeof value);
+}
+
+std::string last_error() { return std::strerror(errno); }
+
+}  // namespace
+
+ReceiveSocket::~ReceiveSocket() { close(); }
+
+ReceiveSocket::ReceiveSocket(ReceiveSocket&& other) noexcept
+    : url_(std::move(other.url_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+ReceiveSocket& ReceiveSocket::operator=(ReceiveSocket&& other) noexcept {
+  if (this == &other) return *this;
+  close();
+  url_ = std::move(other.url_);
+  descriptor_ = std::exchange(other.descriptor_, -1);
+  return *this;
+}
+
+std::optional<std::string> ReceiveSocket::open(const LcmUrl& url, std::optional<int> buffer_bytes) {
+  close();
+  url_ = url;
+  descriptor_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (descriptor_ < 0) return "no socket: " + last_error();
+  const auto fail = [this](const std::string& what) {
+    const std::string why = what + ": " + last_error();
+    close();
+    return why;
+  };
+
+  // Others on this host hear the same group.
+  set_option(descriptor_, SOL_SOCKET, SO_REUSEADDR, 1);
+  set_option(descriptor_, SOL_SOCKET, SO_TIMESTAMPNS, 1);
+  if (buffer_bytes) {
+    set_option(descriptor_, SOL_SOCKET, SO_RCVBUF, *buffer_bytes);
+    // Beyond net.core.rmem_max, where this process may.
+    set_option(descriptor_, SOL_SOCKET, SO_RCVBUFFORCE, *buffer_bytes);
+  }
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr = address_of(url);
+  address.sin_port = htons(static_cast<std::uint16_t>(url.port));
+  if (bind(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    return fail(url.group + ":" + std::to_string(url.port) + " cannot be listened to");
+  }
+  if (join(descriptor_, url) != 0) return fail("the group " + url.group + " cannot be joined");
+  return std::nullopt;
+}
+
+bool ReceiveSocket::has_lost_its_group() {
+  // The kernel takes a membership twice only when the way to the group leads through another
+  // interface than before; an interface keeps its number as long as it lives.
+  if (join(descriptor_, url_) == 0) return true;
+  return errno == EADDRINUSE && !is_joined_anywhere(url_);
+}
+
+void ReceiveSocket::close() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+}  // namespace puck
