@@ -8,6 +8,7 @@
 
 #include "common/messaging/host_time.h"
 #include "common/messaging/memory_transport.h"
+#include "common/messaging/message_seal.h"
 #include "common/messaging/udp_transport.h"
 #include "common/messaging/wire_layout.h"
 
@@ -51,6 +52,7 @@ class Bus::Impl {
         beginning_(channel_beginning(params.prefix)),
         allow_fragments_(params.allow_fragments) {
     check_prefix(prefix_);
+    if (!params.key_file.empty()) security_.emplace(params.key_file);
     for (const Channel channel : kAllChannels) {
       Line& line = line_of(channel);
       line.channel = channel;
@@ -93,6 +95,7 @@ class Bus::Impl {
     count_published(line);
     // What every receiver would reject is better refused here, where it can be seen.
     if (auto rejection = check_message(channel, buffer_)) return count_failure(line, *rejection);
+    if (security_) security_->sealer.seal(line.counters.channel, buffer_);
     if (auto problem = transport_->send(line.counters.channel, buffer_)) {
       return count_failure(line, *problem);
     }
@@ -123,8 +126,17 @@ class Bus::Impl {
   std::int64_t session() const { return session_; }
   const std::string& prefix() const { return prefix_; }
   const LcmUrl& url() const { return url_; }
+  bool is_authenticated() const { return security_.has_value(); }
 
  private:
+  struct Security {
+    explicit Security(const std::string& key_file) : key(key_file), sealer(key), opener(key) {}
+
+    SharedKey key;
+    MessageSealer sealer;  // Guarded by publish_mutex_.
+    SealOpener opener;     // Of the thread that handles.
+  };
+
   /// All that belongs to one channel.
   struct Line {
     Channel channel{};
@@ -154,39 +166,60 @@ class Bus::Impl {
   }
 
   void receive(const ArrivedMessage& message) {
-    Receipt receipt{message.utime, message.monotonic_us, message.payload.size(), message.sender,
-                    Arrival::kNewest};
     Line* line = find_line(message.channel);
+    const auto opened = open_seal(line, message);
+    if (!opened) return;
+    const std::span<const std::uint8_t> bytes = *opened;
+    Receipt receipt{message.utime, message.monotonic_us, bytes.size(), message.sender,
+                    Arrival::kNewest};
     if (raw_handler_) {
       const auto failure =
-          failure_of([&] { raw_handler_(std::string(message.channel), message.payload, receipt); });
+          failure_of([&] { raw_handler_(std::string(message.channel), bytes, receipt); });
       if (failure && line != nullptr) count_handler_failure(*line, *failure);
     }
-    if (line == nullptr || line->handlers.empty() || !take(*line, message, receipt)) return;
+    if (line == nullptr || line->handlers.empty() || !take(*line, bytes, receipt)) return;
     for (const CheckedHandler& handler : line->handlers) {
-      const auto failure = failure_of([&] { handler(message.payload, receipt); });
+      const auto failure = failure_of([&] { handler(bytes, receipt); });
       if (failure) count_handler_failure(*line, *failure);
     }
   }
 
+  /// The bytes that the message was before it was sealed; nothing, and counted, when it is not from
+  /// somebody who has our key.
+  std::optional<std::span<const std::uint8_t>> open_seal(Line* line,
+                                                         const ArrivedMessage& message) {
+    if (!security_) return message.payload;
+    std::string problem;
+    const auto opened = security_->opener.open(message.channel, message.payload, problem);
+    if (!opened && line != nullptr) {
+      const std::lock_guard lock(counters_mutex_);
+      ++line->counters.unauthenticated;
+      line->counters.last_rejection = problem + ", from " + to_string(message.sender);
+    }
+    return opened;
+  }
+
   /// Counts a message; whether it is a good one.
-  bool take(Line& line, const ArrivedMessage& message, Receipt& receipt) {
-    const bool is_oversize = message.payload.size() > line.most_bytes;
+  bool take(Line& line, std::span<const std::uint8_t> bytes, Receipt& receipt) {
+    const bool is_oversize = bytes.size() > line.most_bytes + (security_ ? 0 : kSealBytes);
     std::optional<std::string> rejection;
     if (is_oversize) {
-      rejection = "has " + std::to_string(message.payload.size()) + " bytes, more than the " +
+      rejection = "has " + std::to_string(bytes.size()) + " bytes, more than the " +
                   std::to_string(line.most_bytes) + " that its type can have";
     } else {
-      rejection = check_message(line.channel, message.payload);
+      rejection = check_message(line.channel, bytes);
+      if (rejection && !security_ && looks_sealed(bytes)) {
+        rejection = "is sealed, but this service has no key (lcm.key_file)";
+      }
     }
     const std::lock_guard lock(counters_mutex_);
-    line.counters.received_bytes += static_cast<std::int64_t>(message.payload.size());
+    line.counters.received_bytes += static_cast<std::int64_t>(bytes.size());
     if (rejection) {
       ++(is_oversize ? line.counters.oversize : line.counters.rejected);
-      line.counters.last_rejection = *rejection + ", from " + to_string(message.sender);
+      line.counters.last_rejection = *rejection + ", from " + to_string(receipt.sender);
       return false;
     }
-    receipt.arrival = account(line, message.payload);
+    receipt.arrival = account(line, bytes);
     return true;
   }
 
@@ -238,6 +271,7 @@ class Bus::Impl {
 
   std::array<Line, kAllChannels.size()> lines_;
   RawHandler raw_handler_;
+  std::optional<Security> security_;  // Nothing: no key.
   std::unique_ptr<Transport> transport_;
   TransportCounters network_counters_;  // Written by the handling thread, under counters_mutex_.
 };
@@ -271,6 +305,8 @@ int Bus::handle(milliseconds timeout) { return impl_->handle(timeout); }
 std::int64_t Bus::session() const { return impl_->session(); }
 const std::string& Bus::prefix() const { return impl_->prefix(); }
 const LcmUrl& Bus::url() const { return impl_->url(); }
+bool Bus::is_authenticated() const { return impl_->is_authenticated(); }
+std::size_t Bus::overhead_bytes() const { return impl_->is_authenticated() ? kSealBytes : 0; }
 
 ChannelCounters Bus::counters(Channel channel) const { return impl_->counters(channel); }
 

@@ -27,6 +27,9 @@ struct BusParams {
   /// Key lcm.allow_fragments: send and take messages that need several datagrams. None of ours
   /// does, and the loss of one datagram is then the loss of many.
   bool allow_fragments = false;
+  /// Key lcm.key_file: a secret; then everything sent is sealed with it, and what is not sealed
+  /// with it is not heard. Empty: none.
+  std::string key_file{};
 };
 
 /// What came and went on one channel since the Bus was made.
@@ -36,7 +39,8 @@ struct ChannelCounters {
   std::int64_t received_bytes = 0;    ///< All bytes that came, valid or not.
   std::int64_t rejected = 0;          ///< Malformed, dropped.
   std::int64_t oversize = 0;          ///< Larger than its type can be, dropped unread.
-  std::string last_rejection;         ///< Why the newest of both was dropped, and who sent it.
+  std::int64_t unauthenticated = 0;   ///< Not sealed with the key that is needed, dropped unread.
+  std::string last_rejection;         ///< Why the newest of these was dropped, and who sent it.
   std::int64_t handler_failures = 0;  ///< A handler threw: that message was not dealt with.
   std::string last_handler_failure;
   std::int64_t published = 0;         ///< Messages numbered, sent or not.
@@ -102,6 +106,10 @@ class Bus {
   std::int64_t session() const;
   const std::string& prefix() const;
   const LcmUrl& url() const;
+  /// Whether there is a key, so that only those who have it are heard.
+  bool is_authenticated() const;
+  /// What a message takes in its datagram besides its channel and itself.
+  std::size_t overhead_bytes() const;
 
   /// Of one channel; all zeros where there is no subscription and nothing was published. Safe from
   /// any thread.

@@ -12,6 +12,7 @@ BusParams read_bus_params(Settings& settings) {
   settings.read("lcm.url", params.url);
   settings.read("lcm.prefix", params.prefix);
   settings.read("lcm.allow_fragments", params.allow_fragments);
+  settings.read("lcm.key_file", params.key_file);
   return params;
 }
 

@@ -164,7 +164,9 @@ void CameraService::prepare(SensorSize sensor) {
                            : is_local                  ? EventPackerParams::kMaxBytes
                                                        : EventPackerParams::kOneFrame;
   sensor_ = sensor;
-  packer_.emplace(EventPackerParams{sensor, packet_bytes});
+  const auto overhead = static_cast<int>(context_.bus.overhead_bytes());
+  packer_.emplace(
+      EventPackerParams{sensor, std::max(packet_bytes - overhead, EventPackerParams::kMinBytes)});
   const double speed = is_paced_ ? settings_.speed : 1;
   const auto window_us = [&](int host_us) {
     return std::max<std::int64_t>(1, std::llround(host_us * speed));

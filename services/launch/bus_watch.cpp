@@ -22,6 +22,8 @@ void BusWatch::look_at(Channel channel) {
   };
   warn(now.rejected - before.rejected + now.oversize - before.oversize,
        "malformed messages dropped, the last", now.last_rejection);
+  warn(now.unauthenticated - before.unauthenticated, "messages without our key dropped, the last",
+       now.last_rejection);
   warn(now.arrivals.lost - before.arrivals.lost, "messages lost", "");
   warn(now.handler_failures - before.handler_failures, "messages not dealt with, the last",
        now.last_handler_failure);
@@ -58,6 +60,7 @@ void BusWatch::report(StatusReport& report) const {
     sum.arrivals.duplicates += counters.arrivals.duplicates;
     sum.rejected += counters.rejected + counters.oversize;
     sum.oversize += counters.oversize;
+    sum.unauthenticated += counters.unauthenticated;
     sum.handler_failures += counters.handler_failures;
     sum.publish_failures += counters.publish_failures;
     report_channel(channel, counters, report);
@@ -71,6 +74,7 @@ void BusWatch::report(StatusReport& report) const {
   add("messages_duplicate", sum.arrivals.duplicates);
   add("messages_rejected", sum.rejected);
   add("messages_oversize", sum.oversize);
+  add("messages_unauthenticated", sum.unauthenticated);
   add("messages_foreign", network.foreign);
   add("network_rejoined", network.rejoined);
   add("handler_failures", sum.handler_failures);
@@ -88,6 +92,7 @@ void BusWatch::report_channel(Channel channel, const ChannelCounters& counters,
   add(".duplicate", counters.arrivals.duplicates);
   add(".rejected", counters.rejected);
   add(".oversize", counters.oversize);
+  add(".unauthenticated", counters.unauthenticated);
   add(".publishers", counters.arrivals.sessions);
 }
 

@@ -1,0 +1,89 @@
+#include "common/messaging/message_seal.h"
+
+#include <algorithm>
+
+#include <sodium.h>
+
+#include "common/messaging/byte_order.h"
+#include "common/messaging/byte_reader.h"
+
+namespace puck {
+namespace {
+
+constexpr std::uint32_t kMark = 0x50534c31;  // "PSL1"
+
+}  // namespace
+
+bool looks_sealed(std::span<const std::uint8_t> message) {
+  return message.size() >= kSealBytes &&
+         ByteReader(message.last(sizeof kMark)).whole<std::uint32_t>() == kMark;
+}
+
+MessageSealer::MessageSealer(const SharedKey& key) : key_(key) {
+  randombytes_buf(&sender_, sizeof sender_);
+}
+
+void MessageSealer::seal(std::string_view channel, std::vector<std::uint8_t>& message) {
+  const std::uint64_t number = sealed_++;
+  const SharedKey::Hash hash = key_.hash(channel, message, sender_, number);
+  std::array<std::uint8_t, kSealBytes> seal{};
+  put_big_endian(sender_, seal.data());
+  put_big_endian(number, seal.data() + 8);
+  std::copy(hash.begin(), hash.end(), seal.begin() + 16);
+  put_big_endian(kMark, seal.data() + 32);
+  message.insert(message.end(), seal.begin(), seal.end());
+}
+
+std::optional<std::span<const std::uint8_t>> SealOpener::open(std::string_view channel,
+                                                              std::span<const std::uint8_t> message,
+                                                              std::string& problem) {
+  if (!looks_sealed(message)) {
+    problem = "is not sealed, and this service has a key";
+    return std::nullopt;
+  }
+  const auto plain = message.first(message.size() - kSealBytes);
+  ByteReader seal(message.last(kSealBytes));
+  const auto sender = seal.whole<std::uint64_t>();
+  const auto number = seal.whole<std::uint64_t>();
+  const auto hash = seal.take(std::tuple_size_v<SharedKey::Hash>);
+  const SharedKey::Hash expected = key_.hash(channel, plain, sender, number);
+  // In constant time, so that nobody learns how much of a guess was right.
+  if (sodium_memcmp(hash.data(), expected.data(), expected.size()) != 0) {
+    problem = "is sealed with another key, or was changed";
+    return std::nullopt;
+  }
+  if (!is_first_time(sender, number)) {
+    problem = "was here before: somebody plays it back, or the network doubled it";
+    return std::nullopt;
+  }
+  return plain;
+}
+
+bool SealOpener::is_first_time(std::uint64_t id, std::uint64_t number) {
+  ++opened_;
+  auto sender = std::find_if(senders_.begin(), senders_.end(), [id](const Sender& known) {
+    return known.last_heard != 0 && known.id == id;
+  });
+  if (sender == senders_.end()) {
+    sender = std::min_element(
+        senders_.begin(), senders_.end(),
+        [](const Sender& a, const Sender& b) { return a.last_heard < b.last_heard; });
+    *sender = {id, number, 1, opened_};
+    return true;
+  }
+  sender->last_heard = opened_;
+  if (number > sender->newest) {
+    const std::uint64_t step = number - sender->newest;
+    sender->seen = step >= kWindow ? 1 : sender->seen << step | 1;
+    sender->newest = number;
+    return true;
+  }
+  const std::uint64_t age = sender->newest - number;
+  if (age >= kWindow) return false;
+  const std::uint64_t bit = std::uint64_t{1} << age;
+  const bool is_first = (sender->seen & bit) == 0;
+  sender->seen |= bit;
+  return is_first;
+}
+
+}  // namespace puck
