@@ -59,7 +59,8 @@ bool poll_until(const std::function<bool()>& condition, const std::function<void
   return true;
 }
 
-BusListener::BusListener(const std::string& url) : bus_({.url = url}) {
+BusListener::BusListener(const std::string& url, const std::string& key_file)
+    : bus_({.url = url, .key_file = key_file}) {
   bus_.subscribe<service_status_t>([this](const service_status_t& status, const Receipt&) {
     statuses_[status.service] = status;
   });

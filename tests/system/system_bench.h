@@ -40,7 +40,7 @@ bool poll_until(const std::function<bool()>& condition, const std::function<void
 /// Hears what the services say on a bus. One thread.
 class BusListener {
  public:
-  explicit BusListener(const std::string& url);
+  explicit BusListener(const std::string& url, const std::string& key_file = {});
 
   /// Listens until `condition` holds; false after `timeout`.
   bool until(const std::function<bool()>& condition,
