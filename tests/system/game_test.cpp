@@ -43,12 +43,26 @@ TEST_CASE("the demo plays a game, loses nothing, replays it and leaves nothing b
   check_nothing_is_left(demo, folder);
 
   const auto json = nlohmann::json::parse(read_text(json_file));
-  for (const char* key :
-       {"events_sent", "events_received", "events_lost", "estimates", "estimate_rate_hz", "mean_px",
-        "p95_px", "lost_percent", "packet_to_estimate_p50_us", "packet_to_estimate_p99_us",
-        "sensor_to_estimate_p50_us", "sensor_to_estimate_p99_us", "backlog_p50_us",
-        "backlog_p99_us", "shots", "saves", "goals_against", "replay_estimates",
-        "replay_mean_difference_px"}) {
+  for (const char* key : {"events_sent",
+                          "events_received",
+                          "events_lost",
+                          "estimates",
+                          "estimate_rate_hz",
+                          "mean_px",
+                          "p95_px",
+                          "lost_percent",
+                          "messages_received",
+                          "packet_to_estimate_p50_us",
+                          "packet_to_estimate_p99_us",
+                          "sensor_to_estimate_p50_us",
+                          "sensor_to_estimate_p99_us",
+                          "backlog_p50_us",
+                          "backlog_p99_us",
+                          "shots",
+                          "saves",
+                          "goals_against",
+                          "replay_estimates",
+                          "replay_mean_difference_px"}) {
     CAPTURE(key);
     REQUIRE(json.contains(key));
     CHECK(json[key].is_number());

@@ -77,6 +77,22 @@ void compare(const std::vector<puck_estimate_t>& recorded, const GameLog& replay
   if (compared > 0) figures.replay_mean_difference_px = sum / static_cast<double>(compared);
 }
 
+BusFigures sum_up_bus(const GameLog& game) {
+  BusFigures sum;
+  for (const auto& [service, counters] : game.counters) {
+    const auto add = [&](std::int64_t& to, const char* name) {
+      to += game.counter(service, name).value_or(0);
+    };
+    add(sum.received, "messages_received");
+    add(sum.lost, "messages_lost");
+    add(sum.late, "messages_late");
+    add(sum.duplicate, "messages_duplicate");
+    add(sum.rejected, "messages_rejected");
+    add(sum.foreign, "messages_foreign");
+  }
+  return sum;
+}
+
 template <typename T>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
@@ -101,6 +117,12 @@ Json to_json(const DemoFigures& f) {
   add(json, "packet_to_estimate", f.packet_to_estimate);
   add(json, "sensor_to_estimate", f.sensor_to_estimate);
   add(json, "backlog", f.backlog);
+  json["messages_received"] = f.bus.received;
+  json["messages_lost"] = f.bus.lost;
+  json["messages_late"] = f.bus.late;
+  json["messages_duplicate"] = f.bus.duplicate;
+  json["messages_rejected"] = f.bus.rejected;
+  json["messages_foreign"] = f.bus.foreign;
   json["shots"] = or_null(f.shots);
   json["saves"] = or_null(f.saves);
   json["goals_against"] = or_null(f.goals_against);
@@ -157,6 +179,7 @@ DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
   figures.packet_to_estimate = game.latency("puck-tracker", "packet_to_estimate");
   figures.sensor_to_estimate = game.latency("puck-tracker", "sensor_to_estimate");
   figures.backlog = game.latency("puck-tracker", "backlog");
+  figures.bus = sum_up_bus(game);
   if (game.last_truth) {
     figures.shots = game.last_truth->shots;
     figures.saves = game.last_truth->saves;
@@ -186,6 +209,12 @@ void print(const DemoFigures& f) {
   print_row("packet received to estimate", f.packet_to_estimate);
   print_row("event at the sensor to estimate", f.sensor_to_estimate);
   print_row("received but not on the surface yet", f.backlog);
+  std::printf("Messages to all services\n");
+  print_row("received", std::optional(f.bus.received), "");
+  print_row("lost", std::optional(f.bus.lost), "");
+  print_row("late or twice", std::optional(f.bus.late + f.bus.duplicate), "");
+  print_row("malformed", std::optional(f.bus.rejected), "");
+  print_row("of strangers on the port", std::optional(f.bus.foreign), "");
   std::printf("Game\n");
   print_row("shots at the robot's goal", f.shots, "");
   print_row("saves", f.saves, "");

@@ -8,6 +8,16 @@
 
 namespace puck {
 
+/// What came to all services together, on all channels, and what of it was not as it should be.
+struct BusFigures {
+  std::int64_t received = 0;
+  std::int64_t lost = 0;
+  std::int64_t late = 0;
+  std::int64_t duplicate = 0;
+  std::int64_t rejected = 0;  ///< Malformed; those that are too large among them.
+  std::int64_t foreign = 0;   ///< Datagrams of somebody else at the same group and port.
+};
+
 /// The figures of tools/demo.sh; what the logs do not say is missing.
 struct DemoFigures {
   std::optional<std::int64_t> events_sent;
@@ -27,6 +37,8 @@ struct DemoFigures {
   std::optional<std::int64_t> goals_against;
   std::optional<std::int64_t> replay_estimates;
   std::optional<double> replay_mean_difference_px;
+
+  BusFigures bus;
 
   // What the bridge believes; the truth stands above.
   std::optional<std::int64_t> believed_shots;
