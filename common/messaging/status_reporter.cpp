@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <unistd.h>
 
@@ -11,9 +12,13 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kPeriod_us = 100'000;
+// A flood of new runs may not make us answer more often than this.
+constexpr std::int64_t kShortestPeriod_us = 20'000;
 // A pong older than this says nothing new about a clock; its publisher is gone.
 constexpr std::int64_t kPongLife_us = 2'000'000;
 constexpr std::size_t kMaxPongs = 64;
+// Whoever was heard so often is not displaced by those who are new.
+constexpr int kOftenHeard = 3;
 constexpr std::size_t kMaxTextBytes = 255;
 
 std::string host_name() {
@@ -76,23 +81,71 @@ void StatusReporter::stop(const Fill& fill) {
   publish(fill);
 }
 
+void StatusReporter::set_trouble_of_peers(ServiceState state, std::string text) {
+  text = one_line(std::move(text));
+  if (state == peers_state_ && text == peers_text_) return;
+  peers_state_ = state;
+  peers_text_ = std::move(text);
+  changed_ = true;
+}
+
+ServiceState StatusReporter::published_state() const {
+  const bool runs = state_ == ServiceState::kRunning || state_ == ServiceState::kWaiting;
+  if (peers_text_.empty() || !runs) return state_;
+  return state_ == ServiceState::kRunning ? peers_state_ : std::max(state_, peers_state_);
+}
+
+std::string StatusReporter::published_text() const {
+  if (peers_text_.empty() || state_ == ServiceState::kStopping) return state_text_;
+  return one_line(state_text_.empty() ? peers_text_ : peers_text_ + "; " + state_text_);
+}
+
+SenderClock StatusReporter::clock_of(std::int64_t session) const {
+  if (session == bus_.session()) return ClockOffset{};
+  return clocks_.offset_of(session, host_now());
+}
+
 void StatusReporter::hear(const service_status_t& status, const Receipt& receipt) {
   if (!receipt.in_order() || status.session == bus_.session()) return;
-  const Pong pong{status.session, status.utime, receipt.utime, receipt.monotonic_us};
-  const auto known = std::find_if(pongs_.begin(), pongs_.end(), [&](const Pong& other) {
-    return other.session == status.session;
-  });
-  if (known != pongs_.end()) {
-    *known = pong;
-  } else if (pongs_.size() < kMaxPongs) {
-    pongs_.push_back(pong);
+  read_pongs(status, receipt);
+  keep_pong({status.session, status.utime, receipt.utime, receipt.monotonic_us, 1});
+}
+
+void StatusReporter::read_pongs(const service_status_t& status, const Receipt& receipt) {
+  for (std::size_t i = 0; i < status.pong_session.size(); ++i) {
+    if (status.pong_session[i] != bus_.session()) continue;
+    clocks_.add(status.session, {status.pong_utime[i], status.pong_received_utime[i], status.utime,
+                                 receipt.monotonic_us});
   }
+}
+
+void StatusReporter::keep_pong(const Pong& pong) {
+  const auto known = std::find_if(pongs_.begin(), pongs_.end(),
+                                  [&](const Pong& other) { return other.session == pong.session; });
+  if (known != pongs_.end()) {
+    const int times_heard = std::min(known->times_heard + 1, kOftenHeard);
+    *known = pong;
+    known->times_heard = times_heard;
+    return;
+  }
+  due_us_ = std::min(due_us_, soonest_us_);
+  if (pongs_.size() < kMaxPongs) {
+    pongs_.push_back(pong);
+    return;
+  }
+  const auto least =
+      std::min_element(pongs_.begin(), pongs_.end(), [](const Pong& a, const Pong& b) {
+        return std::pair(a.times_heard >= kOftenHeard, a.received_monotonic_us) <
+               std::pair(b.times_heard >= kOftenHeard, b.received_monotonic_us);
+      });
+  if (least->times_heard < kOftenHeard) *least = pong;
 }
 
 void StatusReporter::publish(const Fill& fill) {
   const std::int64_t now_us = host_monotonic_us();
   changed_ = false;
   due_us_ = now_us + kPeriod_us;
+  soonest_us_ = now_us + kShortestPeriod_us;
 
   StatusReport report;
   fill(report);
@@ -101,8 +154,8 @@ void StatusReporter::publish(const Fill& fill) {
   message.host = host_;
   message.pid = static_cast<std::int32_t>(getpid());
   message.version = PUCK_VERSION;
-  message.state = static_cast<std::int8_t>(state_);
-  message.state_text = state_text_;
+  message.state = static_cast<std::int8_t>(published_state());
+  message.state_text = published_text();
   message.uptime_us = now_us - started_us_;
   for (auto& [name, value] : report.counters) {
     message.counter_name.push_back(std::move(name));
@@ -116,7 +169,10 @@ void StatusReporter::publish(const Fill& fill) {
     message.latency_samples.push_back(latency.samples);
   }
   fill_pongs(message);
+  // Before the bus reads its clock: a round trip may come out too long, but never too short.
+  const std::int64_t sent_us = host_monotonic_us();
   bus_.publish(message);
+  clocks_.ping({message.utime, sent_us});
 }
 
 void StatusReporter::fill_pongs(service_status_t& message) {

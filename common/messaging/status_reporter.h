@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/messaging/bus.h"
+#include "common/messaging/clock_offsets.h"
 
 namespace puck {
 
@@ -36,8 +37,9 @@ struct StatusReport {
 };
 
 /// Publishes the STATUS of a service every 100 ms and at once when its state changes, and answers
-/// the statuses of others with pongs. The thread that calls the bus's handle() calls it: a service
-/// that hangs then falls silent, as it should.
+/// the statuses of others with pongs; those of a run that was not heard before within 20 ms, so
+/// that it soon knows our clock. From the pongs of others it knows theirs. The thread that calls
+/// the bus's handle() calls it: a service that hangs then falls silent, as it should.
 class StatusReporter {
  public:
   using Fill = std::function<void(StatusReport&)>;
@@ -48,6 +50,18 @@ class StatusReporter {
   void set_state(ServiceState state, std::string text = {});
   ServiceState state() const { return state_; }
   const std::string& state_text() const { return state_text_; }
+
+  /// What is wrong with the services that this one works with; empty: nothing. Published before
+  /// whatever it says of itself, and where it says that it runs its state becomes `state`.
+  void set_trouble_of_peers(ServiceState state, std::string text);
+
+  /// The clock by which a run stamps its messages: known 100 to 200 ms after both have begun to
+  /// hear each other, and at once for our own. Nothing for whoever does not answer our STATUS.
+  SenderClock clock_of(std::int64_t session) const;
+
+  /// As STATUS says it.
+  const std::string& service() const { return service_; }
+  const std::string& host() const { return host_; }
 
   /// Publishes when it is due; only then is `fill` called.
   void poll(const Fill& fill);
@@ -60,9 +74,14 @@ class StatusReporter {
     std::int64_t utime = 0;
     std::int64_t received_utime = 0;
     std::int64_t received_monotonic_us = 0;
+    int times_heard = 0;
   };
 
   void hear(const service_status_t& status, const Receipt& receipt);
+  void read_pongs(const service_status_t& status, const Receipt& receipt);
+  void keep_pong(const Pong& pong);
+  ServiceState published_state() const;
+  std::string published_text() const;
   void publish(const Fill& fill);
   void fill_pongs(service_status_t& message);
 
@@ -71,10 +90,14 @@ class StatusReporter {
   std::string host_;
   std::int64_t started_us_ = 0;  // CLOCK_MONOTONIC
   std::int64_t due_us_ = 0;      // CLOCK_MONOTONIC
+  std::int64_t soonest_us_ = 0;  // CLOCK_MONOTONIC: not before it for the sake of a new run
   ServiceState state_ = ServiceState::kStarting;
   std::string state_text_;
+  ServiceState peers_state_ = ServiceState::kRunning;
+  std::string peers_text_;
   bool changed_ = true;
   std::vector<Pong> pongs_;
+  ClockOffsets clocks_;
 };
 
 }  // namespace puck

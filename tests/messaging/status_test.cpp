@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cstdlib>
 #include <thread>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -6,6 +9,7 @@
 #include "common/messaging/status_check.h"
 #include "common/messaging/status_reporter.h"
 #include "tests/messaging/test_url.h"
+#include "tests/support/skewed_machine.h"
 
 namespace puck {
 namespace {
@@ -93,6 +97,91 @@ TEST_CASE("statuses of others are answered with pongs") {
   REQUIRE(heard[0].pong_session == std::vector<std::int64_t>{first.session()});
   CHECK(heard[0].pong_utime[0] > 0);
   CHECK(heard[0].pong_received_utime[0] >= heard[0].pong_utime[0]);
+}
+
+TEST_CASE("services know each other's clocks from their statuses, and their own at once") {
+  const std::string url = private_lcm_url();
+  Bus first({.url = url});
+  Bus second({.url = url});
+  StatusReporter one(first, "puck-camera");
+  StatusReporter two(second, "puck-tracker");
+  REQUIRE(first.start({}, [](const std::string&) {}));
+  REQUIRE(second.start({}, [](const std::string&) {}));
+  CHECK_FALSE(one.clock_of(second.session()));
+  CHECK(one.clock_of(first.session())->ahead_us == 0);
+  for (int i = 0; i < 1000 && !(one.clock_of(second.session()) && two.clock_of(first.session()));
+       ++i) {
+    one.poll(no_details);
+    two.poll(no_details);
+    first.handle(milliseconds(5));
+    second.handle(milliseconds(5));
+  }
+  for (const SenderClock& clock : {one.clock_of(second.session()), two.clock_of(first.session())}) {
+    REQUIRE(clock);
+    CHECK(std::abs(clock->ahead_us) <= clock->uncertainty_us);
+  }
+}
+
+TEST_CASE("a flood of new runs displaces nobody who is heard often, and is answered at 50 Hz") {
+  const std::string url = private_lcm_url();
+  Bus bus({.url = url});
+  StatusReporter reporter(bus, "puck-arm");
+  service_status_t newest{};
+  SkewedMachine friendly(url, 4711, 0);
+  bus.subscribe<service_status_t>([&](const service_status_t& status, const Receipt&) {
+    if (status.session == bus.session()) newest = status;
+  });
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  const auto answers_friendly = [&] {
+    return std::find(newest.pong_session.begin(), newest.pong_session.end(), 4711) !=
+           newest.pong_session.end();
+  };
+  for (int i = 0; i < 1000 && !answers_friendly(); ++i) {
+    friendly.serve();
+    reporter.poll(no_details);
+    bus.handle(milliseconds(2));
+  }
+  std::this_thread::sleep_for(milliseconds(30));
+  friendly.serve();
+  std::this_thread::sleep_for(milliseconds(30));
+  friendly.serve();
+  const auto before = bus.counters<service_status_t>().published;
+  const auto began = std::chrono::steady_clock::now();
+  for (std::int64_t session = 10'000; session < 10'300; ++session) {
+    SkewedMachine(url, session, 0).serve();
+    if (session % 20 == 0) friendly.serve();
+    bus.handle(milliseconds(1));
+    reporter.poll(no_details);
+  }
+  const auto took = std::chrono::steady_clock::now() - began;
+  CHECK(answers_friendly());
+  CHECK(bus.counters<service_status_t>().published - before <= took / milliseconds(20) + 2);
+}
+
+TEST_CASE("trouble of peers is shown before what a service says of itself, and makes it wait") {
+  Bus bus({.url = "memq://"});
+  StatusReporter reporter(bus, "puck-arm");
+  service_status_t newest{};
+  bus.subscribe<service_status_t>(
+      [&](const service_status_t& status, const Receipt&) { newest = status; });
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  const auto said = [&] {
+    reporter.poll(no_details);
+    bus.handle(milliseconds(100));
+    return std::pair(static_cast<ServiceState>(newest.state), newest.state_text);
+  };
+  reporter.set_state(ServiceState::kRunning, "plays");
+  reporter.set_trouble_of_peers(ServiceState::kWaiting, "puck-bridge is silent");
+  CHECK(said() == std::pair(ServiceState::kWaiting, std::string("puck-bridge is silent; plays")));
+  CHECK(reporter.state() == ServiceState::kRunning);
+  reporter.set_trouble_of_peers(ServiceState::kDegraded, "two bridges");
+  CHECK(said() == std::pair(ServiceState::kDegraded, std::string("two bridges; plays")));
+  reporter.set_state(ServiceState::kDegraded, "stopped");
+  reporter.set_trouble_of_peers(ServiceState::kWaiting, "puck-bridge is silent");
+  CHECK(said() ==
+        std::pair(ServiceState::kDegraded, std::string("puck-bridge is silent; stopped")));
+  reporter.set_trouble_of_peers(ServiceState::kWaiting, "");
+  CHECK(said() == std::pair(ServiceState::kDegraded, std::string("stopped")));
 }
 
 TEST_CASE("a check finds a service that runs, and says so when there is none or it is not well") {

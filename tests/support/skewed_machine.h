@@ -1,0 +1,89 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <lcm/lcm.h>
+
+#include "common/messaging/bus.h"
+#include "common/messaging/host_time.h"
+
+namespace puck {
+
+/// A run on another machine, whose clock is not ours: stamps what it publishes by that clock, and
+/// speaks and answers STATUS by it. One thread.
+class SkewedMachine {
+ public:
+  /// Its clock is ahead of this host's by `ahead_us`. Throws std::runtime_error when there is no
+  /// way to the network.
+  SkewedMachine(const std::string& url, std::int64_t session, std::int64_t ahead_us)
+      : session_(session),
+        ahead_us_(ahead_us),
+        lcm_(lcm_create(url.c_str()), &lcm_destroy),
+        bus_({.url = url}) {
+    bus_.subscribe<service_status_t>([this](const service_status_t& status, const Receipt& at) {
+      if (status.session != session_) heard_[status.session] = {status.utime, at.utime};
+    });
+    if (!lcm_ || !bus_.start({}, [](const std::string&) {})) {
+      throw std::runtime_error("no way to the network");
+    }
+  }
+
+  std::int64_t session() const { return session_; }
+  std::int64_t utime() const { return host_utime() + ahead_us_; }
+  /// Whether it answers the STATUS of others.
+  void answer(bool answers) { answers_ = answers; }
+
+  /// Stamps and sends, `age_us` after it was published as it says.
+  template <typename Message>
+  void publish(Message message, std::int64_t age_us = 0) {
+    message.utime = utime() - age_us;
+    message.session = session_;
+    message.seq = next_seq_[kChannelOf<Message>]++;
+    encode(message, buffer_);
+    lcm_publish(lcm_.get(), channel_name(kChannelOf<Message>, "").c_str(), buffer_.data(),
+                static_cast<unsigned>(buffer_.size()));
+  }
+
+  /// Hears what there is, and says its STATUS when it has not for 20 ms.
+  void serve() {
+    bus_.handle(std::chrono::milliseconds(0));
+    if (host_monotonic_us() < status_due_us_) return;
+    status_due_us_ = host_monotonic_us() + 20'000;
+    service_status_t status{};
+    status.service = "puck-elsewhere";
+    status.host = "elsewhere";
+    status.pid = 1;
+    status.state = service_status_t::STATE_RUNNING;
+    for (const auto& [session, times] : heard_) {
+      if (!answers_) break;
+      status.pong_session.push_back(session);
+      status.pong_utime.push_back(times.sent_utime);
+      status.pong_received_utime.push_back(times.received_utime + ahead_us_);
+    }
+    publish(status);
+  }
+
+ private:
+  struct Times {
+    std::int64_t sent_utime = 0;
+    std::int64_t received_utime = 0;  // by our clock
+  };
+
+  std::int64_t session_;
+  std::int64_t ahead_us_;
+  bool answers_ = true;
+  std::unique_ptr<lcm_t, void (*)(lcm_t*)> lcm_;
+  Bus bus_;
+  std::map<std::int64_t, Times> heard_;  // by session
+  std::map<Channel, std::int64_t> next_seq_;
+  std::int64_t status_due_us_ = 0;  // CLOCK_MONOTONIC
+  std::vector<std::uint8_t> buffer_;
+};
+
+}  // namespace puck
