@@ -87,7 +87,7 @@ constexpr std::array kPuckEstimate{
     amount("backlog_us"),
     amount("backlog_events"),
     whole8("state", 2),
-    whole32("flags", 0, 15),
+    whole32("flags", 0, 31),
     real("x_px"),
     real("y_px"),
     real("vx_px_s"),

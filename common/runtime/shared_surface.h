@@ -33,6 +33,7 @@ struct PacketCounters {
 struct PacketOrigin {
   std::int64_t session = 0;            ///< Of the publisher of the events.
   std::int64_t sensor_zero_utime = 0;  ///< Host realtime at sensor time 0, µs; 0: not known.
+  bool is_live = false;                ///< Published just now by a camera whose clock is known.
   std::int64_t received_utime = 0;     ///< Host realtime at its receipt, µs.
   std::chrono::steady_clock::time_point received;
   std::int64_t queued_us = 0;  ///< Sensor time that had been received after it when it was applied.

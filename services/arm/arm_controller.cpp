@@ -31,8 +31,9 @@ ArmController::ArmController(const ArmControllerParams& params, std::int64_t ses
   order_.reason = "nothing asked yet";
 }
 
-void ArmController::hear(const puck_estimate_t& estimate, const HostNow& now) {
-  ++estimates_[static_cast<std::size_t>(track_.hear(estimate, now))];
+void ArmController::hear(const puck_estimate_t& estimate, const HostNow& now,
+                         const SenderClock& sender) {
+  ++estimates_[static_cast<std::size_t>(track_.hear(estimate, now, sender))];
 }
 
 ArmController::Order ArmController::decide_as_commanded(const HostNow& now,
@@ -95,7 +96,7 @@ void ArmController::measure_latency(const Order& order, const HostNow& now) {
   const std::optional<std::int64_t> published =
       track_.published_utime(order.estimate_session, order.estimate_seq);
   if (!published) return;
-  // Clocks of two hosts may disagree.
+  // The offset of two clocks is never known to the last microsecond.
   estimate_to_motion_us_ = std::max<std::int64_t>(0, now.utime - *published);
   estimate_to_motion_.record(estimate_to_motion_us_);
 }

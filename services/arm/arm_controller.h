@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/messaging/channels.h"
+#include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 #include "common/runtime/latency_histogram.h"
 #include "common/simulation/simulated_arm.h"
@@ -45,8 +46,11 @@ class ArmController {
   /// when a value is out of its range.
   ArmController(const ArmControllerParams& params, std::int64_t session);
 
-  void hear(const arm_command_t& command, const HostNow& now) { guard_.hear(command, now); }
-  void hear(const puck_estimate_t& estimate, const HostNow& now);
+  /// `sender`: the clock of the message's session.
+  void hear(const arm_command_t& command, const HostNow& now, const SenderClock& sender) {
+    guard_.hear(command, now, sender);
+  }
+  void hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
 
   /// Decides anew and moves on by `dt_s`.
   void step(const HostNow& now, double dt_s);
@@ -58,7 +62,8 @@ class ArmController {
   std::int64_t estimates(TrackWatch::Verdict verdict) const {
     return estimates_[static_cast<std::size_t>(verdict)];
   }
-  /// From an estimate's publication to the set-point that it led to.
+  /// From an estimate's publication to the set-point that it led to, corrected for the offset of
+  /// the tracker's clock.
   const LatencyHistogram& estimate_to_motion() const { return estimate_to_motion_; }
   double position_m() const { return arm_.position_m(); }
   double velocity_m_s() const { return arm_.velocity_m_s(); }
@@ -94,7 +99,7 @@ class ArmController {
   std::int64_t estimate_to_motion_us_ = 0;
   LatencyHistogram estimate_to_motion_;
   bool was_ever_ordered_ = false;
-  std::array<std::int64_t, 5> estimates_{};  // by verdict
+  std::array<std::int64_t, TrackWatch::kVerdicts> estimates_{};  // by verdict
 };
 
 }  // namespace puck

@@ -36,10 +36,10 @@ const char* name_of(int state) {
 
 // Counts that each stand for a reason to look at.
 constexpr std::array kRefusals{
-    CommandRefusal::kOld,         CommandRefusal::kFromFuture,     CommandRefusal::kOtherArm,
-    CommandRefusal::kNotFinite,   CommandRefusal::kOffLine,        CommandRefusal::kExpired,
-    CommandRefusal::kReplayed,    CommandRefusal::kOtherPublisher, CommandRefusal::kNotOperator,
-    CommandRefusal::kUnknownMode, CommandRefusal::kFollowsItself};
+    CommandRefusal::kOld,         CommandRefusal::kFromFuture,  CommandRefusal::kClockUnknown,
+    CommandRefusal::kOtherArm,    CommandRefusal::kNotFinite,   CommandRefusal::kOffLine,
+    CommandRefusal::kExpired,     CommandRefusal::kReplayed,    CommandRefusal::kOtherPublisher,
+    CommandRefusal::kNotOperator, CommandRefusal::kUnknownMode, CommandRefusal::kFollowsItself};
 
 }  // namespace
 
@@ -84,11 +84,13 @@ ArmService::ArmService(const ArmServiceParams& params, ServiceContext& context)
       controller_(params.controller, context.bus.session()),
       state_period_us_(static_cast<std::int64_t>(1e6 / params.state_hz)) {
   context_.bus.subscribe<arm_command_t>([this](const arm_command_t& command, const Receipt& at) {
-    controller_.hear(command, {at.utime, at.monotonic_us});
+    controller_.hear(command, {at.utime, at.monotonic_us},
+                     context_.status.clock_of(command.session));
   });
   context_.bus.subscribe<puck_estimate_t>(
       [this](const puck_estimate_t& estimate, const Receipt& at) {
-        controller_.hear(estimate, {at.utime, at.monotonic_us});
+        controller_.hear(estimate, {at.utime, at.monotonic_us},
+                         context_.status.clock_of(estimate.session));
       });
 }
 
@@ -166,6 +168,7 @@ void ArmService::report(StatusReport& report) const {
       {"estimates_late", controller_.estimates(Verdict::kLate)},
       {"estimates_of_others", controller_.estimates(Verdict::kOtherPublisher)},
       {"estimates_wrong_clock", controller_.estimates(Verdict::kClock)},
+      {"estimates_clock_unknown", controller_.estimates(Verdict::kClockUnknown)},
       {"estimates_malformed", controller_.estimates(Verdict::kMalformed)},
       {"faults", controller_.guard().faults()},
       {"time_skipped_us", time_skipped_us_},

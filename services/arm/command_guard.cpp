@@ -16,6 +16,8 @@ const char* to_string(CommandRefusal refusal) {
       return "old";
     case CommandRefusal::kFromFuture:
       return "from_future";
+    case CommandRefusal::kClockUnknown:
+      return "clock_unknown";
     case CommandRefusal::kOtherArm:
       return "other_arm";
     case CommandRefusal::kNotFinite:
@@ -57,8 +59,9 @@ std::int64_t CommandGuard::refused() const {
   return std::accumulate(refused_.begin(), refused_.end(), std::int64_t{0});
 }
 
-CommandRefusal CommandGuard::hear(const arm_command_t& command, const HostNow& now) {
-  const CommandRefusal refusal = judge(command, now);
+CommandRefusal CommandGuard::hear(const arm_command_t& command, const HostNow& now,
+                                  const SenderClock& sender) {
+  const CommandRefusal refusal = judge(command, now, sender);
   if (refusal == CommandRefusal::kNone) {
     ++accepted_;
   } else {
@@ -75,18 +78,26 @@ void CommandGuard::fault(const std::string& reason) {
   current_.reset();
 }
 
-CommandRefusal CommandGuard::judge_clock_and_arm(const arm_command_t& command,
-                                                 const HostNow& now) const {
-  if (!is_of_now(command.utime, now, params_.max_clock_error_us)) {
-    return command.utime < now.utime ? CommandRefusal::kOld : CommandRefusal::kFromFuture;
-  }
+CommandRefusal CommandGuard::judge_clock_and_arm(const arm_command_t& command, const HostNow& now,
+                                                 const SenderClock& sender) const {
   if (command.arm_session != arm_session_) return CommandRefusal::kOtherArm;
+  switch (freshness_of(command.utime, now, sender, params_.max_clock_error_us)) {
+    case Freshness::kOld:
+      return CommandRefusal::kOld;
+    case Freshness::kFromFuture:
+      return CommandRefusal::kFromFuture;
+    case Freshness::kClockUnknown:
+      return CommandRefusal::kClockUnknown;
+    case Freshness::kOfNow:
+      break;
+  }
   return CommandRefusal::kNone;
 }
 
-CommandRefusal CommandGuard::judge_reset(const arm_command_t& command, const HostNow& now) {
+CommandRefusal CommandGuard::judge_reset(const arm_command_t& command, const HostNow& now,
+                                         const SenderClock& sender) {
   if (!command.from_operator) return CommandRefusal::kNotOperator;
-  const CommandRefusal refusal = judge_clock_and_arm(command, now);
+  const CommandRefusal refusal = judge_clock_and_arm(command, now, sender);
   if (refusal != CommandRefusal::kNone) return refusal;
   // An operator's command is sent several times. A run of it resets once, so that its repetitions
   // cannot undo a stop that comes in between.
@@ -100,7 +111,8 @@ CommandRefusal CommandGuard::judge_reset(const arm_command_t& command, const Hos
   return CommandRefusal::kNone;
 }
 
-CommandRefusal CommandGuard::judge(const arm_command_t& command, const HostNow& now) {
+CommandRefusal CommandGuard::judge(const arm_command_t& command, const HostNow& now,
+                                   const SenderClock& sender) {
   // A stop always stops: from anyone, to any arm, however old.
   if (command.mode == arm_command_t::MODE_STOP) {
     current_.reset();
@@ -110,13 +122,13 @@ CommandRefusal CommandGuard::judge(const arm_command_t& command, const HostNow& 
     }
     return CommandRefusal::kNone;
   }
-  if (command.mode == arm_command_t::MODE_RESET) return judge_reset(command, now);
+  if (command.mode == arm_command_t::MODE_RESET) return judge_reset(command, now, sender);
   if (command.mode != arm_command_t::MODE_FOLLOW && command.mode != arm_command_t::MODE_HOLD) {
     return CommandRefusal::kUnknownMode;
   }
 
   if (!params_.takes_targets) return CommandRefusal::kFollowsItself;
-  const CommandRefusal refusal = judge_clock_and_arm(command, now);
+  const CommandRefusal refusal = judge_clock_and_arm(command, now, sender);
   if (refusal != CommandRefusal::kNone) return refusal;
   if (!std::isfinite(command.target_m) || !std::isfinite(command.target_normalised)) {
     return CommandRefusal::kNotFinite;

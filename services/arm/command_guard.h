@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/messaging/channels.h"
+#include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 #include "common/messaging/single_publisher.h"
 
@@ -18,7 +19,7 @@ struct CommandGuardParams {
   double excess_m = 0.02;
   /// No command counts for longer than this after its receipt, whatever it says.
   std::int64_t dead_man_us = 100'000;
-  /// Of a command's utime against this host's clock: a replayed log must not move the arm.
+  /// Of a command's utime, by its sender's clock: a replayed log must not move the arm.
   std::int64_t max_clock_error_us = 200'000;
   bool takes_targets = true;  ///< False: only stop and reset are obeyed.
 };
@@ -26,9 +27,10 @@ struct CommandGuardParams {
 /// Why a command was refused. Each has a counter.
 enum class CommandRefusal : std::uint8_t {
   kNone,
-  kOld,         ///< By its own clock.
-  kFromFuture,  ///< By its own clock.
-  kOtherArm,    ///< Answers another session than this arm's.
+  kOld,           ///< By its own clock.
+  kFromFuture,    ///< By its own clock.
+  kClockUnknown,  ///< Nobody can say how old it is: its sender's clock is not known (well enough).
+  kOtherArm,      ///< Answers another session than this arm's.
   kNotFinite,
   kOffLine,
   kExpired,         ///< Valid for no time at all.
@@ -38,7 +40,7 @@ enum class CommandRefusal : std::uint8_t {
   kUnknownMode,
   kFollowsItself,  ///< The arm takes no targets: it follows the estimates.
 };
-inline constexpr std::size_t kCommandRefusals = 12;
+inline constexpr std::size_t kCommandRefusals = 13;
 
 /// `old`, `from_future`, …: as in the names of counters.
 const char* to_string(CommandRefusal refusal);
@@ -58,7 +60,8 @@ class CommandGuard {
   /// when a value is out of its range.
   CommandGuard(const CommandGuardParams& params, std::int64_t arm_session);
 
-  CommandRefusal hear(const arm_command_t& command, const HostNow& now);
+  /// `sender`: the clock of the command's session.
+  CommandRefusal hear(const arm_command_t& command, const HostNow& now, const SenderClock& sender);
   /// Something is wrong with the arm itself.
   void fault(const std::string& reason);
 
@@ -76,9 +79,11 @@ class CommandGuard {
   std::int32_t faults() const { return faults_; }
 
  private:
-  CommandRefusal judge(const arm_command_t& command, const HostNow& now);
-  CommandRefusal judge_reset(const arm_command_t& command, const HostNow& now);
-  CommandRefusal judge_clock_and_arm(const arm_command_t& command, const HostNow& now) const;
+  CommandRefusal judge(const arm_command_t& command, const HostNow& now, const SenderClock& sender);
+  CommandRefusal judge_reset(const arm_command_t& command, const HostNow& now,
+                             const SenderClock& sender);
+  CommandRefusal judge_clock_and_arm(const arm_command_t& command, const HostNow& now,
+                                     const SenderClock& sender) const;
 
   CommandGuardParams params_;
   std::int64_t arm_session_;

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "common/messaging/host_time.h"
+#include "common/messaging/status_reporter.h"
 
 namespace puck {
 namespace {
@@ -47,6 +48,8 @@ std::optional<int> OperatorCommand::run(const BusParams& params, std::stop_token
   const char* word = stop_ ? "stopped" : "reset";
 
   Bus bus(params);
+  // The arm has to know our clock before it believes that a reset is of now.
+  StatusReporter status(bus, "puck-operator");
   std::optional<arm_state_t> arm;
   bus.subscribe<arm_state_t>([&](const arm_state_t& state, const Receipt&) { arm = state; });
   std::stop_source give_up;
@@ -62,6 +65,7 @@ std::optional<int> OperatorCommand::run(const BusParams& params, std::stop_token
   std::int64_t next_us = begin_us;
   while (!stop.stop_requested()) {
     bus.handle(kHandle);
+    status.poll([](StatusReport&) {});
     const std::int64_t now_us = host_monotonic_us();
     if (now_us >= next_us && (stop_ || arm)) {
       arm_command_t command = command_of(mode, arm);

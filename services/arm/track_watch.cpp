@@ -7,13 +7,23 @@ namespace {
 
 bool tracks(const puck_estimate_t& estimate) {
   return estimate.state == puck_estimate_t::STATE_TRACKING &&
-         (estimate.flags & puck_estimate_t::FLAG_POSITION) != 0;
+         (estimate.flags & puck_estimate_t::FLAG_POSITION) != 0 &&
+         (estimate.flags & puck_estimate_t::FLAG_LIVE) != 0;
 }
 
 }  // namespace
 
-TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const HostNow& now) {
-  if (!is_of_now(estimate.utime, now, params_.max_clock_error_us)) return Verdict::kClock;
+TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const HostNow& now,
+                                     const SenderClock& sender) {
+  switch (freshness_of(estimate.utime, now, sender, params_.max_clock_error_us)) {
+    case Freshness::kClockUnknown:
+      return Verdict::kClockUnknown;
+    case Freshness::kOld:
+    case Freshness::kFromFuture:
+      return Verdict::kClock;
+    case Freshness::kOfNow:
+      break;
+  }
   if (tracks(estimate) && !(std::isfinite(estimate.x_px) && std::isfinite(estimate.y_px))) {
     return Verdict::kMalformed;
   }
@@ -35,8 +45,8 @@ TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const Host
   if (rests || went_on) went_on_us_ = now.monotonic_us;
   newest_ = estimate;
   newest_heard_us_ = now.monotonic_us;
-  published_[static_cast<std::size_t>(estimate.seq) % kRemembered] = {estimate.session,
-                                                                      estimate.seq, estimate.utime};
+  published_[static_cast<std::size_t>(estimate.seq) % kRemembered] = {
+      estimate.session, estimate.seq, sender->to_own(estimate.utime)};
   return Verdict::kUsed;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/messaging/channels.h"
+#include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 #include "common/messaging/single_publisher.h"
 
@@ -12,7 +13,7 @@ namespace puck {
 
 struct TrackWatchParams {
   std::int64_t dead_man_us = 100'000;         ///< A track that ages this long is dead.
-  std::int64_t max_clock_error_us = 200'000;  ///< Of an estimate's utime against this host's.
+  std::int64_t max_clock_error_us = 200'000;  ///< Of an estimate's utime, by its sender's clock.
 };
 
 /// The arm's own look at ESTIMATE: whether the track is alive, whatever the bridge says. One
@@ -24,18 +25,23 @@ class TrackWatch {
     kLate,            ///< Late, a duplicate or a replay.
     kOtherPublisher,  ///< Another tracker is followed.
     kClock,           ///< Old, or from the future, by its own clock.
+    kClockUnknown,    ///< The tracker's clock is not known, or not well enough.
     kMalformed,       ///< Tracking, but without a finite position.
   };
+  static constexpr std::size_t kVerdicts = 6;
 
   explicit TrackWatch(const TrackWatchParams& params) : params_(params) {}
 
-  Verdict hear(const puck_estimate_t& estimate, const HostNow& now);
+  /// `sender`: the clock of the estimate's session.
+  Verdict hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
 
-  /// The newest estimate, if it tracks, came in time, and the sensor's time went on beneath it or
-  /// the puck rests: the same estimate said again and again is not a track.
+  /// The newest estimate, if it tracks a live camera's events, came in time, and the sensor's time
+  /// went on beneath it or the puck rests: the same estimate said again and again is not a track,
+  /// nor is what a tracker sees in a log.
   const puck_estimate_t* alive(std::int64_t monotonic_us) const;
 
-  /// When one of the newest estimates was published, by its own clock, µs.
+  /// When one of the newest estimates was published, by our CLOCK_REALTIME, µs: corrected for the
+  /// offset of the tracker's clock.
   std::optional<std::int64_t> published_utime(std::int64_t session, std::int64_t seq) const;
 
  private:

@@ -14,7 +14,7 @@ constexpr std::int64_t kSilentUs = 500'000;
 constexpr std::array kSuspicious{EstimateVerdict::kStale,       EstimateVerdict::kOffTable,
                                  EstimateVerdict::kImplausible, EstimateVerdict::kMalformed,
                                  EstimateVerdict::kLate,        EstimateVerdict::kOtherPublisher,
-                                 EstimateVerdict::kClock};
+                                 EstimateVerdict::kClock,       EstimateVerdict::kClockUnknown};
 
 std::int64_t read_ms(Config& config, const char* key, std::int64_t value_us, std::int64_t lowest_ms,
                      std::int64_t highest_ms) {
@@ -71,14 +71,14 @@ BridgeServiceParams BridgeService::read_params(Config& config) {
 BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& context)
     : context_(context),
       bridge_(params.play, params.table.table_from_image, params.table.geometry) {
-  context_.bus.subscribe<puck_estimate_t>(
-      [this](const puck_estimate_t& estimate, const Receipt& at) {
-        bridge_.hear(estimate, {at.utime, at.monotonic_us});
-        last_estimate_us_ = at.monotonic_us;
-        estimate_answered_ = false;
-      });
+  context_.bus.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate,
+                                                 const Receipt& at) {
+    bridge_.hear(estimate, {at.utime, at.monotonic_us}, context_.status.clock_of(estimate.session));
+    last_estimate_us_ = at.monotonic_us;
+    estimate_answered_ = false;
+  });
   context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& at) {
-    bridge_.hear(state, {at.utime, at.monotonic_us});
+    bridge_.hear(state, {at.utime, at.monotonic_us}, context_.status.clock_of(state.session));
   });
   context_.bus.subscribe<head_state_t>([this](const head_state_t& head, const Receipt& at) {
     bridge_.hear(head, {at.utime, at.monotonic_us});

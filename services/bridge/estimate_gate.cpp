@@ -61,6 +61,8 @@ const char* to_string(EstimateVerdict verdict) {
       return "other_publisher";
     case EstimateVerdict::kClock:
       return "clock";
+    case EstimateVerdict::kClockUnknown:
+      return "clock_unknown";
   }
   return "unknown";
 }
@@ -83,15 +85,26 @@ EstimateGate::EstimateGate(const EstimateGateParams& params, const Homography& t
 }
 
 EstimateVerdict EstimateGate::judge(const puck_estimate_t& estimate, const HostNow& now,
-                                    TableMeasurement& measurement) {
-  EstimateVerdict verdict = judge_order(estimate, now);
-  if (verdict == EstimateVerdict::kGood) verdict = judge_content(estimate, now, measurement);
+                                    const SenderClock& sender, TableMeasurement& measurement) {
+  EstimateVerdict verdict = judge_order(estimate, now, sender);
+  if (verdict == EstimateVerdict::kGood) {
+    verdict = judge_content(estimate, now, *sender, measurement);
+  }
   ++counts_[static_cast<std::size_t>(verdict)];
   return verdict;
 }
 
-EstimateVerdict EstimateGate::judge_order(const puck_estimate_t& estimate, const HostNow& now) {
-  if (!is_of_now(estimate.utime, now, params_.max_clock_error_us)) return EstimateVerdict::kClock;
+EstimateVerdict EstimateGate::judge_order(const puck_estimate_t& estimate, const HostNow& now,
+                                          const SenderClock& sender) {
+  switch (freshness_of(estimate.utime, now, sender, params_.max_clock_error_us)) {
+    case Freshness::kClockUnknown:
+      return EstimateVerdict::kClockUnknown;
+    case Freshness::kOld:
+    case Freshness::kFromFuture:
+      return EstimateVerdict::kClock;
+    case Freshness::kOfNow:
+      break;
+  }
   switch (publisher_.hear(estimate.session, estimate.seq, now.monotonic_us)) {
     case SinglePublisher::Verdict::kLate:
       return EstimateVerdict::kLate;
@@ -105,6 +118,7 @@ EstimateVerdict EstimateGate::judge_order(const puck_estimate_t& estimate, const
 }
 
 EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, const HostNow& now,
+                                            const ClockOffset& sender,
                                             TableMeasurement& measurement) const {
   if (estimate.sensor_us < 0 || estimate.sensor_us > kLongestRunUs || estimate.event_utime < 0) {
     return EstimateVerdict::kMalformed;
@@ -123,7 +137,7 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
 
   const bool resting = has(estimate, puck_estimate_t::FLAG_RESTING);
   if (estimate.event_utime != 0 && !resting &&
-      estimate.event_utime < now.utime - params_.max_age_us) {
+      sender.to_own(estimate.event_utime) < now.utime - params_.max_age_us) {
     return EstimateVerdict::kStale;
   }
 

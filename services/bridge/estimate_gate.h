@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "common/messaging/channels.h"
+#include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 #include "common/messaging/single_publisher.h"
 #include "common/table/homography.h"
@@ -14,7 +15,7 @@ namespace puck {
 
 struct EstimateGateParams {
   std::int64_t max_age_us = 100'000;  ///< Of the newest event used; a resting puck's may be older.
-  std::int64_t max_clock_error_us = 200'000;  ///< Of an estimate's utime against this host's.
+  std::int64_t max_clock_error_us = 200'000;  ///< Of an estimate's utime, by its sender's clock.
   double margin_m = 0.05;                     ///< A puck further off the table is not believed.
   double max_speed_m_s = 20;                  ///< Nor is a faster one.
   double default_sigma_px = 2;                ///< Where a tracker gives no covariance.
@@ -31,8 +32,9 @@ enum class EstimateVerdict : std::uint8_t {
   kLate,            ///< Late, a duplicate or a replay.
   kOtherPublisher,  ///< Another tracker is followed.
   kClock,           ///< Old, or from the future, by its own clock.
+  kClockUnknown,    ///< The tracker's clock is not known, or not well enough.
 };
-inline constexpr std::size_t kEstimateVerdicts = 9;
+inline constexpr std::size_t kEstimateVerdicts = 10;
 
 /// `good`, `not_tracking`, …: as in the names of counters.
 const char* to_string(EstimateVerdict verdict);
@@ -48,18 +50,19 @@ class EstimateGate {
   EstimateGate(const EstimateGateParams& params, const Homography& table_from_image,
                const TableGeometry& table);
 
-  /// Fills `measurement` when the estimate is good.
+  /// Fills `measurement` when the estimate is good. `sender`: the clock of its session.
   EstimateVerdict judge(const puck_estimate_t& estimate, const HostNow& now,
-                        TableMeasurement& measurement);
+                        const SenderClock& sender, TableMeasurement& measurement);
 
   std::int64_t count(EstimateVerdict verdict) const {
     return counts_[static_cast<std::size_t>(verdict)];
   }
 
  private:
-  EstimateVerdict judge_order(const puck_estimate_t& estimate, const HostNow& now);
+  EstimateVerdict judge_order(const puck_estimate_t& estimate, const HostNow& now,
+                              const SenderClock& sender);
   EstimateVerdict judge_content(const puck_estimate_t& estimate, const HostNow& now,
-                                TableMeasurement& measurement) const;
+                                const ClockOffset& sender, TableMeasurement& measurement) const;
 
   EstimateGateParams params_;
   Homography table_from_image_;

@@ -62,9 +62,10 @@ void PlayBridge::follow_session(const puck_estimate_t& estimate) {
   basis_.reset();
 }
 
-void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now) {
+void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
+                      const SenderClock& sender) {
   TableMeasurement measurement;
-  const EstimateVerdict verdict = gate_.judge(estimate, now, measurement);
+  const EstimateVerdict verdict = gate_.judge(estimate, now, sender, measurement);
   if (!is_news(verdict)) return;
   tracked_ = verdict == EstimateVerdict::kGood;
   if (verdict == EstimateVerdict::kMalformed) return;
@@ -72,7 +73,8 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now) {
   newest_ = estimate;
   newest_sensor_ = {estimate.sensor_us};
   trajectory_due_ = true;
-  const std::int64_t age_us = now.utime - estimate.event_utime;
+  // The estimate is news, so the clock of its sender is known.
+  const std::int64_t age_us = now.utime - sender->to_own(estimate.event_utime);
   const bool age_is_known = estimate.event_utime != 0 && age_us >= 0;
   if (!tracked_) {
     // Without a puck there may be no events either: sensor time would stand still.
@@ -90,7 +92,12 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now) {
   if (track && track->covariance[10] < kGameSpeedVariance) game_.see(newest_sensor_, *track);
 }
 
-void PlayBridge::hear(const arm_state_t& state, const HostNow& now) {
+void PlayBridge::hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
+  // The arm of a log that is played would be answered in the place of the one that is there.
+  if (freshness_of(state.utime, now, sender, params_.gate.max_clock_error_us) !=
+      Freshness::kOfNow) {
+    return;
+  }
   switch (arm_publisher_.hear(state.session, state.seq, now.monotonic_us)) {
     case SinglePublisher::Verdict::kNewPublisher:
     case SinglePublisher::Verdict::kAccepted:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/messaging/channels.h"
+#include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 #include "common/messaging/single_publisher.h"
 #include "common/table/homography.h"
@@ -40,8 +41,9 @@ class PlayBridge {
   PlayBridge(const PlayBridgeParams& params, const Homography& table_from_image,
              const TableGeometry& table);
 
-  void hear(const puck_estimate_t& estimate, const HostNow& now);
-  void hear(const arm_state_t& state, const HostNow& now);
+  /// `sender`: the clock of the message's session. An arm's word that is not of now is no arm.
+  void hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
+  void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender);
   void hear(const head_state_t& head, const HostNow& now);
 
   /// What is due for publication at `now`; each is due once.

@@ -26,6 +26,8 @@ constexpr milliseconds kQuietBusPeriod{10};
 // than publishing it.
 constexpr microseconds kShortestSleep{200};
 constexpr std::int64_t kLateUs = 20'000;
+// An older word of the arm, by its own clock, is not of now.
+constexpr std::int64_t kArmAgeUs = 200'000;
 // What a receiver can take when the camera makes up for lost time. A packet costs it as much as so
 // many events.
 constexpr double kCatchUpMevS = 100;
@@ -75,9 +77,12 @@ void CameraService::check_mask(SensorSize sensor) const {
   settings_.hot_pixels.check_sensor(sensor, "camera.hot_pixel_mask");
 }
 
-// A stale or foreign ARM_STATE changes nothing, so the mallet stays.
+// A stale or foreign ARM_STATE, or that of a log, changes nothing, so the mallet stays.
 void CameraService::listen_to_arm() {
   context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& receipt) {
+    const HostNow came{receipt.utime, receipt.monotonic_us};
+    const SenderClock arm_clock = context_.status.clock_of(state.session);
+    if (freshness_of(state.utime, came, arm_clock, kArmAgeUs) != Freshness::kOfNow) return;
     const auto verdict = arm_.hear(state.session, state.seq, receipt.monotonic_us);
     if (verdict == SinglePublisher::Verdict::kLate ||
         verdict == SinglePublisher::Verdict::kOtherPublisher) {

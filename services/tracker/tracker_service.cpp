@@ -25,6 +25,8 @@ constexpr milliseconds kRestEnds{500};
 // Packets overlap by less; a sensor's clock that steps back by more has been started anew. Believed
 // once in as long a time, so that clocks that jump to and fro do not keep the tracker busy.
 constexpr std::int64_t kClockRestartedUs = 1'000'000;
+// A packet published longer ago, by its camera's clock, comes from a log that is played.
+constexpr std::int64_t kLiveUs = 200'000;
 
 std::int64_t utime_of(std::chrono::system_clock::time_point time) {
   return std::chrono::duration_cast<std::chrono::microseconds>(time.time_since_epoch()).count();
@@ -108,6 +110,7 @@ void TrackerService::take(const EventPacketView& packet, const Receipt& receipt)
   if (events_.empty()) return;
 
   PacketOrigin origin = origin_of(packet, receipt);
+  if (!origin.is_live) ++packets_not_live_;
   // What came while it waited waits behind it: packets as long as this one, if there are any.
   const std::int64_t waited_us = host_monotonic_us() - receipt.monotonic_us;
   const std::int64_t length_us = std::max<std::int64_t>(1, events_.newest() - newest_event_);
@@ -158,6 +161,7 @@ void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt
   holds_packet_ = false;
   watch_.clear();
   packets_skipped_ = 0;
+  packets_not_live_ = 0;
   events_skipped_ = 0;
   dropped_packets_ = 0;
   events_received_ = 0;
@@ -195,7 +199,13 @@ PacketOrigin TrackerService::origin_of(const EventPacketView& packet,
                                        const Receipt& receipt) const {
   PacketOrigin origin;
   origin.session = packet.session;
+  const SenderClock camera = context_.status.clock_of(packet.session);
+  origin.is_live = freshness_of(packet.utime, {receipt.utime, receipt.monotonic_us}, camera,
+                                kLiveUs) == Freshness::kOfNow;
   origin.sensor_zero_utime = packet.sensor_zero_utime;
+  if (origin.is_live && packet.sensor_zero_utime != 0) {
+    origin.sensor_zero_utime = camera->to_own(packet.sensor_zero_utime);
+  }
   origin.received_utime = receipt.utime;
   origin.received =
       std::chrono::steady_clock::time_point(std::chrono::microseconds(receipt.monotonic_us));
@@ -211,6 +221,7 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
   message.events_session = origin.session;
   // Nobody knows whether a puck still rests where it did once its camera has fallen silent.
   if (tracked.input_age > kRestEnds) message.flags &= ~puck_estimate_t::FLAG_RESTING;
+  if (origin.is_live) message.flags |= puck_estimate_t::FLAG_LIVE;
   if (origin.sensor_zero_utime != 0) {
     message.event_utime = origin.sensor_zero_utime + tracked.estimate.newest_event.us;
   }
@@ -239,7 +250,10 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
         std::chrono::duration_cast<std::chrono::microseconds>(tracked.packet_to_look).count());
   }
   backlog_.record(message.backlog_us);
-  if (message.event_utime != 0) sensor_to_estimate_.record(message.utime - message.event_utime);
+  // Of a log, or by a clock that nobody knows, the difference would say nothing.
+  if (origin.is_live && message.event_utime != 0) {
+    sensor_to_estimate_.record(message.utime - message.event_utime);
+  }
 }
 
 void TrackerService::watch_input() {
@@ -270,6 +284,7 @@ void TrackerService::report(StatusReport& report) const {
       {"packets_rejected", rejected_packets_},
       {"packets_skipped", packets_skipped_},
       {"packets_of_others", others_packets_},
+      {"packets_not_live", packets_not_live_},
       {"events_lost", counters.items_lost},
       {"events_skipped", events_skipped_},
       {"events_thinned", events_thinned_},

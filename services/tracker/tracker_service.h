@@ -72,6 +72,7 @@ class TrackerService : public Service {
   std::int64_t events_skipped_ = 0;
   std::int64_t skipped_us_ = 0;        // CLOCK_MONOTONIC, the last of them; 0: never
   std::int64_t others_packets_ = 0;    // of publishers that are not followed
+  std::int64_t packets_not_live_ = 0;  // of a log, or of a camera whose clock is not known
   std::int64_t dropped_packets_ = 0;   // late, or older than what is on the surface
   std::int64_t rejected_packets_ = 0;  // malformed
   std::int64_t heard_us_ = 0;          // CLOCK_MONOTONIC; 0: never
@@ -84,7 +85,7 @@ class TrackerService : public Service {
   std::chrono::steady_clock::time_point published_packet_;  // its receipt
   LatencyHistogram packet_to_look_;
   LatencyHistogram packet_to_estimate_;
-  LatencyHistogram sensor_to_estimate_;
+  LatencyHistogram sensor_to_estimate_;  // of live events: corrected for the camera's clock
   LatencyHistogram backlog_;
 
   std::unique_ptr<LiveTracker> track_;  // last: its thread uses what stands above

@@ -13,12 +13,17 @@ class ArmBench {
   static constexpr std::int64_t kBridgeSession = 2001;
   static constexpr std::int64_t kTrackerSession = 3001;
 
-  explicit ArmBench(const ArmControllerParams& params = {}) : arm(params, kArmSession) {}
+  /// The clock of the bridge, the tracker and the operator is ahead by `sender_ahead_us`, as is
+  /// known.
+  explicit ArmBench(const ArmControllerParams& params = {}, std::int64_t sender_ahead_us = 0)
+      : sender(ClockOffset{sender_ahead_us, 0}), arm(params, kArmSession) {}
+
+  std::int64_t sender_utime() const { return now.utime + sender->ahead_us; }
 
   /// A good command, which a test may then spoil.
   arm_command_t command(double target_m) {
     arm_command_t message{};
-    message.utime = now.utime;
+    message.utime = sender_utime();
     message.session = kBridgeSession;
     message.seq = next_command_seq_++;
     message.mode = arm_command_t::MODE_FOLLOW;
@@ -34,13 +39,14 @@ class ArmBench {
   /// A good estimate, which a test may then spoil.
   puck_estimate_t estimate() {
     puck_estimate_t message{};
-    message.utime = now.utime;
+    message.utime = sender_utime();
     message.session = kTrackerSession;
     message.seq = next_estimate_seq_++;
     message.events_session = 1;
     message.sensor_us = now.monotonic_us;
     message.state = puck_estimate_t::STATE_TRACKING;
     message.flags = puck_estimate_t::FLAG_POSITION;
+    message.flags |= puck_estimate_t::FLAG_LIVE;
     message.x_px = 320;
     message.y_px = 240;
     return message;
@@ -53,7 +59,7 @@ class ArmBench {
     message.seq = 0;
     message.mode = mode;
     message.from_operator = true;
-    arm.hear(message, now);
+    arm.hear(message, now, sender);
   }
 
   /// `ms` steps of 1 ms with nothing on the bus.
@@ -68,8 +74,8 @@ class ArmBench {
   /// `ms` steps of 1 ms with a fresh estimate and a command in each.
   void play(int ms, double target_m) {
     for (int i = 0; i < ms; ++i) {
-      arm.hear(estimate(), now);
-      arm.hear(command(target_m), now);
+      arm.hear(estimate(), now, sender);
+      arm.hear(command(target_m), now, sender);
       run(1);
     }
   }
@@ -77,6 +83,7 @@ class ArmBench {
   bool stands() const { return arm.velocity_m_s() == 0; }
 
   HostNow now{1'700'000'000'000'000, 5'000'000};
+  SenderClock sender;
   ArmController arm;
 
  private:

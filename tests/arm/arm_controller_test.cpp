@@ -37,12 +37,12 @@ TEST_CASE("The arm stands still within its limits when the commands end") {
   const double target_before = bench.arm.state().target_m;
   // Estimates go on, commands do not. 100 ms until it brakes, 75 ms to brake from 1.5 m/s.
   for (int i = 0; i < 99; ++i) {
-    bench.arm.hear(bench.estimate(), bench.now);
+    bench.arm.hear(bench.estimate(), bench.now, bench.sender);
     bench.run(1);
   }
   CHECK(bench.arm.state().target_m == target_before);
   for (int i = 0; i < 80; ++i) {
-    bench.arm.hear(bench.estimate(), bench.now);
+    bench.arm.hear(bench.estimate(), bench.now, bench.sender);
     bench.run(1);
   }
   CHECK(bench.stands());
@@ -55,7 +55,7 @@ TEST_CASE("The arm stands still when the track under good commands goes silent")
   bench.play(40, 0.3);
   const auto command_only = [&](int ms) {
     for (int i = 0; i < ms; ++i) {
-      bench.arm.hear(bench.command(i < 50 ? -0.3 : 0.3), bench.now);
+      bench.arm.hear(bench.command(i < 50 ? -0.3 : 0.3), bench.now, bench.sender);
       bench.run(1);
     }
   };
@@ -71,8 +71,8 @@ TEST_CASE("The arm stands still at once when the tracker says that it lost the p
   for (int i = 0; i < 80; ++i) {
     puck_estimate_t lost = bench.estimate();
     lost.state = puck_estimate_t::STATE_LOST;
-    bench.arm.hear(lost, bench.now);
-    bench.arm.hear(bench.command(0.3), bench.now);
+    bench.arm.hear(lost, bench.now, bench.sender);
+    bench.arm.hear(bench.command(0.3), bench.now, bench.sender);
     bench.run(1);
     CHECK(bench.arm.state().reason == "no live track");
   }
@@ -87,8 +87,8 @@ TEST_CASE("An estimate said again and again is no track, unless the puck rests")
       puck_estimate_t estimate = bench.estimate();
       estimate.sensor_us = frozen_us;
       if (resting) estimate.flags |= puck_estimate_t::FLAG_RESTING;
-      bench.arm.hear(estimate, bench.now);
-      bench.arm.hear(bench.command(0.1), bench.now);
+      bench.arm.hear(estimate, bench.now, bench.sender);
+      bench.arm.hear(bench.command(0.1), bench.now, bench.sender);
       bench.run(1);
     }
     CHECK((bench.arm.state().reason == "no live track") == !resting);
@@ -99,26 +99,65 @@ TEST_CASE("Estimates that are replayed, malformed or another tracker's give no l
   ArmBench bench;
   puck_estimate_t old = bench.estimate();
   old.utime -= 300'000;
-  bench.arm.hear(old, bench.now);
+  bench.arm.hear(old, bench.now, bench.sender);
   puck_estimate_t malformed = bench.estimate();
   malformed.x_px = std::numeric_limits<double>::quiet_NaN();
-  bench.arm.hear(malformed, bench.now);
-  bench.arm.hear(bench.command(0.1), bench.now);
+  bench.arm.hear(malformed, bench.now, bench.sender);
+  bench.arm.hear(bench.command(0.1), bench.now, bench.sender);
   bench.run(1);
   CHECK(bench.arm.state().reason == "no live track");
   CHECK(bench.arm.estimates(TrackWatch::Verdict::kClock) == 1);
   CHECK(bench.arm.estimates(TrackWatch::Verdict::kMalformed) == 1);
 
-  bench.arm.hear(bench.estimate(), bench.now);
+  bench.arm.hear(bench.estimate(), bench.now, bench.sender);
   arm_command_t command = bench.command(0.1);
   command.estimate_session = 4;
-  bench.arm.hear(command, bench.now);
+  bench.arm.hear(command, bench.now, bench.sender);
   bench.run(1);
   CHECK(bench.arm.state().reason == "the command rests on another tracker");
   puck_estimate_t other = bench.estimate();
   other.session = 4;
-  bench.arm.hear(other, bench.now);
+  bench.arm.hear(other, bench.now, bench.sender);
   CHECK(bench.arm.estimates(TrackWatch::Verdict::kOtherPublisher) == 1);
+}
+
+TEST_CASE("With clocks hours apart the arm plays as well, and measures the same latency") {
+  constexpr std::int64_t kHourUs = 3'600'000'000;
+  for (const std::int64_t ahead_us : {std::int64_t{0}, 7 * kHourUs, -7 * kHourUs}) {
+    CAPTURE(ahead_us);
+    ArmBench bench({}, ahead_us);
+    bench.play(600, 0.2);
+    CHECK(bench.arm.position_m() == doctest::Approx(0.2).epsilon(0.01));
+    CHECK(bench.arm.guard().refused() == 0);
+    // The bench moves on by a millisecond between an estimate and the step that uses it.
+    CHECK(bench.arm.state().estimate_to_motion_us == 1000);
+
+    arm_command_t old = bench.command(-0.2);
+    old.utime -= 200'001;
+    bench.arm.hear(old, bench.now, bench.sender);
+    CHECK(bench.arm.guard().refused(CommandRefusal::kOld) == 1);
+  }
+}
+
+TEST_CASE(
+    "An estimate whose tracker's clock is not known is no track, nor is one of a log's events") {
+  ArmBench bench;
+  for (int i = 0; i < 50; ++i) {
+    bench.arm.hear(bench.estimate(), bench.now, std::nullopt);
+    bench.arm.hear(bench.command(0.2), bench.now, bench.sender);
+    bench.run(1);
+  }
+  CHECK(bench.arm.estimates(TrackWatch::Verdict::kClockUnknown) == 50);
+  CHECK(bench.arm.state().reason == "no live track");
+  for (int i = 0; i < 50; ++i) {
+    puck_estimate_t of_log = bench.estimate();
+    of_log.flags = puck_estimate_t::FLAG_POSITION;
+    bench.arm.hear(of_log, bench.now, bench.sender);
+    bench.arm.hear(bench.command(0.2), bench.now, bench.sender);
+    bench.run(1);
+  }
+  CHECK(bench.arm.state().reason == "no live track");
+  CHECK(bench.arm.position_m() == 0);
 }
 
 TEST_CASE("A stop brakes, stays through good commands, and ends with an operator's reset") {
@@ -141,10 +180,10 @@ TEST_CASE("A stop brakes, stays through good commands, and ends with an operator
 
 TEST_CASE("The time from an estimate's publication to the set-point it led to is measured") {
   ArmBench bench;
-  bench.arm.hear(bench.estimate(), bench.now);
+  bench.arm.hear(bench.estimate(), bench.now, bench.sender);
   bench.now.utime += 700;
   bench.now.monotonic_us += 700;
-  bench.arm.hear(bench.command(0.1), bench.now);
+  bench.arm.hear(bench.command(0.1), bench.now, bench.sender);
   bench.run(5);
   CHECK(bench.arm.state().estimate_to_motion_us == 1700);
 }
@@ -160,7 +199,7 @@ TEST_CASE("In mode follow the arm follows the puck's y, on the line and on the t
       puck_estimate_t estimate = bench.estimate();
       estimate.x_px = pixel.x;
       estimate.y_px = pixel.y;
-      bench.arm.hear(estimate, bench.now);
+      bench.arm.hear(estimate, bench.now, bench.sender);
       bench.run(1);
     }
   };
@@ -172,7 +211,7 @@ TEST_CASE("In mode follow the arm follows the puck's y, on the line and on the t
   CHECK(bench.arm.state().reason == "the track is off the table");
   CHECK(bench.arm.position_m() == doctest::Approx(-0.3).epsilon(0.01));
 
-  bench.arm.hear(bench.command(0), bench.now);
+  bench.arm.hear(bench.command(0), bench.now, bench.sender);
   CHECK(bench.arm.guard().refused(CommandRefusal::kFollowsItself) == 1);
   bench.operate(arm_command_t::MODE_STOP);
   see(*test_camera().to_image({1, 0.12}), 100);

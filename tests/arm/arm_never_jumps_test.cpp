@@ -178,7 +178,7 @@ TEST_CASE("Whatever arrives, the arm keeps its limits and only brakes without co
           reset.mode = arm_command_t::MODE_RESET;
           reset.from_operator = 1;
           witness.see(reset, bench.now);
-          bench.arm.hear(reset, bench.now);
+          bench.arm.hear(reset, bench.now, bench.sender);
         }
       }
       if (mischief.chance(0.02)) target_m = mischief.target();
@@ -186,13 +186,13 @@ TEST_CASE("Whatever arrives, the arm keeps its limits and only brakes without co
         puck_estimate_t estimate = bench.estimate();
         if (mischief.chance(spoilt)) mischief.spoil(estimate);
         witness.see(estimate, bench.now);
-        bench.arm.hear(estimate, bench.now);
+        bench.arm.hear(estimate, bench.now, bench.sender);
       }
       if (mischief.chance(command_rate)) {
         arm_command_t command = bench.command(target_m);
         if (mischief.chance(spoilt)) mischief.spoil(command);
         witness.see(command, bench.now);
-        bench.arm.hear(command, bench.now);
+        bench.arm.hear(command, bench.now, bench.sender);
       }
 
       const double position_before = bench.arm.position_m();

@@ -15,6 +15,7 @@
 #include "services/arm/operator_command.h"
 #include "tests/messaging/test_url.h"
 #include "tests/support/service_bench.h"
+#include "tests/support/skewed_machine.h"
 
 namespace puck {
 namespace {
@@ -47,6 +48,7 @@ class RunningArm {
     estimate.sensor_us = host_monotonic_us();
     estimate.state = puck_estimate_t::STATE_TRACKING;
     estimate.flags = puck_estimate_t::FLAG_POSITION;
+    estimate.flags |= puck_estimate_t::FLAG_LIVE;
     estimate.image_width = 640;
     estimate.image_height = 480;
     bench.bus.publish(estimate);
@@ -105,6 +107,51 @@ TEST_CASE("The arm service stands still when the bus falls silent") {
     return now->state == arm_state_t::STATE_HOLDING && now->reason == "no command in time";
   };
   CHECK(ServiceBench::until(stands, [] {}));
+}
+
+TEST_CASE("The arm follows a bridge and a tracker whose clock is hours away, once they answer") {
+  constexpr std::int64_t kHourUs = 3'600'000'000;
+  const std::string url = private_lcm_url();
+  RunningArm arm(url);
+  SkewedMachine machine(url, 4711, 5 * kHourUs);
+  const auto play = [&](double target_m, std::int64_t age_us) {
+    machine.serve();
+    puck_estimate_t estimate{};
+    estimate.sensor_us = host_monotonic_us();
+    estimate.state = puck_estimate_t::STATE_TRACKING;
+    estimate.flags = puck_estimate_t::FLAG_POSITION;
+    estimate.flags |= puck_estimate_t::FLAG_LIVE;
+    estimate.image_width = 640;
+    estimate.image_height = 480;
+    machine.publish(estimate);
+    arm_command_t command{};
+    command.target_m = target_m;
+    command.valid_for_us = 100'000;
+    command.estimate_session = machine.session();
+    command.arm_session = arm.bench.bus.session();
+    machine.publish(command, age_us);
+  };
+  const auto counter = [&](const std::string& name) {
+    StatusReport report;
+    arm.bench.service->report(report);
+    for (const auto& [key, value] : report.counters) {
+      if (key == name) return value;
+    }
+    return std::int64_t{-1};
+  };
+
+  machine.answer(false);
+  CHECK(ServiceBench::until([&] { return counter("refused_clock_unknown") > 50; },
+                            [&] { play(0.2, 0); }));
+  CHECK(arm.state()->position_m == 0);
+  machine.answer(true);
+  CHECK(ServiceBench::until([&] { return std::abs(arm.state()->position_m - 0.2) < 0.005; },
+                            [&] { play(0.2, 0); }));
+  CHECK(arm.state()->estimate_to_motion_us < 5'000'000);
+  // Commands of half a second ago, by the same clock.
+  CHECK(ServiceBench::until([&] { return counter("refused_old") > 50; },
+                            [&] { play(-0.2, 500'000); }));
+  CHECK(std::abs(arm.state()->position_m - 0.2) < 0.005);
 }
 
 TEST_CASE("puck-arm --stop latches a running arm and --reset releases it, both confirmed") {

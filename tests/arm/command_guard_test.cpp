@@ -12,7 +12,7 @@ namespace {
 
 class GuardBench : public ArmBench {
  public:
-  CommandRefusal hear(const arm_command_t& command) { return guard.hear(command, now); }
+  CommandRefusal hear(const arm_command_t& command) { return guard.hear(command, now, sender); }
   void pass(std::int64_t us) {
     now.utime += us;
     now.monotonic_us += us;
@@ -56,6 +56,48 @@ TEST_CASE("A command 200 ms old by its own clock is taken, an older or a future 
   CHECK(bench.hear(command) == CommandRefusal::kOld);
   command.utime = std::numeric_limits<std::int64_t>::max();
   CHECK(bench.hear(command) == CommandRefusal::kFromFuture);
+}
+
+TEST_CASE("The age of a command is judged by its sender's clock, hours away as it may be") {
+  constexpr std::int64_t kHourUs = 3'600'000'000;
+  for (const std::int64_t ahead_us : {5 * kHourUs, -5 * kHourUs}) {
+    CAPTURE(ahead_us);
+    GuardBench bench;
+    bench.sender = ClockOffset{ahead_us, 5'000};
+    CHECK(bench.hear(bench.command(0)) == CommandRefusal::kNone);
+    arm_command_t command = bench.command(0);
+    command.utime -= 195'000;
+    CHECK(bench.hear(command) == CommandRefusal::kNone);
+    // 5 ms older it may be 200 ms old: the offset is not better known.
+    command = bench.command(0);
+    command.utime -= 195'001;
+    CHECK(bench.hear(command) == CommandRefusal::kOld);
+    // What would be of now by our clock.
+    command.utime = bench.now.utime;
+    CHECK(bench.hear(command) ==
+          (ahead_us > 0 ? CommandRefusal::kOld : CommandRefusal::kFromFuture));
+  }
+}
+
+TEST_CASE("As long as its sender's clock is not known, nothing but a stop is obeyed") {
+  GuardBench bench;
+  for (const SenderClock& unknown : {SenderClock{}, SenderClock{ClockOffset{0, 200'001}}}) {
+    bench.sender = ClockOffset{};
+    arm_command_t command = bench.command(0.1);
+    arm_command_t reset = bench.command(0);
+    bench.sender = unknown;
+    CHECK(bench.hear(command) == CommandRefusal::kClockUnknown);
+    reset.mode = arm_command_t::MODE_RESET;
+    reset.from_operator = true;
+    CHECK(bench.hear(reset) == CommandRefusal::kClockUnknown);
+  }
+  CHECK(bench.current() == nullptr);
+  bench.sender = ClockOffset{};
+  arm_command_t stop = bench.command(0);
+  stop.mode = arm_command_t::MODE_STOP;
+  bench.sender = std::nullopt;
+  CHECK(bench.hear(stop) == CommandRefusal::kNone);
+  CHECK(bench.guard.latch() == CommandGuard::Latch::kStopped);
 }
 
 TEST_CASE("A command that answers another arm session is refused") {

@@ -14,8 +14,11 @@ class BridgeBench {
   static constexpr std::int64_t kTrackerSession = 3001;
   static constexpr std::int64_t kArmSession = 1001;
 
-  explicit BridgeBench(const PlayBridgeParams& params = {})
-      : bridge(params, test_camera(), TableGeometry{}) {}
+  /// The clock of the tracker and the arm is ahead by `sender_ahead_us`, as is known.
+  explicit BridgeBench(const PlayBridgeParams& params = {}, std::int64_t sender_ahead_us = 0)
+      : sender(ClockOffset{sender_ahead_us, 0}), bridge(params, test_camera(), TableGeometry{}) {}
+
+  std::int64_t sender_utime() const { return now.utime + sender->ahead_us; }
 
   /// A good estimate of a puck there, which a test may then spoil. 300 µs old, as its clock says.
   puck_estimate_t estimate(const PuckState& puck) {
@@ -25,12 +28,12 @@ class BridgeBench {
     const Pixel next = *camera.to_image({puck.position.x_m + 1e-6 * puck.velocity.x_m_s,
                                          puck.position.y_m + 1e-6 * puck.velocity.y_m_s});
     puck_estimate_t message{};
-    message.utime = now.utime - 100;
+    message.utime = sender_utime() - 100;
     message.session = kTrackerSession;
     message.seq = next_estimate_seq_++;
     message.events_session = 1;
     message.sensor_us = sensor_us() - 300;
-    message.event_utime = now.utime - 300;
+    message.event_utime = sender_utime() - 300;
     message.state = puck_estimate_t::STATE_TRACKING;
     message.flags = puck_estimate_t::FLAG_POSITION;
     message.x_px = pixel.x;
@@ -50,12 +53,12 @@ class BridgeBench {
 
   void see_arm() {
     arm_state_t message{};
-    message.utime = now.utime;
+    message.utime = sender_utime();
     message.session = kArmSession;
     message.seq = next_arm_seq_++;
     message.line_min_m = -0.3;
     message.line_max_m = 0.3;
-    bridge.hear(message, now);
+    bridge.hear(message, now, sender);
   }
 
   void pass(std::int64_t us) {
@@ -70,7 +73,7 @@ class BridgeBench {
       pass(1000);
       puck = motion.advance(puck, 0.001).track;
       see_arm();
-      bridge.hear(estimate(puck.state), now);
+      bridge.hear(estimate(puck.state), now, sender);
       take();
     }
   }
@@ -84,6 +87,7 @@ class BridgeBench {
   std::int64_t sensor_us() const { return now.utime - 1'700'000'000'000'000; }
 
   HostNow now{1'700'000'005'000'000, 77'000'000};
+  SenderClock sender;
   PlayBridge bridge;
   std::optional<arm_command_t> command;
   std::optional<puck_trajectory_t> trajectory;

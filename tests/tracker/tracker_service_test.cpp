@@ -15,6 +15,7 @@
 #include "common/messaging/host_time.h"
 #include "tests/messaging/test_url.h"
 #include "tests/support/service_bench.h"
+#include "tests/support/skewed_machine.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/tracker/running_tracker.h"
 
@@ -176,6 +177,65 @@ TEST_CASE("a log that is played twice is followed twice") {
   CHECK(play(0));
   CHECK(play(1));
   bench.stop();
+}
+
+TEST_CASE("the camera's clock may be hours away: times and latency are by the tracker's") {
+  constexpr std::int64_t kHourUs = 3'600'000'000;
+  const std::string url = private_lcm_url();
+  ServiceBench bench(url);
+  std::mutex mutex;
+  puck_estimate_t newest{};
+  bench.bus.subscribe<puck_estimate_t>([&](const puck_estimate_t& estimate, const Receipt&) {
+    const std::lock_guard lock(mutex);
+    newest = estimate;
+  });
+  Config config;
+  TrackerServiceParams params = TrackerService::read_params(config);
+  params.size_model = {25, 0, 0, 17, 0, 0};
+  bench.make<TrackerService>(params);
+  REQUIRE(bench.start());
+
+  SkewedMachine machine(url, 4711, -5 * kHourUs);
+  EventPacker packer({.sensor = kSensor, .packet_bytes = 60000});
+  const std::int64_t began_us = host_monotonic_us();
+  const std::int64_t zero_utime = machine.utime();
+  const auto send = [&](std::int64_t age_us) {
+    machine.serve();
+    const std::int64_t t_us = host_monotonic_us() - began_us;
+    packer.pack({t_us}, puck_at({80, 60}, t_us).events, [&](event_packet_t& packet) {
+      packet.sensor_zero_utime = zero_utime;
+      machine.publish(packet, age_us);
+    });
+  };
+  const auto is_live = [&] {
+    const std::lock_guard lock(mutex);
+    return (newest.flags & puck_estimate_t::FLAG_LIVE) != 0;
+  };
+  machine.answer(false);
+  REQUIRE(ServiceBench::until(
+      [&] {
+        const std::lock_guard lock(mutex);
+        return newest.sensor_us > 100'000;
+      },
+      [&] { send(0); }));
+  CHECK_FALSE(is_live());
+  machine.answer(true);
+  REQUIRE(ServiceBench::until(is_live, [&] { send(0); }));
+  {
+    const std::lock_guard lock(mutex);
+    CHECK(newest.event_utime > newest.utime - 10'000'000);
+    CHECK(newest.event_utime < newest.utime + 10'000'000);
+  }
+  // The same camera, from a log.
+  CHECK(ServiceBench::until([&] { return !is_live(); }, [&] { send(500'000); }));
+  bench.stop();
+  StatusReport report;
+  bench.service->report(report);
+  for (const StatusLatency& latency : report.latencies) {
+    if (latency.name != "sensor_to_estimate") continue;
+    CHECK(latency.samples > 0);
+    CHECK(latency.max_us < 10'000'000);
+  }
 }
 
 TEST_CASE("a puck at rest is said to rest only as long as its camera is heard") {
