@@ -83,6 +83,8 @@ ArmService::ArmService(const ArmServiceParams& params, ServiceContext& context)
     : context_(context),
       controller_(params.controller, context.bus.session()),
       state_period_us_(static_cast<std::int64_t>(1e6 / params.state_hz)) {
+  context_.peers.need({"puck-tracker"});
+  if (params.controller.mode == ArmMode::kCommanded) context_.peers.need({"puck-bridge"});
   context_.bus.subscribe<arm_command_t>([this](const arm_command_t& command, const Receipt& at) {
     controller_.hear(command, {at.utime, at.monotonic_us},
                      context_.status.clock_of(command.session));

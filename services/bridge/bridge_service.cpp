@@ -71,6 +71,7 @@ BridgeServiceParams BridgeService::read_params(Config& config) {
 BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& context)
     : context_(context),
       bridge_(params.play, params.table.table_from_image, params.table.geometry) {
+  context_.peers.need({"puck-tracker", "puck-arm"});
   context_.bus.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate,
                                                  const Receipt& at) {
     bridge_.hear(estimate, {at.utime, at.monotonic_us}, context_.status.clock_of(estimate.session));

@@ -79,6 +79,7 @@ void CameraService::check_mask(SensorSize sensor) const {
 
 // A stale or foreign ARM_STATE, or that of a log, changes nothing, so the mallet stays.
 void CameraService::listen_to_arm() {
+  context_.peers.need({"puck-arm"});
   context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& receipt) {
     const HostNow came{receipt.utime, receipt.monotonic_us};
     const SenderClock arm_clock = context_.status.clock_of(state.session);

@@ -7,6 +7,7 @@
 #include "common/messaging/bus.h"
 #include "common/messaging/status_reporter.h"
 #include "services/launch/bus_watch.h"
+#include "services/launch/peer_watch.h"
 #include "services/launch/rate_limited_log.h"
 
 namespace puck {
@@ -18,6 +19,7 @@ struct ServiceContext {
   spdlog::logger& log;
   RateLimitedLog& limited_log;
   BusWatch& bus_watch;
+  PeerWatch& peers;
 };
 
 /// One of the five, as run_service() sees it.
@@ -34,7 +36,7 @@ class Service {
   virtual void report(StatusReport& report) const = 0;
 };
 
-/// Publishes STATUS and logs the bus's troubles, each when it is due.
+/// Publishes STATUS and logs the troubles of the bus and of other services, each when it is due.
 void poll_status(ServiceContext& context, const Service& service);
 
 }  // namespace puck

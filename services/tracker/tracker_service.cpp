@@ -41,6 +41,7 @@ StatusLatency named(const char* name, const LatencyHistogram& histogram) {
 
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
     : params_(params), context_(context) {
+  context_.peers.need({"puck-camera"});
   // Parameters that cannot work are refused at the start, not with the first packet.
   // On the largest sensor, since it is not known yet how far the detection region may reach.
   const SurfaceTracker trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
@@ -65,7 +66,8 @@ void TrackerService::receive(const EventPacketView& packet, const Receipt& recei
   switch (publisher_.hear(packet.session, packet.seq, receipt.monotonic_us)) {
     case SinglePublisher::Verdict::kOtherPublisher:
       ++others_packets_;
-      context_.limited_log.warn("events", "a second publisher of events is not followed");
+      context_.limited_log.warn("events", "a second publisher of events is not followed: " +
+                                              context_.peers.name_of(packet.session));
       return;
     case SinglePublisher::Verdict::kLate:
       if (!publisher_.is_silent(receipt.monotonic_us)) {

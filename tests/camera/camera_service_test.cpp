@@ -45,7 +45,7 @@ class CameraRun {
   // Until the source has ended, or `stop_after` events have come, and the bus is empty.
   void run(std::size_t stop_after = static_cast<std::size_t>(-1)) {
     stop_after_ = stop_after;
-    ServiceContext context{bus_, status_, log_, limited_log_, bus_watch_};
+    ServiceContext context{bus_, status_, log_, limited_log_, bus_watch_, peers_};
     CameraService camera(settings_, context);
     REQUIRE(bus_.start(stop_.get_token(), [](const std::string&) {}));
     camera.run(stop_.get_token());
@@ -84,6 +84,7 @@ class CameraRun {
   StatusReporter status_{bus_, "puck-camera"};
   RateLimitedLog limited_log_{log_};
   BusWatch bus_watch_{bus_, log_};
+  PeerWatch peers_{bus_, status_, log_};
   std::size_t stop_after_ = 0;
 };
 

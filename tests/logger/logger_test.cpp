@@ -33,7 +33,8 @@ struct LoggerBench {
   spdlog::logger log{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
   RateLimitedLog limited_log{log};
   BusWatch bus_watch{bus, log};
-  ServiceContext context{bus, status, log, limited_log, bus_watch};
+  PeerWatch peers{bus, status, log};
+  ServiceContext context{bus, status, log, limited_log, bus_watch, peers};
   LoggerService logger;
 
   explicit LoggerBench(const LoggerParams& params) : logger(params, context) {

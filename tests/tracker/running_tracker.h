@@ -76,7 +76,8 @@ class RunningTracker {
   spdlog::logger log_{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
   RateLimitedLog limited_log_{log_};
   BusWatch bus_watch_{bus_, log_};
-  ServiceContext context_{bus_, status_, log_, limited_log_, bus_watch_};
+  PeerWatch peers_{bus_, status_, log_};
+  ServiceContext context_{bus_, status_, log_, limited_log_, bus_watch_, peers_};
   EventPacker packer_{{.sensor = kSensor, .packet_bytes = 60000}};
   mutable std::mutex mutex_;
   std::vector<puck_estimate_t> estimates_;

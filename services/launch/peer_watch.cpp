@@ -1,0 +1,48 @@
+#include "services/launch/peer_watch.h"
+
+#include <algorithm>
+
+#include "common/messaging/host_time.h"
+
+namespace puck {
+namespace {
+
+// STATUS has to fit one frame of the network.
+constexpr std::size_t kMostOffsets = 8;
+
+}  // namespace
+
+PeerWatch::PeerWatch(Bus& bus, StatusReporter& status, spdlog::logger& log)
+    : status_(status), log_(log), book_(status.service()) {
+  const std::int64_t own_session = bus.session();
+  bus.subscribe<service_status_t>(
+      [this, own_session](const service_status_t& heard, const Receipt& receipt) {
+        if (heard.session == own_session || !receipt.in_order()) return;
+        book_.hear(heard, status_.clock_of(heard.session).has_value(), receipt.monotonic_us);
+      });
+}
+
+void PeerWatch::poll() {
+  for (const PeerNews& news : book_.look(host_monotonic_us())) {
+    log_.log(news.is_trouble ? spdlog::level::warn : spdlog::level::info, "{}", news.text);
+  }
+  const PeerTrouble& trouble = book_.trouble();
+  const bool both = !trouble.silent.empty() && !trouble.twice.empty();
+  status_.set_trouble_of_peers(
+      trouble.twice.empty() ? ServiceState::kWaiting : ServiceState::kDegraded,
+      trouble.silent + (both ? "; " : "") + trouble.twice);
+}
+
+void PeerWatch::report(StatusReport& report) const {
+  const std::size_t shown = std::min(book_.peers().size(), kMostOffsets);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const PeerBook::Peer& peer = book_.peers()[i];
+    const SenderClock clock = status_.clock_of(peer.session);
+    if (!clock) continue;
+    report.counters.emplace_back(
+        "clock_offset_us " + peer.service + " " + peer.host + " " + std::to_string(peer.pid),
+        clock->ahead_us);
+  }
+}
+
+}  // namespace puck

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <spdlog/logger.h>
+
+#include "common/messaging/bus.h"
+#include "common/messaging/status_reporter.h"
+#include "services/launch/peer_book.h"
+
+namespace puck {
+
+/// Says on the log and in STATUS when a service that this one lives on has fallen silent, or one is
+/// there twice; so that no service has to. It ends and refuses nothing. One thread.
+class PeerWatch {
+ public:
+  /// Subscribes; so make it before the bus starts.
+  PeerWatch(Bus& bus, StatusReporter& status, spdlog::logger& log);
+
+  /// The services that this one lives on: puck-camera, …
+  void need(const std::vector<std::string>& services) { book_.need(services); }
+
+  /// Looks at all of them, and tells what is new.
+  void poll();
+
+  /// For a person: who publishes under this session.
+  std::string name_of(std::int64_t session) const { return book_.name_of(session); }
+
+  /// Adds clock_offset_us of each service that is heard: how far its clock is ahead of ours.
+  void report(StatusReport& report) const;
+
+ private:
+  StatusReporter& status_;
+  spdlog::logger& log_;
+  PeerBook book_;
+};
+
+}  // namespace puck
