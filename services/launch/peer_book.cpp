@@ -80,10 +80,14 @@ std::vector<PeerNews> PeerBook::look(std::int64_t now_us) {
 void PeerBook::look_for_silent(std::int64_t now_us, std::vector<PeerNews>& news) {
   trouble_.silent.clear();
   for (Need& need : needs_) {
+    // Of several the one that speaks.
     const Peer* newest = nullptr;
     for (const Peer& peer : peers_) {
       if (peer.service != need.service) continue;
-      if (newest == nullptr || peer.heard_us > newest->heard_us) newest = &peer;
+      if (newest == nullptr || std::pair(speaks(peer, now_us), peer.heard_us) >
+                                   std::pair(speaks(*newest, now_us), newest->heard_us)) {
+        newest = &peer;
+      }
     }
     if (newest != nullptr && speaks(*newest, now_us)) {
       if (!need.missing.empty())

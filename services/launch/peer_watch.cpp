@@ -8,7 +8,7 @@ namespace puck {
 namespace {
 
 // STATUS has to fit one frame of the network.
-constexpr std::size_t kMostOffsets = 8;
+constexpr std::size_t kMostOffsets = 6;
 
 }  // namespace
 

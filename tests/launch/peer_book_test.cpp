@@ -124,11 +124,12 @@ TEST_CASE("two of a kind are told once, by host and pid, as long as both speak")
   CHECK(bench.book.name_of(3) == "puck-camera on lab, pid 13");
   bench.pass(5'000'000);
   CHECK(bench.news.size() == 1);
+  bench.say(bench.speakers[2], service_status_t::STATE_STOPPING);
   bench.speakers[2].speaks = false;
   bench.pass(1'000'000);
   CHECK(bench.book.trouble().twice.empty());
   CHECK(bench.book.trouble().silent.empty());
-  CHECK(bench.news.back() == "no service is there twice any more");
+  CHECK(bench.news == Texts{both, "no service is there twice any more"});
 }
 
 TEST_CASE("another of this service's own kind is told; two loggers do not quarrel") {
