@@ -1,9 +1,5 @@
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
 
-#include "common/messaging/byte_reader.h"
 #include "common/messaging/log_file.h"
 
 // LCM's own reader takes a damaged log for a finished one, so this is ours.
@@ -11,106 +7,119 @@
 namespace puck {
 namespace {
 
-constexpr std::array<std::uint8_t, 4> kMark{0xed, 0xa1, 0xda, 0x01};
-constexpr std::size_t kHeaderBytes = 4 + 8 + 8 + 4 + 4;
-constexpr std::int64_t kMaxChannelBytes = 255;
-constexpr std::int64_t kMaxMessageBytes = std::int64_t{1} << 28;  // LCM's own limit.
+constexpr std::int64_t kSearchedForTheFirst = std::int64_t{1} << 20;
+constexpr const char* kCutOff = "the log ends within a message";
 
-bool read_whole(std::FILE* file, void* to, std::size_t bytes) {
-  return std::fread(to, 1, bytes, file) == bytes;
+bool is_printable(std::span<const std::uint8_t> text) {
+  return std::all_of(text.begin(), text.end(), [](std::uint8_t c) { return c > 0x20 && c < 0x7f; });
 }
 
 }  // namespace
 
-void LogReader::Closer::operator()(std::FILE* file) const { std::fclose(file); }
-
-LogReader::LogReader(const std::filesystem::path& path) {
-  file_.reset(std::fopen(path.c_str(), "rb"));
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  if (!file_ || error) {
-    const std::string why = error ? error.message() : std::strerror(errno);
-    throw LogFileError(path.string() + ": cannot be read: " + why);
+LogReader::LogReader(const std::filesystem::path& path) : bytes_(path) {
+  if (bytes_.size() == 0 || parse_log_header(bytes_.at(0, kLogHeaderBytes))) return;
+  // Its first message may be the damaged one; or the only one, and cut off.
+  if (message_may_begin(0)) return;
+  for (std::int64_t place = 1; place < kSearchedForTheFirst; ++place) {
+    place = bytes_.find_mark(place, kSearchedForTheFirst);
+    if (place < kSearchedForTheFirst && message_begins(place)) return;
   }
-  size_ = static_cast<std::int64_t>(size);
-  std::array<std::uint8_t, kMark.size()> mark{};
-  if (size_ > 0 && (!read_whole(file_.get(), mark.data(), mark.size()) || mark != kMark)) {
-    throw LogFileError(path.string() + ": is not an LCM log: it does not begin with a message");
-  }
+  throw LogFileError(path.string() + ": is not an LCM log: it does not begin with a message");
 }
-
-LogReader::~LogReader() = default;
 
 bool LogReader::next(LogRecord& record) {
-  while (true) {
-    std::string why;
-    switch (read_record(record, why)) {
-      case Outcome::kRecord:
-        return true;
-      case Outcome::kEnd:
-        return false;
-      case Outcome::kDamage:
-        if (!damage_) damage_ = why + " at byte " + std::to_string(offset_);
-        skip_to_next_record();
+  while (offset_ < bytes_.size()) {
+    const auto header = parse_log_header(bytes_.at(offset_, kLogHeaderBytes));
+    if (!header) {
+      if (offset_ + static_cast<std::int64_t>(kLogHeaderBytes) > bytes_.size()) {
+        skip_damage(kCutOff);
+      } else if (message_may_begin(offset_)) {
+        skip_damage("a message has an impossible length");
+      } else {
+        skip_damage("no message begins");
+      }
+      continue;
+    }
+    if (auto problem = find_problem(*header)) {
+      skip_damage(std::move(*problem));
+      continue;
+    }
+    const auto whole = bytes_.at(offset_, header->record_bytes());
+    if (whole.size() < header->record_bytes()) {  // The file has become shorter.
+      skip_damage(kCutOff);
+      continue;
+    }
+    const auto channel = whole.subspan(kLogHeaderBytes, header->channel_bytes);
+    const auto message = whole.subspan(kLogHeaderBytes + header->channel_bytes);
+    record.number = header->number;
+    record.utime = header->utime;
+    record.channel.assign(channel.begin(), channel.end());
+    record.bytes.assign(message.begin(), message.end());
+    record.offset = offset_;
+    offset_ += static_cast<std::int64_t>(header->record_bytes());
+    return true;
+  }
+  return false;
+}
+
+// A length that was hit still looks like one. It is found out by the neighbours' numbers: the
+// message after this one must begin where this one ends.
+std::optional<std::string> LogReader::find_problem(const LogHeader& header) {
+  constexpr int kMostMarksInside = 16;  // Of a log made to keep the reader busy.
+  const std::int64_t end = offset_ + static_cast<std::int64_t>(header.record_bytes());
+  if (end > bytes_.size()) return kCutOff;
+  const auto follows = [&](std::int64_t place) {
+    const auto next = parse_log_header(bytes_.at(place, kLogHeaderBytes));
+    // Unsigned, for the numbers may be any.
+    return next && static_cast<std::uint64_t>(next->number) ==
+                       static_cast<std::uint64_t>(header.number) + 1;
+  };
+  std::int64_t inside = offset_ + static_cast<std::int64_t>(kLogHeaderBytes);
+  for (int i = 0; i < kMostMarksInside; ++i, ++inside) {
+    inside = bytes_.find_mark(inside, end);
+    if (inside == end) break;
+    if (follows(inside) && message_begins(inside)) {
+      return "a message is longer than the place to the next one";
     }
   }
+  if (end == bytes_.size() || message_may_begin(end)) return std::nullopt;
+  const std::int64_t next = next_message_from(end);
+  if (next < bytes_.size() && follows(next)) {
+    return "a message is shorter than the place to the next one";
+  }
+  return std::nullopt;
 }
 
-LogReader::Outcome LogReader::read_record(LogRecord& record, std::string& why) {
-  if (offset_ >= size_) return Outcome::kEnd;
-  std::fseek(file_.get(), static_cast<long>(offset_), SEEK_SET);
-  std::array<std::uint8_t, kHeaderBytes> header{};
-  why = "the log ends within a message";
-  if (!read_whole(file_.get(), header.data(), header.size())) return Outcome::kDamage;
-  if (!std::equal(kMark.begin(), kMark.end(), header.begin())) {
-    why = "no message begins";
-    return Outcome::kDamage;
-  }
-  ByteReader reader(header);
-  reader.take(kMark.size());
-  record.number = reader.whole<std::int64_t>();
-  record.utime = reader.whole<std::int64_t>();
-  const std::int64_t channel_bytes = reader.whole<std::int32_t>();
-  const std::int64_t message_bytes = reader.whole<std::int32_t>();
-  if (channel_bytes < 1 || channel_bytes > kMaxChannelBytes || message_bytes < 0 ||
-      message_bytes > kMaxMessageBytes) {
-    why = "a message has an impossible length";
-    return Outcome::kDamage;
-  }
-  const std::int64_t end =
-      offset_ + static_cast<std::int64_t>(kHeaderBytes) + channel_bytes + message_bytes;
-  if (end > size_) return Outcome::kDamage;
-  record.channel.resize(static_cast<std::size_t>(channel_bytes));
-  record.bytes.resize(static_cast<std::size_t>(message_bytes));
-  if (!read_whole(file_.get(), record.channel.data(), record.channel.size()) ||
-      !read_whole(file_.get(), record.bytes.data(), record.bytes.size())) {
-    return Outcome::kDamage;
-  }
-  offset_ = end;
-  return Outcome::kRecord;
+bool LogReader::message_may_begin(std::int64_t offset) {
+  return std::ranges::equal(bytes_.at(offset, kLogMark.size()), kLogMark);
 }
 
-void LogReader::skip_to_next_record() {
-  std::array<std::uint8_t, 65536> block{};
+bool LogReader::message_begins(std::int64_t offset) {
+  const auto header = parse_log_header(bytes_.at(offset, kLogHeaderBytes));
+  if (!header) return false;
+  if (offset + static_cast<std::int64_t>(header->record_bytes()) > bytes_.size()) return false;
+  const auto channel =
+      bytes_.at(offset + static_cast<std::int64_t>(kLogHeaderBytes), header->channel_bytes);
+  return is_printable(channel);
+}
+
+std::int64_t LogReader::next_message_from(std::int64_t offset) {
+  if (offset >= searched_from_ && offset <= searched_to_) return searched_to_;
+  std::int64_t place = bytes_.find_mark(offset, bytes_.size());
+  while (place < bytes_.size() && !message_begins(place)) {
+    place = bytes_.find_mark(place + 1, bytes_.size());
+  }
+  searched_from_ = offset;
+  searched_to_ = std::min(place, bytes_.size());
+  return searched_to_;
+}
+
+void LogReader::skip_damage(std::string why) {
   const std::int64_t from = offset_;
-  ++offset_;
-  while (offset_ < size_) {
-    std::fseek(file_.get(), static_cast<long>(offset_), SEEK_SET);
-    const std::size_t count = std::fread(block.data(), 1, block.size(), file_.get());
-    const auto end = block.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto found = std::search(block.begin(), end, kMark.begin(), kMark.end());
-    if (found != end) {
-      offset_ += found - block.begin();
-      break;
-    }
-    if (count < kMark.size()) {
-      offset_ = size_;
-      break;
-    }
-    // The mark may lie across two blocks.
-    offset_ += static_cast<std::int64_t>(count - kMark.size() + 1);
-  }
-  bytes_skipped_ += std::min(offset_, size_) - from;
+  offset_ = next_message_from(from + 1);
+  bytes_skipped_ += offset_ - from;
+  if (!damage_) damage_ = why + " at byte " + std::to_string(from);
+  if (on_damage_) on_damage_({from, offset_ - from, std::move(why)});
 }
 
 }  // namespace puck

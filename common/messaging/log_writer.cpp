@@ -2,68 +2,138 @@
 #include <cstring>
 
 #include <fcntl.h>
-#include <lcm/eventlog.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include "common/messaging/log_file.h"
 
+// LCM's own writer goes through stdio, which cannot say what of a failed write is in the file; so
+// this is ours.
+
 namespace puck {
 namespace {
 
-// Of each message in the file: mark, number, time, two lengths.
-constexpr std::int64_t kRecordHeaderBytes = 4 + 8 + 8 + 4 + 4;
+constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 
-std::string last_error() { return std::strerror(errno); }
-
-/// Makes the file ours before LCM's writer, which would overwrite any, opens it.
-void create(const std::filesystem::path& path, bool overwrite) {
-  const int fd =
-      open(path.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC | (overwrite ? 0 : O_EXCL), 0644);
-  if (fd >= 0) {
-    close(fd);
-    return;
-  }
-  if (errno == EEXIST)
-    throw LogFileError(path.string() + ": exists already and is not overwritten");
-  throw LogFileError(path.string() + ": cannot be written: " + last_error());
+LogFileError write_error(const std::filesystem::path& path) {
+  return LogFileError(path.string() + ": cannot be written: " + std::strerror(errno));
 }
 
 }  // namespace
 
-void LogWriter::Closer::operator()(lcm_eventlog_t* log) const { lcm_eventlog_destroy(log); }
-
-LogWriter::LogWriter(const std::filesystem::path& path, bool overwrite) : path_(path) {
-  create(path, overwrite);
-  log_.reset(lcm_eventlog_create(path.c_str(), "w"));
-  if (!log_) throw LogFileError(path.string() + ": cannot be written: " + last_error());
+OpenLog::OpenLog(const std::filesystem::path& path, bool overwrite) : path_(path) {
+  const int exclusive = overwrite ? 0 : O_EXCL;
+  descriptor_ = open(path.c_str(), O_CREAT | O_WRONLY | O_APPEND | O_CLOEXEC | exclusive, 0644);
+  if (descriptor_ < 0) {
+    if (errno == EEXIST) {
+      throw LogFileError(path.string() + ": exists already and is not overwritten");
+    }
+    throw write_error(path);
+  }
+  // A file system without locks does not keep anybody from logging.
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(descriptor_);
+    throw LogFileError(path.string() + ": cannot be written: another logger writes it");
+  }
+  if (ftruncate(descriptor_, 0) != 0) {
+    const LogFileError error = write_error(path);
+    close(descriptor_);
+    throw error;
+  }
 }
 
-LogWriter::~LogWriter() = default;
+OpenLog::~OpenLog() { close(descriptor_); }
 
-void LogWriter::write(const std::string& channel, std::int64_t utime,
-                      std::span<const std::uint8_t> bytes) {
-  lcm_eventlog_event_t event{};
-  event.timestamp = utime;
-  event.channellen = static_cast<std::int32_t>(channel.size());
-  event.datalen = static_cast<std::int32_t>(bytes.size());
-  // LCM's C structure is not const; it only reads.
-  event.channel = const_cast<char*>(channel.data());
-  event.data = const_cast<std::uint8_t*>(bytes.data());
-  if (lcm_eventlog_write_event(log_.get(), &event) != 0) {
-    throw LogFileError(path_.string() + ": cannot be written: " + last_error());
+void OpenLog::unlock() { flock(descriptor_, LOCK_UN); }
+
+void OpenLog::put_on_disk() {
+  if (fdatasync(descriptor_) != 0) throw write_error(path_);
+  if (name_is_on_disk_) return;
+  const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
+  const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) throw write_error(folder);
+  const bool done = fsync(opened) == 0;
+  close(opened);
+  if (!done) throw write_error(folder);
+  name_is_on_disk_ = true;
+}
+
+LogWriter::LogWriter(const std::filesystem::path& path, bool overwrite)
+    : file_(std::make_shared<OpenLog>(path, overwrite)) {
+  buffer_.reserve(kBufferBytes);
+}
+
+LogWriter::~LogWriter() {
+  try {
+    flush();
+  } catch (const LogFileError&) {  // Whoever wants to know flushes before.
   }
+  file_->unlock();
+}
+
+void LogWriter::write(std::string_view channel, std::int64_t utime,
+                      std::span<const std::uint8_t> bytes) {
+  const LogHeader header{messages_, utime, channel.size(), bytes.size()};
+  if (buffer_.size() + header.record_bytes() > kBufferBytes) flush();
+  const std::size_t at = buffer_.size();
+  buffer_.resize(at + header.record_bytes());
+  put_log_record(std::span(buffer_).subspan(at), header, channel, bytes);
   ++messages_;
-  bytes_ += record_bytes(channel, bytes.size());
+  ++buffered_messages_;
+  bytes_ += static_cast<std::int64_t>(header.record_bytes());
 }
 
 void LogWriter::flush() {
-  if (std::fflush(log_->f) != 0) {
-    throw LogFileError(path_.string() + ": cannot be written: " + last_error());
+  if (buffer_.empty()) return;
+  std::vector<std::uint8_t> written = std::move(buffer_);
+  const std::int64_t messages = buffered_messages_;
+  buffer_.clear();
+  buffered_messages_ = 0;
+  try {
+    write_whole(written);
+  } catch (const LogFileError&) {
+    messages_ -= messages;
+    bytes_ = bytes_in_file_;
+    throw;
   }
+  written.clear();
+  buffer_ = std::move(written);  // Its memory is used again.
 }
 
-std::int64_t LogWriter::record_bytes(const std::string& channel, std::size_t message_bytes) {
-  return kRecordHeaderBytes + static_cast<std::int64_t>(channel.size() + message_bytes);
+void LogWriter::write_records(std::span<std::uint8_t> records) {
+  flush();
+  std::int64_t messages = messages_;
+  for (auto left = records; !left.empty(); ++messages) {
+    const auto header = parse_log_header(left);
+    if (!header || header->record_bytes() > left.size()) {
+      throw std::invalid_argument("LogWriter takes only whole records");
+    }
+    put_log_number(left, messages);
+    left = left.subspan(header->record_bytes());
+  }
+  write_whole(records);
+  messages_ = messages;
+  bytes_ = bytes_in_file_;
+}
+
+void LogWriter::write_whole(std::span<const std::uint8_t> bytes) {
+  const int descriptor = file_->descriptor();
+  for (auto left = bytes; !left.empty();) {
+    const ssize_t count = ::write(descriptor, left.data(), left.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      const LogFileError error = write_error(file_->path());
+      // Back to the last whole message. Should that fail too, readers find the next one.
+      [[maybe_unused]] const int cut = ftruncate(descriptor, static_cast<off_t>(bytes_in_file_));
+      throw error;
+    }
+    left = left.subspan(static_cast<std::size_t>(count));
+  }
+  bytes_in_file_ += static_cast<std::int64_t>(bytes.size());
+}
+
+std::int64_t LogWriter::record_bytes(std::string_view channel, std::size_t message_bytes) {
+  return static_cast<std::int64_t>(LogHeader{0, 0, channel.size(), message_bytes}.record_bytes());
 }
 
 }  // namespace puck

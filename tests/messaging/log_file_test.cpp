@@ -1,36 +1,19 @@
 #include "common/messaging/log_file.h"
 
+#include <csignal>
 #include <fstream>
 #include <functional>
 #include <random>
 
 #include <doctest/doctest.h>
 #include <lcm/eventlog.h>
-#include <unistd.h>
+#include <sys/resource.h>
 
 #include "common/messaging/message_codec.h"
+#include "tests/support/temporary_folder.h"
 
 namespace puck {
 namespace {
-
-/// A path in a folder that goes away with the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("puck_log_" + std::to_string(getpid()) + "_" +
-               std::to_string(std::random_device{}()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Ten messages of 100 bytes each on channel PUCK_A: 134 bytes a record.
 void write_ten(const std::filesystem::path& path) {
@@ -66,6 +49,76 @@ void overwrite_bytes(const std::filesystem::path& path, long offset, const std::
 }
 
 constexpr int kRecordBytes = 28 + 6 + 100;
+
+/// Records of many lengths: one that is a flipped bit of another's, none, one that holds the mark.
+std::vector<LogRecord> various_records() {
+  std::vector<LogRecord> records;
+  const std::vector<std::size_t> lengths{92, 0, 1, 28, 92, 220, 7, 60};
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    LogRecord record{.utime = 1'700'000'000'000'000 + static_cast<std::int64_t>(i)};
+    record.channel = i % 3 == 0 ? "PUCK_AAAA" : "PUCK_STATUS";
+    record.bytes.assign(lengths[i], static_cast<std::uint8_t>(0x40 + i));
+    records.push_back(std::move(record));
+  }
+  std::copy(kLogMark.begin(), kLogMark.end(), records[5].bytes.begin() + 50);
+  return records;
+}
+
+/// Where each begins, and the end of the last.
+std::vector<std::size_t> write_records(const std::filesystem::path& path,
+                                       const std::vector<LogRecord>& records) {
+  std::vector<std::size_t> offsets{0};
+  LogWriter writer(path, true);
+  for (const LogRecord& record : records) {
+    writer.write(record.channel, record.utime, record.bytes);
+    offsets.push_back(static_cast<std::size_t>(writer.bytes()));
+  }
+  return offsets;
+}
+
+std::vector<LogRecord> read_all(const std::filesystem::path& path) {
+  LogReader reader(path);
+  std::vector<LogRecord> records;
+  for (LogRecord record; reader.next(record);) records.push_back(record);
+  return records;
+}
+
+bool is_same(const LogRecord& a, const LogRecord& b) {
+  return a.utime == b.utime && a.channel == b.channel && a.bytes == b.bytes;
+}
+
+/// Whether all of `expected` but the one at `hit` were read, in order, with at most what `hit`
+/// became between them.
+bool lost_only(std::size_t hit, const std::vector<LogRecord>& read,
+               const std::vector<LogRecord>& expected) {
+  if (read.size() + 1 < expected.size() || read.size() > expected.size()) return false;
+  const std::size_t after = read.size() + 1 - expected.size();  // Of `hit` itself: 0 or 1.
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (i == hit) continue;
+    if (!is_same(expected[i], read[i < hit ? i : i - 1 + after])) return false;
+  }
+  return true;
+}
+
+/// Files of this process may not grow beyond a size while it lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, SIG_DFL);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
 
 }  // namespace
 
@@ -182,11 +235,140 @@ TEST_CASE("logs with flipped bytes neither crash the reader nor keep it for ever
   }
 }
 
+TEST_CASE("one flipped bit anywhere in a log costs no other message than the one it hits") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.lcm";
+  const auto expected = various_records();
+  const auto offsets = write_records(path, expected);
+  const std::string whole = read_text(path);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    for (std::size_t byte = offsets[i]; byte < offsets[i + 1]; ++byte) {
+      for (int bit = 0; bit < 8; ++bit) {
+        std::string flipped = whole;
+        flipped[byte] = static_cast<char>(flipped[byte] ^ (1 << bit));
+        write_text(path, flipped);
+        CAPTURE(byte);
+        CAPTURE(bit);
+        REQUIRE(lost_only(i, read_all(path), expected));
+      }
+    }
+  }
+}
+
+TEST_CASE("a log cut at any byte gives all messages that are whole, and says so") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.lcm";
+  const auto expected = various_records();
+  const auto offsets = write_records(path, expected);
+  const std::string whole = read_text(path);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    for (std::size_t end = offsets[i] + (i == 0 ? 4 : 0); end < offsets[i + 1]; ++end) {
+      write_text(path, whole.substr(0, end));
+      LogReader reader(path);
+      std::size_t count = 0;
+      for (LogRecord record; reader.next(record); ++count) {
+        REQUIRE(is_same(record, expected[count]));
+      }
+      REQUIRE(count == i);
+      REQUIRE(reader.damage().has_value() == (end > offsets[i]));
+      REQUIRE(reader.bytes_skipped() == static_cast<std::int64_t>(end - offsets[i]));
+    }
+  }
+}
+
+TEST_CASE("foreign bytes between two messages cost neither of them") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.lcm";
+  const auto expected = various_records();
+  const auto offsets = write_records(path, expected);
+  std::string text = read_text(path);
+  // As many as the reader sees at a time, and more.
+  text.replace(offsets[2], offsets[3] - offsets[2], std::string(5'000'000, '\xed'));
+  write_text(path, text);
+  LogReader reader(path);
+  std::vector<LogDamage> damages;
+  reader.on_damage([&](const LogDamage& damage) { damages.push_back(damage); });
+  std::vector<LogRecord> records;
+  for (LogRecord record; reader.next(record);) records.push_back(record);
+  CHECK(records.size() == expected.size() - 1);
+  CHECK(lost_only(2, records, expected));
+  REQUIRE(damages.size() == 1);
+  CHECK(damages[0].offset == static_cast<std::int64_t>(offsets[2]));
+  CHECK(damages[0].bytes == 5'000'000);
+  CHECK(damages[0].why == "no message begins");
+}
+
+TEST_CASE("every record tells where it begins") {
+  const TemporaryFolder folder;
+  const auto offsets = write_records(folder / "a.lcm", various_records());
+  const auto records = read_all(folder / "a.lcm");
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    CHECK(records[i].offset == static_cast<std::int64_t>(offsets[i]));
+  }
+}
+
+TEST_CASE("when the disk is full the log still ends with a whole message, and goes on later") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.lcm";
+  LogWriter writer(path);
+  const std::vector<std::uint8_t> message(100);
+  {
+    const FileSizeLimit limit(50'000);
+    writer.write("PUCK_A", 1, message);
+    writer.flush();
+    for (int i = 0; i < 450; ++i) writer.write("PUCK_A", 2, message);
+    CHECK(problem_of([&] { writer.flush(); }) ==
+          path.string() + ": cannot be written: File too large");
+    CHECK(writer.messages() == 1);
+    CHECK(writer.bytes() == kRecordBytes);
+    CHECK(std::filesystem::file_size(path) == kRecordBytes);
+  }
+  writer.write("PUCK_A", 3, message);
+  writer.flush();
+  LogReader reader(path);
+  CHECK(times_in(reader) == std::vector<std::int64_t>{1, 3});
+  CHECK_FALSE(reader.damage().has_value());
+}
+
+TEST_CASE("records made elsewhere are numbered on through the log") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.lcm";
+  std::vector<std::uint8_t> records(2 * kRecordBytes);
+  for (const std::size_t at : {0, kRecordBytes}) {
+    put_log_record(std::span(records).subspan(at, kRecordBytes), {77, 5, 6, 100}, "PUCK_A",
+                   std::vector<std::uint8_t>(100));
+  }
+  {
+    LogWriter writer(path);
+    writer.write("PUCK_B", 4, {});
+    writer.write_records(records);
+    CHECK(writer.messages() == 3);
+    CHECK(writer.bytes() == static_cast<std::int64_t>(std::filesystem::file_size(path)));
+    CHECK_THROWS_AS(writer.write_records(std::span(records).first(50)), std::invalid_argument);
+  }
+  const auto read = read_all(path);
+  REQUIRE(read.size() == 3);
+  for (std::int64_t i = 0; i < 3; ++i) CHECK(read[static_cast<std::size_t>(i)].number == i);
+  CHECK(read[2].channel == "PUCK_A");
+}
+
+TEST_CASE("two loggers do not write one log") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.lcm";
+  auto first = std::make_unique<LogWriter>(path);
+  CHECK(problem_of([&] { LogWriter second(path, true); }) ==
+        path.string() + ": cannot be written: another logger writes it");
+  first.reset();
+  CHECK_NOTHROW(LogWriter(path, true));
+}
+
 TEST_CASE("a missing or foreign file is refused by name") {
   const TemporaryFolder folder;
   CHECK(problem_of([&] { LogReader reader(folder / "none"); }) ==
         (folder / "none").string() + ": cannot be read: No such file or directory");
   std::ofstream(folder / "text") << "t,x,y,p\n";
+  CHECK(problem_of([&] { LogReader reader(folder.path()); }) ==
+        folder.path().string() + ": cannot be read: is not a file");
   CHECK(problem_of([&] { LogReader reader(folder / "text"); }) ==
         (folder / "text").string() + ": is not an LCM log: it does not begin with a message");
 }

@@ -1,0 +1,94 @@
+#include "common/messaging/log_bytes.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "common/messaging/log_file.h"
+#include "common/messaging/log_format.h"
+
+namespace puck {
+namespace {
+
+constexpr std::size_t kWindowBytes = std::size_t{1} << 20;
+
+}  // namespace
+
+LogBytes::LogBytes(const std::filesystem::path& path)
+    : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  struct stat file {};
+  if (descriptor_ < 0 || fstat(descriptor_, &file) != 0) {
+    const std::string why = std::strerror(errno);
+    if (descriptor_ >= 0) close(descriptor_);
+    throw LogFileError(path.string() + ": cannot be read: " + why);
+  }
+  if (!S_ISREG(file.st_mode)) {
+    close(descriptor_);
+    throw LogFileError(path.string() + ": cannot be read: is not a file");
+  }
+  size_ = file.st_size;
+}
+
+LogBytes::~LogBytes() { close(descriptor_); }
+
+std::span<const std::uint8_t> LogBytes::at(std::int64_t offset, std::size_t count) {
+  const auto window_end = [&] {
+    return window_offset_ + static_cast<std::int64_t>(window_.size());
+  };
+  count = static_cast<std::size_t>(
+      std::clamp<std::int64_t>(size_ - offset, 0, static_cast<std::int64_t>(count)));
+  if (offset < window_offset_ || offset + static_cast<std::int64_t>(count) > window_end()) {
+    fill(offset, count);
+    count = std::min(count, window_.size());
+  }
+  if (count == 0) return {};
+  return std::span<const std::uint8_t>(window_).subspan(
+      static_cast<std::size_t>(offset - window_offset_), count);
+}
+
+void LogBytes::fill(std::int64_t offset, std::size_t count) {
+  // A large message is not kept longer than it is needed.
+  if (window_.capacity() > kWindowBytes && count <= kWindowBytes) {
+    std::vector<std::uint8_t>().swap(window_);
+  }
+  window_.resize(std::max(count, kWindowBytes));
+  window_offset_ = offset;
+  std::size_t filled = 0;
+  while (filled < window_.size()) {
+    const ssize_t got = pread(descriptor_, window_.data() + filled, window_.size() - filled,
+                              static_cast<off_t>(offset) + static_cast<off_t>(filled));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    filled += static_cast<std::size_t>(got);
+  }
+  if (filled < count) size_ = offset + static_cast<std::int64_t>(filled);
+  window_.resize(filled);
+}
+
+std::int64_t LogBytes::find_mark(std::int64_t from, std::int64_t to) {
+  constexpr std::size_t kOverlap = kLogMark.size() - 1;
+  while (from < to) {
+    const auto most = static_cast<std::size_t>(to - from) + kOverlap;
+    // Whatever is in the window already is searched first, without moving it.
+    const std::int64_t end = window_offset_ + static_cast<std::int64_t>(window_.size());
+    const bool inside =
+        from >= window_offset_ && from + static_cast<std::int64_t>(kLogMark.size()) <= end;
+    const auto block =
+        at(from, std::min(most, inside ? static_cast<std::size_t>(end - from) : kWindowBytes));
+    const void* found = memmem(block.data(), block.size(), kLogMark.data(), kLogMark.size());
+    if (found != nullptr) {
+      const auto place = static_cast<const std::uint8_t*>(found) - block.data();
+      return std::min<std::int64_t>(from + place, to);
+    }
+    if (block.size() <= kOverlap) break;
+    // The mark may lie across two blocks.
+    from += static_cast<std::int64_t>(block.size() - kOverlap);
+  }
+  return to;
+}
+
+}  // namespace puck
