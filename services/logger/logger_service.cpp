@@ -1,102 +1,77 @@
 #include "services/logger/logger_service.h"
 
-#include <array>
-#include <ctime>
-#include <limits>
-#include <stdexcept>
-
 #include "common/messaging/message_check.h"
 
 namespace puck {
 namespace {
 
 using std::chrono::milliseconds;
-using Clock = std::chrono::steady_clock;
 
 constexpr milliseconds kHandle{20};
 constexpr milliseconds kLastDrain{50};
-constexpr std::chrono::seconds kFlush{1};
-
-std::string expand(const std::string& pattern) {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  std::array<char, 4096> path{};
-  const std::size_t length = std::strftime(path.data(), path.size(), pattern.c_str(), &local);
-  if (length == 0) throw std::invalid_argument("logger.path must be 1 to 4095 bytes long");
-  return {path.data(), length};
-}
+// A loss is told of in STATUS for so long after the last of it.
+constexpr std::chrono::seconds kTellOfLoss{5};
+// What was written is promised to be on the disk by then.
+constexpr std::chrono::seconds kLongestLag{1};
 
 }  // namespace
 
-LoggerParams LoggerService::read_params(Config& config) {
-  LoggerParams params;
-  config.read("logger.path", params.path);
-  config.read("logger.overwrite", params.overwrite);
-  config.read("logger.max_bytes", params.max_bytes, 0, std::numeric_limits<std::int64_t>::max());
-  return params;
-}
-
 LoggerService::LoggerService(const LoggerParams& params, ServiceContext& context)
     : context_(context),
-      path_(expand(params.path)),
-      max_bytes_(params.max_bytes),
       events_channel_(channel_name(Channel::kEvents, context.bus.prefix())),
-      writer_(path_, params.overwrite) {
+      files_(params, context.bus.prefix(), sync_),
+      not_queued_(context.bus.prefix()),
+      thread_(static_cast<std::size_t>(params.queue_bytes),
+              [this](std::span<std::uint8_t> records) { return files_.write(records); }) {
   context_.bus.subscribe_all([this](const std::string& channel, std::span<const std::uint8_t> bytes,
                                     const Receipt& receipt) { receive(channel, bytes, receipt); });
 }
 
 void LoggerService::run(std::stop_token stop) {
-  context_.log.info("writing {}", path_);
   context_.status.set_state(ServiceState::kRunning);
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
-    flush_when_due();
+    tell_of_progress();
     poll_status(context_, *this);
   }
   // What has been received already belongs in the log.
   const auto end = Clock::now() + kLastDrain;
   while (context_.bus.handle(milliseconds(0)) > 0 && Clock::now() < end) continue;
-  writer_.flush();
-  context_.log.info("{} messages, {} bytes in {}", writer_.messages(), writer_.bytes(), path_);
+  thread_.finish();
+  tell_of_progress();
+  const LogProgress progress = files_.progress();
+  context_.log.info("{} messages, {} bytes in {} files, the last {}", progress.messages,
+                    progress.bytes, progress.files, progress.path);
 }
 
 void LoggerService::report(StatusReport& report) const {
+  const LogProgress progress = files_.progress();
+  const auto lag = std::chrono::duration_cast<std::chrono::microseconds>(sync_.lag());
   report.counters = {
-      {"messages_written", writer_.messages()},
-      {"bytes_written", writer_.bytes()},
-      {"messages_not_written", not_written_},
+      {"messages_written", progress.messages},
+      {"bytes_written", progress.bytes},
       {"packets_received", events_.counters().received},
       {"packets_lost", events_.counters().lost},
       {"packets_late", events_.counters().late + events_.counters().duplicates},
       {"packets_rejected", packets_rejected_},
       {"events_lost", events_.counters().items_lost},
+      {"files", progress.files},
+      {"files_removed", progress.files_removed},
+      {"queue_bytes", static_cast<std::int64_t>(thread_.queue().bytes())},
+      {"queue_most_bytes", static_cast<std::int64_t>(thread_.queue().most_bytes())},
+      {"not_on_disk_us", lag.count()},
   };
+  ChannelTally not_written = files_.not_written();
+  not_written.add(not_queued_);
+  not_written.report("messages_not_written", report);
 }
 
 void LoggerService::receive(const std::string& channel, std::span<const std::uint8_t> bytes,
                             const Receipt& receipt) {
   if (channel == events_channel_) account_for_events(bytes);
-  if (writing_ && max_bytes_ > 0 &&
-      writer_.bytes() + LogWriter::record_bytes(channel, bytes.size()) > max_bytes_) {
-    stop_writing("logger.max_bytes = " + std::to_string(max_bytes_) + " is reached");
-  }
-  if (writing_) {
-    write(channel, bytes, receipt);
-  } else {
-    ++not_written_;
-  }
-}
-
-void LoggerService::write(const std::string& channel, std::span<const std::uint8_t> bytes,
-                          const Receipt& receipt) {
-  try {
-    writer_.write(channel, receipt.utime, bytes);
-  } catch (const LogFileError& error) {
-    ++not_written_;
-    stop_writing(error.what());
-  }
+  if (thread_.push(channel, receipt.utime, bytes)) return;
+  not_queued_.add(channel);
+  queue_was_full_until_ = Clock::now() + kTellOfLoss;
 }
 
 void LoggerService::account_for_events(std::span<const std::uint8_t> bytes) {
@@ -115,21 +90,35 @@ void LoggerService::account_for_events(std::span<const std::uint8_t> bytes) {
   }
 }
 
-void LoggerService::flush_when_due() {
-  const auto now = Clock::now();
-  if (!writing_ || now < flush_due_) return;
-  flush_due_ = now + kFlush;
-  try {
-    writer_.flush();
-  } catch (const LogFileError& error) {
-    stop_writing(error.what());
+/// What is wrong with the log as it is now.
+std::optional<std::string> LoggerService::find_trouble() const {
+  if (const auto problem = files_.progress().problem) return "nothing is written: " + *problem;
+  if (Clock::now() < queue_was_full_until_) {
+    return "the disk is too slow: logger.queue_bytes were full, and messages are missing";
   }
+  if (const std::string problem = sync_.problem(); !problem.empty()) return problem;
+  if (sync_.lag() > kLongestLag) {
+    return "the disk is slow: what was written 1 s ago is not on it yet";
+  }
+  return std::nullopt;
 }
 
-void LoggerService::stop_writing(const std::string& why) {
-  writing_ = false;
-  context_.log.error("nothing more is written: {}", why);
-  context_.status.set_state(ServiceState::kDegraded, "nothing more is written: " + why);
+void LoggerService::tell_of_progress() {
+  const std::string path = files_.progress().path;
+  if (path != told_path_) {
+    context_.log.info("writing {}", path);
+    told_path_ = path;
+  }
+  auto trouble = find_trouble();
+  if (trouble == trouble_) return;
+  trouble_ = std::move(trouble);
+  if (trouble_) {
+    context_.log.error("{}", *trouble_);
+    context_.status.set_state(ServiceState::kDegraded, *trouble_);
+  } else {
+    context_.log.info("all is written again");
+    context_.status.set_state(ServiceState::kRunning);
+  }
 }
 
 }  // namespace puck

@@ -151,6 +151,14 @@ TEST_CASE("the logger reads its settings and refuses those that make no sense") 
   CHECK(params.path == "x.lcm");
   CHECK(params.overwrite);
   CHECK(params.max_bytes == 1000);
+  CHECK(params_of("[logger]\nrotate_bytes = 65536\nquota_bytes = 131072\n").quota_bytes == 131072);
+  for (const char* wrong :
+       {"rotate_bytes = 65535", "rotate_s = -1", "quota_bytes = 1000000",
+        "rotate_bytes = 65536\nquota_bytes = 131071", "min_free_bytes = -1", "queue_bytes = 1000",
+        "path = '%Y/a.lcm'\nrotate_bytes = 65536\nquota_bytes = 131072"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(params_of(std::string("[logger]\n") + wrong), ConfigError);
+  }
   CHECK_THROWS_AS(params_of("[logger]\nmax_bytes = -1\n"), ConfigError);
   CHECK_THROWS_AS(params_of("[logger]\npaht = 'x'\n"), ConfigError);
 }
@@ -161,8 +169,9 @@ TEST_CASE("the commented settings file holds every key with its default") {
   const BusParams bus = read_bus_params(config);
   const LoggerParams params = LoggerService::read_params(config);
   CHECK_NOTHROW(config.reject_unknown());
-  for (const char* key :
-       {"lcm.url", "lcm.prefix", "logger.path", "logger.overwrite", "logger.max_bytes"}) {
+  for (const char* key : {"lcm.url", "lcm.prefix", "logger.path", "logger.overwrite",
+                          "logger.max_bytes", "logger.rotate_bytes", "logger.rotate_s",
+                          "logger.quota_bytes", "logger.min_free_bytes", "logger.queue_bytes"}) {
     CAPTURE(key);
     CHECK(config.has(key));
   }
@@ -171,6 +180,11 @@ TEST_CASE("the commented settings file holds every key with its default") {
   CHECK(params.path == LoggerParams{}.path);
   CHECK(params.overwrite == LoggerParams{}.overwrite);
   CHECK(params.max_bytes == LoggerParams{}.max_bytes);
+  CHECK(params.rotate_bytes == LoggerParams{}.rotate_bytes);
+  CHECK(params.rotate_s == LoggerParams{}.rotate_s);
+  CHECK(params.quota_bytes == LoggerParams{}.quota_bytes);
+  CHECK(params.min_free_bytes == LoggerParams{}.min_free_bytes);
+  CHECK(params.queue_bytes == LoggerParams{}.queue_bytes);
 }
 
 TEST_CASE("puck-logger logs what lcm-logplayer plays again, and stops at once on SIGTERM") {

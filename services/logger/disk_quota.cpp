@@ -1,0 +1,101 @@
+#include "services/logger/disk_quota.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include "common/messaging/log_format.h"
+
+namespace puck {
+namespace {
+
+struct OldLog {
+  std::int64_t changed_ns = 0;
+  std::filesystem::path path;
+  std::int64_t bytes = 0;
+
+  bool operator<(const OldLog& other) const {
+    return std::tie(changed_ns, path) < std::tie(other.changed_ns, other.path);
+  }
+};
+
+class OpenFile {
+ public:
+  // Neither a link, nor a pipe that nobody writes into.
+  explicit OpenFile(const std::filesystem::path& path)
+      : descriptor_(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {}
+  ~OpenFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+bool begins_as_log(int descriptor, std::int64_t size) {
+  if (size == 0) return true;
+  std::array<std::uint8_t, kLogMark.size()> begin{};
+  return pread(descriptor, begin.data(), begin.size(), 0) == static_cast<ssize_t>(begin.size()) &&
+         begin == kLogMark;
+}
+
+/// Nothing where it is not to be touched.
+bool look_at(const std::filesystem::path& path, OldLog& log) {
+  const OpenFile file(path);
+  struct stat status {};
+  if (file.descriptor() < 0 || fstat(file.descriptor(), &status) != 0) return false;
+  if (!S_ISREG(status.st_mode) || !begins_as_log(file.descriptor(), status.st_size)) return false;
+  // Whoever writes a log holds its lock.
+  if (flock(file.descriptor(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  log.changed_ns = status.st_mtim.tv_sec * kNanoseconds + status.st_mtim.tv_nsec;
+  log.bytes = status.st_size;
+  log.path = path;
+  return true;
+}
+
+}  // namespace
+
+QuotaResult remove_oldest_logs(const LogNames& names, std::int64_t bytes) {
+  std::vector<OldLog> logs;
+  QuotaResult result;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(names.folder(), error), end;
+       !error && entry != end; entry.increment(error)) {
+    OldLog log;
+    if (!names.is_ours(entry->path().filename()) || !look_at(entry->path(), log)) continue;
+    result.bytes_left += log.bytes;
+    logs.push_back(std::move(log));
+  }
+  std::sort(logs.begin(), logs.end());
+  for (const OldLog& log : logs) {
+    if (result.bytes_left <= bytes) break;
+    if (unlink(log.path.c_str()) != 0) continue;
+    ++result.files_removed;
+    result.bytes_left -= log.bytes;
+  }
+  return result;
+}
+
+std::int64_t free_bytes(const std::filesystem::path& folder) {
+  struct statvfs disk {};
+  if (statvfs(folder.c_str(), &disk) != 0) return 0;
+  const std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+  return static_cast<std::int64_t>(
+      std::min<std::uint64_t>(most, std::uint64_t{disk.f_bavail} * disk.f_frsize));
+}
+
+}  // namespace puck
