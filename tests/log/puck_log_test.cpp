@@ -1,0 +1,306 @@
+// The real puck-log on logs that are whole, damaged, or none at all.
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "common/messaging/event_packing.h"
+#include "common/messaging/log_file.h"
+#include "tests/support/child_process.h"
+#include "tests/support/random_message.h"
+#include "tests/support/temporary_folder.h"
+
+namespace puck {
+namespace {
+
+using Json = nlohmann::json;
+
+Finished puck_log(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-log");
+  return run_program(arguments);
+}
+
+/// A channel of a log.
+std::string name_of(Channel channel) { return channel_name(channel, ""); }
+
+template <typename Message>
+void put(LogWriter& writer, std::int64_t utime, Message message) {
+  std::vector<std::uint8_t> bytes;
+  encode(message, bytes);
+  writer.write(name_of(kChannelOf<Message>), utime, bytes);
+}
+
+/// One second: 101 packets of 1000 events, one of them lost, from two runs of the camera; heads
+/// with a gap of 500 ms; a message of somebody else.
+void write_known_log(const std::filesystem::path& path) {
+  LogWriter writer(path);
+  EventPacker packer({.sensor = {640, 480}, .packet_bytes = EventPackerParams::kMaxBytes});
+  for (int i = 0; i <= 100; ++i) {
+    packer.pack({i * 10'000}, std::vector<Event>(1000), [&](event_packet_t& packet) {
+      packet.session = i < 60 ? 11 : 12;
+      packet.seq = i < 60 ? i : i - 60;
+      if (i >= 60) packet.events_before -= 60'000;
+      if (i != 30) put(writer, 1'000'000 + i * 10'000, packet);
+    });
+    head_state_t head{};
+    head.session = 5;
+    head.seq = i;
+    if (i < 20 || i > 70) head.seq = i < 20 ? i : i - 51;
+    if (i < 20 || i > 70) put(writer, 1'000'000 + i * 10'000, head);
+  }
+  writer.write("OTHER", 2'000'000, std::vector<std::uint8_t>{1, 2, 3});
+}
+
+/// A message of every type on its channel.
+std::vector<std::size_t> write_all_types(const std::filesystem::path& path) {
+  std::mt19937_64 random(4);
+  LogWriter writer(path);
+  std::vector<std::size_t> offsets;
+  for (int round = 0; round < 3; ++round) {
+    for (const Channel channel : kAllChannels) {
+      offsets.push_back(static_cast<std::size_t>(writer.bytes()));
+      writer.write(name_of(channel), 1'000'000 + round, random_message(channel, random).bytes);
+    }
+  }
+  return offsets;
+}
+
+void flip(const std::filesystem::path& path, std::size_t offset) {
+  std::string text = read_text(path);
+  text[offset] = static_cast<char>(text[offset] ^ 0x10);
+  write_text(path, text);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("info tells what is in a log") {
+  const TemporaryFolder folder;
+  write_known_log(folder / "a.lcm");
+  const Finished finished = puck_log({"info", folder / "a.lcm", "--json"});
+  CHECK(finished.exit_code == 0);
+  const Json json = Json::parse(finished.output);
+  CHECK(json["messages"] == 100 + 50 + 1);
+  CHECK(json["duration_s"] == doctest::Approx(1.0));
+  CHECK(json["foreign"] == 1);
+  CHECK(json["damaged_places"] == 0);
+  CHECK(json["bytes"] == std::filesystem::file_size(folder / "a.lcm"));
+  REQUIRE(json["channels"].size() == 3);
+
+  const Json& other = json["channels"][0];
+  CHECK(other["channel"] == "OTHER");
+  CHECK(other["type"].is_null());
+  CHECK(other["rate_hz"].is_null());
+
+  const Json& events = json["channels"][1];
+  CHECK(events["channel"] == "PUCK_EVENTS");
+  CHECK(events["type"] == "event_packet_t");
+  CHECK(events["messages"] == 100);
+  CHECK(events["rate_hz"] == doctest::Approx(99.0));
+  CHECK(events["sessions"] == 2);
+  CHECK(events["lost"] == 1);
+  CHECK(events["events"] == 100'000);
+  CHECK(events["events_lost"] == 1000);
+  CHECK(events["event_rate_mev_s"] == doctest::Approx(0.1));
+
+  const Json& head = json["channels"][2];
+  CHECK(head["channel"] == "PUCK_HEAD");
+  CHECK(head["lost"] == 0);
+  CHECK(head["longest_gap_ms"] == doctest::Approx(520.0));
+  CHECK(head["longest_gap_at_s"] == doctest::Approx(0.19));
+
+  const Finished table = puck_log({"info", folder / "a.lcm"});
+  CHECK(table.exit_code == 0);
+  CHECK(table.output.find("PUCK_EVENTS: 100000 events, 0.100 Mev/s, 1000 events lost") !=
+        std::string::npos);
+  CHECK(table.output.find("all of it is fine") != std::string::npos);
+}
+
+TEST_CASE("verify finds nothing wrong with a whole log of every type") {
+  const TemporaryFolder folder;
+  write_all_types(folder / "a.lcm");
+  const Finished finished = puck_log({"verify", folder / "a.lcm"});
+  CHECK(finished.exit_code == 0);
+  CHECK(finished.output == "27 messages: all of it is fine\n");
+}
+
+TEST_CASE("verify names the byte of what is malformed, corrupt or cut off") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.lcm";
+  const auto offsets = write_all_types(path);
+  flip(path, offsets[3] + 28 + name_of(kAllChannels[3]).size());  // Its fingerprint.
+  flip(path, offsets[10]);                                        // Its mark.
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
+  const Finished finished = puck_log({"verify", path});
+  CHECK(finished.exit_code == 1);
+  const auto lines = lines_of(finished.output);
+  REQUIRE(lines.size() == 4);
+  CHECK(lines[0] == "byte " + std::to_string(offsets[3]) +
+                        ": PUCK_ARM_COMMAND: arm_command_t has the fingerprint of another type");
+  CHECK(lines[1] == "byte " + std::to_string(offsets[10]) + ": " +
+                        std::to_string(offsets[11] - offsets[10]) +
+                        " bytes are no message: no message begins");
+  CHECK(lines[2].starts_with("byte " + std::to_string(offsets[26]) + ": "));
+  CHECK(lines[2].ends_with("bytes are no message: the log ends within a message"));
+  CHECK(lines[3].starts_with("25 messages: "));
+  CHECK(lines[3].ends_with("at 2 places are no message, 1 messages are malformed"));
+}
+
+TEST_CASE("repair makes a log that is fine from one that is not, and says what it left out") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.lcm";
+  const auto offsets = write_all_types(path);
+  flip(path, offsets[3] + 28 + name_of(kAllChannels[3]).size());
+  flip(path, offsets[10]);
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
+  const std::string before = read_text(path);
+  const Finished finished = puck_log({"repair", path, folder / "b.lcm"});
+  CHECK(finished.exit_code == 0);
+  CHECK(lines_of(finished.output).size() == 4);
+  CHECK(finished.output.find("byte " + std::to_string(offsets[10]) + ": left out") !=
+        std::string::npos);
+  CHECK(finished.output.find("24 messages copied to") != std::string::npos);
+  CHECK(read_text(path) == before);
+  const Finished verified = puck_log({"verify", folder / "b.lcm"});
+  CHECK(verified.exit_code == 0);
+  CHECK(verified.output == "24 messages: all of it is fine\n");
+
+  const Finished again = puck_log({"repair", path, folder / "b.lcm"});
+  CHECK(again.exit_code == 1);
+  CHECK(again.errors.find("exists already and is not overwritten") != std::string::npos);
+}
+
+TEST_CASE("a repaired log that needed none is the same to the byte") {
+  const TemporaryFolder folder;
+  write_known_log(folder / "a.lcm");
+  CHECK(puck_log({"repair", folder / "a.lcm", folder / "b.lcm"}).exit_code == 0);
+  CHECK(read_text(folder / "a.lcm") == read_text(folder / "b.lcm"));
+}
+
+TEST_CASE("export writes a table a channel, with as many cells in each line as in the first") {
+  const TemporaryFolder folder;
+  write_all_types(folder / "a.lcm");
+  const auto csv = folder / "csv";
+  const Finished finished = puck_log({"export", folder / "a.lcm", "--output", csv});
+  CHECK(finished.exit_code == 0);
+  for (const Channel channel : kAllChannels) {
+    CAPTURE(name_of(channel));
+    const auto lines = lines_of(read_text(csv / (name_of(channel) + ".csv")));
+    REQUIRE(lines.size() == 4);
+    CHECK(lines[0].starts_with("received_utime,utime,session,seq,"));
+    for (std::size_t round = 0; round < 3; ++round) {
+      CHECK(lines[round + 1].starts_with(std::to_string(1'000'000 + round) + ","));
+      if (channel == Channel::kStatus || channel == Channel::kArmState) continue;  // Hold text.
+      CHECK(std::ranges::count(lines[round + 1], ',') == std::ranges::count(lines[0], ','));
+    }
+  }
+}
+
+TEST_CASE("export of one channel goes to stdout, and arrays and text stay in their cells") {
+  const TemporaryFolder folder;
+  {
+    LogWriter writer(folder / "a.lcm");
+    puck_trajectory_t trajectory{};
+    trajectory.session = 1;
+    trajectory.covariance[15] = 0.5;
+    trajectory.path_t_s = {0.0, 0.25};
+    trajectory.path_x_m = {1.0, 2.0};
+    trajectory.path_y_m = {-1.0, -2.0};
+    put(writer, 7, trajectory);
+    service_status_t status{};
+    status.session = 1;
+    status.service = "a \"b\", c";
+    status.counter_name = {"x;y", "back\\slash"};
+    status.counter_value = {1, -2};
+    put(writer, 8, status);
+  }
+  const Finished path = puck_log({"export", folder / "a.lcm", "--channel", "PUCK_TRAJECTORY"});
+  CHECK(path.exit_code == 0);
+  const auto lines = lines_of(path.output);
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0].find(",covariance_0,covariance_1,") != std::string::npos);
+  CHECK(lines[0].find(",covariance_15,path_length,path_t_s,path_x_m,path_y_m,crosses,") !=
+        std::string::npos);
+  CHECK(lines[1].find(",0.5,2,0;0.25,1;2,-1;-2,0,") != std::string::npos);
+
+  const Finished status = puck_log({"export", folder / "a.lcm", "--channel", "PUCK_STATUS"});
+  CHECK(lines_of(status.output).at(1) ==
+        R"(8,0,1,0,"a ""b"", c",,0,,0,,0,2,x\;y;back\\slash,1;-2,0,,,,,,0,,,)");
+
+  const Finished none = puck_log({"export", folder / "a.lcm", "--channel", "PUCK_GAME"});
+  CHECK(none.exit_code == 1);
+  CHECK(none.errors.find("no message of ours on PUCK_GAME") != std::string::npos);
+}
+
+TEST_CASE("a channel with a prefix is one of ours, any other name is not") {
+  const TemporaryFolder folder;
+  std::mt19937_64 random(4);
+  {
+    LogWriter writer(folder / "a.lcm");
+    const auto bytes = random_message(Channel::kHead, random).bytes;
+    for (const char* name : {"LEFT_PUCK_HEAD", "PUCK_HEAD", "left_PUCK_HEAD", "_PUCK_HEAD",
+                             "XPUCK_HEAD", "../_PUCK_HEAD", "PUCK_HEAD2", "A\x1b[2J_PUCK_HEAD"}) {
+      writer.write(name, 1, bytes);
+    }
+  }
+  const auto csv = folder / "csv";
+  CHECK(puck_log({"export", folder / "a.lcm", "--output", csv}).exit_code == 0);
+  CHECK(std::distance(std::filesystem::directory_iterator(csv), {}) == 2);
+  CHECK(std::filesystem::exists(csv / "LEFT_PUCK_HEAD.csv"));
+  const Finished info = puck_log({"info", folder / "a.lcm"});
+  CHECK(info.output.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("what is no log and what is no usage have exit codes of their own") {
+  const TemporaryFolder folder;
+  write_text(folder / "text", "t,x,y,p\n");
+  for (const std::string command : {"info", "verify"}) {
+    CHECK(puck_log({command, folder / "none"}).exit_code == 1);
+    CHECK(puck_log({command, folder / "text"}).exit_code == 1);
+    CHECK(puck_log({command}).exit_code == 2);
+  }
+  CHECK(puck_log({}).exit_code == 2);
+  CHECK(puck_log({"mend", folder / "text"}).exit_code == 2);
+  CHECK(puck_log({"repair", folder / "text"}).exit_code == 2);
+  CHECK(puck_log({"export", folder / "text"}).exit_code == 2);
+  CHECK(puck_log({"--help"}).exit_code == 0);
+  CHECK(puck_log({"repair", folder / "text", folder / "out"}).exit_code == 1);
+  CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE(
+    "whatever is flipped in a log, each command ends by itself and the repaired log is fine") {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.lcm";
+  const auto whole_path = folder / "whole.lcm";
+  write_all_types(whole_path);
+  const std::string whole = read_text(whole_path);
+  std::mt19937_64 random(11);
+  for (int round = 0; round < 15; ++round) {
+    std::string text = whole;
+    for (int i = 0; i < 20; ++i)
+      text[4 + random() % (text.size() - 4)] = static_cast<char>(random());
+    text.resize(text.size() - random() % 100);
+    write_text(path, text);
+    std::filesystem::remove(folder / "b.lcm");
+    CHECK(puck_log({"info", path, "--json"}).exit_code >= 0);
+    CHECK(puck_log({"verify", path}).exit_code >= 0);
+    CHECK(puck_log({"export", path, "--output", folder / "csv"}).exit_code >= 0);
+    CHECK(puck_log({"repair", path, folder / "b.lcm"}).exit_code == 0);
+    CHECK(puck_log({"verify", folder / "b.lcm"}).exit_code == 0);
+  }
+}
+
+}  // namespace puck

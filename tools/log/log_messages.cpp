@@ -1,0 +1,72 @@
+#include "tools/log/log_messages.h"
+
+#include <algorithm>
+
+#include "common/messaging/bus_error.h"
+#include "common/messaging/message_check.h"
+
+namespace puck {
+
+LogTally read_log(const std::filesystem::path& path,
+                  const std::function<void(const LoggedMessage&)>& on_message,
+                  const std::function<void(const LogDamage&)>& on_damage) {
+  LogReader reader(path);
+  LogTally tally;
+  reader.on_damage([&](const LogDamage& damage) {
+    ++tally.damaged_places;
+    tally.damaged_bytes += damage.bytes;
+    on_damage(damage);
+  });
+  for (LogRecord record; reader.next(record);) {
+    ++tally.messages;
+    LoggedMessage message{record, find_channel_of_any_prefix(record.channel), std::nullopt};
+    if (message.channel) {
+      message.rejection = check_message(*message.channel, record.bytes);
+    } else {
+      ++tally.foreign;
+    }
+    if (message.rejection) ++tally.malformed;
+    on_message(message);
+  }
+  return tally;
+}
+
+std::optional<Channel> find_channel_of_any_prefix(std::string_view name) {
+  for (const Channel channel : kAllChannels) {
+    const std::string_view base = base_name(channel);
+    if (name == base) return channel;
+    if (!name.ends_with(base)) continue;
+    const std::string_view prefix = name.substr(0, name.size() - base.size());
+    if (prefix.size() < 2 || !prefix.ends_with('_')) continue;
+    try {
+      check_prefix(prefix.substr(0, prefix.size() - 1));
+      return channel;
+    } catch (const BusError&) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < 0x20 || c > 0x7e; }, '?');
+  return shown;
+}
+
+std::string in_words(const LogTally& tally) {
+  if (tally.is_fine()) return "all of it is fine";
+  std::string text;
+  if (tally.damaged_places > 0) {
+    text = std::to_string(tally.damaged_bytes) + " bytes at " +
+           std::to_string(tally.damaged_places) + " places are no message";
+  }
+  if (tally.malformed > 0) {
+    if (!text.empty()) text += ", ";
+    text += std::to_string(tally.malformed) + " messages are malformed";
+  }
+  return text;
+}
+
+}  // namespace puck
