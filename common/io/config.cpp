@@ -228,22 +228,29 @@ void Config::fail(std::string_view key, std::string_view message) const {
 }
 
 void Config::reject_unknown() const {
+  for (const auto& [key, entry] : entries_) reject_unless_read(key, entry);
+}
+
+void Config::reject_unknown_in(std::string_view table) const {
+  const std::string below = std::string(table) + '.';
   for (const auto& [key, entry] : entries_) {
-    if (effective_.contains(key)) continue;
-    // A table without keys is harmless where keys could stand in it.
-    const std::string prefix = key + ".";
-    const auto below = effective_.lower_bound(prefix);
-    if (entry.is_empty_table && below != effective_.end() && below->first.starts_with(prefix)) {
-      continue;
-    }
-    std::string message = entry.where + ": unknown key " + key;
-    const auto nearest = std::min_element(
-        known_keys_.begin(), known_keys_.end(), [&key = key](const auto& left, const auto& right) {
-          return distance_between(key, left) < distance_between(key, right);
-        });
-    if (nearest != known_keys_.end()) message += "; the nearest known key is " + *nearest;
-    throw ConfigError(message);
+    if (key.starts_with(below)) reject_unless_read(key, entry);
   }
+}
+
+void Config::reject_unless_read(const std::string& key, const ConfigEntry& entry) const {
+  if (effective_.contains(key)) return;
+  // A table without keys is harmless where keys could stand in it.
+  const std::string prefix = key + ".";
+  const auto below = effective_.lower_bound(prefix);
+  if (entry.is_empty_table && below != effective_.end() && below->first.starts_with(prefix)) return;
+  std::string message = entry.where + ": unknown key " + key;
+  const auto nearest = std::min_element(
+      known_keys_.begin(), known_keys_.end(), [&key](const auto& left, const auto& right) {
+        return distance_between(key, left) < distance_between(key, right);
+      });
+  if (nearest != known_keys_.end()) message += "; the nearest known key is " + *nearest;
+  throw ConfigError(message);
 }
 
 std::string Config::effective() const {

@@ -66,6 +66,8 @@ class Config {
   /// Throws ConfigError when something was set that nobody read, naming where, and the nearest key
   /// that exists.
   void reject_unknown() const;
+  /// The same for keys of one table: the rest of the file is somebody else's.
+  void reject_unknown_in(std::string_view table) const;
 
   /// Everything that was read, in that order, one `key = value` a line: valid TOML.
   std::string effective() const;
@@ -73,6 +75,7 @@ class Config {
  private:
   const ConfigEntry* find(std::string_view key) const;
   void know(std::string_view key, std::string effective_value);
+  void reject_unless_read(const std::string& key, const ConfigEntry& entry) const;
   void read_numbers(std::string_view key, std::span<double> value, double lowest, double highest);
   [[noreturn]] void fail_expected(std::string_view key, const ConfigEntry& entry,
                                   const std::string& expected) const;

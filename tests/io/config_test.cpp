@@ -132,6 +132,17 @@ TEST_CASE("an unknown table is refused, also without keys; a known one may be em
                  "unknown key a"));
 }
 
+TEST_CASE("a program that needs one table refuses unknown keys in that table only") {
+  Config settings = Config::from_text("[lcm]\nurl = 'x'\n[tracker]\nhalf_width_px = 5\n", "f");
+  std::string url;
+  settings.read("lcm.url", url);
+  CHECK_NOTHROW(settings.reject_unknown_in("lcm"));
+  CHECK_THROWS_AS(settings.reject_unknown(), ConfigError);
+  settings.override_with("lcm.ulr=y");
+  CHECK(refusal([&] { settings.reject_unknown_in("lcm"); }) ==
+        "--set lcm.ulr=y: unknown key lcm.ulr; the nearest known key is lcm.url");
+}
+
 TEST_CASE("assignments override the file, and the last one wins") {
   Config settings = config();
   int half_width_px = 3;
