@@ -6,7 +6,8 @@ set -euo pipefail
 packages=(
   ca-certificates ccache cmake g++ git iproute2 ninja-build procps
   doctest-dev libbenchmark-dev libcli11-dev libeigen3-dev libhwy-dev liblcm-bin liblcm-dev
-  libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev nlohmann-json3-dev
+  libncurses-dev libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev
+  nlohmann-json3-dev
 )
 
 missing=()

@@ -1,0 +1,212 @@
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+#include <pty.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "common/messaging/bus.h"
+#include "tests/spy/spy_bench.h"
+#include "tests/support/child_process.h"
+
+namespace puck {
+namespace {
+
+using Json = nlohmann::json;
+using std::chrono::milliseconds;
+
+constexpr const char* kFullScreen = "\x1b[?1049h";
+constexpr const char* kFullScreenOver = "\x1b[?1049l";
+
+std::string spy_path() { return std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-spy"; }
+
+/// A URL of the test's own.
+std::string url(int which) {
+  const int port = 20000 + static_cast<int>((getpid() * 4 + which) % 40000);
+  return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0";
+}
+
+/// A camera that publishes until the test ends.
+class Camera {
+ public:
+  explicit Camera(const BusParams& params) : bus_(params) {
+    REQUIRE(bus_.start({}, [](const std::string&) {}));
+    thread_ = std::jthread([this](const std::stop_token& stop) {
+      while (!stop.stop_requested()) {
+        event_packet_t packet = packet_of(10);
+        bus_.publish(packet);
+        service_status_t status = status_of("puck-camera");
+        bus_.publish(status);
+        std::this_thread::sleep_for(milliseconds(10));
+      }
+    });
+  }
+
+ private:
+  Bus bus_;
+  std::jthread thread_;
+};
+
+/// puck-spy in a terminal of its own.
+class SpyInTerminal {
+ public:
+  explicit SpyInTerminal(const std::string& lcm_url, const char* type = "xterm") {
+    winsize size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
+    pid_ = forkpty(&terminal_, nullptr, nullptr, &size);
+    REQUIRE(pid_ >= 0);
+    if (pid_ > 0) return;
+    setenv("TERM", type, 1);
+    execl(spy_path().c_str(), "puck-spy", "--lcm-url", lcm_url.c_str(), nullptr);
+    _exit(127);
+  }
+  ~SpyInTerminal() {
+    if (pid_ > 0) {
+      kill(pid_, SIGKILL);
+      waitpid(pid_, nullptr, 0);
+    }
+    close(terminal_);
+  }
+  SpyInTerminal(const SpyInTerminal&) = delete;
+  SpyInTerminal& operator=(const SpyInTerminal&) = delete;
+
+  /// Reads what is drawn until this appears; false when it ends before.
+  bool reads(const std::string& text) {
+    std::string part(4096, 0);
+    while (output_.find(text) == std::string::npos) {
+      const ssize_t count = read(terminal_, part.data(), part.size());
+      if (count <= 0) return false;
+      output_.append(part, 0, static_cast<std::size_t>(count));
+    }
+    output_.erase(0, output_.find(text) + text.size());
+    return true;
+  }
+  void type(const std::string& keys) {
+    REQUIRE(write(terminal_, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()));
+  }
+  void resize(unsigned short columns, unsigned short rows) {
+    const winsize size{.ws_row = rows, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+    REQUIRE(ioctl(terminal_, TIOCSWINSZ, &size) == 0);
+  }
+  void send(int signal) { kill(pid_, signal); }
+  /// The exit code; -1: a signal ended it.
+  int wait() {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  int terminal_ = -1;
+  pid_t pid_ = -1;
+  std::string output_;
+};
+
+}  // namespace
+
+TEST_CASE("puck-spy --once --json prints what is on the bus, under its prefix") {
+  const Camera camera({.url = url(0), .prefix = "LEFT"});
+  const Finished spy = run_program(
+      {spy_path(), "--lcm-url", url(0), "--prefix", "LEFT", "--once", "--seconds", "1", "--json"});
+  CHECK(spy.exit_code == 0);
+  CHECK(spy.errors.empty());
+  const Json report = Json::parse(spy.output);
+  REQUIRE(report["channels"].size() == 2);
+  CHECK(report["channels"][0]["channel"] == "LEFT_PUCK_EVENTS");
+  CHECK(report["channels"][0]["received"].get<int>() > 0);
+  CHECK(report["channels"][0]["lost"] == 0);
+  CHECK(report["publishers"][0]["service"] == "puck-camera");
+  REQUIRE(report["services"].size() == 1);
+  CHECK(report["services"][0]["host"] == "robot");
+
+  const Finished table = run_program(
+      {spy_path(), "--lcm-url", url(0), "--prefix", "LEFT", "--once", "--seconds", "0.5"});
+  CHECK(table.exit_code == 0);
+  CHECK(table.output.find("LEFT_PUCK_EVENTS") != std::string::npos);
+}
+
+TEST_CASE("puck-spy --once says where it heard nothing, and exits with 1") {
+  const Finished spy =
+      run_program({spy_path(), "--lcm-url", url(1), "--once", "--seconds", "0.2", "--json"});
+  CHECK(spy.exit_code == 1);
+  CHECK(spy.errors == "puck-spy: nothing was heard on " + url(1) + "\n");
+  CHECK(Json::parse(spy.output)["messages"] == 0);
+}
+
+TEST_CASE("puck-spy names the others that it heard where it heard none of ours") {
+  const Camera camera({.url = url(0), .prefix = "RIGHT"});
+  const Finished spy = run_program(
+      {spy_path(), "--lcm-url", url(0), "--prefix", "LEFT", "--once", "--seconds", "1"});
+  CHECK(spy.exit_code == 1);
+  CHECK(spy.errors.find("datagrams that are not for us: channel \"RIGHT_PUCK_") !=
+        std::string::npos);
+  CHECK(spy.output.find("OTHERS AT THIS PORT") != std::string::npos);
+}
+
+TEST_CASE("puck-spy takes the bus from any service's settings, and refuses what it cannot use") {
+  const std::string config = std::string(std::getenv("PUCK_SOURCE_DIR")) + "/config/tracker.toml";
+  const Finished spy = run_program(
+      {spy_path(), "--config", config, "--lcm-url", url(1), "--once", "--seconds", "0.2"});
+  CHECK(spy.exit_code == 1);
+  CHECK(spy.errors.find("nothing was heard") != std::string::npos);
+
+  CHECK(run_program({spy_path(), "--json"}).exit_code == 2);
+  CHECK(run_program({spy_path(), "--once", "--seconds", "nan"}).exit_code == 2);
+  CHECK(run_program({spy_path(), "--once", "--lcm-url", "nonsense"}).exit_code == 1);
+  CHECK(run_program({spy_path(), "--once", "--prefix", "left"}).exit_code == 1);
+  const Finished piped = run_program({spy_path(), "--lcm-url", url(1)});
+  CHECK(piped.exit_code == 1);
+  CHECK(piped.errors == "puck-spy: the live view needs a terminal; without one use --once\n");
+}
+
+TEST_CASE(
+    "the live view follows keys and the size of its terminal, and gives it back on quitting") {
+  const Camera camera({.url = url(2)});
+  SpyInTerminal spy(url(2));
+  REQUIRE(spy.reads(kFullScreen));
+  REQUIRE(spy.reads("PUCK_EVENTS"));
+  REQUIRE(spy.reads("puck-camera"));
+  spy.type("\r");
+  REQUIRE(spy.reads("event_packet_t, "));
+  spy.type("h");
+  REQUIRE(spy.reads("counts of all time"));
+  spy.type("h");
+  spy.resize(160, 50);
+  REQUIRE(spy.reads("COUNTERS"));
+  spy.type("q");
+  CHECK(spy.reads(kFullScreenOver));
+  CHECK(spy.wait() == 0);
+}
+
+TEST_CASE("the live view gives the terminal back when it is told to end") {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    SpyInTerminal spy(url(3));
+    REQUIRE(spy.reads(kFullScreen));
+    REQUIRE(spy.reads("nothing has come yet"));
+    spy.send(signal);
+    CHECK(spy.reads(kFullScreenOver));
+    CHECK(spy.wait() == 0);
+  }
+}
+
+TEST_CASE("the live view gives the terminal back when it ends with an error") {
+  SpyInTerminal spy("nonsense");
+  REQUIRE(spy.reads(kFullScreen));
+  CHECK(spy.reads(kFullScreenOver));
+  CHECK(spy.reads("puck-spy: "));
+  CHECK(spy.wait() == 1);
+}
+
+TEST_CASE("an unknown terminal is refused with a word on what to do") {
+  SpyInTerminal spy(url(3), "no-such-terminal");
+  CHECK(spy.reads("TERM=no-such-terminal; try TERM=xterm"));
+  CHECK(spy.wait() == 1);
+}
+
+}  // namespace puck

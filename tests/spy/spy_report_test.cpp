@@ -1,0 +1,89 @@
+#include "tools/spy/spy_report.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/spy/spy_bench.h"
+
+namespace puck {
+namespace {
+
+using Json = nlohmann::json;
+
+Snapshot heard(const service_status_t& status) {
+  SpyBench spy({}, SpyParams::whole_time());
+  for (const int seq : {0, 1, 3}) spy.hear(packet_of(10), 7, seq, 1'000'000);
+  spy.hear(status, 7, 0, 1'500'000);
+  return spy.model.snapshot(2'000'000);
+}
+
+}  // namespace
+
+TEST_CASE("the JSON report is flat: a script finds every figure by its name") {
+  service_status_t status = status_of("puck-camera", "eye", 99);
+  status.counter_name = {"events_sent"};
+  status.counter_value = {30};
+  status.latency_name = {"packet_to_estimate"};
+  status.latency_p50_us = {75};
+  status.latency_p99_us = {671};
+  status.latency_max_us = {24'111};
+  status.latency_samples = {500};
+  const Json report = Json::parse(json_report(heard(status), "udpm://x", "LEFT"));
+
+  CHECK(report["url"] == "udpm://x");
+  CHECK(report["prefix"] == "LEFT");
+  CHECK(report["seconds"] == 2.0);
+  CHECK(report["messages"] == 4);
+  REQUIRE(report["channels"].size() == 2);
+  const Json& events = report["channels"][0];
+  CHECK(events["channel"] == "PUCK_EVENTS");
+  CHECK(events["type"] == "event_packet_t");
+  CHECK(events["messages_per_s"] == 1.5);
+  CHECK(events["events_per_s"] == 15.0);
+  CHECK(events["received"] == 3);
+  CHECK(events["lost"] == 1);
+  CHECK(events["malformed"] == 0);
+  CHECK(events["publishers"] == 1);
+  CHECK(events["several_publishers"] == false);
+  CHECK(events["age_ms"] == 1000.0);
+  REQUIRE(report["publishers"].size() == 2);
+  CHECK(report["publishers"][0]["channel"] == "PUCK_EVENTS");
+  CHECK(report["publishers"][0]["service"] == "puck-camera");
+  CHECK(report["publishers"][0]["pid"] == 99);
+  REQUIRE(report["services"].size() == 1);
+  const Json& camera = report["services"][0];
+  CHECK(camera["service"] == "puck-camera");
+  CHECK(camera["state"] == "running");
+  CHECK(camera["silent"] == false);
+  CHECK(camera["status_age_ms"] == 500.0);
+  CHECK(camera["counter_events_sent"] == 30);
+  CHECK(camera["latency_packet_to_estimate_p99_us"] == 671);
+  for (const char* array : {"channels", "publishers", "services"}) {
+    for (const Json& row : report[array]) {
+      for (const Json& value : row) CHECK(value.is_primitive());
+    }
+  }
+}
+
+TEST_CASE("text that is not UTF-8 does not break the report") {
+  const Json report = Json::parse(json_report(heard(status_of("puck-\xff\xc3")), "", ""));
+  CHECK(report["services"][0]["service"].get<std::string>().starts_with("puck-"));
+}
+
+TEST_CASE("nothing heard makes an empty report") {
+  const Json report = Json::parse(json_report({}, "memq://", ""));
+  CHECK(report["messages"] == 0);
+  CHECK(report["channels"].empty());
+  CHECK(report["services"].empty());
+}
+
+TEST_CASE("the text report has all columns and every word in full where nothing bounds its width") {
+  service_status_t status = status_of("puck-camera");
+  status.state_text = std::string(200, 'x') + " end";
+  const std::string report = text_report(heard(status), 10'000);
+  for (const char* text : {"PUCK_EVENTS", "RUNS", "puck-camera", "COUNTERS", "x end"}) {
+    CHECK_MESSAGE(report.find(text) != std::string::npos, text);
+  }
+}
+
+}  // namespace puck

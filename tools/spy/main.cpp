@@ -1,0 +1,106 @@
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "common/io/config.h"
+#include "common/messaging/bus_settings.h"
+#include "tools/command_line/number_range.h"
+#include "tools/spy/listen.h"
+#include "tools/spy/spy_report.h"
+
+namespace puck {
+namespace {
+
+struct Options {
+  std::string config_file;
+  std::optional<std::string> lcm_url;
+  std::optional<std::string> prefix;
+  bool once = false;
+  double seconds = 2;
+  bool json = false;
+};
+
+BusParams bus_params(const Options& options) {
+  Config config = options.config_file.empty() ? Config{} : Config::from_file(options.config_file);
+  BusParams params = read_bus_params(config);
+  config.reject_unknown_in("lcm");
+  if (options.lcm_url) params.url = *options.lcm_url;
+  if (options.prefix) params.prefix = *options.prefix;
+  return params;
+}
+
+/// Of the terminal that stdout is; a file or a pipe takes any.
+std::size_t output_width() {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  return std::numeric_limits<std::uint16_t>::max();
+}
+
+/// For the end of a sentence that says that nothing was heard; empty: not known.
+std::string reason_of(const Heard& heard) {
+  if (!heard.problem.empty()) return ": " + heard.problem;
+  const TransportCounters& network = heard.snapshot.network;
+  if (network.foreign_traffic.empty()) return {};
+  const ForeignTraffic& first = network.foreign_traffic.front();
+  return "; but " + std::to_string(network.foreign) +
+         " datagrams that are not for us: " + first.what + " from " + to_string(first.sender);
+}
+
+int report_once(const Options& options, const BusParams& params, StopSignal& stop) {
+  const Heard heard = listen(params, options.seconds, stop);
+  const std::string report = options.json ? json_report(heard.snapshot, params.url, params.prefix)
+                                          : text_report(heard.snapshot, output_width());
+  std::fputs(report.c_str(), stdout);
+  if (heard.snapshot.messages > 0) return 0;
+  std::fprintf(stderr, "puck-spy: nothing was heard on %s%s\n", params.url.c_str(),
+               reason_of(heard).c_str());
+  return 1;
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app("Shows every channel and every service on the bus. Keys: h.", "puck-spy");
+  app.set_version_flag("--version", PUCK_VERSION);
+  app.add_option("--lcm-url", options.lcm_url, "The bus, as LCM writes it; the setting lcm.url")
+      ->type_name("URL");
+  app.add_option("--prefix", options.prefix, "P listens to P_PUCK_... only; the setting lcm.prefix")
+      ->type_name("P");
+  app.add_option("--config", options.config_file,
+                 "The [lcm] settings of any service's TOML file; the rest of it is not heeded")
+      ->type_name("FILE");
+  CLI::Option* once = app.add_flag(
+      "--once", options.once, "Listen for a while and print it; exit code 1: nothing was heard");
+  app.add_option("--seconds", options.seconds, "How long to listen with --once")
+      ->check(number_range(0.1, 86'400))
+      ->capture_default_str()
+      ->needs(once);
+  app.add_flag("--json", options.json, "With --once: print JSON")->needs(once);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+
+  StopSignal stop;
+  try {
+    const BusParams params = bus_params(options);
+    if (options.once) return report_once(options, params, stop);
+    watch(params, stop);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "puck-spy: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace puck
+
+int main(int argc, char** argv) { return puck::run(argc, argv); }

@@ -1,0 +1,130 @@
+#include "tools/spy/spy_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "common/messaging/wire_layout.h"
+#include "tools/spy/tables.h"
+
+namespace puck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double seconds(std::int64_t duration_us) { return static_cast<double>(duration_us) * 1e-6; }
+double milliseconds(std::int64_t duration_us) { return static_cast<double>(duration_us) * 1e-3; }
+
+Json json_of(const ChannelRow& channel) {
+  return {
+      {"channel", channel.name},
+      {"type", channel.type ? std::string(wire_layout(*channel.type).type) : ""},
+      {"messages_per_s", channel.messages_per_s},
+      {"bytes_per_s", channel.bytes_per_s},
+      {"events_per_s", channel.events_per_s},
+      {"received", channel.arrivals.received},
+      {"received_bytes", channel.received_bytes},
+      {"lost", channel.arrivals.lost},
+      {"late", channel.arrivals.late},
+      {"duplicate", channel.arrivals.duplicates},
+      {"malformed", channel.malformed},
+      {"oversize", channel.oversize},
+      {"unauthenticated", channel.unauthenticated},
+      {"last_rejection", channel.last_rejection},
+      {"events_lost", channel.arrivals.items_lost},
+      {"sessions", channel.arrivals.sessions},
+      {"publishers", channel.publishers.size()},
+      {"several_publishers", channel.several_publishers},
+      {"age_ms", milliseconds(channel.newest_age_us)},
+  };
+}
+
+Json json_of(const PublisherRow& publisher, const std::string& channel) {
+  return {
+      {"channel", channel},
+      {"service", publisher.service},
+      {"host", publisher.host},
+      {"pid", publisher.pid},
+      {"session", publisher.session},
+      {"address", to_string(publisher.sender)},
+      {"messages", publisher.messages},
+      {"age_ms", milliseconds(publisher.age_us)},
+  };
+}
+
+Json json_of(const ForeignTraffic& traffic) {
+  return {
+      {"what", traffic.what},
+      {"address", to_string(traffic.sender)},
+      {"datagrams", traffic.datagrams},
+  };
+}
+
+Json json_of(const ServiceRow& service) {
+  Json row{
+      {"service", service.service},
+      {"host", service.host},
+      {"pid", service.pid},
+      {"version", service.version},
+      {"session", service.session},
+      {"state", state_of(service)},
+      {"state_text", service.state_text},
+      {"silent", service.silent},
+      {"uptime_s", seconds(service.uptime_us)},
+      {"status_age_ms", milliseconds(service.status_age_us)},
+  };
+  for (const StatusLatency& latency : service.latencies) {
+    const std::string name = "latency_" + latency.name;
+    row[name + "_p50_us"] = latency.p50_us;
+    row[name + "_p99_us"] = latency.p99_us;
+    row[name + "_max_us"] = latency.max_us;
+    row[name + "_samples"] = latency.samples;
+  }
+  for (const auto& [name, value] : service.counters) row["counter_" + name] = value;
+  return row;
+}
+
+std::string text_of(const std::vector<std::string>& table) {
+  std::string text;
+  for (const std::string& line : table) text += line + '\n';
+  return text;
+}
+
+}  // namespace
+
+std::string json_report(const Snapshot& snapshot, const std::string& url,
+                        const std::string& prefix) {
+  Json report{
+      {"url", url},
+      {"prefix", prefix},
+      {"seconds", seconds(snapshot.listened_us)},
+      {"messages", snapshot.messages},
+      {"foreign_datagrams", snapshot.network.foreign},
+      {"malformed_datagrams", snapshot.network.malformed},
+      {"channels", Json::array()},
+      {"publishers", Json::array()},
+      {"services", Json::array()},
+      {"foreign", Json::array()},
+  };
+  for (const ChannelRow& channel : snapshot.channels) {
+    report["channels"].push_back(json_of(channel));
+    for (const PublisherRow& publisher : channel.publishers) {
+      report["publishers"].push_back(json_of(publisher, channel.name));
+    }
+  }
+  for (const ServiceRow& service : snapshot.services)
+    report["services"].push_back(json_of(service));
+  for (const ForeignTraffic& traffic : snapshot.network.foreign_traffic) {
+    report["foreign"].push_back(json_of(traffic));
+  }
+  // Text from the wire need not be UTF-8.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string text_report(const Snapshot& snapshot, std::size_t width) {
+  std::string text = text_of(channel_table(snapshot.channels, width)) + '\n' +
+                     text_of(service_table(snapshot.services, width));
+  const auto& foreign = snapshot.network.foreign_traffic;
+  if (!foreign.empty()) text += '\n' + text_of(foreign_table(foreign, width));
+  return text;
+}
+
+}  // namespace puck
