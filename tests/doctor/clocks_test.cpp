@@ -1,0 +1,102 @@
+#include <limits>
+
+#include "tests/doctor/doctor_bench.h"
+#include "tools/doctor/clock_offsets.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kOurSession = 77;
+const std::string kAddress = "10.0.0.9";
+
+/// A STATUS that came at `heard` of our clock, and answers the ping of `ping`; `ahead` is how far
+/// the other clock is, `out` and `back` the times on the way, `there` how long it took to answer.
+struct Exchange {
+  std::int64_t ping_us = 1'000'000;
+  std::int64_t ahead_us = 0;
+  std::int64_t out_us = 100;
+  std::int64_t there_us = 50'000;
+  std::int64_t back_us = 100;
+  std::int64_t session = kOurSession;
+};
+
+void hear(ClockOffsets& clocks, const Exchange& exchange) {
+  HeardService service;
+  service.source = {kAddress, 5000};
+  service.status.host = "robot";
+  const std::int64_t received_us = exchange.ping_us + exchange.out_us + exchange.ahead_us;
+  service.status.utime = received_us + exchange.there_us;
+  service.status.pong_session = {exchange.session};
+  service.status.pong_utime = {exchange.ping_us};
+  service.status.pong_received_utime = {received_us};
+  service.heard_utime = exchange.ping_us + exchange.out_us + exchange.there_us + exchange.back_us;
+  clocks.hear(service);
+}
+
+}  // namespace
+
+TEST_CASE("a clock that is ahead or behind is measured to half the round trip") {
+  for (const std::int64_t ahead_us : {0, 700'000, -700'000}) {
+    ClockOffsets clocks(kOurSession);
+    clocks.sent(1'000'000);
+    hear(clocks, {.ahead_us = ahead_us, .out_us = 300, .back_us = 100});
+    const ClockOffset offset = clocks.offsets().at(kAddress);
+    CHECK(offset.host == "robot");
+    CHECK(offset.within_us == 200);
+    CHECK(std::llabs(offset.offset_us - ahead_us) <= offset.within_us);
+  }
+}
+
+TEST_CASE("the shortest round trip counts") {
+  ClockOffsets clocks(kOurSession);
+  clocks.sent(1'000'000);
+  clocks.sent(2'000'000);
+  hear(clocks, {.ping_us = 1'000'000, .ahead_us = 5000, .out_us = 40'000});
+  hear(clocks, {.ping_us = 2'000'000, .ahead_us = 5000, .out_us = 20, .back_us = 20});
+  hear(clocks, {.ping_us = 1'000'000, .ahead_us = 5000, .back_us = 40'000});
+  CHECK(clocks.offsets().at(kAddress).offset_us == 5000);
+  CHECK(clocks.offsets().at(kAddress).within_us == 20);
+}
+
+TEST_CASE("pongs to others, to pings never sent, and impossible ones are not believed") {
+  ClockOffsets clocks(kOurSession);
+  clocks.sent(1'000'000);
+  hear(clocks, {.session = kOurSession + 1});
+  hear(clocks, {.ping_us = 999'999});
+  hear(clocks, {.there_us = -1});
+  hear(clocks, {.out_us = 10, .back_us = -20});
+  CHECK(clocks.offsets().empty());
+}
+
+TEST_CASE("a clock is wrong when it is surely apart by more than 100 ms") {
+  Facts facts = healthy_facts();
+  facts.clock_offsets[kAddress] = {"robot", 99'000, 500};
+  CHECK(count_of(check_clocks(facts), Verdict::kOk) == 1);
+  facts.clock_offsets[kAddress] = {"robot", -150'000, 500};
+  const Finding wrong = the_wrong_one(check_clocks(facts));
+  CHECK(says(wrong, "150.000 ms behind, to within 0.500 ms"));
+  CHECK(wrong.mend == "ssh 10.0.0.9 sudo timedatectl set-ntp true");
+  // So slow an answer says nothing.
+  facts.clock_offsets[kAddress] = {"robot", 150'000, 80'000};
+  CHECK(count_of(check_clocks(facts), Verdict::kWrong) == 0);
+}
+
+TEST_CASE("without an answer, the age of messages bounds the clock, on one side") {
+  Facts facts = healthy_facts();
+  service_status_t status = a_status(1, "puck-arm");
+  hear_status(facts.traffic, {kAddress, 5000}, status);
+  CHECK(says(check_clocks(facts).front(), "is at most 1.000 ms behind"));
+  CHECK(check_clocks(facts).front().verdict == Verdict::kNote);
+  status.utime = 1'000'300'000;
+  hear_status(facts.traffic, {kAddress, 5000}, status);
+  CHECK(says(the_wrong_one(check_clocks(facts)), "at least 300.000 ms ahead"));
+}
+
+TEST_CASE("this host has one clock") {
+  Facts facts = healthy_facts();
+  hear_status(facts.traffic, {"10.0.0.2", 5000}, a_status(1, "puck-arm"));
+  facts.clock_offsets["10.0.0.2"] = {"here", 500'000, 1};
+  CHECK(says(check_clocks(facts).front(), "there is one clock"));
+}
+
+}  // namespace puck

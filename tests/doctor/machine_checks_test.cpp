@@ -1,0 +1,195 @@
+// What is wrong with a machine, from facts that are made up.
+#include "tests/doctor/doctor_bench.h"
+
+namespace puck {
+namespace {
+
+NetworkInterface& eth0(Facts& facts) { return facts.interfaces[1]; }
+
+/// Everything goes over lo.
+Facts loopback_facts() {
+  Facts facts = healthy_facts();
+  facts.route = KernelRoute{"lo", "127.0.0.1"};
+  return facts;
+}
+
+}  // namespace
+
+TEST_CASE("a healthy machine has nothing wrong, and every check says so") {
+  const Findings findings = examine(healthy_facts());
+  CHECK(findings.size() == 15);
+  CHECK(count_of(findings, Verdict::kWrong) == 0);
+  CHECK(count_of(findings, Verdict::kNote) == 1);  // No service speaks.
+}
+
+TEST_CASE("a route to the group that is missing is made over the interface that is up") {
+  Facts facts = healthy_facts();
+  facts.route = "Network is unreachable";
+  facts.interfaces.insert(facts.interfaces.begin(), {.name = "wlan0", .can_multicast = true});
+  const Finding wrong = the_wrong_one(check_route(facts));
+  CHECK(says(wrong, "Network is unreachable"));
+  CHECK(wrong.mend == "ip route replace 224.0.0.0/4 dev eth0");
+  facts.is_root = false;
+  CHECK(the_wrong_one(check_route(facts)).mend == "sudo ip route replace 224.0.0.0/4 dev eth0");
+  // All that hangs on it is not wrong in itself.
+  for (const auto check : {check_interface, check_mtu, check_membership, check_self_test}) {
+    CHECK(count_of(check(facts), Verdict::kWrong) == 0);
+  }
+}
+
+TEST_CASE("an interface that is down is switched on before the route") {
+  Facts facts = healthy_facts();
+  facts.route = "Network is unreachable";
+  eth0(facts).is_up = false;
+  CHECK(the_wrong_one(check_route(facts)).mend ==
+        "ip link set eth0 up && ip route replace 224.0.0.0/4 dev eth0");
+  facts.is_root = false;
+  CHECK(the_wrong_one(check_route(facts)).mend ==
+        "sudo ip link set eth0 up && sudo ip route replace 224.0.0.0/4 dev eth0");
+}
+
+TEST_CASE("a host by itself is served by its loopback") {
+  Facts facts = healthy_facts();
+  facts.url.ttl = 0;
+  facts.route = "Network is unreachable";
+  facts.interfaces.pop_back();
+  CHECK(the_wrong_one(check_route(facts)).mend ==
+        "ip link set lo up && ip route replace 224.0.0.0/4 dev lo");
+}
+
+TEST_CASE("a route over lo is right for ttl 0 and wrong for more") {
+  Facts facts = loopback_facts();
+  CHECK(the_wrong_one(check_route(facts)).mend == "ip route replace 224.0.0.0/4 dev eth0");
+  facts.interfaces.pop_back();
+  CHECK(the_wrong_one(check_route(facts)).mend ==
+        "--lcm-url \"udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304\"");
+  facts.url.ttl = 0;
+  CHECK(count_of(check_route(facts), Verdict::kWrong) == 0);
+}
+
+TEST_CASE("an interface must be up, do multicast, have a link and an address") {
+  Facts down = healthy_facts();
+  eth0(down).is_up = false;
+  CHECK(the_wrong_one(check_interface(down)).mend == "ip link set eth0 up");
+  Facts no_multicast = healthy_facts();
+  eth0(no_multicast).can_multicast = false;
+  CHECK(the_wrong_one(check_interface(no_multicast)).mend == "ip link set eth0 multicast on");
+  Facts no_link = healthy_facts();
+  eth0(no_link).has_link = false;
+  CHECK(says(the_wrong_one(check_interface(no_link)), "no cable"));
+  Facts no_address = healthy_facts();
+  eth0(no_address).addresses.clear();
+  CHECK(says(the_wrong_one(check_interface(no_address)), "no IPv4 address"));
+  // lo has no multicast flag and does without.
+  CHECK(count_of(check_interface(loopback_facts()), Verdict::kOk) == 1);
+}
+
+TEST_CASE("packets of just the frame fit, and one byte more is cut up") {
+  Facts facts = healthy_facts();
+  CHECK(count_of(check_mtu(facts), Verdict::kOk) == 1);
+  facts.packet_bytes = 1473;
+  const Finding wrong = the_wrong_one(check_mtu(facts));
+  CHECK(wrong.mend == "puck-camera --set camera.packet_bytes=1472");
+  facts.url.ttl = 0;
+  CHECK(count_of(check_mtu(facts), Verdict::kNote) == 1);
+}
+
+TEST_CASE("where no packet would fit, the frame has to grow") {
+  Facts facts = healthy_facts();
+  eth0(facts).mtu_bytes = 200;
+  CHECK(the_wrong_one(check_mtu(facts)).mend == "ip link set eth0 mtu 1500");
+}
+
+TEST_CASE("large datagrams of another host are told, those of this one are its own affair") {
+  Facts facts = healthy_facts();
+  hear(facts.traffic, {"10.0.0.2", 5}, std::vector<std::uint8_t>(8000));
+  CHECK(count_of(check_mtu(facts), Verdict::kWrong) == 0);
+  hear(facts.traffic, {"10.0.0.9", 5}, std::vector<std::uint8_t>(8000));
+  CHECK(says(the_wrong_one(check_mtu(facts)), "10.0.0.9 sends datagrams of 8000 bytes"));
+}
+
+TEST_CASE("a receive buffer that the kernel cuts is wrong, one that nobody asks for a note") {
+  Facts facts = healthy_facts();
+  facts.buffer_bytes = 212992;
+  facts.rmem_max_bytes = 212992;
+  const Finding wrong = the_wrong_one(check_buffer(facts));
+  CHECK(says(wrong, "net.core.rmem_max=212992"));
+  CHECK(wrong.mend == "sysctl -w net.core.rmem_max=4194304");
+  facts.url.recv_buf_size.reset();
+  CHECK(count_of(check_buffer(facts), Verdict::kNote) == 1);
+}
+
+TEST_CASE("whoever listens at the port without being in the group is deaf") {
+  Facts facts = healthy_facts();
+  facts.sockets_at_port = 2;
+  facts.port_users = {{{"lcm-logger", 41}, 1}, {{"lcm-spy", 42}, 1}};
+  facts.memberships = {{"eth0", "224.0.0.1", 5}};
+  const Finding deaf = the_wrong_one(check_membership(facts));
+  CHECK(says(deaf, "lcm-logger (pid 41), lcm-spy (pid 42)"));
+  CHECK(deaf.mend == "kill 41 42");
+
+  facts.memberships.push_back({"eth0", "239.255.76.67", 1});
+  CHECK(count_of(check_membership(facts), Verdict::kNote) == 1);
+  facts.memberships.back().users = 2;
+  CHECK(count_of(check_membership(facts), Verdict::kOk) == 1);
+  facts.memberships.back().interface = "wlan0";
+  CHECK(says(the_wrong_one(check_membership(facts)), "others on wlan0"));
+}
+
+TEST_CASE("the self-test is right only when everything comes back") {
+  Facts facts = healthy_facts();
+  facts.self_test.came_back = 19;
+  CHECK(says(the_wrong_one(check_self_test(facts)), "19 of 20"));
+  facts.self_test.came_back = 0;
+  CHECK(says(the_wrong_one(check_self_test(facts)), "0 of 20"));
+  facts.self_test = {.problem = "port 7667 cannot be shared (Address already in use)"};
+  facts.port_users = {{{"greedy", 77}, 1}};
+  CHECK(the_wrong_one(check_self_test(facts)).mend == "kill 77");
+}
+
+TEST_CASE("rules of the packet filter are wrong when the self-test fails, else worth a note") {
+  Facts facts = healthy_facts();
+  CHECK(count_of(check_firewall(facts), Verdict::kOk) == 1);
+  facts.firewall->push_back({"inet filter input", "policy drop", "nft insert rule a"});
+  facts.firewall->push_back({"inet filter input", "udp drop", "nft insert rule a"});
+  facts.firewall->push_back({"ip filter OUTPUT", "udp drop", "nft insert rule b"});
+  CHECK(count_of(check_firewall(facts), Verdict::kNote) == 1);
+  facts.self_test.came_back = 0;
+  CHECK(the_wrong_one(check_firewall(facts)).mend == "nft insert rule a && nft insert rule b");
+  facts.firewall.reset();
+  CHECK(count_of(check_firewall(facts), Verdict::kNote) == 1);
+}
+
+TEST_CASE("a counter of losses is wrong while it grows, and a note when it stands") {
+  for (const auto counter : {&KernelCounters::reassembly_failures,
+                             &KernelCounters::buffer_overflows, &KernelCounters::checksum_errors}) {
+    Facts facts = healthy_facts();
+    facts.before.value().*counter = 3;
+    facts.after.value().*counter = 3;
+    CHECK(count_of(check_counters(facts), Verdict::kNote) == 1);
+    facts.after.value().*counter = 10;
+    const Finding wrong = the_wrong_one(check_counters(facts));
+    CHECK(says(wrong, "7 more while listening, 10 in all"));
+  }
+}
+
+TEST_CASE("the reverse path filter is wrong when it drops") {
+  Facts facts = healthy_facts();
+  facts.reverse_path_filter = {{"all", 0}, {"eth0", 1}};
+  CHECK(says(check_reverse_path(facts).front(), "strict on eth0"));
+  CHECK(count_of(check_reverse_path(facts), Verdict::kWrong) == 0);
+  facts.after->reverse_path_drops = 4;
+  CHECK(the_wrong_one(check_reverse_path(facts)).mend ==
+        "sysctl -w net.ipv4.conf.all.rp_filter=0 net.ipv4.conf.eth0.rp_filter=0");
+}
+
+TEST_CASE("the programs at the port are named") {
+  Facts facts = healthy_facts();
+  facts.sockets_at_port = 3;
+  facts.port_users = {{{"puck-tracker", 41}, 2}};
+  const Finding finding = check_port_users(facts).front();
+  CHECK(says(finding, "puck-tracker (pid 41)"));
+  CHECK(says(finding, "that this user may not see"));
+}
+
+}  // namespace puck

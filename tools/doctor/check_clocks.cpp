@@ -1,0 +1,78 @@
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+#include "tools/doctor/checks.h"
+#include "tools/doctor/live_services.h"
+
+namespace puck {
+namespace {
+
+constexpr const char* kCheck = "clocks";
+// Half of what makes a command too old for the arm, and far above what NTP leaves.
+constexpr std::int64_t kMostApart_us = 100'000;
+
+std::string milliseconds(std::int64_t time_us) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f ms", static_cast<double>(std::llabs(time_us)) * 1e-3);
+  return text;
+}
+
+std::string set_clock(const std::string& address) {
+  return "ssh " + address + " sudo timedatectl set-ntp true";
+}
+
+Finding measured(const std::string& address, const ClockOffset& offset) {
+  const bool is_apart = std::llabs(offset.offset_us) - offset.within_us > kMostApart_us;
+  const std::string text = "the clock of " + offset.host + " (" + address + ") is " +
+                           milliseconds(offset.offset_us) +
+                           (offset.offset_us >= 0 ? " ahead" : " behind") + ", to within " +
+                           milliseconds(offset.within_us);
+  if (!is_apart) return {Verdict::kOk, kCheck, text};
+  return {Verdict::kWrong, kCheck, text, set_clock(address)};
+}
+
+/// Without a pong there is one bound only: a message cannot come before it was sent.
+Finding bounded(const std::string& address, const HeardService& service) {
+  const std::string host = "the clock of " + service.status.host + " (" + address + ")";
+  if (service.least_age_us < -kMostApart_us) {
+    return {Verdict::kWrong, kCheck,
+            host + " is at least " + milliseconds(service.least_age_us) + " ahead",
+            set_clock(address)};
+  }
+  if (service.least_age_us < 0) {
+    return {Verdict::kNote, kCheck,
+            host + " is at least " + milliseconds(service.least_age_us) +
+                " ahead; no answer to our pings says how far"};
+  }
+  return {Verdict::kNote, kCheck,
+          host + " is at most " + milliseconds(service.least_age_us) +
+              " behind; no answer to our pings says how far it is ahead"};
+}
+
+}  // namespace
+
+Findings check_clocks(const Facts& facts) {
+  Findings findings;
+  for (const auto& [address, offset] : facts.clock_offsets) {
+    if (!facts.is_own_address(address)) findings.push_back(measured(address, offset));
+  }
+  // Of every other host the service that bounds it best.
+  std::map<std::string, const HeardService*> unanswered;
+  for (const HeardService* service : live_services(facts)) {
+    const std::string& address = service->source.address;
+    if (facts.is_own_address(address) || facts.clock_offsets.contains(address)) continue;
+    const HeardService*& best = unanswered[address];
+    if (best == nullptr || service->least_age_us < best->least_age_us) best = service;
+  }
+  for (const auto& [address, service] : unanswered) {
+    findings.push_back(bounded(address, *service));
+  }
+  if (findings.empty()) {
+    findings.push_back({Verdict::kOk, kCheck, "no other host is heard, so there is one clock"});
+  }
+  return findings;
+}
+
+}  // namespace puck

@@ -1,0 +1,46 @@
+#include "tools/doctor/checks.h"
+#include "tools/doctor/commands.h"
+
+namespace puck {
+namespace {
+
+constexpr const char* kCheck = "losses";
+
+/// A counter that tells of loss: wrong when it grew while we looked, else a note when it is not 0.
+void look_at(Findings& findings, const std::string& what, std::int64_t before, std::int64_t after,
+             const std::string& mend) {
+  if (after > before) {
+    findings.push_back({Verdict::kWrong, kCheck,
+                        what + ": " + std::to_string(after - before) + " more while listening, " +
+                            std::to_string(after) + " in all",
+                        mend});
+  } else if (after > 0) {
+    findings.push_back({Verdict::kNote, kCheck,
+                        what + ": " + std::to_string(after) + " in all, none while listening"});
+  }
+}
+
+}  // namespace
+
+Findings check_counters(const Facts& facts) {
+  if (!facts.before || !facts.after) {
+    return {{Verdict::kNote, kCheck, "not checked: the kernel's counters cannot be read"}};
+  }
+  constexpr int kLargerBuffer = 16 << 20;
+  Findings findings;
+  look_at(findings, "IP datagrams of which a fragment never came",
+          facts.before->reassembly_failures, facts.after->reassembly_failures,
+          "puck-camera --set camera.packet_bytes=1472");
+  look_at(findings, "UDP datagrams that found a receive buffer full",
+          facts.before->buffer_overflows, facts.after->buffer_overflows,
+          as_root(facts, {"sysctl -w net.core.rmem_max=" + std::to_string(kLargerBuffer)}));
+  look_at(findings, "UDP datagrams with a bad checksum", facts.before->checksum_errors,
+          facts.after->checksum_errors, "");
+  if (findings.empty()) {
+    findings.push_back(
+        {Verdict::kOk, kCheck, "no fragment lost, no receive buffer full, no checksum wrong"});
+  }
+  return findings;
+}
+
+}  // namespace puck

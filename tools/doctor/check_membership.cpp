@@ -1,0 +1,65 @@
+#include "tools/doctor/checks.h"
+#include "tools/doctor/commands.h"
+
+namespace puck {
+namespace {
+
+constexpr const char* kCheck = "membership";
+
+std::string names_of(const Facts& facts) {
+  std::string names;
+  for (const PortUser& user : facts.port_users) {
+    if (!names.empty()) names += ", ";
+    names += to_string(user.program);
+  }
+  return names.empty() ? "a program of another user" : names;
+}
+
+/// A service manager or the person who started it starts it again.
+std::string end_all(const Facts& facts) {
+  std::string pids;
+  for (const PortUser& user : facts.port_users) pids += " " + std::to_string(user.program.pid);
+  return pids.empty() ? "" : as_root(facts, {"kill" + pids});
+}
+
+}  // namespace
+
+Findings check_membership(const Facts& facts) {
+  const NetworkInterface* interface = facts.group_interface();
+  if (interface == nullptr) {
+    return {{Verdict::kNote, kCheck, "not checked: the group has no interface"}};
+  }
+  const std::string& group = facts.url.group;
+  int here = 0;
+  std::string elsewhere;
+  for (const GroupMembership& membership : facts.memberships) {
+    if (membership.group != group) continue;
+    if (membership.interface == interface->name) {
+      here = membership.users;
+    } else {
+      elsewhere = membership.interface;
+    }
+  }
+  if (facts.sockets_at_port == 0) {
+    return {{Verdict::kOk, kCheck, "nobody else on this host listens at the port"}};
+  }
+  // The kernel counts those who joined on whatever port, so that fewer than listen at ours is
+  // certain to be too few, and more says nothing.
+  const std::string counts = std::to_string(facts.sockets_at_port) +
+                             " sockets listen at the port, " + std::to_string(here) +
+                             " joined the group on " + interface->name;
+  if (here >= facts.sockets_at_port) return {{Verdict::kOk, kCheck, counts}};
+  const std::string mend_text = "; what stays deaf must be started again: " + names_of(facts);
+  if (!elsewhere.empty()) {
+    return {{Verdict::kWrong, kCheck, counts + " and others on " + elsewhere + mend_text,
+             end_all(facts)}};
+  }
+  if (here == 0) {
+    return {{Verdict::kWrong, kCheck,
+             counts + ": deaf, as programs of liblcm are after an interface was away" + mend_text,
+             end_all(facts)}};
+  }
+  return {{Verdict::kNote, kCheck, counts}};
+}
+
+}  // namespace puck

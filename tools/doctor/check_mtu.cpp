@@ -1,0 +1,61 @@
+#include <algorithm>
+
+#include "common/messaging/event_packing.h"
+#include "tools/doctor/checks.h"
+#include "tools/doctor/commands.h"
+
+namespace puck {
+namespace {
+
+constexpr const char* kCheck = "mtu";
+constexpr int kIpAndUdpHeaderBytes = 28;
+
+std::string set_packet_bytes(int bytes) {
+  return "puck-camera --set camera.packet_bytes=" + std::to_string(bytes);
+}
+
+/// What this host's settings make.
+Finding own_packets(const Facts& facts, const NetworkInterface& interface) {
+  const int fits_bytes = interface.mtu_bytes - kIpAndUdpHeaderBytes;
+  const std::string sizes = "camera.packet_bytes of " + std::to_string(facts.packet_bytes);
+  const std::string frame =
+      interface.name + ", which carries " + std::to_string(interface.mtu_bytes) + " bytes a frame";
+  if (facts.packet_bytes <= fits_bytes) {
+    return {Verdict::kOk, kCheck, sizes + " fits " + frame};
+  }
+  if (facts.url.ttl == 0) {
+    return {Verdict::kNote, kCheck,
+            sizes + " is cut up by the kernel for " + frame +
+                "; as nothing leaves this host, nothing is lost by it"};
+  }
+  return {Verdict::kWrong, kCheck,
+          sizes + " is cut up by the kernel for " + frame +
+              ": one lost frame loses the packet, and under loss all go",
+          fits_bytes >= EventPackerParams::kMinBytes
+              ? set_packet_bytes(fits_bytes)
+              : as_root(facts, {"ip link set " + interface.name + " mtu 1500"})};
+}
+
+}  // namespace
+
+Findings check_mtu(const Facts& facts) {
+  const NetworkInterface* interface = facts.group_interface();
+  if (interface == nullptr) {
+    return {{Verdict::kNote, kCheck, "not checked: the group has no interface"}};
+  }
+  Findings findings{own_packets(facts, *interface)};
+  const int fits_bytes = interface->mtu_bytes - kIpAndUdpHeaderBytes;
+  for (const auto& [source, sender] : facts.traffic.senders()) {
+    const bool came_in_parts = !facts.is_own_address(source.address) && fits_bytes > 0 &&
+                               sender.largest_bytes > static_cast<std::size_t>(fits_bytes);
+    if (!came_in_parts) continue;
+    findings.push_back({Verdict::kWrong, kCheck,
+                        source.address + " sends datagrams of " +
+                            std::to_string(sender.largest_bytes) + " bytes, which come over " +
+                            interface->name + " in parts; on that host",
+                        set_packet_bytes(std::max(fits_bytes, EventPackerParams::kMinBytes))});
+  }
+  return findings;
+}
+
+}  // namespace puck

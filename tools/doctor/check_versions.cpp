@@ -1,0 +1,27 @@
+#include "tools/doctor/checks.h"
+#include "tools/doctor/live_services.h"
+
+namespace puck {
+
+Findings check_versions(const Facts& facts) {
+  constexpr const char* kCheck = "versions";
+  Findings findings;
+  const auto services = live_services(facts);
+  for (const HeardService* service : services) {
+    const service_status_t& status = service->status;
+    if (status.version == facts.version) continue;
+    findings.push_back({Verdict::kWrong, kCheck,
+                        status.service + " on " + status.host + " is version " + status.version +
+                            ", this is " + facts.version +
+                            "; install one version everywhere. On the older host, in its clone",
+                        "git pull && cmake --preset release && cmake --build --preset release"});
+  }
+  if (findings.empty()) {
+    findings.push_back({Verdict::kOk, kCheck,
+                        services.empty() ? "no service speaks, so there is nothing to compare"
+                                         : "all are version " + facts.version});
+  }
+  return findings;
+}
+
+}  // namespace puck

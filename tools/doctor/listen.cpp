@@ -1,0 +1,86 @@
+#include "tools/doctor/listen.h"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "common/messaging/host_time.h"
+#include "tools/doctor/udp_listener.h"
+#include "tools/doctor/wire_probe.h"
+
+namespace puck {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kSendEvery{100};
+constexpr milliseconds kStep{20};
+// For what was sent last to come back.
+constexpr milliseconds kGrace{500};
+
+/// One listening: what is heard goes where it belongs.
+class Listening {
+ public:
+  explicit Listening(Facts& facts)
+      : facts_(facts),
+        listener_(facts.url),
+        probe_(facts.url, facts.prefix),
+        clocks_(probe_.session()) {
+    facts_.traffic = Traffic(facts.prefix);
+  }
+
+  void run() {
+    const auto end = Clock::now() + std::chrono::duration<double>(facts_.seconds);
+    auto next_send = Clock::now();
+    while (Clock::now() < end) {
+      if (Clock::now() >= next_send) {
+        next_send += kSendEvery;
+        speak();
+      }
+      hear();
+    }
+    facts_.end_utime = host_utime();
+    // Whoever watches the services shall not take the doctor for one that died.
+    probe_.send_status(service_status_t::STATE_STOPPING);
+    const auto grace_end = Clock::now() + kGrace;
+    while (test().came_back < test().sent && Clock::now() < grace_end) hear();
+    facts_.clock_offsets = clocks_.offsets();
+  }
+
+ private:
+  SelfTest& test() { return facts_.self_test; }
+
+  void speak() {
+    probe_.send_self_test();
+    ++test().sent;
+    clocks_.sent(probe_.send_status(service_status_t::STATE_RUNNING));
+  }
+
+  void hear() {
+    const auto datagram = listener_.receive(kStep);
+    if (!datagram) return;
+    if (datagram->source == probe_.source()) {
+      if (probe_.is_self_test(datagram->bytes)) ++test().came_back;
+      return;
+    }
+    if (const HeardService* service = facts_.traffic.add(*datagram)) clocks_.hear(*service);
+  }
+
+  Facts& facts_;
+  UdpListener listener_;
+  WireProbe probe_;
+  ClockOffsets clocks_;
+};
+
+}  // namespace
+
+void listen(Facts& facts) {
+  facts.end_utime = host_utime();
+  try {
+    Listening(facts).run();
+  } catch (const std::runtime_error& problem) {
+    facts.self_test.problem = problem.what();
+  }
+}
+
+}  // namespace puck

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "tools/doctor/finding.h"
+
+namespace puck {
+
+/// For a person: a finding a paragraph, in columns, wrapped to a terminal of 100.
+std::string report_text(const Findings& findings);
+
+/// For scripts: {"wrong": N, "notes": N, "findings": [{"check", "verdict", "text", "mend"}, …]}.
+std::string report_json(const Findings& findings);
+
+int count(const Findings& findings, Verdict verdict);
+
+}  // namespace puck

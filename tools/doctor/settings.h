@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/messaging/lcm_url.h"
+
+namespace puck {
+
+/// As the command line has them.
+struct DoctorOptions {
+  std::string config_file;
+  std::vector<std::string> settings;  ///< KEY=VALUE
+  std::optional<std::string> lcm_url;
+  std::optional<std::string> prefix;
+  double seconds = 2;
+  bool json = false;
+};
+
+/// What the doctor looks at.
+struct DoctorSettings {
+  LcmUrl url;
+  std::string prefix;
+  bool allow_fragments = false;
+  int packet_bytes = 0;  ///< Largest datagram that a camera with these settings sends.
+  double seconds = 0;
+};
+
+/// Reads the file of any service, of which only [lcm] and camera.packet_bytes count; what else
+/// it holds is that service's. Of `settings` every one must be one of these. Throws
+/// ConfigError or BusError.
+DoctorSettings read_doctor_settings(const DoctorOptions& options);
+
+}  // namespace puck

@@ -1,0 +1,118 @@
+#include "tools/doctor/wire_probe.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <random>
+#include <stdexcept>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "common/messaging/channels.h"
+#include "common/messaging/datagram.h"
+#include "common/messaging/host_time.h"
+#include "common/messaging/message_codec.h"
+#include "tools/doctor/doctor_name.h"
+
+namespace puck {
+namespace {
+
+std::int64_t random_session() {
+  std::random_device random;
+  std::uniform_int_distribution<std::int64_t> ids(1, (std::int64_t{1} << 53) - 1);
+  return ids(random);
+}
+
+std::string own_host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? printable(name.data()) : "unknown";
+}
+
+/// Sends to the group from one address and port; throws when there is no way.
+int connected_socket(const LcmUrl& url) {
+  const int sender = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (sender < 0) throw std::runtime_error(std::string("no socket (") + std::strerror(errno) + ")");
+  const auto hops = static_cast<unsigned char>(url.ttl);
+  setsockopt(sender, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(url.port));
+  inet_pton(AF_INET, url.group.c_str(), &address.sin_addr);
+  if (connect(sender, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    const std::string why = std::strerror(errno);
+    close(sender);
+    throw std::runtime_error("nothing can be sent to " + url.group + " (" + why + ")");
+  }
+  return sender;
+}
+
+Source own_source(int socket) {
+  sockaddr_in address{};
+  socklen_t size = sizeof address;
+  getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
+  std::array<char, INET_ADDRSTRLEN> text{};
+  inet_ntop(AF_INET, &address.sin_addr, text.data(), text.size());
+  return {text.data(), ntohs(address.sin_port)};
+}
+
+std::array<std::uint8_t, 8> bytes_of(std::int64_t number) {
+  std::array<std::uint8_t, 8> bytes{};
+  std::memcpy(bytes.data(), &number, sizeof number);
+  return bytes;
+}
+
+}  // namespace
+
+WireProbe::WireProbe(const LcmUrl& url, const std::string& prefix)
+    : status_channel_(channel_name(Channel::kStatus, prefix)),
+      // To the services one of ours, but to none of them of any interest.
+      test_channel_(channel_beginning(prefix) + "DOCTOR"),
+      session_(random_session()),
+      socket_(connected_socket(url)),
+      source_(own_source(socket_)),
+      started_us_(host_monotonic_us()) {}
+
+WireProbe::~WireProbe() { close(socket_); }
+
+void WireProbe::send_self_test() { send(test_channel_, bytes_of(session_)); }
+
+bool WireProbe::is_self_test(std::span<const std::uint8_t> datagram) const {
+  const Datagram parsed = parse_datagram(datagram);
+  const auto* message = std::get_if<WholeMessage>(&parsed);
+  return message != nullptr && message->channel == test_channel_ &&
+         std::ranges::equal(message->payload, bytes_of(session_));
+}
+
+std::int64_t WireProbe::send_status(std::int8_t state) {
+  service_status_t status{};
+  status.utime = host_utime();
+  status.session = session_;
+  status.seq = next_status_seq_++;
+  status.service = kDoctorName;
+  status.host = own_host_name();
+  status.pid = static_cast<std::int32_t>(getpid());
+  status.version = PUCK_VERSION;
+  status.state = state;
+  status.uptime_us = host_monotonic_us() - started_us_;
+  encode(status, payload_);
+  send(status_channel_, payload_);
+  return status.utime;
+}
+
+void WireProbe::send(std::string_view channel, std::span<const std::uint8_t> payload) {
+  datagram_.assign({'L', 'C', '0', '2'});
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    datagram_.push_back(static_cast<std::uint8_t>(next_number_ >> shift));
+  }
+  ++next_number_;
+  datagram_.insert(datagram_.end(), channel.begin(), channel.end());
+  datagram_.push_back(0);
+  datagram_.insert(datagram_.end(), payload.begin(), payload.end());
+  ::send(socket_, datagram_.data(), datagram_.size(), MSG_NOSIGNAL);
+}
+
+}  // namespace puck
