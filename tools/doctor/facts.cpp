@@ -18,6 +18,8 @@ const NetworkInterface* Facts::group_interface() const {
 }
 
 bool Facts::is_own_address(const std::string& address) const {
+  // What leaves by an interface without an address, and does not get far.
+  if (address == "0.0.0.0") return true;
   return std::any_of(interfaces.begin(), interfaces.end(), [&](const auto& interface) {
     return std::find(interface.addresses.begin(), interface.addresses.end(), address) !=
            interface.addresses.end();

@@ -59,10 +59,9 @@ class Listening {
   void hear() {
     const auto datagram = listener_.receive(kStep);
     if (!datagram) return;
-    if (datagram->source == probe_.source()) {
-      if (probe_.is_self_test(datagram->bytes)) ++test().came_back;
-      return;
-    }
+    if (probe_.is_self_test(datagram->bytes)) ++test().came_back;
+    const Source& source = datagram->source;
+    if (source.port == probe_.port() && facts_.is_own_address(source.address)) return;
     if (const HeardService* service = facts_.traffic.add(*datagram)) clocks_.hear(*service);
   }
 

@@ -32,31 +32,33 @@ std::string own_host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? printable(name.data()) : "unknown";
 }
 
-/// Sends to the group from one address and port; throws when there is no way.
-int connected_socket(const LcmUrl& url) {
-  const int sender = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (sender < 0) throw std::runtime_error(std::string("no socket (") + std::strerror(errno) + ")");
-  const auto hops = static_cast<unsigned char>(url.ttl);
-  setsockopt(sender, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops);
+sockaddr_in group_address(const LcmUrl& url) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(url.port));
   inet_pton(AF_INET, url.group.c_str(), &address.sin_addr);
-  if (connect(sender, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    const std::string why = std::strerror(errno);
-    close(sender);
-    throw std::runtime_error("nothing can be sent to " + url.group + " (" + why + ")");
+  return address;
+}
+
+/// Has a port, but no address: an address would choose the interface, and it is the route that is
+/// to be tested.
+int sending_socket(const LcmUrl& url) {
+  const int sender = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_in any{};
+  any.sin_family = AF_INET;
+  if (sender < 0 || bind(sender, reinterpret_cast<const sockaddr*>(&any), sizeof any) != 0) {
+    throw std::runtime_error(std::string("no socket to send with (") + std::strerror(errno) + ")");
   }
+  const auto hops = static_cast<unsigned char>(url.ttl);
+  setsockopt(sender, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops);
   return sender;
 }
 
-Source own_source(int socket) {
+int port_of(int socket) {
   sockaddr_in address{};
   socklen_t size = sizeof address;
   getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
-  std::array<char, INET_ADDRSTRLEN> text{};
-  inet_ntop(AF_INET, &address.sin_addr, text.data(), text.size());
-  return {text.data(), ntohs(address.sin_port)};
+  return ntohs(address.sin_port);
 }
 
 std::array<std::uint8_t, 8> bytes_of(std::int64_t number) {
@@ -72,8 +74,9 @@ WireProbe::WireProbe(const LcmUrl& url, const std::string& prefix)
       // To the services one of ours, but to none of them of any interest.
       test_channel_(channel_beginning(prefix) + "DOCTOR"),
       session_(random_session()),
-      socket_(connected_socket(url)),
-      source_(own_source(socket_)),
+      group_(group_address(url)),
+      socket_(sending_socket(url)),
+      port_(port_of(socket_)),
       started_us_(host_monotonic_us()) {}
 
 WireProbe::~WireProbe() { close(socket_); }
@@ -112,7 +115,8 @@ void WireProbe::send(std::string_view channel, std::span<const std::uint8_t> pay
   datagram_.insert(datagram_.end(), channel.begin(), channel.end());
   datagram_.push_back(0);
   datagram_.insert(datagram_.end(), payload.begin(), payload.end());
-  ::send(socket_, datagram_.data(), datagram_.size(), MSG_NOSIGNAL);
+  sendto(socket_, datagram_.data(), datagram_.size(), 0, reinterpret_cast<const sockaddr*>(&group_),
+         sizeof group_);
 }
 
 }  // namespace puck

@@ -6,9 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include <netinet/in.h>
+
 #include "common/messaging/lcm_url.h"
 #include "puck/service_status_t.hpp"
-#include "tools/doctor/traffic.h"
 
 namespace puck {
 
@@ -24,8 +25,8 @@ class WireProbe {
 
   /// Random: tells our datagrams from those of another doctor.
   std::int64_t session() const { return session_; }
-  /// Where our datagrams come from.
-  const Source& source() const { return source_; }
+  /// Where our datagrams come from on this host.
+  int port() const { return port_; }
 
   /// What cannot be sent does not come back, which is what is counted.
   void send_self_test();
@@ -40,8 +41,9 @@ class WireProbe {
   std::string status_channel_;
   std::string test_channel_;
   std::int64_t session_;
+  sockaddr_in group_;
   int socket_;
-  Source source_;
+  int port_;
   std::uint32_t next_number_ = 0;
   std::int64_t next_status_seq_ = 0;
   std::int64_t started_us_;  // CLOCK_MONOTONIC
