@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "common/io/event_reader.h"
@@ -14,10 +16,16 @@ bool is_lcm_log(const std::filesystem::path& path);
 
 /// The events that a log holds on the channel PUCK_EVENTS, in the order in which they were
 /// published; of its first publisher's run only. Packets of other runs, malformed ones and those
-/// that come too late are left out and counted. Throws EventFileError when there are none.
-std::unique_ptr<EventReader> open_event_log(const std::filesystem::path& path);
+/// that come too late are left out and counted. One packet at a time is read. `prefix`: that of the
+/// channels. Throws LogFileError when there are none.
+std::unique_ptr<EventReader> open_event_log(const std::filesystem::path& path,
+                                            const std::string& prefix = "");
+
+/// The run of the publisher whose events these are. Throws LogFileError.
+std::int64_t session_of_event_log(const std::filesystem::path& path, const std::string& prefix);
 
 /// The truth that a log of the simulated table holds on PUCK_TRUTH; none where the world was real.
-std::vector<TruthRow> read_truth_log(const std::filesystem::path& path);
+std::vector<TruthRow> read_truth_log(const std::filesystem::path& path,
+                                     const std::string& prefix = "");
 
 }  // namespace puck

@@ -1,0 +1,174 @@
+#include "common/messaging/event_log.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/messaging/channels.h"
+#include "common/messaging/event_packing.h"
+#include "common/messaging/message_check.h"
+
+namespace puck {
+namespace {
+
+// What can be said on the wire: beyond it, a damaged or forged log could make sums overflow.
+constexpr std::int64_t kMost = std::int64_t{1} << 53;
+// A longer pause between two sessions is a host clock that was set.
+constexpr std::int64_t kLongestPauseUs = std::int64_t{3600} * 1'000'000;
+
+std::int64_t total(std::int64_t before, std::int64_t now) { return std::min(before + now, kMost); }
+
+}  // namespace
+
+EventLog::EventLog(std::filesystem::path path, std::string_view prefix, Sessions sessions)
+    : path_(std::move(path)),
+      channel_(channel_name(Channel::kEvents, prefix)),
+      sessions_(sessions) {
+  rewind();
+}
+
+void EventLog::rewind() {
+  log_ = std::make_unique<LogReader>(path_);
+  publisher_ = {};
+  losses_ = {};
+  sensor_ = {};
+  shift_us_ = 0;
+  newest_ = {};
+  newest_utime_ = 0;
+  packet_ = {};
+  used_ = 0;
+  counters_ = {};
+  before_ = {};
+  // The first one tells the sensor.
+  if (!next_packet()) throw LogFileError(nothing_found());
+}
+
+std::string EventLog::nothing_found() const {
+  std::string text = path_.string() + ": a log without events on " + channel_;
+  if (!similar_channel_.empty()) text += "; it has " + similar_channel_ + ", of another prefix";
+  return text;
+}
+
+bool EventLog::read(EventPacket& packet, std::size_t max_events) {
+  packet.events.clear();
+  if (used_ == packet_.events.size() && !next_packet()) return false;
+  const std::size_t count = std::min(max_events, packet_.events.size() - used_);
+  const auto begin = packet_.events.begin() + static_cast<std::ptrdiff_t>(used_);
+  packet.start = packet_.start;
+  packet.events.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
+  if (used_ == 0) ++counters_.packets;
+  counters_.events += static_cast<std::int64_t>(count);
+  used_ += count;
+  return true;
+}
+
+bool EventLog::next_packet() {
+  while (log_->next(record_)) {
+    if (record_.channel != channel_) {
+      if (record_.channel.ends_with(base_name(Channel::kEvents)))
+        similar_channel_ = record_.channel;
+      continue;
+    }
+    if (check_message(Channel::kEvents, record_.bytes)) {
+      ++counters_.packets_malformed;
+      continue;
+    }
+    EventPacketView packet;
+    decode_checked(record_.bytes, packet);
+    // The log's own stamps are not checked with the message.
+    if (take(packet, std::clamp<std::int64_t>(record_.utime, 0, kMost))) return true;
+  }
+  return false;
+}
+
+// True when its events are the next ones.
+bool EventLog::take(const EventPacketView& packet, std::int64_t heard_utime) {
+  if (!follows(packet, heard_utime)) return false;
+  count(packet);
+  counters_.events_dropped = total(before_.events_dropped, packet.events_dropped);
+  if (packet.count == 0) return false;
+  const std::int64_t first_us = packet.first_event_us + shift_us_;
+  if (first_us > kMost) {
+    ++counters_.packets_malformed;
+    return false;
+  }
+  if (first_us < newest_.us) {
+    ++counters_.packets_late;
+    return false;
+  }
+  unpack(packet, packet_);
+  packet_.start = packet_.start + shift_us_;
+  newest_ = packet_.newest();
+  newest_utime_ = heard_utime;
+  used_ = 0;
+  return true;
+}
+
+bool EventLog::follows(const EventPacketView& packet, std::int64_t heard_utime) {
+  const SensorSize sensor{packet.width, packet.height};
+  const bool is_first = sensor_ == SensorSize{};
+  const bool may_follow =
+      is_first || packet.session == publisher_.session() || sessions_ == Sessions::kJoined;
+  if (!may_follow || (!is_first && sensor != sensor_)) {
+    ++counters_.packets_of_others;
+    return false;
+  }
+  switch (publisher_.hear(packet.session, packet.seq, heard_utime)) {
+    case SinglePublisher::Verdict::kAccepted:
+      return true;
+    case SinglePublisher::Verdict::kNewPublisher:
+      begin_session(packet, heard_utime);
+      return true;
+    case SinglePublisher::Verdict::kLate:
+      count(packet);
+      ++counters_.packets_late;
+      return false;
+    case SinglePublisher::Verdict::kOtherPublisher:
+      break;
+  }
+  ++counters_.packets_of_others;
+  return false;
+}
+
+void EventLog::begin_session(const EventPacketView& packet, std::int64_t heard_utime) {
+  losses_ = {};
+  before_ = counters_;
+  const bool is_first = sensor_ == SensorSize{};
+  sensor_ = {packet.width, packet.height};
+  if (is_first) return;
+  const std::int64_t pause_us =
+      std::clamp<std::int64_t>(heard_utime - newest_utime_, 1, kLongestPauseUs);
+  shift_us_ = (newest_ + pause_us).us - packet.first_event_us;
+}
+
+void EventLog::count(const EventPacketView& packet) {
+  losses_.add(packet.session, packet.seq, packet.events_before, packet.count);
+  const LossCounters& losses = losses_.counters();
+  counters_.packets_missing = total(before_.packets_missing, losses.lost);
+  counters_.events_missing = total(before_.events_missing, losses.items_lost);
+}
+
+std::vector<std::string> EventLog::problems() const {
+  std::vector<std::string> problems;
+  const auto tell = [&](std::int64_t packets, const std::string& what) {
+    if (packets > 0) {
+      problems.push_back(path_.string() + ": " + std::to_string(packets) + " packets of events " +
+                         what);
+    }
+  };
+  tell(counters_.packets_malformed, "left out that are malformed");
+  tell(counters_.packets_late, "left out that come late, or twice");
+  tell(counters_.packets_of_others,
+       sessions_ == Sessions::kFirst
+           ? "left out, of another camera or of one that was started again: only the first session "
+             "is read"
+           : "left out, of another camera");
+  tell(counters_.packets_missing,
+       "missing; with late ones, " + std::to_string(counters_.events_missing) + " events");
+  if (log_->damage()) {
+    problems.push_back(path_.string() + ": " + *log_->damage() + "; " +
+                       std::to_string(log_->bytes_skipped()) + " bytes skipped");
+  }
+  return problems;
+}
+
+}  // namespace puck
