@@ -8,6 +8,7 @@
 
 #include "common/messaging/host_time.h"
 #include "services/camera/live_source.h"
+#include "services/camera/log_reader.h"
 #include "services/camera/stream_source.h"
 #include "services/camera/tcp_source.h"
 #include "services/camera/truth_messages.h"
@@ -61,6 +62,10 @@ CameraService::CameraService(const CameraSettings& settings, ServiceContext& con
 
 std::unique_ptr<EventSource> CameraService::make_source() {
   if (settings_.source == "file") return std::make_unique<FileSource>(settings_.file);
+  if (settings_.source == "log") {
+    return std::make_unique<FileSource>(settings_.file,
+                                        open_log(settings_.file.file, settings_.log_prefix));
+  }
   if (settings_.source == "stdin") return std::make_unique<StdinSource>(settings_.file.options);
   if (settings_.source == "tcp") {
     return std::make_unique<TcpSource>(settings_.tcp_host, settings_.tcp_port,

@@ -59,12 +59,13 @@ void read_file_settings(Config& config, FileSourceParams& file) {
 }  // namespace
 
 CameraSettings read_camera_settings(Config& config) {
-  constexpr std::array<std::string_view, 4> kSources{"simulated", "file", "stdin", "tcp"};
+  constexpr std::array<std::string_view, 5> kSources{"simulated", "file", "log", "stdin", "tcp"};
   constexpr std::array<std::string_view, 3> kPaces{"auto", "sensor", "arrival"};
   constexpr std::array<std::string_view, 2> kEnds{"exit", "wait"};
   CameraSettings settings;
   config.read_choice("camera.source", settings.source, kSources);
   read_file_settings(config, settings.file);
+  config.read("camera.log_prefix", settings.log_prefix);
   config.read("camera.tcp_host", settings.tcp_host);
   config.read("camera.tcp_port", settings.tcp_port, 1, 65535);
   config.read_choice("camera.pace", settings.pace, kPaces);
@@ -84,8 +85,10 @@ CameraSettings read_camera_settings(Config& config) {
   if (settings.packet_bytes != 0 && settings.packet_bytes < EventPackerParams::kMinBytes) {
     config.fail("camera.packet_bytes", "must be 0 or from 256 to 60000");
   }
-  if (settings.source == "file" && settings.file.file.empty()) {
-    config.fail("camera.file", "must name a recording when camera.source is \"file\"");
+  const bool is_file = settings.source == "file" || settings.source == "log";
+  if (is_file && settings.file.file.empty()) {
+    config.fail("camera.file",
+                "must name a recording when camera.source is \"" + settings.source + "\"");
   }
   if (settings.source == "simulated" && settings.pace == "arrival") {
     config.fail("camera.pace", "cannot be \"arrival\" for the simulated table");

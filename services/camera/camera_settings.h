@@ -11,8 +11,9 @@ namespace puck {
 
 /// What puck-camera is told, key by key as in config/camera.toml.
 struct CameraSettings {
-  std::string source = "simulated";  ///< simulated, file, stdin or tcp.
+  std::string source = "simulated";  ///< simulated, file, log, stdin or tcp.
   FileSourceParams file;             ///< Its options are those of all streams of bytes.
+  std::string log_prefix;            ///< Of the channels in a log.
   std::string tcp_host = "localhost";
   int tcp_port = 3333;
 

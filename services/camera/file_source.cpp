@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace puck {
 namespace {
@@ -12,7 +13,10 @@ constexpr std::size_t kChunkEvents = 8192;
 }  // namespace
 
 FileSource::FileSource(const FileSourceParams& params)
-    : params_(params), reader_(open_event_file(params.file, params.options)) {
+    : FileSource(params, open_event_file(params.file, params.options)) {}
+
+FileSource::FileSource(const FileSourceParams& params, std::unique_ptr<EventReader> reader)
+    : params_(params), reader_(std::move(reader)) {
   if (params_.loop || params_.rate_mev_s > 0) measure();
 }
 

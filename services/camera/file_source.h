@@ -18,12 +18,14 @@ struct FileSourceParams {
   double rate_mev_s = 0;       ///< Key camera.rate_mev_s: mean rate to stretch times to; 0: none.
 };
 
-/// A recording.
+/// A recording: a file of events, or whatever else a reader reads.
 class FileSource final : public EventSource {
  public:
   /// Reads the whole file once where it is to be looped or stretched. Throws EventFileError, also
   /// for a file without two events where those are needed.
   explicit FileSource(const FileSourceParams& params);
+  /// The same of a recording that has been opened; `params.file` is its name.
+  FileSource(const FileSourceParams& params, std::unique_ptr<EventReader> reader);
 
   Outcome next(Chunk& chunk) override;
   std::optional<SensorSize> sensor_size() const override { return reader_->sensor_size(); }

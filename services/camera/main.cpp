@@ -4,6 +4,7 @@
 int main(int argc, char** argv) {
   return puck::run_service<puck::CameraService>(
       {.name = "puck-camera",
-       .description = "Publishes events: of the simulated table, a recording, stdin or TCP."},
+       .description =
+           "Publishes events: of the simulated table, a recording, a log, stdin or TCP."},
       argc, argv);
 }

@@ -1,0 +1,124 @@
+// camera.source = "log": the events of a log, as a recording.
+#include <filesystem>
+
+#include <doctest/doctest.h>
+
+#include "common/messaging/log_file.h"
+#include "services/camera/file_source.h"
+#include "services/camera/log_reader.h"
+#include "tests/camera/camera_fixtures.h"
+#include "tests/camera/camera_run.h"
+#include "tests/support/event_log_writer.h"
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSensor{64, 48};
+
+std::vector<SeenEvent> seen(const std::vector<EventPacket>& packets) {
+  std::vector<SeenEvent> events;
+  for (const EventPacket& packet : packets) append_seen(packet, events);
+  return events;
+}
+
+std::vector<EventPacket> hundred_packets() {
+  std::vector<EventPacket> packets;
+  for (int i = 0; i < 100; ++i) packets.push_back(numbered_events(5'000'000 + 1000 * i, 40));
+  return packets;
+}
+
+void write_log(const std::filesystem::path& path, const std::vector<EventPacket>& packets,
+               const std::string& channel = "PUCK_EVENTS") {
+  EventLogWriter writer(path, kSensor, channel);
+  for (const EventPacket& packet : packets) writer.write(packet);
+}
+
+std::string log_settings(const std::filesystem::path& path, const std::string& more = "") {
+  return "[camera]\nsource = \"log\"\nfile = \"" + path.string() + "\"\n" + more;
+}
+
+TEST_CASE("a log is played whole, at its sensor times, as a run of this camera") {
+  const CameraFolder folder;
+  write_log(folder / "a.lcm", hundred_packets());
+  CameraRun run(log_settings(folder / "a.lcm"));
+  run.run();
+  CHECK(run.events_ == seen(hundred_packets()));
+  CHECK(run.in_order_);
+  for (std::size_t i = 0; i < run.packets_.size(); ++i) {
+    REQUIRE(run.packets_[i].session == run.bus_.session());
+    REQUIRE(run.packets_[i].seq == static_cast<std::int64_t>(i));
+  }
+  // Its sensor's zero is a time of this host, not of the one that recorded it, which was near 0.
+  CHECK(run.packets_.back().sensor_zero_utime > 1'000'000'000'000'000);
+  CHECK(run.last_counter("events_sent") == 4000);
+  CHECK(run.last_counter("events_dropped") == 0);
+  CHECK(run.log_text_.str().find("warning") == std::string::npos);
+}
+
+TEST_CASE("what is missing in a log is counted as dropped, in EVENTS too, and told") {
+  const CameraFolder folder;
+  {
+    EventLogWriter writer(folder / "a.lcm", kSensor);
+    writer.write(numbered_events(1000, 40));
+    writer.lose(numbered_events(10'000, 25));
+    writer.write(numbered_events(20'000, 40));
+  }
+  CameraRun run(log_settings(folder / "a.lcm"));
+  run.run();
+  CHECK(run.events_.size() == 80);
+  CHECK(run.packets_.back().events_dropped == 25);
+  CHECK(run.last_counter("events_dropped") == 25);
+  CHECK(run.log_text_.str().find("1 packets of events missing") != std::string::npos);
+}
+
+TEST_CASE("a damaged log plays what is whole, and says what was skipped") {
+  const CameraFolder folder;
+  write_log(folder / "a.lcm", hundred_packets());
+  std::filesystem::resize_file(folder / "a.lcm", std::filesystem::file_size(folder / "a.lcm") - 10);
+  CameraRun run(log_settings(folder / "a.lcm"));
+  run.run();
+  CHECK(run.events_.size() == 99 * 40);
+  CHECK(run.log_text_.str().find("the log ends within a message at byte") != std::string::npos);
+}
+
+TEST_CASE("a log of another prefix is played by that prefix, and not without it") {
+  const CameraFolder folder;
+  write_log(folder / "a.lcm", hundred_packets(), "LEFT_PUCK_EVENTS");
+  CHECK_THROWS_AS(CameraRun(log_settings(folder / "a.lcm")).run(), LogFileError);
+  CameraRun run(log_settings(folder / "a.lcm", "log_prefix = \"LEFT\"\n"));
+  run.run();
+  CHECK(run.events_.size() == 4000);
+}
+
+TEST_CASE("a log is looped and stretched as a recording is") {
+  const CameraFolder folder;
+  write_log(folder / "a.lcm", {numbered_events(1000, 1000)});
+  FileSource looped({.file = folder / "a.lcm", .loop = true}, open_log(folder / "a.lcm", ""));
+  EventSource::Chunk chunk;
+  std::vector<SeenEvent> events;
+  while (events.size() < 2500) {
+    REQUIRE(looped.next(chunk) == EventSource::Outcome::kEvents);
+    append_seen(chunk.packet, events);
+  }
+  for (std::size_t i = 0; i < 2500; ++i) {
+    REQUIRE(events[i].t_us == 1000 + static_cast<std::int64_t>(i) * 10);
+  }
+  FileSource slow({.file = folder / "a.lcm", .rate_mev_s = 0.01}, open_log(folder / "a.lcm", ""));
+  events.clear();
+  while (slow.next(chunk) == EventSource::Outcome::kEvents) append_seen(chunk.packet, events);
+  REQUIRE(events.size() == 1000);
+  CHECK(events.back().t_us - events.front().t_us == doctest::Approx(100'000).epsilon(0.01));
+}
+
+TEST_CASE("what is no log is refused, and so is a log without a name") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", even_events(10, 0, 1));
+  CHECK_THROWS_WITH_AS(open_log(folder / "a.raw", ""), doctest::Contains("is not an LCM log"),
+                       LogFileError);
+  CHECK_THROWS_WITH(
+      CameraRun("[camera]\nsource = \"log\"\n"),
+      doctest::Contains("camera.file must name a recording when camera.source is \"log\""));
+}
+
+}  // namespace
+}  // namespace puck
