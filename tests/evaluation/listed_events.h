@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/io/event_reader.h"
+
+namespace puck {
+
+/// One event at each of some times, on a sensor of 64x48.
+class ListedEvents final : public EventReader {
+ public:
+  explicit ListedEvents(std::vector<std::int64_t> times_us) : times_us_(std::move(times_us)) {}
+
+  SensorSize sensor_size() const override { return {64, 48}; }
+
+  bool read(EventPacket& packet, std::size_t max_events) override {
+    packet.events.clear();
+    if (next_ == times_us_.size()) return false;
+    packet.start = {times_us_[next_]};
+    const std::size_t end = std::min(times_us_.size(), next_ + max_events);
+    for (; next_ < end; ++next_) {
+      Event event{};
+      event.offset_us = static_cast<std::uint32_t>(times_us_[next_] - packet.start.us);
+      packet.events.push_back(event);
+    }
+    return true;
+  }
+  void rewind() override { next_ = 0; }
+  const EventCounters& counters() const override { return counters_; }
+  std::vector<std::string> warnings() const override { return {}; }
+
+ private:
+  std::vector<std::int64_t> times_us_;
+  std::size_t next_ = 0;
+  EventCounters counters_;
+};
+
+}  // namespace puck

@@ -1,0 +1,80 @@
+#include "tools/evaluate/lossy_reader.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <doctest/doctest.h>
+
+#include "common/messaging/event_packing.h"
+#include "tests/evaluation/listed_events.h"
+
+namespace puck {
+namespace {
+
+std::unique_ptr<LossyReader> lossy(std::vector<std::int64_t> times_us,
+                                   const LossyReaderParams& params) {
+  return std::make_unique<LossyReader>(std::make_unique<ListedEvents>(std::move(times_us)), params);
+}
+
+std::vector<std::int64_t> even_times(int count, std::int64_t gap_us) {
+  std::vector<std::int64_t> times;
+  for (int i = 0; i < count; ++i) times.push_back(i * gap_us);
+  return times;
+}
+
+std::vector<std::int64_t> times_of(EventReader& events, std::size_t most = 100'000) {
+  std::vector<std::int64_t> times;
+  EventPacket packet;
+  while (events.read(packet, most)) {
+    REQUIRE(packet.events.size() <= most);
+    for (const Event& event : packet.events) times.push_back(packet.time_of(event).us);
+  }
+  return times;
+}
+
+std::vector<std::size_t> packet_sizes(EventReader& events) {
+  std::vector<std::size_t> sizes;
+  EventPacket packet;
+  while (events.read(packet, 100'000)) sizes.push_back(packet.events.size());
+  return sizes;
+}
+
+TEST_CASE("without loss the events are as they were, in the packets that a camera would send") {
+  const auto times = even_times(5000, 1);
+  const auto events = lossy(times, {});
+  const int full = EventPacker({{64, 48}, 1472}).max_events();
+  const auto sizes = packet_sizes(*events);
+  CHECK(sizes.front() == static_cast<std::size_t>(full));
+  CHECK(*std::max_element(sizes.begin(), sizes.end()) == static_cast<std::size_t>(full));
+  events->rewind();
+  CHECK(times_of(*events) == times);
+  events->rewind();
+  CHECK(times_of(*events, 7) == times);
+  CHECK(events->packets_lost() == 0);
+}
+
+TEST_CASE("a packet ends half a millisecond after it began, a packet of few events later") {
+  const auto dense = packet_sizes(*lossy(even_times(1000, 10), {}));
+  CHECK(dense.front() == 51);
+  const auto quiet = packet_sizes(*lossy(even_times(1000, 1000), {}));
+  CHECK(quiet.front() == 6);
+}
+
+TEST_CASE("of many packets as many are lost as were asked for, whole ones, the same each time") {
+  const auto times = even_times(400'000, 5);
+  const auto events = lossy(times, {.drop_percent = 5, .seed = 3});
+  const auto left = times_of(*events);
+  const double share =
+      static_cast<double>(events->packets_lost()) / static_cast<double>(events->packets());
+  CHECK(share == doctest::Approx(0.05).epsilon(0.2));
+  CHECK(left.size() == times.size() - static_cast<std::size_t>(events->events_lost()));
+  CHECK(events->events_lost() == 101 * events->packets_lost());
+  events->rewind();
+  CHECK(times_of(*events) == left);
+  CHECK(times_of(*lossy(times, {.drop_percent = 5, .seed = 4})) != left);
+  CHECK(times_of(*lossy(times, {.drop_percent = 100})).empty());
+}
+
+}  // namespace
+}  // namespace puck
