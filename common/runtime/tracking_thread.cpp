@@ -24,6 +24,14 @@ constexpr microseconds kIdleLook{1'000};
 
 }  // namespace
 
+microseconds publish_period(const TrackingThreadParams& params) {
+  if (params.max_publish_hz < 1 || params.heartbeat <= microseconds::zero()) {
+    throw std::invalid_argument("tracker.max_publish_hz must be at least 1, got " +
+                                std::to_string(params.max_publish_hz));
+  }
+  return microseconds(1'000'000 / params.max_publish_hz);
+}
+
 TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingPipeline> pipeline,
                                PuckSearch search, const TrackingThreadParams& params,
                                Publish publish)
@@ -31,12 +39,8 @@ TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingP
       pipeline_(std::move(pipeline)),
       worker_(std::move(search)),
       params_(params),
+      publish_period_(publish_period(params)),
       publish_(std::move(publish)) {
-  if (params.max_publish_hz < 1 || params.heartbeat <= microseconds::zero()) {
-    throw std::invalid_argument("tracker.max_publish_hz must be at least 1, got " +
-                                std::to_string(params.max_publish_hz));
-  }
-  publish_period_ = microseconds(1'000'000 / params.max_publish_hz);
   events_.reserve(kHandful);
   wanted_.reserve(kHandful);
   snapshot_.surface.grey.reserve(surface.size().width, surface.size().height);

@@ -22,6 +22,10 @@ struct TrackingThreadParams {
   std::chrono::microseconds heartbeat{20'000};
 };
 
+/// The time between two estimates. Throws std::invalid_argument, naming the key, when a parameter is
+/// out of range.
+std::chrono::microseconds publish_period(const TrackingThreadParams& params);
+
 /// An estimate and the times of the chain that led to it.
 struct TrackedEstimate {
   PuckEstimate estimate;

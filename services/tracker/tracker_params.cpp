@@ -57,6 +57,7 @@ TrackerServiceParams read_tracker_params(Config& config) {
   read_milliseconds(config, "tracker.coast_ms", pipeline.loss.coast_us);
   pipeline.contour.coast_us = pipeline.loss.coast_us;
   read_milliseconds(config, "tracker.search_period_ms", pipeline.loss.search_period_us);
+  config.read("tracker.reproducible", params.reproducible);
   config.read("tracker.max_publish_hz", params.thread.max_publish_hz, 1, 100'000);
 
   std::string size_model;

@@ -15,6 +15,7 @@ struct TrackerServiceParams {
   PuckSizeModel size_model;
   PixelMask hot_pixels;
   TrackingThreadParams thread;
+  bool reproducible = false;  ///< Key tracker.reproducible: a SteppedTrack instead of two threads.
 };
 
 /// Reads the keys of [tracker]. A preset gives the defaults of all that comes after it. Throws

@@ -54,6 +54,7 @@ void TrackerService::run(std::stop_token stop) {
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
     take_held();
+    if (track_) track_->poll();
     watch_input();
     count_thinned();
     poll_status(context_, *this);
@@ -98,7 +99,7 @@ void TrackerService::receive(const EventPacketView& packet, const Receipt& recei
   }
   heard_us_ = receipt.monotonic_us;
   skip_held();
-  if (catch_up_.leaves_out(receipt.monotonic_us, host_monotonic_us())) {
+  if (!params_.reproducible && catch_up_.leaves_out(receipt.monotonic_us, host_monotonic_us())) {
     hold(packet, receipt);
   } else {
     take(packet, receipt);
@@ -119,7 +120,7 @@ void TrackerService::take(const EventPacketView& packet, const Receipt& receipt)
   origin.queued_us = waited_us / length_us * length_us;
   newest_event_ = events_.newest();
   watch_.expect(newest_event_, origin.received);
-  track_->surface.update(events_, origin);
+  track_->update(events_, origin);
 }
 
 // A packet is skipped only when another one comes: the newest is what matters most. Until then it
@@ -178,9 +179,8 @@ void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt
     context_.log.error("tracker.detection_region lies outside the sensor; searching all of it");
     pipeline.detector.region = {};
   }
-  track_ =
-      std::make_unique<LiveTracker>(sensor_, pipeline, params_.size_model, params_.thread,
-                                    [this](const TrackedEstimate& tracked) { publish(tracked); });
+  track_ = make_track(sensor_, pipeline, params_,
+                      [this](const TrackedEstimate& tracked) { publish(tracked); });
 }
 
 // A camera that nobody calibrated for is followed all the same, as well as it can be.
@@ -272,7 +272,7 @@ void TrackerService::watch_input() {
 }
 
 void TrackerService::count_thinned() {
-  if (track_) events_thinned_ = track_->surface.events_thinned();
+  if (track_) events_thinned_ = track_->events_thinned();
 }
 
 void TrackerService::report(StatusReport& report) const {

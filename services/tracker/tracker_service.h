@@ -11,10 +11,10 @@
 #include "common/messaging/loss_accounting.h"
 #include "common/messaging/single_publisher.h"
 #include "common/runtime/latency_histogram.h"
-#include "common/runtime/live_tracker.h"
 #include "common/runtime/packet_watch.h"
 #include "services/launch/service.h"
 #include "services/tracker/catch_up.h"
+#include "services/tracker/track.h"
 #include "services/tracker/tracker_params.h"
 
 namespace puck {
@@ -27,6 +27,8 @@ namespace puck {
 /// 500 ms. With another publisher, another run of the same, or a sensor's clock that begins anew,
 /// everything starts anew. When events come faster than it can take them it leaves out whole
 /// packets and keeps to the newest.
+///
+/// With tracker.reproducible there is only the first thread, and nothing is left out.
 class TrackerService : public Service {
  public:
   static TrackerServiceParams read_params(Config& config) { return read_tracker_params(config); }
@@ -88,7 +90,7 @@ class TrackerService : public Service {
   LatencyHistogram sensor_to_estimate_;  // of live events: corrected for the camera's clock
   LatencyHistogram backlog_;
 
-  std::unique_ptr<LiveTracker> track_;  // last: its thread uses what stands above
+  std::unique_ptr<Track> track_;  // last: its thread uses what stands above
 };
 
 }  // namespace puck

@@ -1,0 +1,99 @@
+#include "common/runtime/stepped_tracker.h"
+
+#include <cstring>
+#include <thread>
+
+#include <doctest/doctest.h>
+
+#include "common/vision/presets.h"
+#include "tests/runtime/tracking_fixtures.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck {
+namespace {
+
+using namespace test;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+// A puck that moves on with each packet; packets of unlike lengths.
+EventPacket packet_number(int i) {
+  EventPacket packet{{1000 * i},
+                     contour_events(kSensor, {40 + 0.3 * i, 60}, {25, 17}, 100 + i % 7)};
+  for (std::size_t k = 0; k < packet.events.size(); ++k) {
+    packet.events[k].offset_us = static_cast<std::uint32_t>(k * 8);
+  }
+  return packet;
+}
+
+PacketOrigin received_now() { return {.received = steady_clock::now()}; }
+
+bool is_equal(const PuckEstimate& a, const PuckEstimate& b) {
+  if (a.position.has_value() != b.position.has_value()) return false;
+  if (a.position && std::memcmp(&*a.position, &*b.position, sizeof *a.position) != 0) return false;
+  return a.state == b.state && a.newest_event == b.newest_event && a.region == b.region &&
+         std::memcmp(&a.score, &b.score, sizeof a.score) == 0 &&
+         std::memcmp(a.covariance.data(), b.covariance.data(), sizeof a.covariance) == 0;
+}
+
+TEST_CASE("every estimate of a stepped tracker can be made again, to the bit, from its count") {
+  for (const Preset preset : {Preset::kDefault, Preset::kCorrelation}) {
+    const PipelineParams params = preset_params(preset);
+    Published published;
+    // So seldom that some packets go unanswered.
+    SteppedTracker stepped(kSensor, params, kSizeModel, {.max_publish_hz = 700},
+                           [&](const TrackedEstimate& tracked) { published.add(tracked); });
+    for (int i = 1; i <= 150; ++i) {
+      stepped.update(packet_number(i), received_now());
+      std::this_thread::sleep_for(milliseconds(i % 3));
+    }
+    SurfaceTracker again(kSensor, params, kSizeModel);
+    std::int64_t applied = 0;
+    int packets = 0;
+    int answers = 0;
+    for (const TrackedEstimate& tracked : published.all()) {
+      if (tracked.estimate.events_applied == applied) continue;  // Said once more.
+      while (applied < tracked.estimate.events_applied) {
+        const EventPacket packet = packet_number(++packets);
+        applied += static_cast<std::int64_t>(packet.events.size());
+        again.update(packet);
+      }
+      REQUIRE(applied == tracked.estimate.events_applied);
+      REQUIRE(is_equal(again.estimate(), tracked.estimate));
+      ++answers;
+    }
+    CHECK(answers > 20);
+    CHECK(answers < 150);
+    if (preset == Preset::kCorrelation) {
+      CHECK(published.all().back().estimate.state == TrackState::kTracking);
+    }
+  }
+}
+
+TEST_CASE("a stepped tracker answers the last packet when it may, and repeats itself in silence") {
+  Published published;
+  SteppedTracker stepped(kSensor, preset_params(Preset::kCorrelation), kSizeModel,
+                         {.max_publish_hz = 50},
+                         [&](const TrackedEstimate& tracked) { published.add(tracked); });
+  stepped.update(packet_number(1), received_now());
+  REQUIRE(published.count() == 1);
+  stepped.update(packet_number(2), received_now());
+  const auto answered = [&] {
+    stepped.poll();
+    return published.all().back().estimate.newest_event == packet_number(2).newest();
+  };
+  for (int i = 0; i < 5000 && !answered(); ++i) std::this_thread::sleep_for(milliseconds(1));
+  REQUIRE(answered());
+  const std::size_t count = published.count();
+  for (int i = 0; i < 5000 && published.count() < count + 3; ++i) {
+    stepped.poll();
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  const auto all = published.all();
+  REQUIRE(all.size() >= count + 3);
+  CHECK(all.back().estimate.events_applied == all[count - 1].estimate.events_applied);
+  CHECK(all.back().input_age > all[count - 1].input_age);
+}
+
+}  // namespace
+}  // namespace puck
