@@ -18,9 +18,11 @@
 #include "common/io/pixel_mask_file.h"
 #include "common/io/size_model_file.h"
 #include "common/io/truth_file.h"
-#include "tools/command_line/number_range.h"
 #include "tools/evaluate/log_recording.h"
+#include "tools/evaluate/lossy_reader.h"
+#include "tools/evaluate/options.h"
 #include "tools/evaluate/plots.h"
+#include "tools/evaluate/replay.h"
 #include "tools/evaluate/report.h"
 #include "tools/evaluate/runs.h"
 #include "tools/evaluate/tick_file.h"
@@ -30,80 +32,14 @@
 namespace puck {
 namespace {
 
-struct Options {
-  std::filesystem::path events;
-  std::filesystem::path truth;
-  std::filesystem::path size_model;
-  std::filesystem::path hot_pixel_mask;
-  std::filesystem::path json;
-  std::filesystem::path csv;
-  std::filesystem::path plots;
-  std::string algorithm = "puck";
-  std::string preset = "default";
-  std::string detection_region;
-  std::vector<std::string> without;
-  bool roi_only = false;
-  double rate_hz = 1000;
-  bool real_time = false;
-  bool as_fast_as_possible = false;
-  EventFileOptions file;
-};
-
-void add_options(CLI::App& app, Options& options) {
-  app.add_option("EVENTS", options.events,
-                 "recording: Prophesee RAW (EVT2, EVT3), text, or a log of LCM")
-      ->required();
-  app.add_option(
-      "--truth", options.truth,
-      "where the puck truly was: t_us,x,y,width,height; a log of a simulated game has its own");
-  app.add_option("--algorithm", options.algorithm)
-      ->check(CLI::IsMember({"puck", "cluster", "particle-filter", "particle-filter-eros"}))
-      ->capture_default_str();
-  app.add_option("--preset", options.preset)
-      ->check(CLI::IsMember({"default", "correlation", "paper", "reference"}))
-      ->capture_default_str();
-  app.add_option("--size-model", options.size_model, "TOML made by puck-calibrate size");
-  app.add_option("--hot-pixel-mask", options.hot_pixel_mask,
-                 "TOML made by puck-calibrate hot-pixels: leaves their events out");
-  app.add_option("--without", options.without,
-                 "an ingredient that preset default is to do without; may be given again");
-  app.add_flag_callback(
-      "--list-ingredients",
-      [] {
-        for (const ContourIngredient& ingredient : kContourIngredients) {
-          std::printf("%s\n", std::string(ingredient.name).c_str());
-        }
-        throw CLI::Success();
-      },
-      "print what --without takes, and stop");
-  app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
-  app.add_flag("--roi-only", options.roi_only,
-               "while there is a track, keep only its region of the surface up to date");
-  auto* rate = app.add_option("--rate", options.rate_hz, "estimates a second of sensor time")
-                   ->check(number_range(1, 1e6))
-                   ->capture_default_str();
-  auto* real_time = app.add_flag("--real-time", options.real_time,
-                                 "play at the recording's pace: measures latency");
-  auto* fast =
-      app.add_flag("--as-fast-as-possible", options.as_fast_as_possible, "measures throughput");
-  real_time->excludes(rate)->excludes(fast);
-  fast->excludes(rate);
-  app.add_option("--json", options.json, "write the figures here");
-  app.add_option("--csv", options.csv, "write a row a tick here");
-  app.add_option("--plots", options.plots, "write plots into this folder");
-  app.add_option("--from", options.file.from, "format of EVENTS, where it does not say so itself")
-      ->check(CLI::IsMember({"evt2", "evt3", "text"}));
-  app.add_option("--width", options.file.sensor.width, "sensor, px, where EVENTS does not say");
-  app.add_option("--height", options.file.sensor.height, "sensor, px, where EVENTS does not say");
-  app.add_option("--columns", options.file.text_columns, "text: order of the columns")
-      ->capture_default_str();
-  app.add_option("--unit", options.file.text_unit, "text: unit of the times")
-      ->check(CLI::IsMember({"auto", "s", "us"}))
-      ->capture_default_str();
-}
-
-RunSummary run(EventReader& events, const TrackerSetup& setup, const Options& options,
-               const OnTick& on_tick) {
+// The run, and what a replay found, which goes into the report.
+RunSummary run(EventReader& events, const TrackerSetup& setup, const EvaluateOptions& options,
+               EvaluationReport& report, const OnTick& on_tick) {
+  if (options.replay) {
+    ReplayResult result = run_replay(events, options.events, options.prefix, setup, on_tick);
+    report.replay = std::move(result.comparison);
+    return result.run;
+  }
   if (options.real_time) return run_in_real_time(events, setup, on_tick);
   if (options.as_fast_as_possible) return run_as_fast_as_possible(events, setup);
   return run_at_rate(events, setup, options.rate_hz, on_tick);
@@ -117,14 +53,43 @@ void make_output_folder(const std::filesystem::path& folder) {
   }
 }
 
-void evaluate(const Options& options) {
+// Whether a replay is as close as it was to be; what stands against it goes to stderr.
+bool is_close_enough(const ReplayComparison& replay, const EvaluateOptions& options) {
+  for (const std::string& note : replay.notes) {
+    std::fprintf(stderr, "puck-evaluate: %s\n", note.c_str());
+  }
+  if (options.exact && replay.equal < replay.estimates) {
+    std::fprintf(stderr,
+                 "puck-evaluate: %lld of %lld estimates are not equal to the bit; those of a "
+                 "tracker with tracker.reproducible and the same settings are\n",
+                 static_cast<long long>(replay.estimates - replay.equal),
+                 static_cast<long long>(replay.estimates));
+    return false;
+  }
+  if (replay.equal == replay.estimates) return true;
+  if (replay.mean_difference_px && *replay.mean_difference_px <= options.max_difference_px) {
+    return true;
+  }
+  std::fprintf(stderr, "puck-evaluate: the replay differs by more than %g px on average\n",
+               options.max_difference_px);
+  return false;
+}
+
+// False when a replay differs too much.
+bool evaluate(const EvaluateOptions& options) {
   const bool is_log = is_lcm_log(options.events);
-  auto events =
-      is_log ? open_event_log(options.events) : open_event_file(options.events, options.file);
+  if (options.replay && !is_log) {
+    throw std::invalid_argument("--replay needs a log of LCM, with the estimates to compare with");
+  }
+  auto events = is_log ? open_event_log(options.events, options.prefix)
+                       : open_event_file(options.events, options.file);
   if (!options.hot_pixel_mask.empty()) {
     events = std::make_unique<MaskedReader>(std::move(events),
                                             read_pixel_mask_file(options.hot_pixel_mask),
                                             options.hot_pixel_mask.string());
+  }
+  if (options.drops_packets) {
+    events = std::make_unique<LossyReader>(std::move(events), options.loss);
   }
   TrackerSetup setup;
   setup.algorithm = algorithm_from(options.algorithm).value();
@@ -134,6 +99,9 @@ void evaluate(const Options& options) {
   setup.contour = read_contour_calibration(calibration).value_or(ContourCalibration{});
   setup.without = options.without;
   setup.roi_only = options.roi_only;
+  if (options.replay && setup.algorithm != Algorithm::kPuck) {
+    throw std::invalid_argument("--replay needs algorithm puck: the tracker runs no other");
+  }
   for (const std::string& doubt : doubts_about(setup.size_model, events->sensor_size())) {
     std::fprintf(stderr, "puck-evaluate: %s\n", doubt.c_str());
   }
@@ -146,7 +114,7 @@ void evaluate(const Options& options) {
     if (!options.truth.empty()) {
       truth = read_truth_file(options.truth);
     } else if (is_log) {
-      truth = read_truth_log(options.events);
+      truth = read_truth_log(options.events, options.prefix);
     }
     if (!truth.empty()) score.emplace(TruthTrack(std::move(truth)), events->sensor_size());
   }
@@ -161,7 +129,7 @@ void evaluate(const Options& options) {
   EvaluationReport report;
   report.algorithm = options.algorithm;
   if (setup.algorithm == Algorithm::kPuck) report.preset = options.preset;
-  report.run = run(*events, setup, options, [&](const EvaluatedTick& tick) {
+  report.run = run(*events, setup, options, report, [&](const EvaluatedTick& tick) {
     if (score) score->add(tick.tick, tick.estimate);
     if (ticks) ticks->add(tick);
   });
@@ -179,6 +147,7 @@ void evaluate(const Options& options) {
   if (!options.json.empty()) write_json(report, options.json);
   // Where not one tick counts there is nothing to plot, which has been told.
   if (!options.plots.empty() && !score->samples().empty()) write_plots(*score, options.plots);
+  return !report.replay || is_close_enough(*report.replay, options);
 }
 
 }  // namespace
@@ -186,7 +155,7 @@ void evaluate(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app("Runs a tracker over a recording and says how accurate, quick or fast it is.");
-  puck::Options options;
+  puck::EvaluateOptions options;
   puck::add_options(app, options);
   try {
     app.parse(argc, argv);
@@ -194,10 +163,9 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   try {
-    puck::evaluate(options);
+    return puck::evaluate(options) ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "puck-evaluate: %s\n", error.what());
     return 1;
   }
-  return 0;
 }

@@ -30,6 +30,15 @@ void add_score_curve(Json& json, const ScoreCurve* curve) {
   json["score_average_precision"] = curve ? Json(curve->average_precision()) : Json(nullptr);
 }
 
+void add_replay(Json& json, const ReplayComparison& replay) {
+  json["replay_estimates"] = replay.estimates;
+  json["replay_repeated"] = replay.repeated;
+  json["replay_equal"] = replay.equal;
+  json["replay_state_differs"] = replay.state_differs;
+  json["replay_mean_difference_px"] = or_null(replay.mean_difference_px);
+  json["replay_max_difference_px"] = or_null(replay.max_difference_px);
+}
+
 Json to_json(const EvaluationReport& report) {
   Json json;
   json["algorithm"] = report.algorithm;
@@ -66,6 +75,7 @@ Json to_json(const EvaluationReport& report) {
   measured("max_px", &AccuracyReport::max_px);
   add_covariance(json, scored ? accuracy->covariance : std::nullopt);
   add_score_curve(json, scored ? &accuracy->score_curve : nullptr);
+  if (report.replay) add_replay(json, *report.replay);
   return json;
 }
 

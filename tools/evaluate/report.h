@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/evaluation/accuracy_score.h"
+#include "tools/evaluate/replay.h"
 #include "tools/evaluate/runs.h"
 
 namespace puck {
@@ -15,6 +16,7 @@ struct EvaluationReport {
   std::optional<std::string> preset;  ///< Of the algorithm puck only.
   RunSummary run;
   std::optional<AccuracyReport> accuracy;  ///< With truth only.
+  std::optional<ReplayComparison> replay;  ///< Of a replay only; no keys of it without one.
 };
 
 /// A table for people.

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "common/messaging/channels.h"
+#include "common/messaging/log_file.h"
+#include "common/messaging/loss_accounting.h"
+
+namespace puck {
+
+/// The estimates on PUCK_ESTIMATE of a log of LCM that bring something new: of the first tracker
+/// that answered a camera's run, each the first with more events than all before it. One thread.
+class EstimateLog {
+ public:
+  /// `events_session`: the camera's run. Throws LogFileError.
+  EstimateLog(const std::filesystem::path& path, const std::string& prefix,
+              std::int64_t events_session);
+
+  /// False at the end of the log, and where the tracker began anew with other events.
+  bool next(puck_estimate_t& estimate);
+
+  std::int64_t repeated() const { return repeated_; }  ///< Without new events.
+  /// Published, but not in the log.
+  std::int64_t missing() const { return losses_.counters().lost; }
+  std::int64_t malformed() const { return malformed_; }
+  /// Of other trackers, or resting on other events.
+  std::int64_t of_others() const { return of_others_; }
+  bool began_anew() const { return began_anew_; }
+
+ private:
+  LogReader log_;
+  LogRecord record_;
+  std::string channel_;
+  std::int64_t events_session_;
+  std::int64_t session_ = 0;  // Of the tracker; 0: none found yet.
+  std::int64_t newest_ = 0;   // Events applied, of what was handed out last.
+  LossAccount losses_;
+  std::int64_t repeated_ = 0;
+  std::int64_t malformed_ = 0;
+  std::int64_t of_others_ = 0;
+  bool began_anew_ = false;
+};
+
+}  // namespace puck

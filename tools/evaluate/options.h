@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/io/event_reader.h"
+#include "tools/evaluate/lossy_reader.h"
+
+namespace puck {
+
+/// What the command line says.
+struct EvaluateOptions {
+  std::filesystem::path events;
+  std::filesystem::path truth;
+  std::filesystem::path size_model;
+  std::filesystem::path hot_pixel_mask;
+  std::filesystem::path json;
+  std::filesystem::path csv;
+  std::filesystem::path plots;
+  std::string algorithm = "puck";
+  std::string preset = "default";
+  std::string detection_region;
+  std::vector<std::string> without;
+  bool roi_only = false;
+  double rate_hz = 1000;
+  bool real_time = false;
+  bool as_fast_as_possible = false;
+  bool replay = false;
+  bool exact = false;
+  double max_difference_px = 0.5;
+  std::string prefix;
+  bool drops_packets = false;
+  LossyReaderParams loss;
+  EventFileOptions file;
+};
+
+/// `options` must outlive the parsing.
+void add_options(CLI::App& app, EvaluateOptions& options);
+
+}  // namespace puck
