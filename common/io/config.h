@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/io/config_entry.h"
+#include "common/io/one_line.h"
 
 namespace puck {
 
@@ -19,7 +20,7 @@ namespace puck {
 /// what was expected.
 class ConfigError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit ConfigError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 /// Settings from a TOML file and from assignments that override it. Keys are dotted:

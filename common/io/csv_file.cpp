@@ -39,11 +39,7 @@ std::string text_of(double value) {
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongestQuote = 60;
-  std::string quote = "\"";
-  for (const char character : text.substr(0, kLongestQuote)) {
-    quote += character < 0x20 || character == 0x7f ? '?' : character;
-  }
-  return quote + '"';
+  return '"' + std::string(text.substr(0, kLongestQuote)) + '"';
 }
 
 std::string names_of(std::span<const CsvColumn> columns) {

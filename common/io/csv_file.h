@@ -9,12 +9,14 @@
 #include <string_view>
 #include <vector>
 
+#include "common/io/one_line.h"
+
 namespace puck {
 
 /// A CSV file cannot be used: the message is `file:line: what was expected`.
 class CsvError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit CsvError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 /// A column of numbers, wanted by name.

@@ -10,6 +10,7 @@
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
 #include "common/io/event_decoder.h"
+#include "common/io/one_line.h"
 
 namespace puck {
 
@@ -17,7 +18,7 @@ namespace puck {
 /// expected.
 class EventFileError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit EventFileError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 /// How to read what a file does not say about itself.

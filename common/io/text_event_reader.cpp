@@ -208,11 +208,8 @@ void TextEventReader::take_line() {
 
 void TextEventReader::fail(const std::string& expected) const {
   constexpr std::size_t kLongestQuote = 60;
-  std::string quote = line_.substr(0, kLongestQuote);
-  std::replace_if(
-      quote.begin(), quote.end(), [](char c) { return c < 0x20 || c == 0x7f; }, '?');
   throw EventFileError(name_ + ":" + std::to_string(line_number_) + ": expected " + expected +
-                       ", got \"" + quote + "\"");
+                       ", got \"" + line_.substr(0, kLongestQuote) + "\"");
 }
 
 }  // namespace puck
