@@ -23,7 +23,9 @@ constexpr std::uint64_t event_bits(std::uint32_t x, std::uint32_t y, std::uint32
     return std::bit_cast<std::uint64_t>(event);
   }
 }
+#ifndef __clang__  // Its bit_cast of bit fields is no constant.
 static_assert(std::bit_cast<Event>(event_bits(2047, 2046, 1, 4'000'000'000)) ==
               Event{.x = 2047, .y = 2046, .polarity = 1, .offset_us = 4'000'000'000});
+#endif
 
 }  // namespace puck

@@ -27,15 +27,15 @@ class FlickerReach {
     // Nearly all are out of reach, which is told many at a time.
     constexpr std::size_t kTogether = 64;
     const auto is_reached = [&](std::size_t i) {
-      return (up_[i] <= highest) | (down_[i] >= lowest);
+      return static_cast<int>(up_[i] <= highest) | static_cast<int>(down_[i] >= lowest);
     };
     for (std::size_t first = 0; first < up_.size(); first += kTogether) {
       const std::size_t end = std::min(up_.size(), first + kTogether);
       int reached = 0;
-      for (std::size_t i = first; i < end; ++i) reached += is_reached(i) ? 1 : 0;
+      for (std::size_t i = first; i < end; ++i) reached += is_reached(i);
       if (reached == 0) continue;
       for (std::size_t i = first; i < end; ++i) {
-        if (is_reached(i)) visit(i);
+        if (is_reached(i) != 0) visit(i);
       }
     }
   }
