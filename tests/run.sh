@@ -4,8 +4,9 @@
 #   tests/run.sh [unit|system|containers|all]
 #
 # unit: every library and service, optimised; again under AddressSanitizer with
-# UndefinedBehaviorSanitizer; and those that run threads under ThreadSanitizer. system: the real programs together, over
-# LCM on this machine. containers: the services as machines. all, the default: everything.
+# UndefinedBehaviorSanitizer; those that run threads under ThreadSanitizer; and a minute of fuzzing.
+# system: the real programs together, over LCM on this machine. containers: the services as machines.
+# all, the default: everything.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -41,6 +42,8 @@ if [ "$what" = unit ] || [ "$what" = all ]; then
   run asan unit
   build tsan puck_thread_tests
   run tsan threads
+  echo "== fuzzing"
+  tests/fuzz/run.sh
 fi
 if [ "$what" = system ] || [ "$what" = all ]; then
   run release system

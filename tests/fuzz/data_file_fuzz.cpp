@@ -1,0 +1,81 @@
+// Tables and calibrations as people and other programs write them: the first byte chooses the kind.
+// What was read and is written again must be read as the same.
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "common/io/annotation_file.h"
+#include "common/io/config.h"
+#include "common/io/contour_calibration_file.h"
+#include "common/io/correspondence_file.h"
+#include "common/io/csv_file.h"
+#include "common/io/pixel_mask_file.h"
+#include "common/io/size_model_file.h"
+#include "common/io/table_file.h"
+#include "common/io/truth_file.h"
+#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/require.h"
+
+namespace puck {
+namespace {
+
+using Path = std::filesystem::path;
+
+/// Reads a file of its kind, and writes what it read to another.
+using Copy = void (*)(const Path& from, const Path& to);
+
+void write_text(const Path& path, const std::string& text) { std::ofstream(path) << text; }
+
+constexpr std::array<Copy, 7> kKinds{
+    [](const Path& from, const Path& to) { write_truth_file(to, read_truth_file(from)); },
+    [](const Path& from, const Path& to) { write_annotation_file(to, read_annotation_file(from)); },
+    [](const Path& from, const Path& to) {
+      write_correspondence_file(to, read_correspondence_file(from));
+    },
+    [](const Path& from, const Path& to) {
+      write_size_model_file(to, read_size_model_file(from), "");
+    },
+    [](const Path& from, const Path& to) { write_table_file(to, read_table_file(from), ""); },
+    [](const Path& from, const Path& to) {
+      write_pixel_mask_file(to, read_pixel_mask_file(from), "");
+    },
+    [](const Path& from, const Path& to) {
+      const auto calibration = read_contour_calibration(from);
+      write_text(to, contour_calibration_text(calibration.value_or(ContourCalibration{}), ""));
+    }};
+
+std::string text_of(const Path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+bool copy(Copy kind, const Path& from, const Path& to) {
+  try {
+    kind(from, to);
+    return true;
+  } catch (const CsvError& error) {
+    require_one_line(error.what());
+  } catch (const ConfigError& error) {
+    require_one_line(error.what());
+  }
+  return false;
+}
+
+}  // namespace
+}  // namespace puck
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const puck::Copy kind = puck::kKinds[data[0] % puck::kKinds.size()];
+  puck::MemoryFile input;
+  puck::MemoryFile first;
+  puck::MemoryFile second;
+  const auto& first_path = first.write(nullptr, 0);
+  const auto& second_path = second.write(nullptr, 0);
+  if (!puck::copy(kind, input.write(data + 1, size - 1), first_path)) return 0;
+  puck::require(puck::copy(kind, first_path, second_path), "what is written can be read");
+  puck::require(puck::text_of(first_path) == puck::text_of(second_path),
+                "what is written is read as the same");
+  return 0;
+}

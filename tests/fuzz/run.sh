@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# Builds the fuzzers and lets them look for bytes that break what reads bytes.
+#
+#   tests/fuzz/run.sh [--minutes N [FUZZER...]]
+#
+# Without options: the corpus and a minute of smoke in all, as tests/run.sh does it. --minutes: so
+# long for each of the fuzzers named (fuzz_messages, …), else for each of them all; what they learn
+# stays in build/fuzz/corpus. Exit status 1 when something was found; the input is then in
+# build/fuzz/findings.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+usage() {
+  echo "usage: tests/fuzz/run.sh [--minutes N [FUZZER...]]" >&2
+  exit 2
+}
+
+minutes=0
+if [ $# -gt 0 ]; then
+  [ "$1" = --minutes ] && [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || usage
+  minutes=$2
+  shift 2
+fi
+
+cmake --preset fuzz >/dev/null
+cmake --build --preset fuzz -j "$(nproc)" --target puck_fuzzers -- --quiet
+
+build=build/fuzz
+fuzzers=("$@")
+if [ ${#fuzzers[@]} -eq 0 ]; then
+  for program in "$build"/bin/fuzz_*; do fuzzers+=("$(basename "$program")"); done
+fi
+for fuzzer in "${fuzzers[@]}"; do
+  [ -x "$build/bin/$fuzzer" ] || usage
+done
+seconds=$((minutes > 0 ? 60 * minutes : (60 + ${#fuzzers[@]} - 1) / ${#fuzzers[@]}))
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mkdir -p "$build/findings"
+"$build/bin/puck-fuzz-seeds" . "$scratch/seeds"
+
+fuzz() { # FUZZER LOG
+  local learned=$scratch/learned/$1
+  [ "$minutes" -eq 0 ] || learned=$build/corpus/$1
+  mkdir -p "$learned"
+  local known=("$scratch/seeds/$1")
+  [ ! -d "tests/fuzz/corpus/$1" ] || known+=("tests/fuzz/corpus/$1")
+  # A small quarantine: inputs come and go by the thousand in a second.
+  ASAN_OPTIONS=quarantine_size_mb=16 nice "$build/bin/$1" -max_total_time="$seconds" \
+    -max_len=4096 -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=128 -print_final_stats=1 \
+    -artifact_prefix="$build/findings/$1-" "$learned" "${known[@]}" >"$2" 2>&1
+}
+
+printf '%-22s %12s %10s %10s  %s\n' fuzzer inputs inputs/s coverage findings
+total=0
+failed=0
+for fuzzer in "${fuzzers[@]}"; do
+  log=$scratch/$fuzzer.log
+  found=none
+  fuzz "$fuzzer" "$log" || {
+    found=$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)
+    found=${found:-failed}
+    failed=1
+  }
+  inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  rate=$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")
+  coverage=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$log" | tail -n 1)
+  printf '%-22s %12s %10s %10s  %s\n' "$fuzzer" "${inputs:-?}" "${rate:-?}" "${coverage:-?}" "$found"
+  total=$((total + ${inputs:-0}))
+  if [ "$found" != none ]; then grep -E '^(does not hold|==|SUMMARY|    #[0-9] )|runtime error' "$log" | head -n 30; fi
+done
+printf '%-22s %12s\n' total "$total"
+exit "$failed"

@@ -1,0 +1,158 @@
+// puck-fuzz-seeds SOURCE_DIR OUTPUT_DIR: writes valid inputs of every kind, a folder a fuzzer, for
+// the fuzzers to begin with.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "common/io/event_writer.h"
+#include "common/messaging/log_file.h"
+#include "tests/support/random_message.h"
+
+namespace puck {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+class Seeds {
+ public:
+  explicit Seeds(fs::path folder) : folder_(std::move(folder)) {}
+
+  /// A file that is to be filled.
+  fs::path next(const std::string& fuzzer) {
+    fs::create_directories(folder_ / fuzzer);
+    return folder_ / fuzzer / ("seed_" + std::to_string(count_++));
+  }
+  void add(const std::string& fuzzer, const std::string& bytes) {
+    std::ofstream(next(fuzzer), std::ios::binary) << bytes;
+  }
+  /// Behind a byte that tells the fuzzer what it is.
+  void add(const std::string& fuzzer, std::size_t choice, const std::string& bytes) {
+    add(fuzzer, std::string(1, static_cast<char>(choice)) + bytes);
+  }
+
+ private:
+  fs::path folder_;
+  int count_ = 0;
+};
+
+void add_messages(Seeds& seeds) {
+  std::mt19937_64 random(1);
+  for (std::size_t i = 0; i < kAllChannels.size(); ++i) {
+    for (int round = 0; round < 3; ++round) {
+      const auto bytes = random_message(kAllChannels[i], random).bytes;
+      seeds.add("fuzz_messages", i, {bytes.begin(), bytes.end()});
+    }
+  }
+  seeds.add("fuzz_loss_accounting", std::string(200, '\1'));
+}
+
+void add_logs(Seeds& seeds) {
+  const fs::path path = seeds.next("fuzz_log_reader");
+  {
+    LogWriter writer(path, true);
+    std::mt19937_64 random(2);
+    for (const Channel channel : {Channel::kHead, Channel::kGame, Channel::kArmCommand}) {
+      writer.write(channel_name(channel, ""), 1'000'000, random_message(channel, random).bytes);
+    }
+  }
+  const std::string log = text_of(path);
+  seeds.add("fuzz_log_reader", log.substr(0, log.size() - 5));
+  seeds.add("fuzz_log_reader", log + "rubbish" + log);
+}
+
+void add_datagrams(Seeds& seeds) {
+  using namespace std::string_literals;
+  seeds.add("fuzz_datagram", "LC02\0\0\0\1PUCK_EVENTS\0payload"s);
+  // The first of two parts of 11 bytes, and the second.
+  seeds.add("fuzz_datagram", "LC03\0\0\0\1\0\0\0\13\0\0\0\0\0\0\0\2PUCK_GAME\0first "s);
+  seeds.add("fuzz_datagram", "LC03\0\0\0\1\0\0\0\13\0\0\0\6\0\1\0\2parts"s);
+}
+
+void add_urls(Seeds& seeds) {
+  for (const char* url : {"udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304", "memq://",
+                          "udpm://:7667?ttl=1", "LEFT", "LEFT_PUCK_EVENTS", "PUCK_STATUS"}) {
+    seeds.add("fuzz_lcm_url", url);
+  }
+}
+
+void add_settings(Seeds& seeds, const fs::path& source) {
+  std::size_t choice = 0;
+  for (const char* service : {"arm", "bridge", "camera", "logger", "tracker"}) {
+    const std::string text = text_of(source / "config" / (std::string(service) + ".toml"));
+    // Without the section of the bus, which is read elsewhere.
+    const std::string own = text.substr(text.find("\n[", text.find("[lcm]")) + 1);
+    seeds.add("fuzz_config", choice, own);
+    seeds.add("fuzz_config", choice++, own + '\0' + service + ".a_key=5");
+  }
+}
+
+void add_recordings(Seeds& seeds) {
+  EventPacket packet;
+  std::mt19937_64 random(3);
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    Event event;
+    event.x = static_cast<std::uint16_t>(random() % 640);
+    event.y = static_cast<std::uint16_t>(random() % 480) & 0x7fff;
+    event.polarity = random() & 1;
+    event.offset_us = i * 300;
+    packet.events.push_back(event);
+  }
+  const fs::path scratch = seeds.next("fuzz_event_files");
+  for (const char* format : {"evt3", "text"}) {
+    const auto writer = make_event_writer(scratch, format, {640, 480});
+    writer->write(packet);
+    writer->close();
+    const std::string bytes = text_of(scratch);
+    seeds.add("fuzz_event_files", 0, bytes);
+    seeds.add("fuzz_event_stream", bytes + std::string(4, '\0'));
+  }
+  fs::remove(scratch);
+  // Time high, two events, of which the second is behind a word of another type.
+  const std::string evt2("\x01\x00\x00\x80\x05\x28\x40\x10\x00\x00\x00\xa0\x06\x28\x80\x00", 16);
+  const std::string header = "% evt 2.0\n% format EVT2;height=480;width=640\n% end\n";
+  seeds.add("fuzz_event_files", 0, header + evt2);
+  seeds.add("fuzz_event_files", 0x41, evt2);
+  seeds.add("fuzz_event_stream", header + evt2 + std::string(4, '\0'));
+  seeds.add("fuzz_event_files", 0x40, "0.001 5 6 1\n0.002 6 7 0\n");
+}
+
+void add_data_files(Seeds& seeds, const fs::path& source) {
+  const fs::path calibration = source / "config" / "calibration";
+  const std::vector<std::string> kinds{
+      "t_us,x,y,width,height,visible\n0,10,20,30,40,1\n1000,11,21,30.5,40.5,0.25\n",
+      "t_us,x,y,w,h\n1000,11,21,30.5,40.5\n0,1,2,3,4\n",
+      text_of(calibration / "simulated_table.csv"),
+      text_of(calibration / "simulated_size.toml"),
+      text_of(calibration / "simulated_table.toml"),
+      "[pixel_mask]\nwidth = 64\nheight = 48\npixels = [\n  1, 2,\n  3, 4,\n]\n",
+      "[contour]\nlag_us = 100\nwall_share = 0.5\ngrow_px = 0.1\ntrail_px = 0.2\n"};
+  for (std::size_t i = 0; i < kinds.size(); ++i) seeds.add("fuzz_data_files", i, kinds[i]);
+}
+
+}  // namespace
+}  // namespace puck
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: puck-fuzz-seeds SOURCE_DIR OUTPUT_DIR\n");
+    return 2;
+  }
+  puck::Seeds seeds(argv[2]);
+  puck::add_messages(seeds);
+  puck::add_logs(seeds);
+  puck::add_datagrams(seeds);
+  puck::add_urls(seeds);
+  puck::add_settings(seeds, argv[1]);
+  puck::add_recordings(seeds);
+  puck::add_data_files(seeds, argv[1]);
+  return 0;
+}
