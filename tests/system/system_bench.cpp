@@ -64,7 +64,10 @@ BusListener::BusListener(const std::string& url, const std::string& key_file)
   bus_.subscribe<service_status_t>([this](const service_status_t& status, const Receipt&) {
     statuses_[status.service] = status;
   });
-  bus_.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate, const Receipt&) {
+  bus_.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate, const Receipt& at) {
+    const auto verdict = tracker_.hear(estimate.session, estimate.seq, at.monotonic_us);
+    if (verdict == SinglePublisher::Verdict::kNewPublisher) newest_event_us_ = -1;
+    if (verdict == SinglePublisher::Verdict::kOtherPublisher) return;
     if (estimate.sensor_us <= newest_event_us_) return;
     newest_event_us_ = estimate.sensor_us;
     ++fresh_estimates_;

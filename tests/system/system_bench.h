@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/messaging/bus.h"
+#include "common/messaging/single_publisher.h"
 #include "tests/support/child_process.h"
 
 namespace puck {
@@ -52,7 +53,7 @@ class BusListener {
   std::optional<service_status_t> status(const std::string& service) const;
   /// From its newest STATUS; -1 while that does not have it.
   std::int64_t counter(const std::string& service, const std::string& name) const;
-  /// ESTIMATEs with newer events than all before them.
+  /// ESTIMATEs of one tracker with newer events than all before them.
   std::int64_t fresh_estimates() const { return fresh_estimates_; }
   /// Sensor time of the newest event that an ESTIMATE rested on, µs; -1 before the first.
   std::int64_t newest_event_us() const { return newest_event_us_; }
@@ -60,6 +61,7 @@ class BusListener {
  private:
   Bus bus_;
   std::map<std::string, service_status_t> statuses_;
+  SinglePublisher tracker_;
   std::int64_t fresh_estimates_ = 0;
   std::int64_t newest_event_us_ = -1;
 };

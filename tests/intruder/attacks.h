@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "tests/intruder/raw_sender.h"
+
+namespace puck {
+
+/// One way to be wrong on the wire.
+struct Attack {
+  std::string_view name;
+  std::string_view sends;
+  /// Sends some of it; called again and again. `round` counts from 0.
+  void (*attack)(RawSender& sender, int round) = nullptr;
+  /// What every receiver counts of it, by the name in STATUS; empty: nothing that all of them see.
+  std::string_view counted_as;
+  int datagrams_per_s = 0;
+};
+
+std::span<const Attack> all_attacks();
+
+/// Nothing when there is none of that name.
+const Attack* find_attack(std::string_view name);
+
+// Datagrams that no LCM would send.
+void send_fragments(RawSender& sender, int round);
+void send_endless_names(RawSender& sender, int round);
+void send_short_headers(RawSender& sender, int round);
+void send_random_datagrams(RawSender& sender, int round);
+
+// Well-formed datagrams with something wrong in them.
+void send_wrong_counts(RawSender& sender, int round);
+void send_random_payloads(RawSender& sender, int round);
+void send_wrong_fingerprints(RawSender& sender, int round);
+void send_impossible_values(RawSender& sender, int round);
+void send_many_channels(RawSender& sender, int round);
+void send_time_travel(RawSender& sender, int round);
+void send_flood(RawSender& sender, int round);
+
+}  // namespace puck
