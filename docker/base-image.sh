@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Sees to it that the image debian:bookworm-slim is on this machine, and says how: it was there, was
+# pulled, or, where there is no registry, was made from Debian's packages (as root or with sudo; half
+# a minute). What it makes it keeps in build/docker, so that the next time takes seconds.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+image=debian:bookworm-slim
+archive=build/docker/bookworm.tar
+
+if docker image inspect "$image" >/dev/null 2>&1; then
+  echo "base image $image: is there"
+  exit 0
+fi
+if timeout 180 docker pull -q "$image" >/dev/null 2>&1; then
+  echo "base image $image: pulled"
+  exit 0
+fi
+
+if [ ! -e "$archive" ]; then
+  as_root=()
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  tree=$(mktemp -d)
+  trap '"${as_root[@]}" rm -rf "$tree" "$tree.log"' EXIT
+  if ! "${as_root[@]}" debootstrap --variant=minbase --include=ca-certificates bookworm "$tree" \
+    >"$tree.log" 2>&1; then
+    tail -n 20 "$tree.log" >&2
+    echo "base-image.sh: $image cannot be pulled, and debootstrap failed" >&2
+    exit 1
+  fi
+  # The image's root folder is this one, and those who are not root have to get in.
+  "${as_root[@]}" chmod 755 "$tree"
+  "${as_root[@]}" rm -rf "$tree"/var/cache/apt/archives "$tree"/var/lib/apt/lists
+  mkdir -p "$(dirname "$archive")"
+  "${as_root[@]}" tar -C "$tree" -c . >"$archive.part"
+  mv "$archive.part" "$archive"
+fi
+docker import "$archive" "$image" >/dev/null
+echo "base image $image: cannot be pulled here, made with debootstrap"
