@@ -73,12 +73,12 @@ std::optional<LoggedLatency> GameLog::latency(const std::string& service,
   return find(latencies, service, name);
 }
 
-GameLog read_game_log(const std::filesystem::path& path) {
+GameLog read_game_log(const std::filesystem::path& path, const std::string& prefix) {
   GameLog log;
   LogReader reader(path);
   LogRecord record;
   while (reader.next(record)) {
-    const auto channel = find_channel(record.channel, "");
+    const auto channel = find_channel(record.channel, prefix);
     if (channel && !take_record(*channel, record, log)) ++log.rejected;
   }
   return log;

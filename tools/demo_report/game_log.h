@@ -37,7 +37,7 @@ struct GameLog {
   std::optional<LoggedLatency> latency(const std::string& service, const std::string& name) const;
 };
 
-/// Throws LogFileError when there is no such log or it is no log.
-GameLog read_game_log(const std::filesystem::path& path);
+/// Of the channels under a prefix. Throws LogFileError when there is no such log or it is no log.
+GameLog read_game_log(const std::filesystem::path& path, const std::string& prefix = "");
 
 }  // namespace puck

@@ -1,0 +1,147 @@
+// Games in which nothing fails but the network.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "tests/containers/scenarios.h"
+
+namespace puck {
+namespace {
+
+constexpr std::array kServices{"puck-camera", "puck-tracker", "puck-bridge", "puck-arm",
+                               "puck-logger"};
+
+// What an Ethernet frame holds of UDP's.
+constexpr std::size_t kFrameBytes = 1472;
+// Of Ethernet, IP and UDP, before each datagram.
+constexpr std::size_t kHeaderBytes = 42;
+
+// Far from what the tracker can do, which other tests hold it to, and as far from luck.
+constexpr double kMeanPx = 2;
+constexpr double kLostPercent = 20;
+
+constexpr double kReplayPx = 0.5;
+
+bool was_commanded(const BusLog& log) {
+  return std::any_of(log.arm_states.begin(), log.arm_states.end(),
+                     [](const auto& heard) { return heard.message.command_session != 0; });
+}
+
+void demand_one_life(const BusLog& log, Verdict& verdict) {
+  for (const std::string service : kServices) {
+    const std::size_t lives = runs_of(log, service).size();
+    verdict.demand(lives == 1, service + " began " + std::to_string(lives) + " times");
+  }
+}
+
+void demand_none(const BusLog& log, const std::string& service, const std::string& counter,
+                 Verdict& verdict) {
+  for (const ServiceRun& run : runs_of(log, service)) {
+    const std::int64_t count = run.counter(counter);
+    verdict.demand(count == 0, service + ": " + counter + " " + std::to_string(count));
+  }
+}
+
+}  // namespace
+
+void judge_game(const GameRecord& game, Verdict& verdict) {
+  for (const std::string service : kServices) {
+    verdict.demand(!runs_of(game.log, service).empty(), service + " was never heard");
+  }
+  verdict.demand(was_commanded(game.log), "the arm never followed a command");
+  const DemoFigures& figures = game.figures;
+  verdict.demand(figures.mean_px.has_value(), "no estimate can be compared with the truth");
+  if (figures.mean_px) {
+    verdict.demand(*figures.mean_px < kMeanPx,
+                   "the estimates are " + figure_text(*figures.mean_px, 2, "px off on average"));
+    verdict.demand(*figures.lost_percent < kLostPercent,
+                   "the puck is lost " + figure_text(*figures.lost_percent, 1, "% of the time"));
+  }
+  verdict.demand(game.log.largest_datagram_bytes <= kFrameBytes,
+                 "a message takes " + std::to_string(game.log.largest_datagram_bytes) +
+                     " bytes, more than one frame");
+}
+
+void judge_nothing_lost(const GameRecord& game, Verdict& verdict) {
+  demand_one_life(game.log, verdict);
+  for (const std::string service : kServices) {
+    for (const ServiceRun& run : runs_of(game.log, service)) {
+      // The logger's own last word comes when its log is closed.
+      verdict.demand(run.has_said_goodbye() || service == "puck-logger",
+                     service + " ended without a last STATUS");
+    }
+  }
+  demand_none(game.log, "puck-tracker", "packets_lost", verdict);
+  demand_none(game.log, "puck-logger", "packets_lost", verdict);
+  const DemoFigures& figures = game.figures;
+  verdict.demand(figures.events_lost == 0,
+                 std::to_string(figures.events_sent.value_or(-1)) + " events were sent, " +
+                     std::to_string(figures.events_received.value_or(-1)) + " received");
+  verdict.note("largest datagram " + std::to_string(game.log.largest_datagram_bytes) + " B");
+}
+
+void judge_frame_loss(const GameRecord& game, double percent, Verdict& verdict) {
+  demand_one_life(game.log, verdict);
+  for (const ServiceRun& run : runs_of(game.log, "puck-tracker")) {
+    const double lost = static_cast<double>(run.counter("packets_lost"));
+    const double sent = lost + static_cast<double>(run.counter("packets_received"));
+    const double lost_percent = sent > 0 ? 100 * lost / sent : 0;
+    const std::string lost_text = figure_text(lost_percent, 2, "% of the packets lost");
+    verdict.note(lost_text);
+    verdict.demand(lost_percent > percent / 2 && lost_percent < percent * 2, lost_text);
+  }
+}
+
+void judge_narrow_link(const GameRecord& game, Verdict& verdict) {
+  demand_one_life(game.log, verdict);
+  demand_none(game.log, "puck-tracker", "packets_lost", verdict);
+  constexpr std::int64_t kWindowUs = 100'000;
+  std::map<std::int64_t, std::size_t> bytes_in_window;
+  for (const auto& [at_us, bytes] : game.log.events_datagrams) {
+    bytes_in_window[at_us / kWindowUs] += bytes + kHeaderBytes;
+  }
+  std::size_t most = 0;
+  for (const auto& [window, bytes] : bytes_in_window) most = std::max(most, bytes);
+  verdict.note("EVENTS take up to " +
+               figure_text(8.0 * static_cast<double>(most) / kWindowUs, 1, "Mbit/s"));
+}
+
+void judge_neighbour(const GameRecord& game, Verdict& verdict) {
+  demand_one_life(game.log, verdict);
+  verdict.demand(game.log.events_sessions.size() == 1,
+                 "events of " + std::to_string(game.log.events_sessions.size()) + " cameras");
+  demand_none(game.log, "puck-tracker", "packets_of_others", verdict);
+  demand_none(game.log, "puck-tracker", "packets_lost", verdict);
+  demand_none(game.log, "puck-arm", "estimates_of_others", verdict);
+  demand_none(game.log, "puck-arm", "refused_other_publisher", verdict);
+  demand_none(game.log, "puck-arm", "refused_other_arm", verdict);
+}
+
+void judge_intruder(const GameRecord& game, Verdict& verdict) {
+  demand_one_life(game.log, verdict);
+  std::string counts;
+  for (const std::string service : {"puck-camera", "puck-tracker", "puck-bridge", "puck-arm"}) {
+    for (const ServiceRun& run : runs_of(game.log, service)) {
+      const std::int64_t rejected = run.counter("messages_rejected");
+      verdict.demand(rejected > 0, service + " has counted no malformed message");
+      counts += (counts.empty() ? "" : ", ") + std::to_string(rejected);
+    }
+  }
+  verdict.note("rejected: " + counts);
+}
+
+void judge_replay(const GameRecord& game, Verdict& verdict) {
+  const DemoFigures& figures = game.figures;
+  verdict.demand(figures.replay_mean_difference_px.has_value(),
+                 "no replayed estimate can be compared with a recorded one");
+  if (!figures.replay_mean_difference_px) return;
+  const std::string difference =
+      figure_text(*figures.replay_mean_difference_px, 3, "px from the recorded ones");
+  verdict.note(std::to_string(*figures.replay_estimates) + " estimates, " + difference);
+  verdict.demand(*figures.replay_mean_difference_px < kReplayPx, difference);
+}
+
+}  // namespace puck

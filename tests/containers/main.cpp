@@ -1,0 +1,116 @@
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "tests/containers/scenarios.h"
+#include "tools/demo_report/game_log.h"
+
+namespace {
+
+using puck::GameRecord;
+using puck::Verdict;
+
+struct Options {
+  std::string scenario;
+  std::string title;
+  std::filesystem::path log;
+  std::string prefix;
+  double percent = 0;
+  std::filesystem::path replay;
+};
+
+using Judge = std::function<void(const GameRecord&, const Options&, Verdict&)>;
+
+// A judge of the game and of nothing more that an option could change.
+Judge of(void (*judge)(const GameRecord&, Verdict&)) {
+  return
+      [judge](const GameRecord& game, const Options&, Verdict& verdict) { judge(game, verdict); };
+}
+
+const std::map<std::string, Judge> kJudges{
+    {"game", of([](const GameRecord&, Verdict&) {})},
+    {"nothing-lost", of(puck::judge_nothing_lost)},
+    {"frame-loss",
+     [](const GameRecord& game, const Options& options, Verdict& verdict) {
+       puck::judge_frame_loss(game, options.percent, verdict);
+     }},
+    {"narrow-link", of(puck::judge_narrow_link)},
+    {"killed-tracker", of(puck::judge_killed_tracker)},
+    {"frozen-bridge", of(puck::judge_frozen_bridge)},
+    {"cut-off-tracker", of(puck::judge_cut_off_tracker)},
+    {"neighbour", of(puck::judge_neighbour)},
+    {"intruder", of(puck::judge_intruder)},
+    {"replay", of(puck::judge_replay)},
+};
+
+GameRecord read_game(const Options& options) {
+  const puck::GameLog game = puck::read_game_log(options.log, options.prefix);
+  std::optional<puck::GameLog> replay;
+  if (!options.replay.empty()) replay = puck::read_game_log(options.replay, options.prefix);
+  return {puck::read_bus_log(options.log, options.prefix),
+          puck::demo_figures(game, replay ? &*replay : nullptr)};
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
+  return all;
+}
+
+// A line of the table that tests/containers/run.sh prints the head of.
+void print_row(const Options& options, const GameRecord& game, const Verdict& verdict) {
+  std::int64_t lost = 0;
+  for (const puck::ServiceRun& run : puck::runs_of(game.log, "puck-tracker")) {
+    lost += run.counter("events_lost");
+  }
+  const puck::DemoFigures& f = game.figures;
+  std::printf("%-34s %8lld %8lld %6.0f %6.2f %5lld %5lld  %-4s  %s\n", options.title.c_str(),
+              static_cast<long long>(f.events_sent.value_or(0)), static_cast<long long>(lost),
+              f.estimate_rate_hz.value_or(0), f.mean_px.value_or(0),
+              static_cast<long long>(f.shots.value_or(0)),
+              static_cast<long long>(f.saves.value_or(0)), verdict.passed() ? "pass" : "FAIL",
+              joined(verdict.notes()).c_str());
+  for (const std::string& complaint : verdict.complaints()) {
+    std::printf("    wrong: %s\n", complaint.c_str());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Judges a game that was played between containers, from the log of its bus.",
+               "puck-container-verdict");
+  Options options;
+  app.add_option("SCENARIO", options.scenario, "what happened")
+      ->required()
+      ->check(CLI::IsMember(kJudges));
+  app.add_option("LOG", options.log, "of the game")->required();
+  app.add_option("--title", options.title, "first column of the table; default: the scenario");
+  app.add_option("--prefix", options.prefix, "of the channels");
+  app.add_option("--percent", options.percent, "for frame-loss: how many were to be lost");
+  app.add_option("--replay", options.replay, "for replay: log of the tracker fed from LOG");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (options.title.empty()) options.title = options.scenario;
+  try {
+    const GameRecord game = read_game(options);
+    Verdict verdict;
+    puck::judge_game(game, verdict);
+    kJudges.at(options.scenario)(game, options, verdict);
+    print_row(options, game, verdict);
+    return verdict.passed() ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "puck-container-verdict: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,275 @@
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/messaging/log_file.h"
+#include "common/messaging/message_codec.h"
+#include "tests/containers/scenarios.h"
+#include "tests/support/temporary_folder.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kMs = 1000;
+constexpr std::int64_t kStart = 1'000'000'000;
+
+constexpr std::int64_t kTracker = 11;
+constexpr std::int64_t kBridge = 12;
+constexpr std::int64_t kArm = 13;
+constexpr std::int64_t kCamera = 14;
+constexpr std::int64_t kLogger = 15;
+constexpr std::int64_t kSecondTracker = 21;
+
+/// A game of 4 s, said by hand: times in ms since its start.
+class GameScript {
+ public:
+  GameScript() {
+    status("puck-camera", kCamera, 0);
+    status("puck-tracker", kTracker, 0);
+    status("puck-bridge", kBridge, 0);
+    status("puck-arm", kArm, 0);
+    status("puck-logger", kLogger, 0);
+  }
+
+  service_status_t& status(const std::string& service, std::int64_t session, std::int64_t at_ms) {
+    service_status_t status{};
+    status.service = service;
+    status.session = session;
+    status.utime = at(at_ms);
+    status.state = service_status_t::STATE_RUNNING;
+    hear(session, at_ms);
+    return record.log.statuses.emplace_back(Heard<service_status_t>{at(at_ms), status}).message;
+  }
+  void estimate(std::int64_t session, std::int64_t at_ms) {
+    puck_estimate_t estimate{};
+    estimate.session = session;
+    estimate.state = puck_estimate_t::STATE_TRACKING;
+    estimate.events_applied = 1;
+    estimate.sensor_us = at_ms * kMs;
+    hear(session, at_ms);
+    record.log.estimates.push_back({at(at_ms), estimate});
+  }
+  /// That follows the bridge and a tracker; tracker 0: holds for want of one.
+  void arm(std::int64_t at_ms, std::int64_t tracker) {
+    arm_state_t state{};
+    state.session = kArm;
+    state.state = tracker != 0 ? arm_state_t::STATE_MOVING : arm_state_t::STATE_HOLDING;
+    state.reason = tracker != 0 ? "" : "no live track";
+    state.command_session = tracker != 0 ? kBridge : 0;
+    state.estimate_session = tracker;
+    hear(kArm, at_ms);
+    record.log.arm_states.push_back({at(at_ms), state});
+  }
+  /// Tracker and arm in the usual course of a game, every 10 ms.
+  void play(std::int64_t from_ms, std::int64_t to_ms, std::int64_t tracker) {
+    for (std::int64_t ms = from_ms; ms < to_ms; ms += 10) {
+      estimate(tracker, ms);
+      arm(ms, tracker);
+      hear(kBridge, ms);
+    }
+  }
+  /// The arm alone, out of data.
+  void hold(std::int64_t from_ms, std::int64_t to_ms) {
+    for (std::int64_t ms = from_ms; ms < to_ms; ms += 10) arm(ms, 0);
+  }
+
+  GameRecord record;
+
+ private:
+  static std::int64_t at(std::int64_t ms) { return kStart + ms * kMs; }
+  void hear(std::int64_t session, std::int64_t at_ms) {
+    record.log.heard_us[session].push_back(at(at_ms));
+  }
+};
+
+template <typename Judge>
+Verdict judged(const GameScript& game, const Judge& judge) {
+  Verdict verdict;
+  judge(game.record, verdict);
+  return verdict;
+}
+
+GameScript killed_and_back(std::int64_t back_ms) {
+  GameScript game;
+  game.play(0, 1000, kTracker);
+  game.hold(1100, back_ms);
+  game.status("puck-tracker", kSecondTracker, 2000);
+  game.play(back_ms, back_ms + 1000, kSecondTracker);
+  return game;
+}
+
+GameScript frozen_bridge() {
+  GameScript game;
+  game.play(0, 1000, kTracker);
+  game.hold(1100, 3000);
+  game.play(3000, 4000, kTracker);
+  return game;
+}
+
+GameScript cut_off_tracker() {
+  GameScript game;
+  game.play(0, 1000, kTracker);
+  game.hold(1100, 3500);
+  // Its STATUS leaves at once when the network is back; what it says of events takes longer.
+  game.status("puck-tracker", kTracker, 3300);
+  return game;
+}
+
+}  // namespace
+
+TEST_CASE("a tracker that comes back from the dead within the time asked passes") {
+  const Verdict verdict = judged(killed_and_back(2300), judge_killed_tracker);
+  CHECK(verdict.complaints() == std::vector<std::string>{});
+  CHECK(verdict.notes() == std::vector<std::string>{"back after 300 ms", "arm still after 110 ms"});
+}
+
+TEST_CASE("a tracker that takes too long to come back fails") {
+  CHECK_FALSE(judged(killed_and_back(4100), judge_killed_tracker).passed());
+}
+
+TEST_CASE("a tracker that never tracks again fails, and so does one that was never killed") {
+  GameScript never;
+  never.play(0, 1000, kTracker);
+  never.status("puck-tracker", kSecondTracker, 2000);
+  CHECK_FALSE(judged(never, judge_killed_tracker).passed());
+
+  GameScript alive;
+  alive.play(0, 4000, kTracker);
+  CHECK_FALSE(judged(alive, judge_killed_tracker).passed());
+
+  GameScript stopped;
+  stopped.play(0, 1000, kTracker);
+  stopped.status("puck-tracker", kTracker, 1000).state = service_status_t::STATE_STOPPING;
+  stopped.hold(1100, 2300);
+  stopped.status("puck-tracker", kSecondTracker, 2000);
+  stopped.play(2300, 4000, kSecondTracker);
+  CHECK_FALSE(judged(stopped, judge_killed_tracker).passed());
+}
+
+TEST_CASE("another service that begins anew meanwhile fails") {
+  GameScript game = killed_and_back(2300);
+  game.status("puck-bridge", 99, 2100);
+  CHECK_FALSE(judged(game, judge_killed_tracker).passed());
+}
+
+TEST_CASE("an arm that stands still while the bridge is frozen passes") {
+  CHECK(judged(frozen_bridge(), judge_frozen_bridge).complaints() == std::vector<std::string>{});
+}
+
+TEST_CASE("an arm that moves while the bridge is frozen fails") {
+  GameScript game = frozen_bridge();
+  game.arm(2000, kTracker);
+  CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
+}
+
+TEST_CASE("an arm that never moves again after the bridge was frozen fails") {
+  GameScript game = frozen_bridge();
+  std::erase_if(game.record.log.arm_states,
+                [](const auto& heard) { return heard.at_us >= kStart + 3000 * kMs; });
+  CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
+}
+
+TEST_CASE("a bridge that was never frozen fails") {
+  GameScript game;
+  game.play(0, 4000, kTracker);
+  CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
+}
+
+TEST_CASE("a tracker that hears again after its network came back passes") {
+  GameScript game = cut_off_tracker();
+  game.play(3500, 4000, kTracker);
+  const Verdict verdict = judged(game, judge_cut_off_tracker);
+  CHECK(verdict.complaints() == std::vector<std::string>{});
+  CHECK(verdict.notes().back() == "hears again after 200 ms");
+}
+
+TEST_CASE("a tracker that is deaf after its network came back fails, however much it talks") {
+  GameScript game = cut_off_tracker();
+  // Estimates that rest on the last events from before the cut.
+  for (std::int64_t ms = 3310; ms < 4000; ms += 20) {
+    game.estimate(kTracker, ms);
+    game.record.log.estimates.back().message.sensor_us = 990 * kMs;
+  }
+  CHECK_FALSE(judged(game, judge_cut_off_tracker).passed());
+}
+
+TEST_CASE("frame loss passes when the tracker counts about as many as were dropped") {
+  const auto judge = [](std::int64_t lost) {
+    GameScript game;
+    service_status_t& status = game.status("puck-tracker", kTracker, 4000);
+    status.counter_name = {"packets_lost", "packets_received"};
+    status.counter_value = {lost, 10'000 - lost};
+    Verdict verdict;
+    judge_frame_loss(game.record, 5, verdict);
+    return verdict.passed();
+  };
+  CHECK(judge(500));
+  CHECK_FALSE(judge(0));
+  CHECK_FALSE(judge(2000));
+}
+
+TEST_CASE("nothing is lost only when as many events were received as were sent") {
+  const auto judge = [](std::int64_t received) {
+    GameScript game;
+    for (const char* service : {"puck-camera", "puck-tracker", "puck-bridge", "puck-arm"}) {
+      const std::int64_t session = runs_of(game.record.log, service).front().session;
+      game.status(service, session, 4000).state = service_status_t::STATE_STOPPING;
+    }
+    game.record.figures.events_sent = 1000;
+    game.record.figures.events_received = received;
+    game.record.figures.events_lost = 1000 - received;
+    return judged(game, judge_nothing_lost).passed();
+  };
+  CHECK(judge(1000));
+  CHECK_FALSE(judge(999));
+}
+
+TEST_CASE("a neighbour's packets fail") {
+  GameScript game;
+  game.record.log.events_sessions = {kCamera};
+  CHECK(judged(game, judge_neighbour).passed());
+  service_status_t& status = game.status("puck-tracker", kTracker, 4000);
+  status.counter_name = {"packets_of_others"};
+  status.counter_value = {1};
+  CHECK_FALSE(judged(game, judge_neighbour).passed());
+}
+
+TEST_CASE("a log says who spoke when, under its prefix only") {
+  const TemporaryFolder folder;
+  {
+    LogWriter writer(folder / "a.lcm");
+    std::vector<std::uint8_t> bytes;
+    service_status_t status{};
+    status.service = "puck-tracker";
+    status.host = "a";
+    status.version = "1";
+    for (const std::int64_t at_ms : {100, 200, 700}) {
+      status.session = kTracker;
+      status.utime = kStart + at_ms * kMs;
+      status.uptime_us = at_ms * kMs;
+      encode(status, bytes);
+      writer.write("LEFT_PUCK_STATUS", status.utime + 5, bytes);
+    }
+    status.session = kSecondTracker;
+    encode(status, bytes);
+    writer.write("PUCK_STATUS", kStart, bytes);
+    bytes.pop_back();
+    writer.write("LEFT_PUCK_STATUS", kStart, bytes);
+  }
+  const BusLog log = read_bus_log(folder / "a.lcm", "LEFT");
+  const std::vector<ServiceRun> runs = runs_of(log, "puck-tracker");
+  REQUIRE(runs.size() == 1);
+  CHECK(runs[0].session == kTracker);
+  CHECK(runs[0].started_us == kStart);
+  CHECK(log.statuses.size() == 3);
+  const auto silence = longest_silence(log, kTracker);
+  REQUIRE(silence.has_value());
+  CHECK(silence->begin_us == kStart + 200 * kMs + 5);
+  CHECK(silence->end_us == kStart + 700 * kMs + 5);
+  CHECK_FALSE(longest_silence(log, kSecondTracker).has_value());
+}
+
+}  // namespace puck
