@@ -5,8 +5,8 @@
 #
 # unit: every library and service, optimised; again under AddressSanitizer with
 # UndefinedBehaviorSanitizer; those that run threads under ThreadSanitizer; and a minute of fuzzing.
-# system: the real programs together, over LCM on this machine. containers: the services as machines.
-# all, the default: everything.
+# system: the real programs together, over LCM on this machine. containers: the services as machines,
+# where there is Docker. all, the default: everything.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -49,5 +49,10 @@ if [ "$what" = system ] || [ "$what" = all ]; then
   run release system
 fi
 if [ "$what" = containers ] || [ "$what" = all ]; then
-  echo "== containers: there are no tests in containers yet"
+  if docker info >/dev/null 2>&1; then
+    echo "== testing containers"
+    tests/containers/run.sh
+  else
+    echo "== containers: skipped, as there is no Docker that runs here"
+  fi
 fi
