@@ -24,7 +24,10 @@ void take(Channel channel, const LogRecord& record, BusLog& log) {
   constexpr std::size_t kLcmHeaderBytes = 8;
   const std::size_t datagram_bytes =
       kLcmHeaderBytes + record.channel.size() + 1 + record.bytes.size();
-  log.largest_datagram_bytes = std::max(log.largest_datagram_bytes, datagram_bytes);
+  if (datagram_bytes > log.largest_datagram_bytes) {
+    log.largest_datagram_bytes = datagram_bytes;
+    log.largest_datagram_channel = record.channel;
+  }
   switch (channel) {
     case Channel::kEstimate:
       return keep(record, log.estimates);

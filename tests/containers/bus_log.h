@@ -34,6 +34,7 @@ struct BusLog {
   /// When each session was heard, on any channel.
   std::map<std::int64_t, std::vector<std::int64_t>> heard_us;
   std::size_t largest_datagram_bytes = 0;
+  std::string largest_datagram_channel;
 };
 
 /// Malformed messages are left out. Throws LogFileError when there is no such log.

@@ -51,6 +51,18 @@ void demand_standstill(const BusLog& log, const Silence& silence, Verdict& verdi
   verdict.demand(moved == 0, "the arm moved in " + std::to_string(moved) + " states meanwhile");
 }
 
+// Another service names the silent one in its STATUS.
+void demand_noticed(const BusLog& log, const std::string& service, const Silence& silence,
+                    Verdict& verdict) {
+  const auto names_it = [&](const service_status_t& status) {
+    return status.service != service && status.state_text.find(service) != std::string::npos &&
+           status.state_text.find("silent") != std::string::npos;
+  };
+  const auto* noticed = first_after(log.statuses, silence.begin_us, names_it);
+  const bool in_time = noticed != nullptr && noticed->at_us < silence.end_us;
+  demand_within("noticed", in_time ? noticed : nullptr, silence.begin_us, kNoticeUs, verdict);
+}
+
 // A command was followed that rests on an estimate of this tracker.
 auto follows_tracker(std::int64_t tracker_session) {
   return [tracker_session](const arm_state_t& state) {
@@ -80,6 +92,7 @@ void judge_killed_tracker(const GameRecord& game, Verdict& verdict) {
   verdict.demand(!before.has_said_goodbye(), "the tracker was not killed but stopped");
 
   const std::int64_t killed_us = log.heard_us.at(before.session).back();
+  demand_noticed(log, "puck-tracker", {killed_us, log.heard_us.at(after.session).front()}, verdict);
   const auto is_back = [&](const puck_estimate_t& estimate) {
     return estimate.session == after.session && estimate.events_applied > 0;
   };
@@ -109,6 +122,7 @@ void judge_frozen_bridge(const GameRecord& game, Verdict& verdict) {
   }
   verdict.note("frozen for " + std::to_string((silence->end_us - silence->begin_us) / 1000) +
                " ms");
+  demand_noticed(log, "puck-bridge", *silence, verdict);
   demand_standstill(log, *silence, verdict);
   const auto follows = [&](const arm_state_t& state) {
     return state.command_session == session && state.reason.empty();
@@ -130,6 +144,7 @@ void judge_cut_off_tracker(const GameRecord& game, Verdict& verdict) {
   }
   verdict.note("cut off for " + std::to_string((silence->end_us - silence->begin_us) / 1000) +
                " ms");
+  demand_noticed(log, "puck-tracker", *silence, verdict);
   demand_standstill(log, *silence, verdict);
   std::int64_t newest_event_us = 0;
   for (const auto& [at_us, estimate] : log.estimates) {

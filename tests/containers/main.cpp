@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -5,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -23,6 +25,7 @@ struct Options {
   std::filesystem::path log;
   std::string prefix;
   double percent = 0;
+  std::vector<std::tuple<std::string, std::int64_t, std::int64_t>> memory;  // As MemoryUse.
   std::filesystem::path replay;
 };
 
@@ -32,6 +35,14 @@ using Judge = std::function<void(const GameRecord&, const Options&, Verdict&)>;
 Judge of(void (*judge)(const GameRecord&, Verdict&)) {
   return
       [judge](const GameRecord& game, const Options&, Verdict& verdict) { judge(game, verdict); };
+}
+
+void judge_intruder(const GameRecord& game, const Options& options, Verdict& verdict) {
+  std::vector<puck::MemoryUse> memory;
+  for (const auto& [service, before_kb, after_kb] : options.memory) {
+    memory.push_back({service, before_kb, after_kb});
+  }
+  puck::judge_intruder(game, memory, verdict);
 }
 
 const std::map<std::string, Judge> kJudges{
@@ -46,7 +57,7 @@ const std::map<std::string, Judge> kJudges{
     {"frozen-bridge", of(puck::judge_frozen_bridge)},
     {"cut-off-tracker", of(puck::judge_cut_off_tracker)},
     {"neighbour", of(puck::judge_neighbour)},
-    {"intruder", of(puck::judge_intruder)},
+    {"intruder", &judge_intruder},
     {"replay", of(puck::judge_replay)},
 };
 
@@ -71,9 +82,9 @@ void print_row(const Options& options, const GameRecord& game, const Verdict& ve
     lost += run.counter("events_lost");
   }
   const puck::DemoFigures& f = game.figures;
-  std::printf("%-34s %8lld %8lld %6.0f %6.2f %5lld %5lld  %-4s  %s\n", options.title.c_str(),
+  std::printf("%-31s %8lld %8lld %6.0f %6.2f %6.2f %5lld %5lld  %-4s  %s\n", options.title.c_str(),
               static_cast<long long>(f.events_sent.value_or(0)), static_cast<long long>(lost),
-              f.estimate_rate_hz.value_or(0), f.mean_px.value_or(0),
+              f.estimate_rate_hz.value_or(0), f.median_px.value_or(0), f.mean_px.value_or(0),
               static_cast<long long>(f.shots.value_or(0)),
               static_cast<long long>(f.saves.value_or(0)), verdict.passed() ? "pass" : "FAIL",
               joined(verdict.notes()).c_str());
@@ -95,6 +106,10 @@ int main(int argc, char** argv) {
   app.add_option("--title", options.title, "first column of the table; default: the scenario");
   app.add_option("--prefix", options.prefix, "of the channels");
   app.add_option("--percent", options.percent, "for frame-loss: how many were to be lost");
+  app.add_option("--memory", options.memory,
+                 "for intruder: what a service had in use before the intruder came once more, and "
+                 "after; may be repeated")
+      ->type_name("SERVICE KB KB");
   app.add_option("--replay", options.replay, "for replay: log of the tracker fed from LOG");
   try {
     app.parse(argc, argv);

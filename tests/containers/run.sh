@@ -10,7 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-all=(game loss_1 loss_5 narrow killed frozen cut_off neighbours)
+all=(game loss_1 loss_5 narrow killed frozen cut_off neighbours intruder)
 case "${1-}" in
   --list)
     printf '%s\n' "${all[@]}"
@@ -206,6 +206,38 @@ scenario_neighbours() {
   robot=$run-right judge "two robots: the right one" neighbour /logs/game.lcm --prefix RIGHT
 }
 
+# Twice: the first time fills what may be filled, queues and the allocator's memory; the second time
+# nobody may grow. Without the attack that sends valid messages of a stranger, truth among them, for
+# that is what the verdict rests on.
+scenario_intruder() {
+  start_game
+  sleep 3
+  intrude 1
+  resident_memory >"$work/memory_before"
+  intrude 2
+  resident_memory >"$work/memory_after"
+  sleep 3
+  stop_game
+  local service before after memory=()
+  while read -r service before _ after; do
+    memory+=(--memory "puck-$service" "$before" "$after")
+  done < <(paste "$work/memory_before" "$work/memory_after")
+  judge "an intruder" intruder /logs/game.lcm "${memory[@]}"
+}
+intrude() { # SEED
+  local attack
+  for attack in fragments names headers random counts payloads fingerprints values channels flood; do
+    echo "puck-intruder --lcm-url '$url' --seconds 0.2 --seed $1 --attack $attack"
+  done | docker run --rm -i --network "$run" "$run" sh -e >>"$work/compose.log"
+}
+resident_memory() { # a line for each service: its name, and kB
+  local service
+  for service in camera tracker bridge arm; do
+    echo "$service $(docker exec "$(machine "$service")" sed -n 's/^VmRSS:[^0-9]*\([0-9]*\).*/\1/p' \
+      /proc/1/status)"
+  done
+}
+
 # --- All of them ---------------------------------------------------------------------------------
 
 docker image inspect "$base" >/dev/null 2>&1 || had_base=false
@@ -217,7 +249,8 @@ if ! docker build -f docker/Dockerfile --target test -t "$run" . >"$work/build.l
 fi
 echo "image for tests: built from build/release/bin"
 echo
-printf '%-34s %8s %8s %6s %6s %5s %5s  %s\n' scenario events lost Hz "px off" shots saves verdict
+printf '%-31s %8s %8s %6s %6s %6s %5s %5s  %s\n' \
+  scenario events lost Hz median "mean px" shots saves verdict
 
 failed=()
 for scenario in "${scenarios[@]}"; do

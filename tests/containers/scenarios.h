@@ -1,7 +1,8 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "tests/containers/bus_log.h"
 #include "tests/containers/verdict.h"
@@ -41,8 +42,14 @@ void judge_cut_off_tracker(const GameRecord& game, Verdict& verdict);
 /// Another robot played on the same network: nothing of it was taken for this one's.
 void judge_neighbour(const GameRecord& game, Verdict& verdict);
 
-/// Somebody sent malformed messages, which every service counted; nobody died of it.
-void judge_intruder(const GameRecord& game, Verdict& verdict);
+/// Resident memory of a service.
+struct MemoryUse {
+  std::string service;
+  std::int64_t before_kb = 0;
+  std::int64_t after_kb = 0;
+};
+/// Somebody sent malformed messages, which every service counted; nobody died of it or grew.
+void judge_intruder(const GameRecord& game, const std::vector<MemoryUse>& memory, Verdict& verdict);
 
 /// A fresh tracker was fed with the recorded events and sees the same: `figures` compare the two.
 void judge_replay(const GameRecord& game, Verdict& verdict);

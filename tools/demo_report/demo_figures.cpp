@@ -39,6 +39,7 @@ void score(const GameLog& game, const std::vector<puck_estimate_t>& estimates,
   const AccuracyReport report = score.report();
   if (report.estimates == 0) return;
   figures.mean_px = report.mean_px;
+  figures.median_px = report.median_px;
   figures.p95_px = report.p95_px;
   figures.lost_percent = report.lost_percent;
 }
@@ -112,6 +113,7 @@ Json to_json(const DemoFigures& f) {
   json["estimates"] = f.estimates;
   json["estimate_rate_hz"] = or_null(f.estimate_rate_hz);
   json["mean_px"] = or_null(f.mean_px);
+  json["median_px"] = or_null(f.median_px);
   json["p95_px"] = or_null(f.p95_px);
   json["lost_percent"] = or_null(f.lost_percent);
   add(json, "packet_to_estimate", f.packet_to_estimate);
@@ -203,6 +205,7 @@ void print(const DemoFigures& f) {
   print_row("published", std::optional(f.estimates), "");
   print_row("a second, with new events", f.estimate_rate_hz, "Hz");
   print_row("error against truth, mean", f.mean_px, "px");
+  print_row("error against truth, median", f.median_px, "px");
   print_row("error against truth, 95 %", f.p95_px, "px");
   print_row("puck lost", f.lost_percent, "%");
   std::printf("%-40s %10s %10s %10s\n", "Latency", "median", "99 %", "longest");

@@ -26,6 +26,7 @@ struct DemoFigures {
   std::int64_t estimates = 0;
   std::optional<double> estimate_rate_hz;  ///< From the first estimate to the last.
   std::optional<double> mean_px;
+  std::optional<double> median_px;
   std::optional<double> p95_px;
   std::optional<double> lost_percent;
   // As the tracker measures them; its STATUS says more exactly what each is.

@@ -34,6 +34,11 @@ class GameScript {
     status("puck-logger", kLogger, 0);
   }
 
+  /// The arm's, which misses somebody.
+  void miss(const std::string& service, std::int64_t at_ms) {
+    status("puck-arm", kArm, at_ms).state_text = service + " on x, pid 1, is silent";
+  }
+
   service_status_t& status(const std::string& service, std::int64_t session, std::int64_t at_ms) {
     service_status_t status{};
     status.service = service;
@@ -96,6 +101,7 @@ GameScript killed_and_back(std::int64_t back_ms) {
   GameScript game;
   game.play(0, 1000, kTracker);
   game.hold(1100, back_ms);
+  game.miss("puck-tracker", 1400);
   game.status("puck-tracker", kSecondTracker, 2000);
   game.play(back_ms, back_ms + 1000, kSecondTracker);
   return game;
@@ -105,6 +111,7 @@ GameScript frozen_bridge() {
   GameScript game;
   game.play(0, 1000, kTracker);
   game.hold(1100, 3000);
+  game.miss("puck-bridge", 1400);
   game.play(3000, 4000, kTracker);
   return game;
 }
@@ -113,6 +120,7 @@ GameScript cut_off_tracker() {
   GameScript game;
   game.play(0, 1000, kTracker);
   game.hold(1100, 3500);
+  game.miss("puck-tracker", 1400);
   // Its STATUS leaves at once when the network is back; what it says of events takes longer.
   game.status("puck-tracker", kTracker, 3300);
   return game;
@@ -123,7 +131,8 @@ GameScript cut_off_tracker() {
 TEST_CASE("a tracker that comes back from the dead within the time asked passes") {
   const Verdict verdict = judged(killed_and_back(2300), judge_killed_tracker);
   CHECK(verdict.complaints() == std::vector<std::string>{});
-  CHECK(verdict.notes() == std::vector<std::string>{"back after 300 ms", "arm still after 110 ms"});
+  CHECK(verdict.notes() == std::vector<std::string>{"noticed after 410 ms", "back after 300 ms",
+                                                    "arm still after 110 ms"});
 }
 
 TEST_CASE("a tracker that takes too long to come back fails") {
@@ -169,6 +178,14 @@ TEST_CASE("an arm that never moves again after the bridge was frozen fails") {
   GameScript game = frozen_bridge();
   std::erase_if(game.record.log.arm_states,
                 [](const auto& heard) { return heard.at_us >= kStart + 3000 * kMs; });
+  CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
+}
+
+TEST_CASE("a frozen bridge that nobody notices fails, and so does one noticed when it is back") {
+  GameScript game = frozen_bridge();
+  game.record.log.statuses.pop_back();
+  CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
+  game.miss("puck-bridge", 3100);
   CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
 }
 
@@ -235,6 +252,24 @@ TEST_CASE("a neighbour's packets fail") {
   status.counter_name = {"packets_of_others"};
   status.counter_value = {1};
   CHECK_FALSE(judged(game, judge_neighbour).passed());
+}
+
+TEST_CASE("an intruder passes when all count what it sends and nobody grows") {
+  const auto judge = [](std::int64_t rejected, std::int64_t after_kb) {
+    GameScript game;
+    for (const char* service : {"puck-camera", "puck-tracker", "puck-bridge", "puck-arm"}) {
+      const std::int64_t session = runs_of(game.record.log, service).front().session;
+      service_status_t& status = game.status(service, session, 4000);
+      status.counter_name = {"messages_rejected"};
+      status.counter_value = {rejected};
+    }
+    Verdict verdict;
+    judge_intruder(game.record, {{"puck-arm", 10'000, after_kb}}, verdict);
+    return verdict.passed();
+  };
+  CHECK(judge(7, 10'500));
+  CHECK_FALSE(judge(0, 10'500));
+  CHECK_FALSE(judge(7, 12'500));
 }
 
 TEST_CASE("a log says who spoke when, under its prefix only") {
