@@ -24,7 +24,7 @@ void take(Channel channel, const LogRecord& record, BusLog& log) {
   constexpr std::size_t kLcmHeaderBytes = 8;
   const std::size_t datagram_bytes =
       kLcmHeaderBytes + record.channel.size() + 1 + record.bytes.size();
-  if (datagram_bytes > log.largest_datagram_bytes) {
+  if (channel != Channel::kStatus && datagram_bytes > log.largest_datagram_bytes) {
     log.largest_datagram_bytes = datagram_bytes;
     log.largest_datagram_channel = record.channel;
   }

@@ -17,7 +17,7 @@ struct GameRecord {
 };
 
 /// What every game owes: all five services spoke, the puck was tracked, the arm was commanded, no
-/// message was larger than a frame.
+/// message but STATUS was larger than a frame.
 void judge_game(const GameRecord& game, Verdict& verdict);
 
 /// Each event that was sent was received, and all services ended when they were asked to.
