@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// STATUS has to fit one frame of the network.
+// STATUS must not grow with the network.
 constexpr std::size_t kMostOffsets = 6;
 
 }  // namespace
