@@ -33,7 +33,7 @@ fi
 for fuzzer in "${fuzzers[@]}"; do
   [ -x "$build/bin/$fuzzer" ] || usage
 done
-seconds=$((minutes > 0 ? 60 * minutes : (60 + ${#fuzzers[@]} - 1) / ${#fuzzers[@]}))
+seconds=$((minutes > 0 ? 60 * minutes : 60 / ${#fuzzers[@]}))
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

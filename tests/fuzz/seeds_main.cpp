@@ -54,6 +54,7 @@ void add_messages(Seeds& seeds) {
   }
   seeds.add("fuzz_loss_accounting", std::string(200, '\1'));
   seeds.add("fuzz_fragments", std::string(200, '\2'));
+  seeds.add("fuzz_play", std::string(400, '\x44'));
 }
 
 void add_logs(Seeds& seeds) {
