@@ -55,7 +55,8 @@ void LogBytes::fill(std::int64_t offset, std::size_t count) {
   if (window_.capacity() > kWindowBytes && count <= kWindowBytes) {
     std::vector<std::uint8_t>().swap(window_);
   }
-  window_.resize(std::max(count, kWindowBytes));
+  const auto left = static_cast<std::size_t>(std::max<std::int64_t>(size_ - offset, 0));
+  window_.resize(std::min(std::max(count, kWindowBytes), left));
   window_offset_ = offset;
   std::size_t filled = 0;
   while (filled < window_.size()) {
@@ -79,12 +80,12 @@ std::int64_t LogBytes::find_mark(std::int64_t from, std::int64_t to) {
         from >= window_offset_ && from + static_cast<std::int64_t>(kLogMark.size()) <= end;
     const auto block =
         at(from, std::min(most, inside ? static_cast<std::size_t>(end - from) : kWindowBytes));
+    if (block.size() <= kOverlap) break;
     const void* found = memmem(block.data(), block.size(), kLogMark.data(), kLogMark.size());
     if (found != nullptr) {
       const auto place = static_cast<const std::uint8_t*>(found) - block.data();
       return std::min<std::int64_t>(from + place, to);
     }
-    if (block.size() <= kOverlap) break;
     // The mark may lie across two blocks.
     from += static_cast<std::int64_t>(block.size() - kOverlap);
   }
