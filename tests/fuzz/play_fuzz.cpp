@@ -46,9 +46,19 @@ class Play {
  private:
   static constexpr std::int64_t kArmSession = 1001;
   static constexpr std::int64_t kBridgeSession = 2001;
+  static constexpr ClockOffset kOwnClock{};
 
   std::int64_t session() { return input_.ConsumeIntegralInRange<std::int64_t>(3001, 3003); }
   bool rarely() { return input_.ConsumeIntegral<std::uint8_t>() < 16; }
+
+  /// The sender's: mostly ours, now and then another, or not known.
+  SenderClock clock() {
+    if (!rarely()) return kOwnClock;
+    constexpr std::int64_t kFar = std::int64_t{1} << 53;
+    if (input_.ConsumeBool()) return std::nullopt;
+    return ClockOffset{input_.ConsumeIntegralInRange(-kFar, kFar),
+                       input_.ConsumeIntegralInRange<std::int64_t>(0, kFar)};
+  }
 
   /// Mostly what it is; now and then anything.
   void spoil(double& value) {
@@ -100,8 +110,9 @@ class Play {
       spoil(*value);
     }
     if (!is_valid(message)) return;
-    bridge_.hear(message, now_);
-    arm_.hear(message, now_);
+    const SenderClock sender = clock();
+    bridge_.hear(message, now_, sender);
+    arm_.hear(message, now_, sender);
   }
 
   void hear_arm_state() {
@@ -112,7 +123,7 @@ class Play {
     spoil(message.line_max_m);
     spoil(message.line_x_m);
     spoil(message.position_m);
-    if (is_valid(message)) bridge_.hear(message, now_);
+    if (is_valid(message)) bridge_.hear(message, now_, clock());
   }
 
   void hear_head() {
@@ -140,7 +151,7 @@ class Play {
     spoil(message.arrive_in_us);
     spoil(message.valid_for_us);
     spoil(message.arm_session);
-    if (is_valid(message)) arm_.hear(message, now_);
+    if (is_valid(message)) arm_.hear(message, now_, clock());
   }
 
   void step() {
@@ -159,7 +170,7 @@ class Play {
     if (auto command = bridge_.next_command(now_)) {
       check_published(*command);
       require(std::abs(command->target_normalised) <= 1, "a command's target is on the line");
-      arm_.hear(*command, now_);
+      arm_.hear(*command, now_, kOwnClock);
     }
   }
 
