@@ -81,11 +81,11 @@ class FieldWalk {
 
   void visit_bytes(const WireField& field, std::size_t count) {
     constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string hexadecimal;
-    hexadecimal.reserve(2 * count);
+    std::string hexadecimal(2 * count, '0');
+    char* digit = hexadecimal.data();
     for (const std::uint8_t byte : reader_.take(count)) {
-      hexadecimal += kDigits[byte >> 4];
-      hexadecimal += kDigits[byte & 15];
+      *digit++ = kDigits[byte >> 4];
+      *digit++ = kDigits[byte & 15];
     }
     visit_(field.name, std::nullopt, hexadecimal);
   }

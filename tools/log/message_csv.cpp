@@ -54,7 +54,8 @@ class LineWriter {
 
  private:
   void finish_cell() {
-    line_.append(",").append(quoted(cell_));
+    const bool is_text = layout_.fields[field_].kind == WireKind::kString;
+    line_.append(",").append(is_text ? quoted(cell_) : cell_);
     cell_.clear();
   }
   void finish_field() {
