@@ -127,6 +127,33 @@ TEST_CASE("the logger stops at its quota, says so and counts what it did not wri
   CHECK(bench.status.state_text().find("logger.max_bytes = 514 is reached") != std::string::npos);
 }
 
+TEST_CASE("the logger counts by channel what its queue has no place for, and says so") {
+  const TemporaryFolder folder;
+  // A queue that takes a packet of 10 events, but not one of 1000.
+  LoggerBench bench({.path = folder / "a.lcm", .queue_bytes = 1000});
+  EventPacker packer({.sensor = {640, 480}, .packet_bytes = EventPackerParams::kMaxBytes});
+  for (const std::size_t events : {10, 1000, 1000}) {
+    packer.pack({0}, std::vector<Event>(events),
+                [&](event_packet_t& packet) { bench.bus.publish(packet); });
+  }
+  bench.run();
+  CHECK(channels_in(folder / "a.lcm")["PUCK_EVENTS"] == 1);
+  CHECK(bench.counters()["messages_not_written"] == 2);
+  CHECK(bench.counters()["messages_not_written.PUCK_EVENTS"] == 2);
+  CHECK(bench.counters()["packets_received"] == 3);
+  CHECK(bench.counters()["queue_most_bytes"] <= 1000);
+  CHECK(bench.status.state() == ServiceState::kDegraded);
+  CHECK(bench.status.state_text().find("logger.queue_bytes") != std::string::npos);
+}
+
+TEST_CASE("a logger that is started again within a second waits for the next second's name") {
+  const TemporaryFolder folder;
+  const LoggerParams params{.path = (folder / "%Y-%m-%d-%H-%M-%S.lcm").string()};
+  const LoggerBench first(params);
+  const LoggerBench second(params);
+  CHECK(first.logger.path() < second.logger.path());
+}
+
 TEST_CASE("the logger writes the time of the start into the path, and over nothing that exists") {
   const TemporaryFolder folder;
   {
