@@ -101,8 +101,11 @@ SenderClock ClockOffsets::offset_of(std::int64_t session, const HostNow& now) co
                                   [&](const Clock& clock) { return clock.session == session; });
   if (known == clocks_.end()) return std::nullopt;
   const std::int64_t own_ahead_us = now.utime - now.monotonic_us;
-  return ClockOffset{known->best.ahead_us - own_ahead_us,
-                     known->best.uncertainty_at(now.monotonic_us)};
+  const std::int64_t ahead_us = known->best.ahead_us - own_ahead_us;
+  // Clocks that agree as far as can be told are taken for the same: on one host they are, and no
+  // latency shall suffer from the error of a measurement there.
+  const bool agrees = std::abs(ahead_us) <= known->best.uncertainty_us;
+  return ClockOffset{agrees ? 0 : ahead_us, known->best.uncertainty_at(now.monotonic_us)};
 }
 
 }  // namespace puck

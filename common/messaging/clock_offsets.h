@@ -33,7 +33,8 @@ class ClockOffsets {
   /// False when it answers none of the newest pings or contradicts itself.
   bool add(std::int64_t session, const ClockAnswer& answer);
 
-  /// Less sure as time goes by without another answer.
+  /// Less sure as time goes by without another answer. Exactly 0 for a clock that cannot be told
+  /// from ours.
   SenderClock offset_of(std::int64_t session, const HostNow& now) const;
 
   std::size_t sessions() const { return clocks_.size(); }

@@ -48,7 +48,7 @@ class ClockBench {
 }  // namespace
 
 TEST_CASE("the offset of a clock hours away is known after one answer, to half the round trip") {
-  for (const std::int64_t ahead_us : {5 * kHour, -11 * kHour, std::int64_t{0}}) {
+  for (const std::int64_t ahead_us : {5 * kHour, -11 * kHour, std::int64_t{500}}) {
     CAPTURE(ahead_us);
     ClockBench bench;
     CHECK_FALSE(bench.offsets.offset_of(7, bench.now));
@@ -60,6 +60,16 @@ TEST_CASE("the offset of a clock hours away is known after one answer, to half t
     CHECK(clock.uncertainty_us <= 202);
     CHECK(std::abs(clock.to_own(bench.now.utime + ahead_us) - bench.now.utime) <=
           clock.uncertainty_us);
+  }
+}
+
+TEST_CASE("a clock that cannot be told from ours is taken for ours, to the microsecond") {
+  for (const std::int64_t ahead_us : {std::int64_t{0}, std::int64_t{90}, std::int64_t{-90}}) {
+    CAPTURE(ahead_us);
+    ClockBench bench;
+    REQUIRE(bench.exchange(7, ahead_us, 150, 50));
+    CHECK(bench.clock(7).ahead_us == (ahead_us == 90 ? 140 : 0));
+    CHECK(std::abs(bench.clock(7).ahead_us - ahead_us) <= bench.clock(7).uncertainty_us);
   }
 }
 

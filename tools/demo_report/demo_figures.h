@@ -29,7 +29,8 @@ struct DemoFigures {
   std::optional<double> median_px;
   std::optional<double> p95_px;
   std::optional<double> lost_percent;
-  // As the tracker measures them; its STATUS says more exactly what each is.
+  // As the tracker measures them; its STATUS says more exactly what each is. sensor_to_estimate is
+  // corrected for the offset of the camera's clock.
   std::optional<LoggedLatency> packet_to_estimate;
   std::optional<LoggedLatency> sensor_to_estimate;
   std::optional<LoggedLatency> backlog;
