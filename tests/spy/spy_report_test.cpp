@@ -65,6 +65,15 @@ TEST_CASE("the JSON report is flat: a script finds every figure by its name") {
   }
 }
 
+TEST_CASE("rates have one decimal, and ages whole microseconds") {
+  Snapshot snapshot = heard(status_of("puck-camera"));
+  snapshot.channels[0].messages_per_s = 1342.0209510781526;
+  snapshot.channels[0].newest_age_us = 647'377;
+  const std::string report = json_report(snapshot, "", "");
+  CHECK(report.find("\"messages_per_s\": 1342.0,") != std::string::npos);
+  CHECK(report.find("\"age_ms\": 647.377\n") != std::string::npos);
+}
+
 TEST_CASE("text that is not UTF-8 does not break the report") {
   const Json report = Json::parse(json_report(heard(status_of("puck-\xff\xc3")), "", ""));
   CHECK(report["services"][0]["service"].get<std::string>().starts_with("puck-"));
@@ -75,6 +84,7 @@ TEST_CASE("nothing heard makes an empty report") {
   CHECK(report["messages"] == 0);
   CHECK(report["channels"].empty());
   CHECK(report["services"].empty());
+  CHECK(text_report({}, 80).empty());
 }
 
 TEST_CASE("the text report has all columns and every word in full where nothing bounds its width") {

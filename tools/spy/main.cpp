@@ -55,9 +55,11 @@ std::string reason_of(const Heard& heard) {
 
 int report_once(const Options& options, const BusParams& params, StopSignal& stop) {
   const Heard heard = listen(params, options.seconds, stop);
-  const std::string report = options.json ? json_report(heard.snapshot, params.url, params.prefix)
-                                          : text_report(heard.snapshot, output_width());
-  std::fputs(report.c_str(), stdout);
+  if (options.json) {
+    std::fputs(json_report(heard.snapshot, params.url, params.prefix).c_str(), stdout);
+  } else {
+    std::fputs(text_report(heard.snapshot, output_width()).c_str(), stdout);
+  }
   if (heard.snapshot.messages > 0) return 0;
   std::fprintf(stderr, "puck-spy: nothing was heard on %s%s\n", params.url.c_str(),
                reason_of(heard).c_str());

@@ -1,5 +1,7 @@
 #include "tools/spy/spy_report.h"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "common/messaging/wire_layout.h"
@@ -10,16 +12,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double seconds(std::int64_t duration_us) { return static_cast<double>(duration_us) * 1e-6; }
-double milliseconds(std::int64_t duration_us) { return static_cast<double>(duration_us) * 1e-3; }
+double seconds(std::int64_t duration_us) { return static_cast<double>(duration_us) / 1e6; }
+double milliseconds(std::int64_t duration_us) { return static_cast<double>(duration_us) / 1e3; }
+/// More digits would say nothing.
+double rate(double per_second) { return std::round(per_second * 10) / 10; }
 
 Json json_of(const ChannelRow& channel) {
   return {
       {"channel", channel.name},
       {"type", channel.type ? std::string(wire_layout(*channel.type).type) : ""},
-      {"messages_per_s", channel.messages_per_s},
-      {"bytes_per_s", channel.bytes_per_s},
-      {"events_per_s", channel.events_per_s},
+      {"messages_per_s", rate(channel.messages_per_s)},
+      {"bytes_per_s", rate(channel.bytes_per_s)},
+      {"events_per_s", rate(channel.events_per_s)},
       {"received", channel.arrivals.received},
       {"received_bytes", channel.received_bytes},
       {"lost", channel.arrivals.lost},
@@ -120,10 +124,13 @@ std::string json_report(const Snapshot& snapshot, const std::string& url,
 }
 
 std::string text_report(const Snapshot& snapshot, std::size_t width) {
-  std::string text = text_of(channel_table(snapshot.channels, width)) + '\n' +
-                     text_of(service_table(snapshot.services, width));
-  const auto& foreign = snapshot.network.foreign_traffic;
-  if (!foreign.empty()) text += '\n' + text_of(foreign_table(foreign, width));
+  std::string text;
+  const auto add = [&](const auto& rows, const auto& table) {
+    if (!rows.empty()) text += (text.empty() ? "" : "\n") + text_of(table(rows, width));
+  };
+  add(snapshot.channels, channel_table);
+  add(snapshot.services, service_table);
+  add(snapshot.network.foreign_traffic, foreign_table);
   return text;
 }
 

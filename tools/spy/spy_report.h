@@ -13,7 +13,7 @@ namespace puck {
 std::string json_report(const Snapshot& snapshot, const std::string& url,
                         const std::string& prefix);
 
-/// The same as tables for a person, `width` characters a line at most.
+/// The same as tables for a person, `width` characters a line at most; empty tables are left out.
 std::string text_report(const Snapshot& snapshot, std::size_t width);
 
 }  // namespace puck
