@@ -6,8 +6,8 @@ set -euo pipefail
 packages=(
   ca-certificates ccache clang cmake debootstrap g++ git iproute2 libclang-rt-14-dev ninja-build
   procps
-  doctest-dev libbenchmark-dev libcli11-dev libeigen3-dev libhwy-dev liblcm-bin liblcm-dev
-  libncurses-dev libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev
+  doctest-dev libbenchmark-dev libcli11-dev libeigen3-dev libfaketime libhwy-dev liblcm-bin
+  liblcm-dev libncurses-dev libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev
   nlohmann-json3-dev
 )
 

@@ -13,10 +13,13 @@ using std::chrono::milliseconds;
 constexpr milliseconds kHandle{2};
 constexpr std::chrono::seconds kGenerous{40};
 
-/// What a player of a log repeats is not what the services say.
-bool is_of_now(std::int64_t utime, const Receipt& at) {
-  constexpr std::int64_t kLogIsOlderUs = 1'000'000;
-  return utime > at.utime - kLogIsOlderUs;
+std::string faketime_library() {
+  for (const auto& folder : std::filesystem::directory_iterator("/usr/lib")) {
+    const std::filesystem::path library = folder.path() / "faketime" / "libfaketime.so.1";
+    std::error_code error;
+    if (std::filesystem::exists(library, error)) return library.string();
+  }
+  throw std::runtime_error("libfaketime is not installed; tools/install-deps.sh installs it");
 }
 
 }  // namespace
@@ -42,6 +45,19 @@ RunningGame::RunningGame(const std::string& url) : url_(url), bus_({.url = url})
   }
 }
 
+// What the player of a log repeats is not what the services say.
+bool RunningGame::is_of_now(std::int64_t utime, const Receipt& at) const {
+  constexpr std::int64_t kLogIsOlderUs = 1'000'000;
+  return !clocks_.empty() || utime > at.utime - kLogIsOlderUs;
+}
+
+std::vector<std::string> RunningGame::with_clock(const std::string& offset,
+                                                 std::vector<std::string> command) {
+  command.insert(command.begin(), {"env", "LD_PRELOAD=" + faketime_library(), "FAKETIME=" + offset,
+                                   "DONT_FAKE_MONOTONIC=1", "FAKETIME_DONT_FAKE_MONOTONIC=1"});
+  return command;
+}
+
 void RunningGame::start(const std::string& name, std::vector<std::string> settings) {
   if (name == "puck-logger") {
     ++logs_;
@@ -49,6 +65,9 @@ void RunningGame::start(const std::string& name, std::vector<std::string> settin
   }
   std::vector<std::string> command = service_command(name, url_, settings);
   command.insert(command.end(), {"--log-level", "error"});
+  if (const auto clock = clocks_.find(name); clock != clocks_.end()) {
+    command = with_clock(clock->second, std::move(command));
+  }
   processes_[name] =
       std::make_unique<ChildProcess>(command, ChildOptions{.folder = source_folder()});
 }

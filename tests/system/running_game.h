@@ -23,6 +23,11 @@ class RunningGame {
  public:
   explicit RunningGame(const std::string& url);
 
+  /// Before its start: its CLOCK_REALTIME is off by so much, as libfaketime writes it: +5h, -2d.
+  void set_clock(const std::string& name, const std::string& offset) { clocks_[name] = offset; }
+  /// A command, to be run with such a clock.
+  static std::vector<std::string> with_clock(const std::string& offset,
+                                             std::vector<std::string> command);
   /// Starts a service, anew if it was started before. Settings: KEY=VALUE.
   void start(const std::string& name, std::vector<std::string> settings = {});
   void start_all();
@@ -55,9 +60,12 @@ class RunningGame {
   const std::string& url() const { return url_; }
 
  private:
+  bool is_of_now(std::int64_t utime, const Receipt& at) const;
+
   std::string url_;
   TemporaryFolder folder_;
   Bus bus_;
+  std::map<std::string, std::string> clocks_;  // by service
   std::map<std::string, std::unique_ptr<ChildProcess>> processes_;
   std::map<std::string, service_status_t> statuses_;
   std::optional<arm_state_t> arm_;
