@@ -74,7 +74,9 @@ void LogFiles::begin_rotated_file() {
 std::size_t LogFiles::write(std::span<std::uint8_t> records) {
   try {
     if (!writer_ && Clock::now() >= next_try_) begin_rotated_file();
-    if (writer_ && belongs_into_next_file(header_of(records), 0)) begin_rotated_file();
+    if (writer_ && !is_full_ && belongs_into_next_file(header_of(records), 0)) {
+      begin_rotated_file();
+    }
   } catch (const LogFileError& error) {
     next_try_ = Clock::now() + kRetry;
     stop_for(error.what());
