@@ -195,6 +195,9 @@ TEST_CASE("export writes a table a channel, with as many cells in each line as i
   const auto csv = folder / "csv";
   const Finished finished = puck_log({"export", folder / "a.lcm", "--output", csv});
   CHECK(finished.exit_code == 0);
+  // Where no folder is named, it has the log's name.
+  CHECK(puck_log({"export", folder / "a.lcm"}).exit_code == 0);
+  CHECK(read_text(folder / "a-csv" / "PUCK_HEAD.csv") == read_text(csv / "PUCK_HEAD.csv"));
   for (const Channel channel : kAllChannels) {
     CAPTURE(name_of(channel));
     const auto lines = lines_of(read_text(csv / (name_of(channel) + ".csv")));
@@ -274,7 +277,9 @@ TEST_CASE("what is no log and what is no usage have exit codes of their own") {
   CHECK(puck_log({}).exit_code == 2);
   CHECK(puck_log({"mend", folder / "text"}).exit_code == 2);
   CHECK(puck_log({"repair", folder / "text"}).exit_code == 2);
-  CHECK(puck_log({"export", folder / "text"}).exit_code == 2);
+  CHECK(puck_log({"export"}).exit_code == 2);
+  CHECK(puck_log({"export", folder / "text"}).exit_code == 1);
+  CHECK_FALSE(std::filesystem::exists(folder / "text-csv"));
   CHECK(puck_log({"--help"}).exit_code == 0);
   CHECK(puck_log({"repair", folder / "text", folder / "out"}).exit_code == 1);
   CHECK_FALSE(std::filesystem::exists(folder / "out"));

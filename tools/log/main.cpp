@@ -31,10 +31,11 @@ int run(int argc, char** argv) {
       "verify", "Checks every message as a receiver does; says what is wrong, and at which byte");
   CLI::App* export_app = app.add_subcommand(
       "export", "CSV, a line a message: every channel into a folder, or one to stdout");
-  auto* folder = export_app->add_option("--output", exported.folder,
-                                        "Folder for a CHANNEL.csv each; made if need be");
-  auto* channel =
-      export_app->add_option("--channel", exported.channel, "Only this one, as PUCK_ESTIMATE");
+  export_app->add_option("--output", exported.folder,
+                         "Folder for a CHANNEL.csv each; made if need be (default: game-csv beside "
+                         "game.lcm)");
+  export_app->add_option("--channel", exported.channel,
+                         "Only this one, as PUCK_ESTIMATE; to stdout without --output");
   CLI::App* repair = app.add_subcommand(
       "repair",
       "Copies all whole messages into a new log and says what it left out, and where. "
@@ -43,11 +44,6 @@ int run(int argc, char** argv) {
     command->add_option("log", log, "Log of LCM")->required();
   }
   repair->add_option("output", output, "The new log; must not exist")->required();
-  export_app->final_callback([&] {
-    if (folder->count() + channel->count() == 0) {
-      throw CLI::ValidationError("export", "needs --output FOLDER or --channel CHANNEL");
-    }
-  });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -57,6 +53,9 @@ int run(int argc, char** argv) {
     if (repair->parsed()) {
       repair_log(log, output);
       return 0;
+    }
+    if (exported.folder.empty() && exported.channel.empty()) {
+      exported.folder = log.parent_path() / (log.stem().string() + "-csv");
     }
     const LogTally tally = info->parsed()     ? print_log_info(log, as_json)
                            : verify->parsed() ? verify_log(log)
