@@ -371,6 +371,10 @@ TEST_CASE("a missing or foreign file is refused by name") {
         folder.path().string() + ": cannot be read: is not a file");
   CHECK(problem_of([&] { LogReader reader(folder / "text"); }) ==
         (folder / "text").string() + ": is not an LCM log: it does not begin with a message");
+  // Shorter than the mark that is searched for.
+  std::ofstream(folder / "short") << 'x';
+  CHECK(problem_of([&] { LogReader reader(folder / "short"); }) ==
+        (folder / "short").string() + ": is not an LCM log: it does not begin with a message");
 }
 
 TEST_CASE("an empty log is whole") {

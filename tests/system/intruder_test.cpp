@@ -21,13 +21,18 @@ namespace {
 
 using std::chrono::milliseconds;
 
+constexpr int kLoggerQueueBytes = 32 << 20;
+
 /// A game with its logger, on a bus that others hear, too.
 class Game {
  public:
   explicit Game(const TemporaryFolder& folder) : log_(folder / "game.lcm"), bus(url) {
     for (const std::string& name : kServices) {
       std::vector<std::string> settings;
-      if (name == "puck-logger") settings = {"logger.path=" + log_.string()};
+      if (name == "puck-logger") {
+        settings = {"logger.path=" + log_.string(),
+                    "logger.queue_bytes=" + std::to_string(kLoggerQueueBytes)};
+      }
       services_.emplace(name, new ChildProcess(start_service(name, url, settings)));
     }
     REQUIRE(bus.hears(kServices));
@@ -159,8 +164,9 @@ std::int64_t messages_for_lcm(const std::filesystem::path& path) {
 TEST_CASE("no attack stops a game, grows a service, goes uncounted or spoils the log") {
   const TemporaryFolder folder;
   Game game(folder);
-  // What each may reserve for datagrams that wait, and the names of 40000 channels.
-  constexpr double kAllowanceMb = 48;
+  // What each may reserve for datagrams that wait, and the names of 40000 channels; and what may
+  // wait for the logger's disk.
+  constexpr double kAllowanceMb = 48 + kLoggerQueueBytes * 1e-6;
   const auto calm_mb = game.memory_mb();
   for (const int seed : {1, 2}) {
     for (const Attack& attack : all_attacks()) check_attack(game, attack, seed, folder);
@@ -172,13 +178,15 @@ TEST_CASE("no attack stops a game, grows a service, goes uncounted or spoils the
 
   // Nothing malformed comes any more, so the newest count is the last.
   const std::int64_t rejected = game.bus.counter("puck-logger", "packets_rejected");
+  const std::int64_t not_written = game.bus.counter("puck-logger", "messages_not_written");
   const auto& log = game.stop();
   const LogContent content = read_log(log);
   MESSAGE("the log holds ", content.messages, " messages, ", content.malformed_events,
           " of them malformed events");
   CHECK(content.estimates > 1000);
   CHECK(content.malformed_events > 1000);
-  CHECK(content.malformed_events == rejected);
+  CHECK(content.malformed_events <= rejected);
+  CHECK(content.malformed_events >= rejected - not_written);
   CHECK(messages_for_lcm(log) == content.messages);
 }
 
