@@ -54,7 +54,7 @@ Finished run_doctor(std::vector<std::string> arguments) {
 
 /// In this thread's network.
 Diagnosis diagnose(std::vector<std::string> arguments = {"--lcm-url", kUrl}) {
-  arguments.insert(arguments.end(), {"--json", "--seconds", "0.6"});
+  arguments.insert(arguments.end(), {"--json", "--seconds", "1"});
   const Finished finished = run_doctor(std::move(arguments));
   INFO(finished.errors);
   REQUIRE(json::accept(finished.output));

@@ -17,7 +17,7 @@ Facts loopback_facts() {
 
 TEST_CASE("a healthy machine has nothing wrong, and every check says so") {
   const Findings findings = examine(healthy_facts());
-  CHECK(findings.size() == 15);
+  CHECK(findings.size() == 16);
   CHECK(count_of(findings, Verdict::kWrong) == 0);
   CHECK(count_of(findings, Verdict::kNote) == 1);  // No service speaks.
 }

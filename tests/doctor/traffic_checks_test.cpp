@@ -90,6 +90,16 @@ TEST_CASE("every kind of bad datagram is told apart") {
   CHECK(says(findings.back(), "POSE\\x1b[2J"));
 }
 
+TEST_CASE("who sends good and bad messages is one of us of another version, and is not ended") {
+  Facts facts = healthy_facts();
+  facts.local_senders[kThisHost] = {"puck-arm", 41};
+  hear_status(facts.traffic, kThisHost, a_status(1, "puck-arm"));
+  hear(facts.traffic, kThisHost, lcm_datagram("PUCK_ARM_STATE", {1, 2, 3}));
+  const Finding wrong = the_wrong_one(check_senders(facts));
+  CHECK(says(wrong, "another version"));
+  CHECK(wrong.mend == "git pull && cmake --preset release && cmake --build --preset release");
+}
+
 TEST_CASE("a message of another type on a channel of ours is told as such") {
   Facts facts = healthy_facts();
   service_status_t status = a_status(1, "puck-arm");

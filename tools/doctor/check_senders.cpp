@@ -66,11 +66,15 @@ void add_strangers(const Facts& facts, Findings& findings) {
                           keep_out(facts, source)});
     }
     if (sender.malformed > 0) {
+      // Who also sends good ones is one of us, and not to be ended for its age.
+      const bool is_ours = sender.ours > 0;
       findings.push_back({Verdict::kWrong, kCheck,
                           name + " sent " + std::to_string(sender.malformed) +
                               " messages that are rejected, the last on " + sender.last_malformed +
-                              "; a program of another version, or an intruder",
-                          keep_out(facts, source)});
+                              (is_ours ? "; it is of another version than this. On the older host, "
+                                         "in its clone"
+                                       : "; a program of another version, or an intruder"),
+                          is_ours ? kUpdate : keep_out(facts, source)});
     }
     if (sender.fragments > 0) {
       findings.push_back({facts.allow_fragments ? Verdict::kNote : Verdict::kWrong, kCheck,

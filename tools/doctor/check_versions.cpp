@@ -1,4 +1,5 @@
 #include "tools/doctor/checks.h"
+#include "tools/doctor/commands.h"
 #include "tools/doctor/live_services.h"
 
 namespace puck {
@@ -14,7 +15,7 @@ Findings check_versions(const Facts& facts) {
                         status.service + " on " + status.host + " is version " + status.version +
                             ", this is " + facts.version +
                             "; install one version everywhere. On the older host, in its clone",
-                        "git pull && cmake --preset release && cmake --build --preset release"});
+                        kUpdate});
   }
   if (findings.empty()) {
     findings.push_back({Verdict::kOk, kCheck,

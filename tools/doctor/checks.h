@@ -31,6 +31,8 @@ Findings check_firewall(const Facts& facts);
 Findings check_port_users(const Facts& facts);
 /// Who sends what to the port.
 Findings check_senders(const Facts& facts);
+/// Whether all who are meant to have the bus's key.
+Findings check_key(const Facts& facts);
 /// Which services of ours are heard.
 Findings check_services(const Facts& facts);
 /// Whether they are of one version.

@@ -23,6 +23,10 @@ inline std::string lcm_url_option(const LcmUrl& url) {
   return "--lcm-url \"" + url.to_string() + "\"";
 }
 
+/// Brings a clone of the project up to date.
+inline constexpr const char* kUpdate =
+    "git pull && cmake --preset release && cmake --build --preset release";
+
 /// Another port is another bus: that is how strangers are kept apart.
 inline std::string other_port_option(LcmUrl url) {
   url.port = url.port < 65535 ? url.port + 1 : 7667;

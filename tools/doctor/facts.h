@@ -53,6 +53,7 @@ struct Facts {
   LcmUrl url;
   std::string prefix;
   bool allow_fragments = false;
+  std::string key_file;  ///< Empty: none.
   int packet_bytes = 0;  ///< Largest datagram of a camera with these settings.
   double seconds = 0;    ///< How long was listened.
   std::string version;   ///< Ours.

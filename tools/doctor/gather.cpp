@@ -117,6 +117,7 @@ Facts gather(const DoctorSettings& settings) {
   facts.url = settings.url;
   facts.prefix = settings.prefix;
   facts.allow_fragments = settings.allow_fragments;
+  facts.key_file = settings.key_file;
   facts.packet_bytes = settings.packet_bytes;
   facts.seconds = settings.seconds;
   facts.version = PUCK_VERSION;

@@ -54,6 +54,7 @@ DoctorSettings read_doctor_settings(const DoctorOptions& options) {
   check_prefix(bus.prefix);
   settings.prefix = bus.prefix;
   settings.allow_fragments = bus.allow_fragments;
+  settings.key_file = bus.key_file;
   settings.packet_bytes = packet_bytes != 0 ? packet_bytes : packet_bytes_for(settings.url);
   settings.seconds = options.seconds;
   return settings;

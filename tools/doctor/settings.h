@@ -23,6 +23,7 @@ struct DoctorSettings {
   LcmUrl url;
   std::string prefix;
   bool allow_fragments = false;
+  std::string key_file;  ///< Empty: the bus has no key.
   int packet_bytes = 0;  ///< Largest datagram that a camera with these settings sends.
   double seconds = 0;
 };

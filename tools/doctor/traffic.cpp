@@ -1,11 +1,13 @@
 #include "tools/doctor/traffic.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "common/messaging/bus_error.h"
-#include "common/messaging/channels.h"
 #include "common/messaging/message_check.h"
 #include "common/messaging/message_codec.h"
+#include "common/messaging/message_seal.h"
+#include "common/messaging/shared_key.h"
 
 namespace puck {
 namespace {
@@ -34,6 +36,17 @@ std::optional<PrefixedChannel> find_under_any_prefix(std::string_view name) {
 }
 
 }  // namespace
+
+OpenSeal open_seals_with(const std::string& key_file) {
+  struct Opener {
+    explicit Opener(const std::string& file) : key(file), opener(key) {}
+    SharedKey key;
+    SealOpener opener;  // Refers to the key.
+  };
+  const auto opener = std::make_shared<Opener>(key_file);
+  return [opener](std::string_view channel, std::span<const std::uint8_t> message,
+                  std::string& problem) { return opener->opener.open(channel, message, problem); };
+}
 
 const HeardService* Traffic::add(const ReceivedDatagram& datagram) {
   auto known = senders_.find(datagram.source);
@@ -77,19 +90,44 @@ const HeardService* Traffic::add_message(const ReceivedDatagram& datagram,
     if (other_prefixes_.size() < kMaxPrefixes) other_prefixes_.insert(channel->prefix);
     return nullptr;
   }
-  if (const auto rejection = check_message(channel->channel, message.payload)) {
-    ++sender.malformed;
-    sender.last_malformed = printable(message.channel) + ": " + *rejection;
-    return nullptr;
-  }
+  const auto payload = take(channel->channel, message, sender);
+  if (!payload) return nullptr;
   ++sender.ours;
-  return channel->channel == Channel::kStatus ? add_status(datagram, message) : nullptr;
+  return channel->channel == Channel::kStatus ? add_status(datagram, *payload) : nullptr;
+}
+
+std::optional<std::span<const std::uint8_t>> Traffic::take(Channel channel,
+                                                           const WholeMessage& message,
+                                                           SenderAccount& sender) {
+  std::span<const std::uint8_t> payload = message.payload;
+  if (open_seal_) {
+    std::string problem;
+    const auto opened = open_seal_(message.channel, payload, problem);
+    if (!opened) {
+      ++sender.unauthenticated;
+      sender.last_unauthenticated = printable(message.channel) + ": " + problem;
+      return std::nullopt;
+    }
+    payload = *opened;
+  }
+  auto rejection = check_message(channel, payload);
+  if (rejection && !open_seal_ && looks_sealed(payload)) {
+    // Nobody without the key is to believe it, but what it says helps to find who is out.
+    ++sender.sealed;
+    is_sealed_ = true;
+    payload = payload.first(payload.size() - kSealBytes);
+    rejection = check_message(channel, payload);
+  }
+  if (!rejection) return payload;
+  ++sender.malformed;
+  sender.last_malformed = printable(message.channel) + ": " + *rejection;
+  return std::nullopt;
 }
 
 const HeardService* Traffic::add_status(const ReceivedDatagram& datagram,
-                                        const WholeMessage& message) {
+                                        std::span<const std::uint8_t> payload) {
   service_status_t status{};
-  decode_checked(message.payload, status);
+  decode_checked(payload, status);
   const std::int64_t age_us = datagram.utime - status.utime;
   const auto known = services_.find(status.session);
   if (known == services_.end()) {

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -67,11 +66,11 @@ void read_ancillary(msghdr& header, ReceivedDatagram& datagram) {
 
 UdpListener::UdpListener(const LcmUrl& url)
     : socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-  if (socket_ < 0) throw std::runtime_error("no socket (" + error_text() + ")");
+  if (socket_ < 0) throw ListenError("no socket (" + error_text() + ")");
   const std::string problem = open_problem(socket_, url);
   if (problem.empty()) return;
   close(socket_);
-  throw std::runtime_error(problem);
+  throw ListenError(problem);
 }
 
 UdpListener::~UdpListener() { close(socket_); }

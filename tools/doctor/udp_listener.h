@@ -4,17 +4,24 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 
 #include "common/messaging/lcm_url.h"
 #include "tools/doctor/traffic.h"
 
 namespace puck {
 
+/// The bus cannot be listened to or spoken on; says why.
+class ListenError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Hears what is sent to a group and port, with what the kernel knows of each datagram. Bound to
 /// the group's address, it takes nothing from those who listen beside it. One thread.
 class UdpListener {
  public:
-  /// Throws std::runtime_error, saying why, when it cannot listen.
+  /// Throws ListenError.
   explicit UdpListener(const LcmUrl& url);
   ~UdpListener();
   UdpListener(const UdpListener&) = delete;

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstring>
 #include <random>
-#include <stdexcept>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -17,6 +16,7 @@
 #include "common/messaging/host_time.h"
 #include "common/messaging/message_codec.h"
 #include "tools/doctor/doctor_name.h"
+#include "tools/doctor/udp_listener.h"
 
 namespace puck {
 namespace {
@@ -47,7 +47,7 @@ int sending_socket(const LcmUrl& url) {
   sockaddr_in any{};
   any.sin_family = AF_INET;
   if (sender < 0 || bind(sender, reinterpret_cast<const sockaddr*>(&any), sizeof any) != 0) {
-    throw std::runtime_error(std::string("no socket to send with (") + std::strerror(errno) + ")");
+    throw ListenError(std::string("no socket to send with (") + std::strerror(errno) + ")");
   }
   const auto hops = static_cast<unsigned char>(url.ttl);
   setsockopt(sender, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops);
@@ -69,15 +69,19 @@ std::array<std::uint8_t, 8> bytes_of(std::int64_t number) {
 
 }  // namespace
 
-WireProbe::WireProbe(const LcmUrl& url, const std::string& prefix)
-    : status_channel_(channel_name(Channel::kStatus, prefix)),
+WireProbe::WireProbe(const WireProbeParams& params)
+    : status_channel_(channel_name(Channel::kStatus, params.prefix)),
       // To the services one of ours, but to none of them of any interest.
-      test_channel_(channel_beginning(prefix) + "DOCTOR"),
+      test_channel_(channel_beginning(params.prefix) + "DOCTOR"),
       session_(random_session()),
-      group_(group_address(url)),
-      socket_(sending_socket(url)),
+      group_(group_address(params.url)),
+      socket_(sending_socket(params.url)),
       port_(port_of(socket_)),
-      started_us_(host_monotonic_us()) {}
+      started_us_(host_monotonic_us()) {
+  if (params.key_file.empty()) return;
+  key_.emplace(params.key_file);
+  sealer_.emplace(*key_);
+}
 
 WireProbe::~WireProbe() { close(socket_); }
 
@@ -102,6 +106,7 @@ std::int64_t WireProbe::send_status(std::int8_t state) {
   status.state = state;
   status.uptime_us = host_monotonic_us() - started_us_;
   encode(status, payload_);
+  if (sealer_) sealer_->seal(status_channel_, payload_);
   send(status_channel_, payload_);
   return status.utime;
 }

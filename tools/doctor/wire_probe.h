@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,16 +10,24 @@
 #include <netinet/in.h>
 
 #include "common/messaging/lcm_url.h"
+#include "common/messaging/message_seal.h"
+#include "common/messaging/shared_key.h"
 #include "puck/service_status_t.hpp"
 
 namespace puck {
+
+struct WireProbeParams {
+  LcmUrl url;
+  std::string prefix;
+  std::string key_file;  ///< STATUS is sealed with it; empty: with nothing.
+};
 
 /// Sends what the doctor has to say on the bus: valid LCM, on a channel that nobody subscribes to
 /// and as a STATUS like any other, so that nothing that runs is disturbed. One thread.
 class WireProbe {
  public:
-  /// Throws std::runtime_error, saying why, when it cannot send.
-  WireProbe(const LcmUrl& url, const std::string& prefix);
+  /// Throws ListenError, or BusError where the key cannot be used.
+  explicit WireProbe(const WireProbeParams& params);
   ~WireProbe();
   WireProbe(const WireProbe&) = delete;
   WireProbe& operator=(const WireProbe&) = delete;
@@ -47,6 +56,8 @@ class WireProbe {
   std::uint32_t next_number_ = 0;
   std::int64_t next_status_seq_ = 0;
   std::int64_t started_us_;  // CLOCK_MONOTONIC
+  std::optional<SharedKey> key_;
+  std::optional<MessageSealer> sealer_;  // Refers to the key.
   std::vector<std::uint8_t> payload_;
   std::vector<std::uint8_t> datagram_;
 };
