@@ -1,7 +1,7 @@
 #include <limits>
 
 #include "tests/doctor/doctor_bench.h"
-#include "tools/doctor/clock_offsets.h"
+#include "tools/doctor/host_clocks.h"
 
 namespace puck {
 namespace {
@@ -20,7 +20,7 @@ struct Exchange {
   std::int64_t session = kOurSession;
 };
 
-void hear(ClockOffsets& clocks, const Exchange& exchange) {
+void hear(HostClocks& clocks, const Exchange& exchange) {
   HeardService service;
   service.source = {kAddress, 5000};
   service.status.host = "robot";
@@ -37,10 +37,10 @@ void hear(ClockOffsets& clocks, const Exchange& exchange) {
 
 TEST_CASE("a clock that is ahead or behind is measured to half the round trip") {
   for (const std::int64_t ahead_us : {0, 700'000, -700'000}) {
-    ClockOffsets clocks(kOurSession);
+    HostClocks clocks(kOurSession);
     clocks.sent(1'000'000);
     hear(clocks, {.ahead_us = ahead_us, .out_us = 300, .back_us = 100});
-    const ClockOffset offset = clocks.offsets().at(kAddress);
+    const HostClock offset = clocks.offsets().at(kAddress);
     CHECK(offset.host == "robot");
     CHECK(offset.within_us == 200);
     CHECK(std::llabs(offset.offset_us - ahead_us) <= offset.within_us);
@@ -48,7 +48,7 @@ TEST_CASE("a clock that is ahead or behind is measured to half the round trip") 
 }
 
 TEST_CASE("the shortest round trip counts") {
-  ClockOffsets clocks(kOurSession);
+  HostClocks clocks(kOurSession);
   clocks.sent(1'000'000);
   clocks.sent(2'000'000);
   hear(clocks, {.ping_us = 1'000'000, .ahead_us = 5000, .out_us = 40'000});
@@ -59,7 +59,7 @@ TEST_CASE("the shortest round trip counts") {
 }
 
 TEST_CASE("pongs to others, to pings never sent, and impossible ones are not believed") {
-  ClockOffsets clocks(kOurSession);
+  HostClocks clocks(kOurSession);
   clocks.sent(1'000'000);
   hear(clocks, {.session = kOurSession + 1});
   hear(clocks, {.ping_us = 999'999});

@@ -23,7 +23,7 @@ std::string set_clock(const std::string& address) {
   return "ssh " + address + " sudo timedatectl set-ntp true";
 }
 
-Finding measured(const std::string& address, const ClockOffset& offset) {
+Finding measured(const std::string& address, const HostClock& offset) {
   const bool is_apart = std::llabs(offset.offset_us) - offset.within_us > kMostApart_us;
   const std::string text = "the clock of " + offset.host + " (" + address + ") is " +
                            milliseconds(offset.offset_us) +

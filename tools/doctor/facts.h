@@ -11,8 +11,8 @@
 #include "common/messaging/lcm_url.h"
 #include "common/messaging/network_interfaces.h"
 #include "common/messaging/proc_net.h"
-#include "tools/doctor/clock_offsets.h"
 #include "tools/doctor/firewall_rules.h"
+#include "tools/doctor/host_clocks.h"
 #include "tools/doctor/traffic.h"
 
 namespace puck {
@@ -76,8 +76,8 @@ struct Facts {
   // What was heard.
   SelfTest self_test;
   Traffic traffic{""};
-  std::int64_t end_utime = 0;                        ///< When the listening ended.
-  std::map<std::string, ClockOffset> clock_offsets;  ///< By address.
+  std::int64_t end_utime = 0;                      ///< When the listening ended.
+  std::map<std::string, HostClock> clock_offsets;  ///< By address.
 
   /// The interface that the group's datagrams leave by; nothing without a route.
   const NetworkInterface* group_interface() const;

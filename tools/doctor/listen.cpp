@@ -73,7 +73,7 @@ class Listening {
   Facts& facts_;
   UdpListener listener_;
   WireProbe probe_;
-  ClockOffsets clocks_;
+  HostClocks clocks_;
   bool has_spoken_ = false;
 };
 

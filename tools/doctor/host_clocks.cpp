@@ -1,15 +1,15 @@
-#include "tools/doctor/clock_offsets.h"
+#include "tools/doctor/host_clocks.h"
 
 #include <algorithm>
 
 namespace puck {
 
-void ClockOffsets::sent(std::int64_t utime) {
+void HostClocks::sent(std::int64_t utime) {
   pings_.push_back(utime);
   if (pings_.size() > kMaxPings) pings_.pop_front();
 }
 
-void ClockOffsets::hear(const HeardService& service) {
+void HostClocks::hear(const HeardService& service) {
   const service_status_t& status = service.status;
   for (std::size_t i = 0; i < status.pong_session.size(); ++i) {
     const std::int64_t ping_utime = status.pong_utime[i];
@@ -23,7 +23,7 @@ void ClockOffsets::hear(const HeardService& service) {
     if (there_us < 0 || round_trip_us < 0) continue;  // A clock was set meanwhile.
     const std::int64_t out_us = status.pong_received_utime[i] - ping_utime;
     const std::int64_t back_us = status.utime - service.heard_utime;
-    const ClockOffset offset{status.host, (out_us + back_us) / 2, (round_trip_us + 1) / 2};
+    const HostClock offset{status.host, (out_us + back_us) / 2, (round_trip_us + 1) / 2};
     const auto [known, is_new] = offsets_.try_emplace(service.source.address, offset);
     if (!is_new && offset.within_us < known->second.within_us) known->second = offset;
   }
