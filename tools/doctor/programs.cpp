@@ -6,6 +6,8 @@
 #include <optional>
 #include <system_error>
 
+#include <unistd.h>
+
 #include "common/messaging/datagram.h"
 
 namespace puck {
@@ -42,7 +44,8 @@ std::map<std::uint64_t, Program> find_programs(const std::set<std::uint64_t>& so
   std::error_code error;
   for (const auto& process : fs::directory_iterator("/proc", error)) {
     const auto pid = number_of<int>(process.path().filename());
-    if (!pid) continue;
+    // The doctor itself may have inherited sockets of whoever started it.
+    if (!pid || *pid == getpid()) continue;
     // Processes end while one looks, and those of others may not be looked at.
     std::error_code hidden;
     for (const auto& descriptor : fs::directory_iterator(process.path() / "fd", hidden)) {
