@@ -18,6 +18,7 @@ void decode_checked(std::span<const std::uint8_t> bytes, EventPacketView& packet
   packet.sensor_zero_utime = reader.whole<std::int64_t>();
   packet.events_before = reader.whole<std::int64_t>();
   packet.events_dropped = reader.whole<std::int64_t>();
+  packet.recorded = reader.whole<std::int8_t>() != 0;
   packet.encoding = reader.whole<std::int32_t>();
   packet.count = reader.whole<std::int32_t>();
   packet.size = reader.whole<std::int32_t>();
@@ -35,6 +36,7 @@ EventPacketView view_of(const event_packet_t& packet) {
           .sensor_zero_utime = packet.sensor_zero_utime,
           .events_before = packet.events_before,
           .events_dropped = packet.events_dropped,
+          .recorded = packet.recorded != 0,
           .encoding = packet.encoding,
           .count = packet.count,
           .size = packet.size,

@@ -21,6 +21,7 @@ struct EventPacketView {
   std::int64_t sensor_zero_utime = 0;
   std::int64_t events_before = 0;
   std::int64_t events_dropped = 0;
+  bool recorded = false;
   std::int32_t encoding = 0;
   std::int32_t count = 0;
   std::int32_t size = 0;

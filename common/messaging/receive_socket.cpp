@@ -13,6 +13,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "common/messaging/receive_filter.h"
+
 namespace puck {
 namespace {
 
@@ -73,6 +75,8 @@ std::optional<std::string> ReceiveSocket::open(const LcmUrl& url, std::optional<
     return why;
   };
 
+  // What comes before the caller has said what it wants is not taken for anything.
+  filter_channels(descriptor_, {}, false);
   // Others on this host hear the same group.
   set_option(descriptor_, SOL_SOCKET, SO_REUSEADDR, 1);
   set_option(descriptor_, SOL_SOCKET, SO_TIMESTAMPNS, 1);

@@ -68,6 +68,7 @@ constexpr std::array kEventPacket{
     amount("sensor_zero_utime"),
     amount("events_before"),
     amount("events_dropped"),
+    truth_value("recorded"),
     whole32("encoding", 1, 3),
     whole32("count", 0, kMaxEventsInPacket),
     whole32("size", 0, 4 * kMaxEventsInPacket),

@@ -34,6 +34,7 @@ struct PacketOrigin {
   std::int64_t session = 0;            ///< Of the publisher of the events.
   std::int64_t sensor_zero_utime = 0;  ///< Host realtime at sensor time 0, µs; 0: not known.
   bool is_live = false;                ///< Published just now by a camera whose clock is known.
+  bool is_recorded = false;            ///< Its events are not of now all the same.
   std::int64_t received_utime = 0;     ///< Host realtime at its receipt, µs.
   std::chrono::steady_clock::time_point received;
   std::int64_t queued_us = 0;  ///< Sensor time that had been received after it when it was applied.

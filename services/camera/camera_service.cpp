@@ -271,6 +271,7 @@ void CameraService::publish_batch() {
   }
   packer_->pack(batch->start, batch->events, [this](event_packet_t& packet) {
     packet.sensor_zero_utime = sensor_zero_utime();
+    packet.recorded = settings_.is_recorded() ? 1 : 0;
     packet.events_dropped = source_->events_dropped() + packer_->events_outside();
     if (context_.bus.publish(packet)) ++packets_sent_;
   });

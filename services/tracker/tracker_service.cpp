@@ -204,6 +204,7 @@ PacketOrigin TrackerService::origin_of(const EventPacketView& packet,
   const SenderClock camera = context_.status.clock_of(packet.session);
   origin.is_live = freshness_of(packet.utime, {receipt.utime, receipt.monotonic_us}, camera,
                                 kLiveUs) == Freshness::kOfNow;
+  origin.is_recorded = packet.recorded;
   origin.sensor_zero_utime = packet.sensor_zero_utime;
   if (origin.is_live && packet.sensor_zero_utime != 0) {
     origin.sensor_zero_utime = camera->to_own(packet.sensor_zero_utime);
@@ -223,7 +224,7 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
   message.events_session = origin.session;
   // Nobody knows whether a puck still rests where it did once its camera has fallen silent.
   if (tracked.input_age > kRestEnds) message.flags &= ~puck_estimate_t::FLAG_RESTING;
-  if (origin.is_live) message.flags |= puck_estimate_t::FLAG_LIVE;
+  if (origin.is_live && !origin.is_recorded) message.flags |= puck_estimate_t::FLAG_LIVE;
   if (origin.sensor_zero_utime != 0) {
     message.event_utime = origin.sensor_zero_utime + tracked.estimate.newest_event.us;
   }

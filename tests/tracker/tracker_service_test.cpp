@@ -199,11 +199,12 @@ TEST_CASE("the camera's clock may be hours away: times and latency are by the tr
   EventPacker packer({.sensor = kSensor, .packet_bytes = 60000});
   const std::int64_t began_us = host_monotonic_us();
   const std::int64_t zero_utime = machine.utime();
-  const auto send = [&](std::int64_t age_us) {
+  const auto send = [&](std::int64_t age_us, bool recorded = false) {
     machine.serve();
     const std::int64_t t_us = host_monotonic_us() - began_us;
     packer.pack({t_us}, puck_at({80, 60}, t_us).events, [&](event_packet_t& packet) {
       packet.sensor_zero_utime = zero_utime;
+      packet.recorded = recorded ? 1 : 0;
       machine.publish(packet, age_us);
     });
   };
@@ -226,7 +227,10 @@ TEST_CASE("the camera's clock may be hours away: times and latency are by the tr
     CHECK(newest.event_utime > newest.utime - 10'000'000);
     CHECK(newest.event_utime < newest.utime + 10'000'000);
   }
-  // The same camera, from a log.
+  // The same camera, playing a recording, is not of now however punctual it is.
+  CHECK(ServiceBench::until([&] { return !is_live(); }, [&] { send(0, true); }));
+  REQUIRE(ServiceBench::until(is_live, [&] { send(0); }));
+  // And from a log.
   CHECK(ServiceBench::until([&] { return !is_live(); }, [&] { send(500'000); }));
   bench.stop();
   StatusReport report;
