@@ -20,8 +20,8 @@ namespace puck {
 class CrowdPublisher {
  public:
   /// Throws std::runtime_error when there is no way to the network.
-  explicit CrowdPublisher(const std::string& url)
-      : bus_({.url = url}),
+  explicit CrowdPublisher(const std::string& url, const std::string& key_file = {})
+      : bus_({.url = url, .key_file = key_file}),
         packer_({.sensor = kSensor, .packet_bytes = EventPackerParams::kMaxBytes}) {
     std::stop_source give_up;
     if (!bus_.start(give_up.get_token(), [&](const std::string&) { give_up.request_stop(); })) {

@@ -27,7 +27,7 @@ void measure_flood(const LiveSetup& setup, seconds time, LiveFigures& figures) {
   LiveSystem system(setup);
   const pid_t tracker = system.pid("puck-tracker");
   LiveListener& bus = system.listener();
-  CrowdPublisher publisher(system.url());
+  CrowdPublisher publisher(system.url(), setup.key_file);
   publish_calmly(publisher, seconds(1), bus);
 
   FloodRun run;

@@ -10,8 +10,9 @@ double EstimateTally::rate_hz() const {
   return static_cast<double>(newest.seq - first_seq) / (static_cast<double>(span_us) * 1e-6);
 }
 
-LiveListener::LiveListener(const std::string& url, std::stop_token stop)
-    : stop_(std::move(stop)), bus_({.url = url}) {
+LiveListener::LiveListener(const std::string& url, const std::string& key_file,
+                           std::stop_token stop)
+    : stop_(std::move(stop)), bus_({.url = url, .key_file = key_file}) {
   bus_.subscribe<service_status_t>([this](const service_status_t& status, const Receipt&) {
     statuses_[status.service] = status;
   });

@@ -38,7 +38,7 @@ struct EstimateTally {
 class LiveListener {
  public:
   /// Throws std::runtime_error when there is no way to the bus.
-  LiveListener(const std::string& url, std::stop_token stop);
+  LiveListener(const std::string& url, const std::string& key_file, std::stop_token stop);
 
   /// Listens for so long. Throws Interrupted.
   void listen(std::chrono::milliseconds time);

@@ -52,6 +52,9 @@ void LiveSystem::start(const std::string& name, const std::vector<std::string>& 
   const std::string config = "config/" + name.substr(name.find('-') + 1) + ".toml";
   std::vector<std::string> command{
       (setup_.bin / name).string(), "--config", config, "--lcm-url", url_, "--log-level", "warn"};
+  if (!setup_.key_file.empty()) {
+    command.insert(command.end(), {"--set", "lcm.key_file=" + setup_.key_file});
+  }
   for (const std::string& setting : settings) command.insert(command.end(), {"--set", setting});
   services_[name] = std::make_unique<ChildProcess>(
       command, ChildOptions{.folder = setup_.source, .errors = folder_ / name});
@@ -70,7 +73,7 @@ void LiveSystem::await(const std::vector<std::string>& names) {
 }
 
 LiveListener& LiveSystem::listener() {
-  if (!listener_) listener_.emplace(url_, setup_.stop);
+  if (!listener_) listener_.emplace(url_, setup_.key_file, setup_.stop);
   return *listener_;
 }
 

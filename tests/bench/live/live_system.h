@@ -19,6 +19,7 @@ namespace puck {
 struct LiveSetup {
   std::filesystem::path bin;     ///< Where the services are.
   std::filesystem::path source;  ///< Root of the project: their settings name files from there.
+  std::string key_file{};        ///< Their lcm.key_file; empty: none.
   std::stop_token stop;
 };
 

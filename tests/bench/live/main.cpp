@@ -23,6 +23,7 @@ struct Options {
   std::filesystem::path source = ".";
   std::filesystem::path recordings;
   std::filesystem::path json;
+  std::string key_file;
 
   bool wants(const char* part) const {
     return only.empty() || std::find(only.begin(), only.end(), part) != only.end();
@@ -96,6 +97,7 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--recordings", options.recordings,
                  "Folder of real recordings (default: PUCK_RECORDINGS); without, a simulated one");
+  app.add_option("--key-file", options.key_file, "Seal all messages with this key (lcm.key_file)");
   app.add_option("--json", options.json, "Write the figures there");
   try {
     app.parse(argc, argv);
@@ -114,6 +116,7 @@ int run(int argc, char** argv) {
       options.recordings = std::filesystem::absolute(options.recordings);
     measure({.bin = std::filesystem::read_symlink("/proc/self/exe").parent_path(),
              .source = options.source,
+             .key_file = options.key_file,
              .stop = signals.token()},
             options);
     return 0;
