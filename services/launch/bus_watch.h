@@ -23,8 +23,10 @@ class BusWatch {
   void look();
 
   /// Adds what came and how: messages_received, messages_lost, …, of all channels together, and of
-  /// each single channel what is not zero: PUCK_EVENTS.received. messages_rejected holds those that
-  /// are oversize, too; messages_foreign are not ours at all.
+  /// each single channel what is not zero: PUCK_EVENTS.received, and .publishers where it had more
+  /// than one. messages_rejected holds those that are oversize, too. Those that are rare are left
+  /// out while they are zero: messages_duplicate, messages_oversize, messages_unauthenticated,
+  /// messages_foreign (not ours at all) and network_rejoined.
   void report(StatusReport& report) const;
 
  private:

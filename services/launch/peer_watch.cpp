@@ -39,9 +39,7 @@ void PeerWatch::report(StatusReport& report) const {
     const PeerBook::Peer& peer = book_.peers()[i];
     const SenderClock clock = status_.clock_of(peer.session);
     if (!clock) continue;
-    report.counters.emplace_back(
-        "clock_offset_us " + peer.service + " " + peer.host + " " + std::to_string(peer.pid),
-        clock->ahead_us);
+    report.counters.emplace_back("clock_offset_us " + peer.service, clock->ahead_us);
   }
 }
 

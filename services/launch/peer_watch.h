@@ -28,7 +28,8 @@ class PeerWatch {
   /// For a person: who publishes under this session.
   std::string name_of(std::int64_t session) const { return book_.name_of(session); }
 
-  /// Adds clock_offset_us of each service that is heard: how far its clock is ahead of ours.
+  /// Adds `clock_offset_us puck-camera` and so on of each service that is heard: how far its clock
+  /// is ahead of ours.
   void report(StatusReport& report) const;
 
  private:

@@ -33,7 +33,7 @@ struct BusLog {
   std::vector<Heard<std::size_t>> events_datagrams;  ///< Their sizes, bytes.
   /// When each session was heard, on any channel.
   std::map<std::int64_t, std::vector<std::int64_t>> heard_us;
-  /// But for STATUS, which grows with what there is to count: of ten a second one may be missed.
+  /// But for STATUS, which fits as long as all is well and grows with what there is to count.
   std::size_t largest_datagram_bytes = 0;
   std::string largest_datagram_channel;
 };

@@ -18,11 +18,7 @@ constexpr std::int64_t kHourUs = 3'600'000'000;
 /// How far `who` says that the clock of `other` is ahead of its own, µs.
 std::int64_t offset_said(const RunningGame& game, const std::string& who,
                          const std::string& other) {
-  // "puck-arm on HOST, pid 12" in STATUS, "puck-arm HOST 12" in the name of the counter.
-  std::string name = game.name_and_place(other);
-  name.replace(name.find(" on "), 4, " ");
-  name.replace(name.find(", pid "), 6, " ");
-  return game.counter(who, "clock_offset_us " + name);
+  return game.counter(who, "clock_offset_us " + other);
 }
 
 }  // namespace
