@@ -11,12 +11,9 @@
 namespace puck {
 namespace {
 
-// Of a datagram: LCM's own header; a channel name with the longest prefix and its NUL; the message
-// without its events.
+// Of a datagram: LCM's own header; a channel name with the longest prefix and its NUL.
 constexpr int kLcmHeaderBytes = 8;
 constexpr int kChannelBytes = 17 + 12;
-constexpr int kMessageBytes = 92;
-constexpr int kOverheadBytes = kLcmHeaderBytes + kChannelBytes + kMessageBytes;
 
 void check(const EventPackerParams& params) {
   if (!params.sensor.is_valid()) {
@@ -73,7 +70,8 @@ void unpack_words(const std::uint8_t* data, std::span<Event> events, Word) {
 
 EventPacker::EventPacker(const EventPackerParams& params) : sensor_(params.sensor), packet_{} {
   check(params);
-  max_events_ = (params.packet_bytes - kOverheadBytes) / 4;
+  const int without_events = kLcmHeaderBytes + kChannelBytes + packet_.getEncodedSize();
+  max_events_ = (params.packet_bytes - without_events) / 4;
   packet_.width = sensor_.width;
   packet_.height = sensor_.height;
   packet_.encoding = encoding_for(sensor_);

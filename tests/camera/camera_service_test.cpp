@@ -62,7 +62,7 @@ TEST_CASE("packets are bounded by their bytes") {
   CameraRun run(file_settings(folder / "a.raw", "packet_bytes = 1472\nflush_us = 5000\n"));
   run.run();
   CHECK(run.events_.size() == 20000);
-  for (const event_packet_t& packet : run.packets_) CHECK(packet.count <= (1472 - 92) / 4);
+  for (const event_packet_t& packet : run.packets_) CHECK(packet.count <= (1472 - 93) / 4);
   CHECK(run.packets_.front().count > 300);
 }
 

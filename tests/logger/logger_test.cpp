@@ -117,14 +117,14 @@ TEST_CASE("the logger counts the event packets and the events that never came") 
 
 TEST_CASE("the logger stops at its quota, says so and counts what it did not write") {
   const TemporaryFolder folder;
-  const std::int64_t packet_bytes = 28 + 11 + 92 + 40;
+  const std::int64_t packet_bytes = 28 + 11 + 93 + 40;
   LoggerBench bench({.path = folder / "a.lcm", .max_bytes = 3 * packet_bytes + 1});
   publish_events(bench.bus, 5);
   bench.run();
   CHECK(channels_in(folder / "a.lcm")["PUCK_EVENTS"] == 3);
   CHECK(bench.counters()["messages_not_written"] == 2);
   CHECK(bench.status.state() == ServiceState::kDegraded);
-  CHECK(bench.status.state_text().find("logger.max_bytes = 514 is reached") != std::string::npos);
+  CHECK(bench.status.state_text().find("logger.max_bytes = 517 is reached") != std::string::npos);
 }
 
 TEST_CASE("the logger counts by channel what its queue has no place for, and says so") {

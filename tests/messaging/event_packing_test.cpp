@@ -79,7 +79,7 @@ TEST_CASE("packed events come out as they went in, on sensors of every encoding"
 
 TEST_CASE("a packet fits one frame, LCM's header and the longest channel name included") {
   EventPacker packer({.sensor = {640, 480}});
-  CHECK(packer.max_events() == 335);  // (1472 - 8 - 29 - 92) / 4
+  CHECK(packer.max_events() == 335);  // (1472 - 8 - 29 - 93) / 4
   const auto events = random_events({640, 480}, 1000, 0);
   std::vector<int> counts;
   std::vector<std::uint8_t> bytes;
@@ -89,6 +89,18 @@ TEST_CASE("a packet fits one frame, LCM's header and the longest channel name in
     CHECK(8 + std::string("ABCDEFGHIJKLMNOP_PUCK_EVENTS").size() + 1 + bytes.size() <= 1472);
   });
   CHECK(counts == std::vector<int>{335, 335, 330});
+}
+
+TEST_CASE("a packet is never longer than it may be, however its events fit") {
+  const auto events = random_events({640, 480}, 1000, 0);
+  std::vector<std::uint8_t> bytes;
+  for (int most = 256; most < 264; ++most) {
+    EventPacker packer({.sensor = {640, 480}, .packet_bytes = most});
+    packer.pack({0}, events, [&](event_packet_t& packet) {
+      encode(packet, bytes);
+      REQUIRE(8 + 29 + static_cast<int>(bytes.size()) <= most);
+    });
+  }
 }
 
 TEST_CASE("a packet of 60000 bytes holds 14967 events, and a receiver takes it") {
