@@ -19,7 +19,9 @@ constexpr std::int64_t kPongLife_us = 2'000'000;
 constexpr std::size_t kMaxPongs = 64;
 // Whoever was heard so often is not displaced by those who are new.
 constexpr int kOftenHeard = 3;
+// As the rules for STATUS on the wire have it: one too many, and nobody hears the whole of it.
 constexpr std::size_t kMaxTextBytes = 255;
+constexpr std::size_t kMaxCounters = 256;
 
 std::string host_name() {
   std::array<char, 256> name{};
@@ -157,8 +159,10 @@ void StatusReporter::publish(const Fill& fill) {
   message.state = static_cast<std::int8_t>(published_state());
   message.state_text = published_text();
   message.uptime_us = now_us - started_us_;
+  // Some names hold what others say of themselves, which may be as long as a text can be.
+  if (report.counters.size() > kMaxCounters) report.counters.resize(kMaxCounters);
   for (auto& [name, value] : report.counters) {
-    message.counter_name.push_back(std::move(name));
+    message.counter_name.push_back(one_line(std::move(name)));
     message.counter_value.push_back(value);
   }
   for (StatusLatency& latency : report.latencies) {

@@ -50,6 +50,23 @@ TEST_CASE("a status says who, how and what") {
   CHECK(status.latency_samples == std::vector<std::int64_t>{1000});
 }
 
+TEST_CASE("a status is heard however long the names in it are, and however many") {
+  Bus bus({.url = "memq://"});
+  StatusReporter reporter(bus, "puck-tracker");
+  std::vector<service_status_t> heard;
+  bus.subscribe<service_status_t>(
+      [&](const service_status_t& status, const Receipt&) { heard.push_back(status); });
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  reporter.poll([](StatusReport& report) {
+    report.counters.assign(1000, {"clock_offset_us " + std::string(510, 'x'), 7});
+  });
+  bus.handle(milliseconds(100));
+  REQUIRE(heard.size() == 1);
+  CHECK(heard[0].counter_name.size() == 256);
+  CHECK(heard[0].counter_name[0].size() == 255);
+  CHECK(bus.counters<service_status_t>().publish_failures == 0);
+}
+
 TEST_CASE("a status is published at once on a change of state, else when 100 ms have passed") {
   Bus bus({.url = "memq://"});
   StatusReporter reporter(bus, "puck-arm");
