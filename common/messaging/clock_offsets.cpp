@@ -102,10 +102,14 @@ SenderClock ClockOffsets::offset_of(std::int64_t session, const HostNow& now) co
   if (known == clocks_.end()) return std::nullopt;
   const std::int64_t own_ahead_us = now.utime - now.monotonic_us;
   const std::int64_t ahead_us = known->best.ahead_us - own_ahead_us;
+  const std::int64_t uncertainty_us = known->best.uncertainty_at(now.monotonic_us);
   // Clocks that agree as far as can be told are taken for the same: on one host they are, and no
-  // latency shall suffer from the error of a measurement there.
-  const bool agrees = std::abs(ahead_us) <= known->best.uncertainty_us;
-  return ClockOffset{agrees ? 0 : ahead_us, known->best.uncertainty_at(now.monotonic_us)};
+  // latency shall suffer from the error of a measurement there. How far they were apart in it is
+  // then part of what is not known.
+  if (std::abs(ahead_us) <= known->best.uncertainty_us) {
+    return ClockOffset{0, uncertainty_us + std::abs(ahead_us)};
+  }
+  return ClockOffset{ahead_us, uncertainty_us};
 }
 
 }  // namespace puck

@@ -73,6 +73,18 @@ TEST_CASE("a clock that cannot be told from ours is taken for ours, to the micro
   }
 }
 
+TEST_CASE("a clock taken for ours may be as far away as the measurement allowed, and says so") {
+  // Measured 140 ms ahead, give or take 150 ms; in truth it is 280 ms ahead.
+  ClockBench bench;
+  REQUIRE(bench.exchange(7, 280'000, 10'000, 290'000));
+  const ClockOffset clock = bench.clock(7);
+  CHECK(clock.ahead_us == 0);
+  CHECK(clock.uncertainty_us >= 280'000);
+  // 240 ms old: that must not count as certain to be younger than 200 ms.
+  const std::int64_t sent_utime = bench.now.utime + 280'000 - 240'000;
+  CHECK(freshness_of(sent_utime, bench.now, clock, 200'000) == Freshness::kClockUnknown);
+}
+
 TEST_CASE("of many exchanges on a busy network the quickest counts, and its bound holds") {
   std::mt19937 random(3);
   std::exponential_distribution<double> delay(1.0 / 3000);
