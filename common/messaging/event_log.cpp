@@ -6,16 +6,18 @@
 #include "common/messaging/channels.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/message_check.h"
+#include "common/messaging/wire_layout.h"
 
 namespace puck {
 namespace {
 
-// What can be said on the wire: beyond it, a damaged or forged log could make sums overflow.
-constexpr std::int64_t kMost = std::int64_t{1} << 53;
 // A longer pause between two sessions is a host clock that was set.
 constexpr std::int64_t kLongestPauseUs = std::int64_t{3600} * 1'000'000;
 
-std::int64_t total(std::int64_t before, std::int64_t now) { return std::min(before + now, kMost); }
+// A damaged or forged log could make sums overflow.
+std::int64_t total(std::int64_t before, std::int64_t now) {
+  return std::min(before + now, kMostOnWire);
+}
 
 }  // namespace
 
@@ -75,7 +77,7 @@ bool EventLog::next_packet() {
     EventPacketView packet;
     decode_checked(record_.bytes, packet);
     // The log's own stamps are not checked with the message.
-    if (take(packet, std::clamp<std::int64_t>(record_.utime, 0, kMost))) return true;
+    if (take(packet, std::clamp<std::int64_t>(record_.utime, 0, kMostOnWire))) return true;
   }
   return false;
 }
@@ -87,7 +89,7 @@ bool EventLog::take(const EventPacketView& packet, std::int64_t heard_utime) {
   counters_.events_dropped = total(before_.events_dropped, packet.events_dropped);
   if (packet.count == 0) return false;
   const std::int64_t first_us = packet.first_event_us + shift_us_;
-  if (first_us > kMost) {
+  if (first_us > kMostOnWire) {
     ++counters_.packets_malformed;
     return false;
   }

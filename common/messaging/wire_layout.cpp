@@ -6,14 +6,13 @@
 namespace puck {
 namespace {
 
-// Beyond this no sum of two times or counts overflows, and a double still has every µs.
-constexpr std::int64_t kHuge = std::int64_t{1} << 53;
 constexpr std::int64_t kMostInt32 = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t kMostInt64 = std::numeric_limits<std::int64_t>::max();
 
 // Longest lengths: far above what we send, far below what would hurt.
 constexpr std::int64_t kMaxText = 255;
 constexpr std::int64_t kMaxEventsInPacket = 16384;
+constexpr std::int64_t kLongestPacket_us = 4095;
 constexpr std::int64_t kMaxPath = 4096;
 constexpr std::int64_t kMaxJoints = 64;
 constexpr std::int64_t kMaxCounters = 256;
@@ -28,7 +27,7 @@ constexpr WireField whole32(std::string_view name, std::int64_t min, std::int64_
 }
 /// A count or a place in time; never negative.
 constexpr WireField amount(std::string_view name) {
-  return {name, WireKind::kInt64, 0, kHuge, {}, 1};
+  return {name, WireKind::kInt64, 0, kMostOnWire, {}, 1};
 }
 /// A session; 0: none.
 constexpr WireField reference(std::string_view name) {
@@ -63,8 +62,9 @@ constexpr std::array kEventPacket{
     kSeq,
     whole32("width", 1, 2048),
     whole32("height", 1, 2048),
-    amount("first_event_us"),
-    WireField{"duration_us", WireKind::kInt64, 0, 4095, {}, 1},
+    // A tracker tells the time of the last event, which is later.
+    WireField{"first_event_us", WireKind::kInt64, 0, kMostOnWire - kLongestPacket_us, {}, 1},
+    WireField{"duration_us", WireKind::kInt64, 0, kLongestPacket_us, {}, 1},
     amount("sensor_zero_utime"),
     amount("events_before"),
     amount("events_dropped"),
@@ -202,7 +202,7 @@ constexpr std::array kHeadState{
     kUtime,
     kSession,
     kSeq,
-    WireField{"sensor_us", WireKind::kInt64, -1, kHuge, {}, 1},
+    WireField{"sensor_us", WireKind::kInt64, -1, kMostOnWire, {}, 1},
     real("yaw_deg"),
     real("pitch_deg"),
     real("roll_deg"),

@@ -9,6 +9,10 @@
 
 namespace puck {
 
+/// The most that a time or a count may be on the wire: beyond it, sums of two could overflow, and a
+/// double would no longer have every µs.
+inline constexpr std::int64_t kMostOnWire = std::int64_t{1} << 53;
+
 enum class WireKind : std::uint8_t { kInt8, kBoolean, kInt32, kInt64, kDouble, kString, kByte };
 
 /// One field of a message as LCM writes it: big-endian, one after the other.

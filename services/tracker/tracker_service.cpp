@@ -9,6 +9,7 @@
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
+#include "common/messaging/wire_layout.h"
 #include "common/vision/surface_tracker.h"
 
 namespace puck {
@@ -226,7 +227,9 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
   if (tracked.input_age > kRestEnds) message.flags &= ~puck_estimate_t::FLAG_RESTING;
   if (origin.is_live && !origin.is_recorded) message.flags |= puck_estimate_t::FLAG_LIVE;
   if (origin.sensor_zero_utime != 0) {
-    message.event_utime = origin.sensor_zero_utime + tracked.estimate.newest_event.us;
+    const std::int64_t utime = origin.sensor_zero_utime + tracked.estimate.newest_event.us;
+    // What no clock says is not known; said on, it would keep the estimate from being published.
+    if (utime >= 0 && utime <= kMostOnWire) message.event_utime = utime;
   }
   message.packet_received_utime = origin.received_utime;
   message.tracking_started_utime = utime_of(tracked.tracking_started);

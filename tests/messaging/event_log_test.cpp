@@ -160,7 +160,7 @@ TEST_CASE("stamps and times at the end of their range bend nothing") {
     packet.events_dropped = kFar;
     for (int i = 0; i < 3000; ++i) {
       packet.session = 100 + i;
-      packet.first_event_us = kFar;
+      packet.first_event_us = kFar - 4095;
       // Silence after each one, so that the next publisher is followed.
       writer.write_raw(packet, i % 2 == 0 ? std::numeric_limits<std::int64_t>::max()
                                           : std::numeric_limits<std::int64_t>::min());

@@ -179,6 +179,14 @@ TEST_CASE("a log that is played twice is followed twice") {
   bench.stop();
 }
 
+TEST_CASE("a camera that tells an impossible time of its sensor's start is tracked without it") {
+  RunningTracker tracker;
+  tracker.publish(puck_at({80, 60}, 1000), std::int64_t{1} << 53);
+  CHECK(tracker.eventually(
+      [](const puck_estimate_t& e) { return e.sensor_us == 1000 && e.event_utime == 0; }));
+  CHECK(tracker.bus().counters<puck_estimate_t>().publish_failures == 0);
+}
+
 TEST_CASE("the camera's clock may be hours away: times and latency are by the tracker's") {
   constexpr std::int64_t kHourUs = 3'600'000'000;
   const std::string url = private_lcm_url();
