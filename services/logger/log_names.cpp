@@ -12,6 +12,8 @@ namespace puck {
 namespace {
 
 constexpr std::size_t kDigits = 6;
+// Of ten million files. More are no number of ours: log.20261121.lcm is what a person named so.
+constexpr std::size_t kMostDigits = 7;
 
 /// A file's name without its number, and the number.
 struct Numbered {
@@ -26,7 +28,9 @@ std::optional<Numbered> split(const std::string& file_name, const std::string& e
   if (dot == std::string::npos) return std::nullopt;
   const char* const begin = rest.data() + dot + 1;
   const char* const end = rest.data() + rest.size();
-  if (static_cast<std::size_t>(end - begin) < kDigits || *begin == '-') return std::nullopt;
+  const auto digits = static_cast<std::size_t>(end - begin);
+  if (digits < kDigits || digits > kMostDigits || *begin == '-') return std::nullopt;
+  if (digits > kDigits && *begin == '0') return std::nullopt;
   Numbered numbered{rest.substr(0, dot) + ending, 0};
   const auto read = std::from_chars(begin, end, numbered.number);
   if (read.ec != std::errc() || read.ptr != end) return std::nullopt;

@@ -38,6 +38,7 @@ TEST_CASE("numbers go on after those that exist, with gaps or without") {
   write_text(folder / "2027.000099.lcm", "");
   write_text(folder / "2026.000050.txt", "");
   write_text(folder / "2026.50.lcm", "");
+  write_text(folder / "2026.2147483647.lcm", "");
   CHECK(names.first_free() == 42);
 }
 
@@ -56,7 +57,12 @@ TEST_CASE("only a name that the pattern gives for some time is a log of ours") {
   }
   const LogNames fixed("log.lcm", "log.lcm");
   CHECK(fixed.is_ours("log.000007.lcm"));
-  CHECK_FALSE(fixed.is_ours("log2.000007.lcm"));
+  CHECK(fixed.is_ours("log.1000000.lcm"));
+  for (const char* other : {"log2.000007.lcm", "log.0000007.lcm", "log.20261121.lcm",
+                            "log.2147483647.lcm", "log.20261121193000.lcm"}) {
+    CAPTURE(other);
+    CHECK_FALSE(fixed.is_ours(other));
+  }
 }
 
 }  // namespace puck
