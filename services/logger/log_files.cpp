@@ -1,6 +1,7 @@
 #include "services/logger/log_files.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <thread>
 #include <utility>
 
@@ -124,7 +125,9 @@ bool LogFiles::belongs_into_next_file(const LogHeader& header, std::size_t run_b
   const std::int64_t with_this =
       writer_->bytes() + static_cast<std::int64_t>(run_bytes + header.record_bytes());
   if (params_.rotate_bytes > 0 && with_this > params_.rotate_bytes) return true;
-  return params_.rotate_s > 0 && header.utime - file_began_utime_ >= 1'000'000 * params_.rotate_s;
+  // Either way: a clock that was set back must not make one file last until it has caught up.
+  return params_.rotate_s > 0 &&
+         std::abs(header.utime - file_began_utime_) >= 1'000'000 * params_.rotate_s;
 }
 
 /// Why `bytes` cannot be written now.

@@ -87,6 +87,19 @@ TEST_CASE("a log that rotates by time begins a file when the time is over") {
   CHECK(seconds_in(folder / "a.000002.lcm").size() == 30);
 }
 
+TEST_CASE("a clock that is set back does not keep a log from rotating by time") {
+  const TemporaryFolder folder;
+  LogSync sync;
+  LoggerParams params = params_for(folder / "a.lcm");
+  params.rotate_s = 60;
+  LogFiles files(params, "", sync);
+  write_all(files, records(10, 1'000'000));
+  write_all(files, records(70));
+  CHECK(seconds_in(folder / "a.000000.lcm").size() == 10);
+  CHECK(seconds_in(folder / "a.000001.lcm").size() == 60);
+  CHECK(seconds_in(folder / "a.000002.lcm").size() == 10);
+}
+
 TEST_CASE("a rotated log that is started again goes on with the next number") {
   const TemporaryFolder folder;
   LogSync sync;
