@@ -9,6 +9,8 @@ namespace {
 
 // STATUS must not grow with the network.
 constexpr std::size_t kMostOffsets = 6;
+// The services' loops turn a thousand times a second, and the more there are, the longer a look is.
+constexpr std::int64_t kLookPeriodUs = 20'000;
 
 }  // namespace
 
@@ -23,7 +25,10 @@ PeerWatch::PeerWatch(Bus& bus, StatusReporter& status, spdlog::logger& log)
 }
 
 void PeerWatch::poll() {
-  for (const PeerNews& news : book_.look(host_monotonic_us())) {
+  const std::int64_t now_us = host_monotonic_us();
+  if (now_us < due_us_) return;
+  due_us_ = now_us + kLookPeriodUs;
+  for (const PeerNews& news : book_.look(now_us)) {
     log_.log(news.is_trouble ? spdlog::level::warn : spdlog::level::info, "{}", news.text);
   }
   const PeerTrouble& trouble = book_.trouble();

@@ -22,7 +22,7 @@ class PeerWatch {
   /// The services that this one lives on: puck-camera, …
   void need(const std::vector<std::string>& services) { book_.need(services); }
 
-  /// Looks at all of them, and tells what is new.
+  /// Looks at all of them when it is due, and tells what is new.
   void poll();
 
   /// For a person: who publishes under this session.
@@ -36,6 +36,7 @@ class PeerWatch {
   StatusReporter& status_;
   spdlog::logger& log_;
   PeerBook book_;
+  std::int64_t due_us_ = 0;  // CLOCK_MONOTONIC
 };
 
 }  // namespace puck
