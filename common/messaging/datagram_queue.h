@@ -26,8 +26,7 @@ class DatagramQueue {
     std::int64_t utime = 0;  ///< The kernel's stamp, CLOCK_REALTIME, µs; 0: none.
   };
 
-  /// Takes what is there and fits, and does not wait. Returns
-  /// how many.
+  /// Takes what is there and fits, 32 at most, and does not wait. Returns how many.
   std::size_t fill(int socket);
 
   bool is_empty() const { return first_ == end_; }

@@ -1,11 +1,10 @@
 #include "common/messaging/receive_socket.h"
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #include <utility>
 
 #include <arpa/inet.h>
@@ -13,6 +12,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "common/messaging/proc_net.h"
 #include "common/messaging/receive_filter.h"
 
 namespace puck {
@@ -32,15 +32,12 @@ int join(int socket, const LcmUrl& url) {
 
 /// Whether any interface of this host is in the group, as the kernel lists them.
 bool is_joined_anywhere(const LcmUrl& url) {
-  std::ifstream igmp("/proc/net/igmp");
+  std::ifstream igmp("/proc/self/net/igmp");
   if (!igmp) return true;  // It cannot be told.
-  std::array<char, 9> group{};
-  std::snprintf(group.data(), group.size(), "%08X", address_of(url).s_addr);
-  for (std::string line; std::getline(igmp, line);) {
-    std::istringstream words(line);
-    if (std::string first; words >> first && first == group.data()) return true;
-  }
-  return false;
+  const std::string text{std::istreambuf_iterator<char>(igmp), {}};
+  const auto memberships = parse_memberships(text);
+  return std::any_of(memberships.begin(), memberships.end(),
+                     [&](const GroupMembership& known) { return known.group == url.group; });
 }
 
 void set_option(int socket, int level, int option, int value) {

@@ -9,7 +9,8 @@ namespace puck {
 
 /// A UDP socket that hears the group of a URL and nothing else: it is bound to the group's address,
 /// so that neither another group at the same port nor a datagram sent to this host alone reaches
-/// it. Nothing comes through until a filter (receive_filter.h) says what may. Every datagram comes with the time at which the kernel had it. Owns its descriptor; moves.
+/// it. Nothing comes through until a filter (receive_filter.h) says what may. Every datagram comes
+/// with the time at which the kernel had it. Owns its descriptor; moves.
 class ReceiveSocket {
  public:
   ReceiveSocket() = default;

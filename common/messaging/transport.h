@@ -41,7 +41,7 @@ struct Listening {
 
 /// Somebody else at our group and port, who did not mean us.
 struct ForeignTraffic {
-  std::string what;  ///< `channel "RIGHT_PUCK_EVENTS"`, `a fragment`, `no LCM`.
+  std::string what;  ///< `channel "RIGHT_PUCK_EVENTS"`, `no datagrams of LCM`, …
   Sender sender;     ///< The first that was seen with it.
   std::int64_t datagrams = 0;
 };

@@ -143,7 +143,7 @@ void UdpTransport::look_after_network(Clock::time_point now) {
   // As long as there is no network to join, the old sockets stay.
   if (open_sockets(ours, foreign)) return;
   // What the old one still holds came before the network went, and is taken along.
-  queue_.fill(socket_.descriptor());
+  while (queue_.fill(socket_.descriptor()) > 0) continue;
   socket_ = std::move(ours);
   foreign_socket_ = std::move(foreign);
   attach_filters();
