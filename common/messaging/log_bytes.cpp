@@ -50,6 +50,21 @@ std::span<const std::uint8_t> LogBytes::at(std::int64_t offset, std::size_t coun
       static_cast<std::size_t>(offset - window_offset_), count);
 }
 
+std::span<const std::uint8_t> LogBytes::peek(std::int64_t offset, std::size_t count) {
+  count = std::min(count, peeked_.size());
+  const std::int64_t window_end = window_offset_ + static_cast<std::int64_t>(window_.size());
+  if (offset >= window_offset_ && offset + static_cast<std::int64_t>(count) <= window_end) {
+    return at(offset, count);
+  }
+  if (offset >= size_) return {};
+  const auto left = static_cast<std::size_t>(size_ - offset);
+  ssize_t got = 0;
+  do {
+    got = pread(descriptor_, peeked_.data(), std::min(count, left), static_cast<off_t>(offset));
+  } while (got < 0 && errno == EINTR);
+  return std::span(peeked_).first(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+}
+
 void LogBytes::fill(std::int64_t offset, std::size_t count) {
   // A large message is not kept longer than it is needed.
   if (window_.capacity() > kWindowBytes && count <= kWindowBytes) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -23,6 +24,9 @@ class LogBytes {
   /// The bytes at [offset, offset + count), fewer at the end. Valid until the next call.
   std::span<const std::uint8_t> at(std::int64_t offset, std::size_t count);
 
+  /// The same of up to 64 bytes that are far away from what is asked for next: the window stays.
+  std::span<const std::uint8_t> peek(std::int64_t offset, std::size_t count);
+
   /// Where in [from, to) a log's mark begins next; `to` where none does.
   std::int64_t find_mark(std::int64_t from, std::int64_t to);
 
@@ -33,6 +37,7 @@ class LogBytes {
   std::int64_t size_ = 0;
   std::vector<std::uint8_t> window_;
   std::int64_t window_offset_ = 0;
+  std::array<std::uint8_t, 64> peeked_{};
 };
 
 }  // namespace puck

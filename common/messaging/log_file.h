@@ -126,8 +126,14 @@ class LogReader {
   const std::optional<std::string>& damage() const { return damage_; }
 
  private:
+  /// From here up to there no message begins.
+  struct Searched {
+    std::int64_t from = 0;
+    std::int64_t to = 0;
+  };
+
   std::optional<std::string> find_problem(const LogHeader& header);
-  std::int64_t next_message_from(std::int64_t offset);
+  std::int64_t next_message_from(std::int64_t offset, Searched& searched);
   bool message_may_begin(std::int64_t offset);
   bool message_begins(std::int64_t offset);
   void skip_damage(std::string why);
@@ -137,9 +143,10 @@ class LogReader {
   std::int64_t bytes_skipped_ = 0;
   std::optional<std::string> damage_;
   std::function<void(const LogDamage&)> on_damage_;
-  // Between these two no message begins: damage is not searched again and again.
-  std::int64_t searched_from_ = 0;
-  std::int64_t searched_to_ = 0;
+  // Where no message begins is not searched again and again: neither behind damage, nor behind the
+  // end that a length claims.
+  Searched behind_damage_;
+  Searched behind_end_;
 };
 
 }  // namespace puck

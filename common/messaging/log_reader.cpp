@@ -69,7 +69,7 @@ std::optional<std::string> LogReader::find_problem(const LogHeader& header) {
   const std::int64_t end = offset_ + static_cast<std::int64_t>(header.record_bytes());
   if (end > bytes_.size()) return kCutOff;
   const auto follows = [&](std::int64_t place) {
-    const auto next = parse_log_header(bytes_.at(place, kLogHeaderBytes));
+    const auto next = parse_log_header(bytes_.peek(place, kLogHeaderBytes));
     // Unsigned, for the numbers may be any.
     return next && static_cast<std::uint64_t>(next->number) ==
                        static_cast<std::uint64_t>(header.number) + 1;
@@ -83,7 +83,7 @@ std::optional<std::string> LogReader::find_problem(const LogHeader& header) {
     }
   }
   if (end == bytes_.size() || message_may_begin(end)) return std::nullopt;
-  const std::int64_t next = next_message_from(end);
+  const std::int64_t next = next_message_from(end, behind_end_);
   if (next < bytes_.size() && follows(next)) {
     return "a message is shorter than the place to the next one";
   }
@@ -91,7 +91,7 @@ std::optional<std::string> LogReader::find_problem(const LogHeader& header) {
 }
 
 bool LogReader::message_may_begin(std::int64_t offset) {
-  return std::ranges::equal(bytes_.at(offset, kLogMark.size()), kLogMark);
+  return std::ranges::equal(bytes_.peek(offset, kLogMark.size()), kLogMark);
 }
 
 bool LogReader::message_begins(std::int64_t offset) {
@@ -103,20 +103,19 @@ bool LogReader::message_begins(std::int64_t offset) {
   return is_printable(channel);
 }
 
-std::int64_t LogReader::next_message_from(std::int64_t offset) {
-  if (offset >= searched_from_ && offset <= searched_to_) return searched_to_;
+std::int64_t LogReader::next_message_from(std::int64_t offset, Searched& searched) {
+  if (offset >= searched.from && offset <= searched.to) return searched.to;
   std::int64_t place = bytes_.find_mark(offset, bytes_.size());
   while (place < bytes_.size() && !message_begins(place)) {
     place = bytes_.find_mark(place + 1, bytes_.size());
   }
-  searched_from_ = offset;
-  searched_to_ = std::min(place, bytes_.size());
-  return searched_to_;
+  searched = {offset, std::min(place, bytes_.size())};
+  return searched.to;
 }
 
 void LogReader::skip_damage(std::string why) {
   const std::int64_t from = offset_;
-  offset_ = next_message_from(from + 1);
+  offset_ = next_message_from(from + 1, behind_damage_);
   bytes_skipped_ += offset_ - from;
   if (!damage_) damage_ = why + " at byte " + std::to_string(from);
   if (on_damage_) on_damage_({from, offset_ - from, std::move(why)});

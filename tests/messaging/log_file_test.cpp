@@ -1,5 +1,6 @@
 #include "common/messaging/log_file.h"
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <functional>
@@ -384,6 +385,30 @@ TEST_CASE("an empty log is whole") {
   LogRecord record;
   CHECK_FALSE(reader.next(record));
   CHECK_FALSE(reader.damage().has_value());
+}
+
+TEST_CASE("lengths that all point before one far message cost one search, not one each") {
+  constexpr std::size_t kHeads = 100'000;
+  constexpr std::size_t kHeadBytes = 29;
+  constexpr std::size_t kGap = 20'000'000;
+  std::vector<std::uint8_t> bytes(kHeads * kHeadBytes + kGap + kHeadBytes);
+  for (std::size_t at = 0; at < kHeads * kHeadBytes; at += kHeadBytes) {
+    const LogHeader header{5, 0, 1, kHeads * kHeadBytes + 1 - at - kHeadBytes};
+    put_log_header(std::span(bytes).subspan(at), header);
+    bytes[at + kHeadBytes - 1] = 'A';
+  }
+  put_log_record(std::span(bytes).last(kHeadBytes), {6, 0, 1, 0}, "A", {});
+  const TemporaryFolder folder;
+  write_text(folder / "a.lcm", {bytes.begin(), bytes.end()});
+
+  // A search of 20 MB for each would take many minutes.
+  const auto began = std::chrono::steady_clock::now();
+  LogReader reader(folder / "a.lcm");
+  LogRecord record;
+  REQUIRE(reader.next(record));
+  CHECK(record.number == 6);
+  CHECK_FALSE(reader.next(record));
+  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(60));
 }
 
 }  // namespace puck
