@@ -24,9 +24,9 @@ TEST_CASE("the spy knows the rates of the last second, and the sums of all time"
   CHECK(events.name == "PUCK_EVENTS");
   CHECK(events.messages_per_s == doctest::Approx(10));
   CHECK(events.events_per_s == doctest::Approx(500));
-  CHECK(events.bytes_per_s == doctest::Approx(10 * 292));
+  CHECK(events.bytes_per_s == doctest::Approx(10 * 293));
   CHECK(events.arrivals.received == 310);
-  CHECK(events.received_bytes == 310 * 292);
+  CHECK(events.received_bytes == 310 * 293);
   CHECK(events.newest_age_us == 100'000);
   CHECK(snapshot.messages == 310);
   CHECK(snapshot.listened_us == 4'000'000);
