@@ -13,7 +13,7 @@
 #include "common/messaging/bus_settings.h"
 #include "common/messaging/host_time.h"
 #include "services/arm/operator_command.h"
-#include "tests/messaging/test_url.h"
+#include "tests/support/test_url.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/skewed_machine.h"
 

@@ -8,7 +8,7 @@
 
 #include "services/launch/bus_watch.h"
 #include "services/launch/rate_limited_log.h"
-#include "tests/messaging/test_url.h"
+#include "tests/support/test_url.h"
 
 namespace puck {
 namespace {

@@ -12,17 +12,12 @@
 #include "tests/support/child_process.h"
 #include "tests/support/crowd_publisher.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_url.h"
 
 namespace puck {
 namespace {
 
 using std::chrono::milliseconds;
-
-std::string any_url() {
-  std::random_device random;
-  const int port = std::uniform_int_distribution(20000, 60000)(random);
-  return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
-}
 
 std::int64_t counter(const service_status_t& status, const std::string& name) {
   for (std::size_t i = 0; i < status.counter_name.size(); ++i) {
@@ -60,7 +55,7 @@ TEST_CASE("a logger that is killed leaves all that it said it wrote, in a log th
   const TemporaryFolder folder;
   std::mt19937 random(std::random_device{}());
   for (int kill = 0; kill < 3; ++kill) {
-    const std::string url = any_url();
+    const std::string url = private_lcm_url(2 * kill);
     const std::string path = folder / ("a" + std::to_string(kill) + ".lcm");
     ChildProcess logger({std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-logger", "--lcm-url",
                          url, "--set", "logger.path=" + path, "--log-level", "error"});
@@ -84,7 +79,7 @@ TEST_CASE("a logger that is killed leaves all that it said it wrote, in a log th
     CHECK(logged.messages >= said);
     CHECK(logged.lost == 0);
 
-    const std::string replayed = any_url();
+    const std::string replayed = private_lcm_url(2 * kill + 1);
     std::int64_t heard = 0;
     Bus listener({.url = replayed});
     listener.subscribe<event_packet_t>([&](const event_packet_t&, const Receipt&) { ++heard; });

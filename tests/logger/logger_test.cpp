@@ -5,7 +5,6 @@
 
 #include <doctest/doctest.h>
 #include <spdlog/sinks/null_sink.h>
-#include <unistd.h>
 
 #include "common/messaging/bus_settings.h"
 #include "common/messaging/event_packing.h"
@@ -14,17 +13,13 @@
 #include "services/logger/logger_service.h"
 #include "tests/support/child_process.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_url.h"
 
 namespace puck {
 namespace {
 
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
-
-std::string lcm_url(int which) {
-  const int port = 20000 + static_cast<int>((getpid() * 4 + which) % 40000);
-  return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
-}
 
 /// A logger within the test, on a bus that hears only itself.
 struct LoggerBench {
@@ -217,8 +212,8 @@ TEST_CASE("the commented settings file holds every key with its default") {
 TEST_CASE("puck-logger logs what lcm-logplayer plays again, and stops at once on SIGTERM") {
   const TemporaryFolder folder;
   const std::string path = folder / "a.lcm";
-  const std::string live = lcm_url(0);
-  const std::string replayed = lcm_url(1);
+  const std::string live = private_lcm_url(0);
+  const std::string replayed = private_lcm_url(1);
   {
     ChildProcess logger({std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-logger", "--lcm-url",
                          live, "--prefix", "LEFT", "--set", "logger.path=" + path, "--log-level",

@@ -7,7 +7,7 @@
 #include <lcm/lcm.h>
 
 #include "common/messaging/event_packing.h"
-#include "tests/messaging/test_url.h"
+#include "tests/support/test_url.h"
 #include "tests/support/random_message.h"
 
 namespace puck {

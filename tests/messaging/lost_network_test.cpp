@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "common/messaging/bus.h"
-#include "tests/messaging/test_url.h"
+#include "tests/support/test_url.h"
 #include "tests/support/network_namespace.h"
 
 namespace puck {

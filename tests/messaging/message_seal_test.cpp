@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "common/messaging/bus.h"
-#include "tests/messaging/test_url.h"
+#include "tests/support/test_url.h"
 #include "tests/support/temporary_folder.h"
 
 namespace puck {

@@ -8,7 +8,7 @@
 
 #include "common/messaging/status_check.h"
 #include "common/messaging/status_reporter.h"
-#include "tests/messaging/test_url.h"
+#include "tests/support/test_url.h"
 #include "tests/support/skewed_machine.h"
 
 namespace puck {

@@ -25,7 +25,8 @@ std::string program(const std::string& name) {
 
 std::string new_lcm_url() {
   std::random_device random;
-  const int port = std::uniform_int_distribution(20000, 60000)(random);
+  // Below those that the kernel gives to any socket.
+  const int port = std::uniform_int_distribution(20000, 32000)(random);
   return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
 }
 

@@ -13,7 +13,7 @@
 #include "common/io/pixel_mask_file.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
-#include "tests/messaging/test_url.h"
+#include "tests/support/test_url.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/skewed_machine.h"
 #include "tests/support/temporary_folder.h"
