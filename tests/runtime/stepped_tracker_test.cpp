@@ -40,12 +40,13 @@ TEST_CASE("every estimate of a stepped tracker can be made again, to the bit, fr
   for (const Preset preset : {Preset::kDefault, Preset::kCorrelation}) {
     const PipelineParams params = preset_params(preset);
     Published published;
-    // So seldom that some packets go unanswered.
-    SteppedTracker stepped(kSensor, params, kSizeModel, {.max_publish_hz = 700},
+    // So seldom that most packets go unanswered, however slow the machine is.
+    SteppedTracker stepped(kSensor, params, kSizeModel, {.max_publish_hz = 50},
                            [&](const TrackedEstimate& tracked) { published.add(tracked); });
-    for (int i = 1; i <= 150; ++i) {
-      stepped.update(packet_number(i), received_now());
-      std::this_thread::sleep_for(milliseconds(i % 3));
+    int sent = 0;
+    for (; sent < 20 || published.count() < 15; ++sent) {
+      stepped.update(packet_number(sent + 1), received_now());
+      std::this_thread::sleep_for(milliseconds(sent % 3 * 2));
     }
     SurfaceTracker again(kSensor, params, kSizeModel);
     std::int64_t applied = 0;
@@ -62,8 +63,8 @@ TEST_CASE("every estimate of a stepped tracker can be made again, to the bit, fr
       REQUIRE(is_equal(again.estimate(), tracked.estimate));
       ++answers;
     }
-    CHECK(answers > 20);
-    CHECK(answers < 150);
+    CHECK(answers > 10);
+    CHECK(answers < sent);
     if (preset == Preset::kCorrelation) {
       CHECK(published.all().back().estimate.state == TrackState::kTracking);
     }

@@ -42,9 +42,14 @@ TEST_CASE(
   RunningGame game(new_lcm_url());
   game.start_all();
   REQUIRE(game.until([&] { return game.plays(); }));
-  game.take_arm_span_m();
-  game.listen(std::chrono::seconds(5));
-  CHECK(game.take_arm_span_m() > 0.01);
+  double span_m = 0;
+  for (int i = 0; i < 8 && span_m <= 0.01; ++i) {
+    game.take_arm_span_m();
+    game.listen(std::chrono::seconds(5));
+    span_m = game.take_arm_span_m();
+  }
+  CHECK(span_m > 0.01);
+  REQUIRE(game.until([&] { return game.counter("puck-arm", "commands_accepted") > 300; }));
   const std::int64_t arm_session = game.session("puck-arm");
   for (const char* name : {"puck-camera", "puck-bridge", "puck-tracker", "puck-logger"}) {
     game.process(name).send(SIGTERM);
