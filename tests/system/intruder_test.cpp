@@ -177,9 +177,8 @@ TEST_CASE("no attack stops a game, grows a service, goes uncounted or spoils the
   }
 
   const auto& log = game.stop();
-  REQUIRE(game.bus.until([&] {
-    return game.bus.status("puck-logger")->state == service_status_t::STATE_STOPPING;
-  }));
+  REQUIRE(game.bus.until(
+      [&] { return game.bus.status("puck-logger")->state == service_status_t::STATE_STOPPING; }));
   const std::int64_t rejected = game.bus.counter("puck-logger", "packets_rejected");
   const std::int64_t not_written = game.bus.counter("puck-logger", "messages_not_written");
   const LogContent content = read_log(log);
