@@ -4,12 +4,18 @@
 set -euo pipefail
 
 packages=(
-  ca-certificates ccache clang cmake debootstrap g++ git iproute2 libclang-rt-14-dev ninja-build
-  procps
+  ca-certificates ccache clang cmake debootstrap g++ git iproute2 iptables libclang-rt-14-dev
+  nftables ninja-build procps
   doctest-dev libbenchmark-dev libcli11-dev libeigen3-dev libfaketime libhwy-dev liblcm-bin
   liblcm-dev libncurses-dev libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev
   nlohmann-json3-dev
 )
+
+# Where there is Docker, the tests between containers need a Compose, too.
+if command -v docker >/dev/null && ! command -v docker-compose >/dev/null &&
+  ! docker compose version >/dev/null 2>&1; then
+  packages+=(docker-compose)
+fi
 
 missing=()
 for package in "${packages[@]}"; do
