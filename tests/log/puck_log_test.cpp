@@ -136,6 +136,17 @@ TEST_CASE("verify finds nothing wrong with a whole log of every type") {
   CHECK(finished.output == "27 messages: all of it is fine\n");
 }
 
+TEST_CASE("a report that cannot be written is not said to be fine") {
+  const TemporaryFolder folder;
+  write_known_log(folder / "a.lcm");
+  const std::string program = std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-log";
+  for (const char* command : {"info", "verify"}) {
+    CAPTURE(command);
+    ChildProcess to_full_disk({program, command, folder / "a.lcm"}, {.output = "/dev/full"});
+    CHECK(to_full_disk.wait() == 1);
+  }
+}
+
 TEST_CASE("verify names the byte of what is malformed, corrupt or cut off") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";

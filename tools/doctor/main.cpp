@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/command_line/flush_stdout.h"
 #include "tools/command_line/number_range.h"
 #include "tools/doctor/checks.h"
 #include "tools/doctor/doctor_name.h"
@@ -37,7 +38,8 @@ void add_options(CLI::App& app, puck::DoctorOptions& options) {
 int main(int argc, char** argv) {
   CLI::App app(
       "Says why nothing arrives: looks at this host's network, listens on the bus, and for what is "
-      "wrong says the command that mends it. Exit code 0: nothing is wrong, 1: something is.",
+      "wrong says the command that mends it. Exit code 0: nothing is wrong, 1: something is, "
+      "2: usage, or no report could be made.",
       puck::kDoctorName);
   puck::DoctorOptions options;
   add_options(app, options);
@@ -52,6 +54,7 @@ int main(int argc, char** argv) {
     const std::string report =
         options.json ? puck::report_json(findings) : puck::report_text(findings);
     std::fputs(report.c_str(), stdout);
+    puck::flush_stdout();
     return puck::count(findings, puck::Verdict::kWrong) == 0 ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", puck::kDoctorName, error.what());

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/command_line/flush_stdout.h"
 #include "tools/log/export_command.h"
 #include "tools/log/info_command.h"
 #include "tools/log/repair_command.h"
@@ -60,6 +61,7 @@ int run(int argc, char** argv) {
     const LogTally tally = info->parsed()     ? print_log_info(log, as_json)
                            : verify->parsed() ? verify_log(log)
                                               : export_log(log, exported);
+    flush_stdout();
     return tally.is_fine() ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "puck-log: %s\n", error.what());

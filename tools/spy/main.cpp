@@ -11,6 +11,7 @@
 
 #include "common/io/config.h"
 #include "common/messaging/bus_settings.h"
+#include "tools/command_line/flush_stdout.h"
 #include "tools/command_line/number_range.h"
 #include "tools/spy/listen.h"
 #include "tools/spy/spy_report.h"
@@ -60,6 +61,7 @@ int report_once(const Options& options, const BusParams& params, StopSignal& sto
   } else {
     std::fputs(text_report(heard.snapshot, output_width()).c_str(), stdout);
   }
+  flush_stdout();
   if (heard.snapshot.messages > 0) return 0;
   std::fprintf(stderr, "puck-spy: nothing was heard on %s%s\n", params.url.c_str(),
                reason_of(heard).c_str());
