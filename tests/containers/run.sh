@@ -69,6 +69,8 @@ remove_robots() {
   for one in "${robots[@]}"; do
     [ -z "$(docker ps -aq --filter "label=com.docker.compose.project=$one")" ] ||
       robot=$one compose down --volumes --remove-orphans --timeout 2 || true
+    # Of a start that failed before its first container.
+    docker volume rm -f "${one}_logs" >/dev/null 2>&1 || true
   done
 }
 machine() { # SERVICE, prints the id of its container
