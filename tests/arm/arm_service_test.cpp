@@ -13,9 +13,9 @@
 #include "common/messaging/bus_settings.h"
 #include "common/messaging/host_time.h"
 #include "services/arm/operator_command.h"
-#include "tests/support/test_url.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/skewed_machine.h"
+#include "tests/support/test_url.h"
 
 namespace puck {
 namespace {

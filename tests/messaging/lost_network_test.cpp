@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "common/messaging/bus.h"
-#include "tests/support/test_url.h"
 #include "tests/support/network_namespace.h"
+#include "tests/support/test_url.h"
 
 namespace puck {
 namespace {

@@ -5,8 +5,8 @@
 #include <doctest/doctest.h>
 
 #include "common/messaging/bus.h"
-#include "tests/support/test_url.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_url.h"
 
 namespace puck {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "common/messaging/status_check.h"
 #include "common/messaging/status_reporter.h"
-#include "tests/support/test_url.h"
 #include "tests/support/skewed_machine.h"
+#include "tests/support/test_url.h"
 
 namespace puck {
 namespace {

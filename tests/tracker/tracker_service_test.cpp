@@ -13,10 +13,10 @@
 #include "common/io/pixel_mask_file.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
-#include "tests/support/test_url.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/skewed_machine.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_url.h"
 #include "tests/tracker/running_tracker.h"
 
 namespace puck {
