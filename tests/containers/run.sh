@@ -244,7 +244,7 @@ resident_memory() { # a line for each service: its name, and kB
 
 docker image inspect "$base" >/dev/null 2>&1 || had_base=false
 docker/base-image.sh
-if ! docker build -f docker/Dockerfile --target test -t "$run" . >"$work/build.log" 2>&1; then
+if ! docker build --force-rm -f docker/Dockerfile --target test -t "$run" . >"$work/build.log" 2>&1; then
   tail -n 30 "$work/build.log" >&2
   echo "containers: the image cannot be built" >&2
   exit 1
