@@ -1,10 +1,14 @@
 #include "common/messaging/shared_key.h"
 
-#include <fstream>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
 #include <vector>
 
 #include <sodium.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "common/messaging/bus_error.h"
 #include "common/messaging/byte_order.h"
@@ -19,22 +23,28 @@ constexpr std::size_t kMostBytes = 4096;
   throw BusError("lcm.key_file \"" + file.string() + "\" " + what);
 }
 
-void check_owner_only(const std::filesystem::path& file) {
+/// Of the open file, so that nobody can put another one in its place meanwhile.
+void check_owner_only(const std::filesystem::path& file, int descriptor) {
   struct stat status {};
-  if (stat(file.c_str(), &status) != 0) {
-    fail(file, "cannot be read; \"head -c 32 /dev/urandom\" makes a key");
-  }
-  if (!S_ISREG(status.st_mode)) fail(file, "is not a file");
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) fail(file, "is not a file");
   if ((status.st_mode & 077) != 0) {
     fail(file, "may be read by others; \"chmod 600 " + file.string() + "\" mends it");
+  }
+  if (status.st_uid != geteuid() && status.st_uid != 0) {
+    fail(file, "belongs to another user");
   }
 }
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
+                                                               &std::fclose);
+  if (!stream) {
+    fail(file, std::string("cannot be read: ") + std::strerror(errno) +
+                   "; \"head -c 32 /dev/urandom\" makes a key");
+  }
+  check_owner_only(file, fileno(stream.get()));
   std::vector<std::uint8_t> bytes(kMostBytes + 1);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), stream.get()));
   if (bytes.size() < kLeastBytes || bytes.size() > kMostBytes) {
     fail(file, "must have " + std::to_string(kLeastBytes) + " to " + std::to_string(kMostBytes) +
                    " bytes, has " +
@@ -47,7 +57,6 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
 
 SharedKey::SharedKey(const std::filesystem::path& file) {
   if (sodium_init() < 0) throw BusError("lcm.key_file: libsodium does not start");
-  check_owner_only(file);
   std::vector<std::uint8_t> bytes = read_file(file);
   crypto_generichash(key_.data(), key_.size(), bytes.data(), bytes.size(), nullptr, 0);
   sodium_memzero(bytes.data(), bytes.size());

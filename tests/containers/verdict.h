@@ -15,7 +15,7 @@ class Verdict {
     if (!holds) complaints_.push_back(complaint);
   }
   /// An event that is asked for within some time. Said always; fails only when it never came, or
-  /// took more than twice as long: a machine on which all the containers share two busy cores may
+  /// took four times as long: a machine on which all the containers share two busy cores may
   /// stand still for that.
   void demand_within(const std::string& what, bool came, std::int64_t took_us,
                      std::int64_t asked_us);
