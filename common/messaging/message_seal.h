@@ -35,7 +35,9 @@ class MessageSealer {
 
 /// Opens what others have sealed with the same key. A message is good once: the same again, or one
 /// older than the 64 newest of its sender, is refused, so that nobody can play back what they heard
-/// while its sender lives in here (the last 256 senders). One thread.
+/// while its sender lives in here (the last 256 senders). A new run knows no sender: what was
+/// recorded before it can be played to it once, and is left to the ages, sessions and clocks that
+/// the arm goes by; a stop has none of these, and stops. One thread.
 class SealOpener {
  public:
   explicit SealOpener(const SharedKey& key) : key_(key) {}
