@@ -1,11 +1,11 @@
 #include "common/messaging/event_packet_view.h"
 
 #include "common/messaging/byte_reader.h"
+#include "common/messaging/wire_layout.h"
 
 namespace puck {
 
 void decode_checked(std::span<const std::uint8_t> bytes, EventPacketView& packet) {
-  constexpr std::size_t kFingerprintBytes = 8;
   ByteReader reader(bytes);
   reader.take(kFingerprintBytes);
   packet.utime = reader.whole<std::int64_t>();

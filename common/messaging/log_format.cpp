@@ -2,21 +2,10 @@
 
 #include <algorithm>
 
+#include "common/messaging/byte_order.h"
 #include "common/messaging/byte_reader.h"
 
 namespace puck {
-namespace {
-
-template <typename Whole>
-void put(std::span<std::uint8_t> to, Whole value) {
-  for (std::size_t i = 0; i < sizeof value; ++i) {
-    to[i] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >>
-                                      (8 * (sizeof value - 1 - i)));
-  }
-}
-
-}  // namespace
-
 std::optional<LogHeader> parse_log_header(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kLogHeaderBytes) return std::nullopt;
   if (!std::equal(kLogMark.begin(), kLogMark.end(), bytes.begin())) return std::nullopt;
@@ -35,14 +24,14 @@ std::optional<LogHeader> parse_log_header(std::span<const std::uint8_t> bytes) {
 
 void put_log_header(std::span<std::uint8_t> to, const LogHeader& header) {
   std::copy(kLogMark.begin(), kLogMark.end(), to.begin());
-  put(to.subspan(4), header.number);
-  put(to.subspan(12), header.utime);
-  put(to.subspan(20), static_cast<std::uint32_t>(header.channel_bytes));
-  put(to.subspan(24), static_cast<std::uint32_t>(header.message_bytes));
+  put_log_number(to, header.number);
+  put_big_endian(static_cast<std::uint64_t>(header.utime), to.subspan(12).data());
+  put_big_endian(static_cast<std::uint32_t>(header.channel_bytes), to.subspan(20).data());
+  put_big_endian(static_cast<std::uint32_t>(header.message_bytes), to.subspan(24).data());
 }
 
 void put_log_number(std::span<std::uint8_t> record, std::int64_t number) {
-  put(record.subspan(4), number);
+  put_big_endian(static_cast<std::uint64_t>(number), record.subspan(4).data());
 }
 
 void put_log_record(std::span<std::uint8_t> to, const LogHeader& header, std::string_view channel,

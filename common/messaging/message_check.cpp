@@ -15,7 +15,6 @@ namespace {
 using Rejection = std::optional<std::string>;
 
 constexpr std::size_t kMaxMessageBytes = std::size_t{1} << 20;
-constexpr std::size_t kFingerprintBytes = 8;
 constexpr std::size_t kMaxFields = 64;
 
 /// What a fingerprint that is not the one expected tells.
@@ -66,11 +65,8 @@ class Walk {
   }
 
   std::size_t count_of(const WireField& field) const {
-    if (field.count_field.empty()) return static_cast<std::size_t>(field.fixed_count);
-    for (std::size_t i = 0; i < layout_.fields.size(); ++i) {
-      if (layout_.fields[i].name == field.count_field) return static_cast<std::size_t>(values_[i]);
-    }
-    return 0;
+    const auto place = place_of_count(layout_, field);
+    return static_cast<std::size_t>(place ? values_[*place] : field.fixed_count);
   }
 
   Rejection check_value(const WireField& field, std::int64_t& value) {

@@ -1,6 +1,5 @@
 #include "common/messaging/message_fields.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <string>
@@ -11,8 +10,6 @@
 
 namespace puck {
 namespace {
-
-constexpr std::size_t kFingerprintBytes = 8;
 
 /// Walks a message along its layout. Only what was read as a whole number is remembered: the counts
 /// of the arrays that follow are among them.
@@ -40,12 +37,8 @@ class FieldWalk {
   }
 
   std::size_t count_of(const WireField& field) const {
-    if (field.count_field.empty()) return static_cast<std::size_t>(field.fixed_count);
-    const auto counts =
-        std::find_if(layout_.fields.begin(), layout_.fields.end(),
-                     [&](const WireField& other) { return other.name == field.count_field; });
-    return static_cast<std::size_t>(
-        values_[static_cast<std::size_t>(counts - layout_.fields.begin())]);
+    const auto place = place_of_count(layout_, field);
+    return static_cast<std::size_t>(place ? values_[*place] : field.fixed_count);
   }
 
   std::string_view read_value(WireKind kind, std::int64_t& whole) {

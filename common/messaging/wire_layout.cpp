@@ -1,5 +1,6 @@
 #include "common/messaging/wire_layout.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -272,16 +273,20 @@ constexpr std::array kLayouts{
 };
 static_assert(kLayouts.size() == kAllChannels.size());
 
-constexpr std::size_t kFingerprintBytes = 8;
-
 std::size_t most_count(const WireLayout& layout, const WireField& field) {
-  for (const WireField& count : layout.fields) {
-    if (count.name == field.count_field) return static_cast<std::size_t>(count.max);
-  }
-  return static_cast<std::size_t>(field.fixed_count);
+  const auto place = place_of_count(layout, field);
+  return static_cast<std::size_t>(place ? layout.fields[*place].max : field.fixed_count);
 }
 
 }  // namespace
+
+std::optional<std::size_t> place_of_count(const WireLayout& layout, const WireField& field) {
+  if (field.count_field.empty()) return std::nullopt;
+  const auto found =
+      std::find_if(layout.fields.begin(), layout.fields.end(),
+                   [&](const WireField& other) { return other.name == field.count_field; });
+  return static_cast<std::size_t>(found - layout.fields.begin());
+}
 
 std::size_t wire_bytes(WireKind kind) {
   switch (kind) {

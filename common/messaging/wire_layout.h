@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -35,6 +36,12 @@ struct WireLayout {
   std::int64_t (*fingerprint)() = nullptr;
   std::span<const WireField> fields;
 };
+
+/// Before the fields stands what tells the type.
+inline constexpr std::size_t kFingerprintBytes = 8;
+
+/// Which field of the layout has the length of this one; nothing where that is fixed.
+std::optional<std::size_t> place_of_count(const WireLayout& layout, const WireField& field);
 
 /// How a channel's messages look: what the receiver's checks are made from. A new type needs a row
 /// here and nothing else to be received safely.
