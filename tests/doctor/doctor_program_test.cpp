@@ -39,9 +39,12 @@ struct Diagnosis {
     }
     return text;
   }
-  std::string mend(const std::string& check) const {
+  /// Of several, the first that has this in it.
+  std::string mend(const std::string& check, const std::string& part = {}) const {
     for (const json& finding : report["findings"]) {
-      if (finding["check"] == check && finding["verdict"] == "wrong") return finding["mend"];
+      if (finding["check"] != check || finding["verdict"] != "wrong") continue;
+      const std::string mend = finding["mend"];
+      if (mend.find(part) != std::string::npos) return mend;
     }
     return {};
   }
@@ -276,7 +279,8 @@ TEST_CASE("an intruder on another machine is named, and the command shuts it out
       CAPTURE(part);
       CHECK(text.find(part) != std::string::npos);
     }
-    REQUIRE(shell(broken.mend("senders")));
+    // In the order of the sender's ports; for messages that are too large there is another.
+    REQUIRE(shell(broken.mend("senders", "iptables")));
     check_well(diagnose());
   });
 }
