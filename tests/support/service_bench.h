@@ -34,6 +34,7 @@ class ServiceBench {
     return true;
   }
   void stop() {
+    if (!thread_.joinable()) return;
     thread_.request_stop();
     thread_.join();
   }
