@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/messaging/event_word.h"
+#include "common/messaging/wire_layout.h"
 #include "tests/support/random_message.h"
 
 namespace puck {
@@ -164,7 +165,6 @@ void change_bytes(Bytes& message, std::size_t from, MutateBytes mutate_bytes) {
 
 Bytes mutate_message(Channel channel, std::span<const std::uint8_t> message,
                      std::mt19937_64& random, MutateBytes mutate_bytes) {
-  constexpr std::size_t kFingerprintBytes = 8;
   const WireLayout& layout = wire_layout(channel);
   Bytes changed(message.begin(), message.end());
   if (changed.size() < kFingerprintBytes || random() % 16 == 0) return any_message(channel, random);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/messaging/byte_reader.h"
+#include "common/messaging/wire_layout.h"
 
 namespace puck {
 namespace {
@@ -52,7 +53,6 @@ Bytes take_value(ByteReader& reader, WireKind kind) {
 }  // namespace
 
 std::vector<MessagePart> parts_of(const WireLayout& layout, std::span<const std::uint8_t> bytes) {
-  constexpr std::size_t kFingerprintBytes = 8;
   ByteReader reader(bytes);
   reader.take(std::min(kFingerprintBytes, bytes.size()));
   std::vector<MessagePart> parts;

@@ -10,8 +10,6 @@
 namespace puck {
 namespace {
 
-constexpr std::size_t kFingerprintBytes = 8;
-
 void overwrite(Bytes& bytes, std::size_t at, std::uint64_t value, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
     bytes[at + i] = static_cast<std::uint8_t>(value >> (8 * (size - 1 - i)));
