@@ -4,11 +4,11 @@
 #include <array>
 #include <condition_variable>
 #include <mutex>
-#include <random>
 
 #include "common/messaging/host_time.h"
 #include "common/messaging/memory_transport.h"
 #include "common/messaging/message_seal.h"
+#include "common/messaging/session_id.h"
 #include "common/messaging/udp_transport.h"
 #include "common/messaging/wire_layout.h"
 
@@ -21,13 +21,6 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr milliseconds kRouteRetry{200};
 constexpr std::chrono::seconds kWaitingReport{5};
 constexpr milliseconds kLongestDrain{50};
-
-std::int64_t random_session() {
-  // Below 2^53, so that it survives tools that keep numbers in doubles.
-  std::random_device random;
-  std::uniform_int_distribution<std::int64_t> ids(1, (std::int64_t{1} << 53) - 1);
-  return ids(random);
-}
 
 /// Runs a handler; what it throws, as text.
 template <typename Call>

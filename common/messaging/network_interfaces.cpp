@@ -15,6 +15,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "common/messaging/ipv4.h"
+
 namespace puck {
 namespace {
 
@@ -32,12 +34,6 @@ class Socket {
  private:
   int fd_;
 };
-
-std::string dotted(const in_addr& address) {
-  std::array<char, INET_ADDRSTRLEN> text{};
-  inet_ntop(AF_INET, &address, text.data(), text.size());
-  return text.data();
-}
 
 int mtu_of(const Socket& any_socket, const std::string& name) {
   ifreq request{};

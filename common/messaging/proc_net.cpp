@@ -1,10 +1,9 @@
 #include "common/messaging/proc_net.h"
 
-#include <array>
 #include <charconv>
 #include <sstream>
 
-#include <arpa/inet.h>
+#include "common/messaging/ipv4.h"
 
 namespace puck {
 namespace {
@@ -35,10 +34,7 @@ std::optional<Number> number_of(std::string_view text, int base) {
 std::optional<std::string> address_of(std::string_view hex) {
   const auto number = number_of<std::uint32_t>(hex, 16);
   if (!number) return std::nullopt;
-  const in_addr address{*number};
-  std::array<char, INET_ADDRSTRLEN> text{};
-  inet_ntop(AF_INET, &address, text.data(), text.size());
-  return text.data();
+  return dotted({*number});
 }
 
 }  // namespace

@@ -7,26 +7,20 @@
 #include <iterator>
 #include <utility>
 
-#include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "common/messaging/ipv4.h"
 #include "common/messaging/proc_net.h"
 #include "common/messaging/receive_filter.h"
 
 namespace puck {
 namespace {
 
-in_addr address_of(const LcmUrl& url) {
-  in_addr address{};
-  inet_pton(AF_INET, url.group.c_str(), &address);
-  return address;
-}
-
 int join(int socket, const LcmUrl& url) {
   ip_mreq membership{};
-  membership.imr_multiaddr = address_of(url);
+  membership.imr_multiaddr = group_address(url).sin_addr;
   return setsockopt(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership);
 }
 
@@ -82,10 +76,7 @@ std::optional<std::string> ReceiveSocket::open(const LcmUrl& url, std::optional<
     // Beyond net.core.rmem_max, where this process may.
     set_option(descriptor_, SOL_SOCKET, SO_RCVBUFFORCE, *buffer_bytes);
   }
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr = address_of(url);
-  address.sin_port = htons(static_cast<std::uint16_t>(url.port));
+  const sockaddr_in address = group_address(url);
   if (bind(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     return fail(url.group + ":" + std::to_string(url.port) + " cannot be listened to");
   }

@@ -1,7 +1,6 @@
 #include "common/messaging/udp_transport.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <variant>
@@ -12,6 +11,7 @@
 
 #include "common/messaging/datagram.h"
 #include "common/messaging/host_time.h"
+#include "common/messaging/ipv4.h"
 #include "common/messaging/multicast_route.h"
 #include "common/messaging/receive_filter.h"
 
@@ -34,13 +34,6 @@ constexpr std::chrono::microseconds kFillPeriod{500};
 // A message needs no datagram more than this, with its channel.
 constexpr std::size_t kLargestWhole = 65'499;
 
-std::string dotted(std::uint32_t address) {
-  const in_addr in{htonl(address)};
-  std::array<char, INET_ADDRSTRLEN> text{};
-  inet_ntop(AF_INET, &in, text.data(), text.size());
-  return text.data();
-}
-
 std::string describe_foreign(std::span<const std::uint8_t> bytes) {
   const Datagram datagram = parse_datagram(bytes);
   if (const auto* whole = std::get_if<WholeMessage>(&datagram)) {
@@ -56,7 +49,7 @@ std::string describe_foreign(std::span<const std::uint8_t> bytes) {
 
 std::string to_string(const Sender& sender) {
   if (sender.address == 0) return "this process";
-  return dotted(sender.address) + ":" + std::to_string(sender.port);
+  return dotted({htonl(sender.address)}) + ":" + std::to_string(sender.port);
 }
 
 void UdpTransport::LcmDeleter::operator()(lcm_t* lcm) const { lcm_destroy(lcm); }

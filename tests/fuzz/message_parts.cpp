@@ -9,19 +9,8 @@ namespace puck {
 namespace {
 
 std::size_t size_of(WireKind kind) {
-  switch (kind) {
-    case WireKind::kInt8:
-    case WireKind::kBoolean:
-    case WireKind::kByte:
-      return 1;
-    case WireKind::kInt32:
-    case WireKind::kString:  // Its length, before it.
-      return 4;
-    case WireKind::kInt64:
-    case WireKind::kDouble:
-      return 8;
-  }
-  return 0;
+  // Of a string its length, before it.
+  return kind == WireKind::kString ? 4 : wire_bytes(kind);
 }
 
 std::int32_t int32_of(const Bytes& bytes) { return ByteReader(bytes).whole<std::int32_t>(); }

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "common/messaging/host_time.h"
+#include "common/messaging/ipv4.h"
 
 namespace puck {
 namespace {
@@ -34,10 +35,7 @@ std::string open_problem(int socket, const LcmUrl& url) {
   set_flag(socket, SOL_SOCKET, SO_TIMESTAMPNS);
   set_flag(socket, IPPROTO_IP, IP_RECVTTL);
   ask_for_buffer(socket, url);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(url.port));
-  inet_pton(AF_INET, url.group.c_str(), &address.sin_addr);
+  const sockaddr_in address = group_address(url);
   if (bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     return "port " + std::to_string(url.port) + " cannot be shared (" + error_text() + ")";
   }
@@ -92,9 +90,7 @@ std::optional<ReceivedDatagram> UdpListener::receive(std::chrono::milliseconds t
   if (size < 0) return std::nullopt;
 
   ReceivedDatagram datagram;
-  std::array<char, INET_ADDRSTRLEN> address{};
-  inet_ntop(AF_INET, &from.sin_addr, address.data(), address.size());
-  datagram.source = {address.data(), ntohs(from.sin_port)};
+  datagram.source = {dotted(from.sin_addr), ntohs(from.sin_port)};
   datagram.utime = host_utime();  // Where the kernel gives no time.
   datagram.bytes = {buffer_.data(), static_cast<std::size_t>(size)};
   read_ancillary(header, datagram);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <random>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -14,30 +13,18 @@
 #include "common/messaging/channels.h"
 #include "common/messaging/datagram.h"
 #include "common/messaging/host_time.h"
+#include "common/messaging/ipv4.h"
 #include "common/messaging/message_codec.h"
+#include "common/messaging/session_id.h"
 #include "tools/doctor/doctor_name.h"
 #include "tools/doctor/udp_listener.h"
 
 namespace puck {
 namespace {
 
-std::int64_t random_session() {
-  std::random_device random;
-  std::uniform_int_distribution<std::int64_t> ids(1, (std::int64_t{1} << 53) - 1);
-  return ids(random);
-}
-
 std::string own_host_name() {
   std::array<char, 256> name{};
   return gethostname(name.data(), name.size() - 1) == 0 ? printable(name.data()) : "unknown";
-}
-
-sockaddr_in group_address(const LcmUrl& url) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(url.port));
-  inet_pton(AF_INET, url.group.c_str(), &address.sin_addr);
-  return address;
 }
 
 /// Has a port, but no address: an address would choose the interface, and it is the route that is
