@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <stop_token>
 
+#include "common/control/arm_controller.h"
 #include "common/io/config.h"
-#include "services/arm/arm_controller.h"
 #include "services/launch/service.h"
 
 namespace puck {

@@ -5,8 +5,8 @@
 
 #include "common/io/config.h"
 #include "common/io/table_file.h"
+#include "common/play/play_bridge.h"
 #include "common/runtime/latency_histogram.h"
-#include "services/bridge/play_bridge.h"
 #include "services/launch/service.h"
 
 namespace puck {

@@ -7,9 +7,9 @@
 
 #include <fuzzer/FuzzedDataProvider.h>
 
+#include "common/control/arm_controller.h"
 #include "common/messaging/message_codec.h"
-#include "services/arm/arm_controller.h"
-#include "services/bridge/play_bridge.h"
+#include "common/play/play_bridge.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/test_camera.h"
 

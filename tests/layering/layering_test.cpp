@@ -75,6 +75,8 @@ const std::map<std::string, std::set<std::string>> kAllowed{
     {"runtime", {"events", "vision"}},
     {"io", {"events", "vision", "table"}},
     {"messaging", {"events", "vision", "table"}},
+    {"play", {"events", "vision", "table", "messaging"}},
+    {"control", {"events", "vision", "table", "simulation", "runtime", "messaging"}},
 };
 
 }  // namespace

@@ -8,13 +8,13 @@
 #include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 #include "common/messaging/single_publisher.h"
+#include "common/play/estimate_gate.h"
+#include "common/play/game_observer.h"
+#include "common/play/strategy.h"
 #include "common/table/homography.h"
 #include "common/table/intercept_predictor.h"
 #include "common/table/motion_filter.h"
 #include "common/table/puck_motion.h"
-#include "services/bridge/estimate_gate.h"
-#include "services/bridge/game_observer.h"
-#include "services/bridge/strategy.h"
 
 namespace puck {
 

@@ -1,4 +1,4 @@
-#include "services/arm/arm_controller.h"
+#include "common/control/arm_controller.h"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/arm/arm_bench.h"
+#include "tests/control/arm_bench.h"
 #include "tests/support/test_camera.h"
 
 namespace puck {

@@ -1,11 +1,11 @@
-#include "services/arm/command_guard.h"
+#include "common/control/command_guard.h"
 
 #include <limits>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
 
-#include "tests/arm/arm_bench.h"
+#include "tests/control/arm_bench.h"
 
 namespace puck {
 namespace {

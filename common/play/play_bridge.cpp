@@ -1,4 +1,4 @@
-#include "services/bridge/play_bridge.h"
+#include "common/play/play_bridge.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "services/arm/arm_controller.h"
+#include "common/control/arm_controller.h"
 
 namespace puck {
 

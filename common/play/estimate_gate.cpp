@@ -1,4 +1,4 @@
-#include "services/bridge/estimate_gate.h"
+#include "common/play/estimate_gate.h"
 
 #include <algorithm>
 #include <cmath>

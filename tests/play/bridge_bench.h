@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "services/bridge/play_bridge.h"
+#include "common/play/play_bridge.h"
 #include "tests/support/test_camera.h"
 
 namespace puck {

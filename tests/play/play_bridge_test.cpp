@@ -1,4 +1,4 @@
-#include "services/bridge/play_bridge.h"
+#include "common/play/play_bridge.h"
 
 #include <functional>
 #include <limits>
@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/bridge/bridge_bench.h"
+#include "tests/play/bridge_bench.h"
 
 namespace puck {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/arm/track_watch.h"
+#include "common/control/track_watch.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "services/arm/command_guard.h"
+#include "common/control/command_guard.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
-#include "services/arm/arm_controller.h"
-#include "tests/arm/arm_bench.h"
+#include "common/control/arm_controller.h"
+#include "tests/control/arm_bench.h"
 
 namespace puck {
 namespace {

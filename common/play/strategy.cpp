@@ -1,4 +1,4 @@
-#include "services/bridge/strategy.h"
+#include "common/play/strategy.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "common/control/command_guard.h"
+#include "common/control/track_watch.h"
 #include "common/messaging/channels.h"
 #include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
@@ -12,8 +14,6 @@
 #include "common/simulation/simulated_arm.h"
 #include "common/table/homography.h"
 #include "common/table/table_geometry.h"
-#include "services/arm/command_guard.h"
-#include "services/arm/track_watch.h"
 
 namespace puck {
 

@@ -1,4 +1,4 @@
-#include "services/bridge/game_observer.h"
+#include "common/play/game_observer.h"
 
 #include <doctest/doctest.h>
 

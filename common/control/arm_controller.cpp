@@ -1,4 +1,4 @@
-#include "services/arm/arm_controller.h"
+#include "common/control/arm_controller.h"
 
 #include <algorithm>
 #include <cmath>

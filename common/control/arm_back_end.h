@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/control/joint_angles.h"
+
+namespace puck {
+
+/// What the arm's encoders said.
+struct JointReading {
+  JointAngles position;
+  std::int64_t received_us = 0;  ///< CLOCK_MONOTONIC.
+};
+
+/// The joints of one arm: takes set-points, gives encoders. All calls come from the arm's loop and
+/// return at once, whatever the arm does; one that talks to a machine does so on a thread of its
+/// own.
+class ArmBackEnd {
+ public:
+  virtual ~ArmBackEnd() = default;
+
+  /// `simulated`, `yarp`: as in ARM_STATE.
+  virtual std::string_view name() const = 0;
+
+  /// The set-points from now on. Finite and within the joints' limits: an implementation refuses
+  /// others with a fault.
+  virtual void command(const JointAngles& set_point, std::int64_t monotonic_us) = 0;
+
+  /// The newest reading; nothing before the first and while there is no connection.
+  virtual std::optional<JointReading> reading(std::int64_t monotonic_us) = 0;
+
+  /// Why the arm cannot be trusted to do what it is told; empty: it can.
+  virtual std::string fault(std::int64_t monotonic_us) = 0;
+};
+
+}  // namespace puck

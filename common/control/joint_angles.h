@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace puck {
+
+/// The angles of the arm's joints, deg, in the order in which its control board numbers them. Keeps
+/// its elements within itself, so that the loop does not allocate.
+class JointAngles {
+ public:
+  static constexpr std::size_t kMost = 16;
+
+  JointAngles() = default;
+  /// At most `kMost` angles; further ones are left out.
+  explicit JointAngles(std::span<const double> deg) : size_(std::min(deg.size(), kMost)) {
+    std::copy_n(deg.begin(), size_, deg_.begin());
+  }
+
+  std::size_t size() const { return size_; }
+  double operator[](std::size_t joint) const { return deg_[joint]; }
+  double& operator[](std::size_t joint) { return deg_[joint]; }
+  std::span<const double> deg() const { return {deg_.data(), size_}; }
+
+ private:
+  std::array<double, kMost> deg_{};
+  std::size_t size_ = 0;
+};
+
+}  // namespace puck
