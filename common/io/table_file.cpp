@@ -1,6 +1,8 @@
 #include "common/io/table_file.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +30,44 @@ constexpr const char* kHomographyKey = "table.table_from_image";
 constexpr double kShortest = 0.001;
 constexpr double kLongest = 10;
 constexpr double kLargestCoefficient = 1e12;
+constexpr std::array<const char*, 3> kCameraKeys{"camera.focal_px", "camera.principal_x_px",
+                                                 "camera.principal_y_px"};
+constexpr const char* kPivotKey = "camera.pivot_m";
+
+std::optional<PinholeCamera> read_camera(Config& config) {
+  const auto is_set = [&](const char* key) { return config.has(key); };
+  if (!config.has(kPivotKey) && std::none_of(kCameraKeys.begin(), kCameraKeys.end(), is_set)) {
+    return std::nullopt;
+  }
+  for (const char* key : kCameraKeys) {
+    if (!config.has(key)) config.fail(key, "is missing: [camera] needs it");
+  }
+  PinholeCamera camera;
+  config.read(kCameraKeys[0], camera.focal_px, 10, 100'000);
+  config.read(kCameraKeys[1], camera.principal_point.x, -100'000, 100'000);
+  config.read(kCameraKeys[2], camera.principal_point.y, -100'000, 100'000);
+  config.read(kPivotKey, camera.pivot_m, -kLongest, kLongest);
+  return camera;
+}
+
+template <std::size_t N>
+std::string toml_list(const std::array<double, N>& numbers) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < N; ++i) text += (i > 0 ? ", " : "") + toml_number(numbers[i]);
+  return text + "]";
+}
+
+std::string camera_text(const PinholeCamera& camera) {
+  return "# What a turning camera needs besides: its focal length and the pixel on its optical "
+         "axis.\n"
+         "[camera]\nfocal_px = " +
+         toml_number(camera.focal_px) +
+         "\nprincipal_x_px = " + toml_number(camera.principal_point.x) +
+         "\nprincipal_y_px = " + toml_number(camera.principal_point.y) +
+         "\n# Where the head's axes meet, from the camera at home: right, down, forwards, m.\n"
+         "pivot_m = " +
+         toml_list(camera.pivot_m) + "\n";
+}
 
 }  // namespace
 
@@ -44,28 +84,28 @@ TableCalibration read_table_file(const std::filesystem::path& path) {
   config.read(kHomographyKey, coefficients, -kLargestCoefficient, kLargestCoefficient);
   TableGeometry geometry;
   read_table_geometry(config, geometry);
+  const std::optional<PinholeCamera> camera = read_camera(config);
+  config.reject_unknown_in("table");
+  config.reject_unknown_in("camera");
   try {
-    return {Homography(coefficients), geometry};
+    return {Homography(coefficients), geometry, camera};
   } catch (const std::invalid_argument& error) {
     config.fail(kHomographyKey, std::string("cannot be used: ") + error.what());
   }
 }
 
 std::string table_text(const TableCalibration& calibration, std::string_view provenance) {
-  std::string text = toml_comment(provenance) +
-                     "[table]\n# Homography from the image (px) to the table (m), row by row.\n"
-                     "table_from_image = [";
-  const auto& coefficients = calibration.table_from_image.table_from_image();
-  for (std::size_t i = 0; i < coefficients.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += toml_number(coefficients[i]);
-  }
-  text += "]\n";
+  std::string text =
+      toml_comment(provenance) +
+      "[table]\n# Homography from the image (px) to the table (m), row by row, of the "
+      "plane in which\n# the puck's centre moves.\ntable_from_image = " +
+      toml_list(calibration.table_from_image.table_from_image()) + "\n";
   for (const Length& length : kLengths) {
     const std::string_view key(length.key);
     text += std::string(key.substr(key.find('.') + 1)) + " = " +
             toml_number(calibration.geometry.*length.member) + "\n";
   }
+  if (calibration.camera) text += camera_text(*calibration.camera);
   return text;
 }
 

@@ -124,6 +124,7 @@ class SimulatedTable::World {
   Homography table_from_image() const {
     return home_.table_from_image(params_.scene.puck_height_m / 2);
   }
+  PinholeCamera camera() const { return {home_.focal_px(), home_.principal_point(), {}}; }
 
   Image<float> log_intensity() const {
     Image<float> image(params_.sensor_size.width, params_.sensor_size.height);
@@ -212,6 +213,7 @@ std::int64_t SimulatedTable::events_lost() const { return world_->events_lost();
 void SimulatedTable::set_robot_mallet(double y_m) { world_->set_robot_mallet(y_m); }
 SensorSize SimulatedTable::sensor_size() const { return world_->sensor_size(); }
 Homography SimulatedTable::table_from_image() const { return world_->table_from_image(); }
+PinholeCamera SimulatedTable::camera() const { return world_->camera(); }
 Image<float> SimulatedTable::log_intensity() const { return world_->log_intensity(); }
 
 }  // namespace puck

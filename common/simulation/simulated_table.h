@@ -9,6 +9,7 @@
 #include "common/simulation/simulated_truth.h"
 #include "common/simulation/simulation_params.h"
 #include "common/table/homography.h"
+#include "common/table/table_camera.h"
 #include "common/vision/image.h"
 
 namespace puck {
@@ -45,6 +46,8 @@ class SimulatedTable {
   /// For the camera in its home pose, of the plane at half the puck's height, where its centre
   /// moves. Exact.
   Homography table_from_image() const;
+  /// What follows the table when the camera turns, which it does about its own place. Exact.
+  PinholeCamera camera() const;
   /// ln(intensity) that falls on each pixel at `now()`; for pictures and tests.
   Image<float> log_intensity() const;
 

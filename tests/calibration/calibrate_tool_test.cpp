@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -7,6 +9,9 @@
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>
+
+#include "common/io/table_file.h"
+#include "common/simulation/simulated_table.h"
 
 namespace puck {
 namespace {
@@ -32,6 +37,7 @@ class Tool {
     text << std::ifstream(folder_ / name).rdbuf();
     return text.str();
   }
+  fs::path path(const std::string& name) const { return folder_ / name; }
   // Output and errors land in the file `said`.
   int run(const std::string& arguments) const { return run("puck-calibrate", arguments); }
   int run(const std::string& program, const std::string& arguments) const {
@@ -95,6 +101,67 @@ TEST_CASE("puck-calibrate table writes a homography and prints its residuals") {
   CHECK(tool.run("table c.csv --output table.toml") == 0);
   CHECK(contains(tool.read("said"), "4 correspondences"));
   CHECK(contains(tool.read("table.toml"), "table_from_image"));
+}
+
+std::string shipped(const std::string& name) {
+  const char* source = std::getenv("PUCK_SOURCE_DIR");
+  REQUIRE_MESSAGE(source != nullptr, "PUCK_SOURCE_DIR must be set");
+  std::ostringstream text;
+  text << std::ifstream(fs::path(source) / "config/calibration" / name).rdbuf();
+  return text.str();
+}
+
+TEST_CASE("puck-calibrate table raises the plane to the puck's middle and finds the camera") {
+  const Tool tool;
+  // Places on the playing surface as the simulated camera sees them: 740 px, 32.5 degrees down.
+  tool.write("c.csv", shipped("simulated_table.csv"));
+  REQUIRE(tool.run("table c.csv --output flat.toml --width 640 --height 480") == 0);
+  CHECK(contains(tool.read("said"), "focal length 740.0 px"));
+  CHECK(contains(tool.read("flat.toml"), "[camera]\nfocal_px = 739.9"));
+  CHECK(contains(tool.read("flat.toml"), "principal_x_px = 319.5"));
+  REQUIRE(
+      tool.run("table c.csv --output high.toml --puck-height 0.012 --principal-point 319.5,239.5 "
+               "--focal 740 --pivot 0,0.1,-0.05") == 0);
+  CHECK(contains(tool.read("high.toml"), "pivot_m = [0"));
+  CHECK(tool.read("high.toml") != tool.read("flat.toml"));
+  CHECK(tool.run("table c.csv --output x.toml --puck-height 0.012") == 1);
+  CHECK(
+      contains(tool.read("said"), "c.csv: where the optical axis meets the sensor must be known"));
+}
+
+TEST_CASE("The simulated table's calibration is what its own command makes, and true") {
+  const Tool tool;
+  tool.write("simulated_table.csv", shipped("simulated_table.csv"));
+  const std::string file = shipped("simulated_table.toml");
+  const std::string program = "puck-calibrate ";
+  const std::size_t command = file.find(program);
+  REQUIRE(command != std::string::npos);
+  const std::size_t end = file.find('\n', command);
+  REQUIRE(tool.run(file.substr(command + program.size(), end - command - program.size())) == 0);
+  tool.write("shipped.toml", file);
+  const TableCalibration again = read_table_file(tool.path("simulated_table.toml"));
+  const TableCalibration calibration = read_table_file(tool.path("shipped.toml"));
+  const SimulatedTable simulated{SimulationParams{}};
+  double worst_m = 0;
+  double changed_m = 0;
+  for (double x = 0; x < 640; x += 20) {
+    for (double y = 0; y < 480; y += 20) {
+      const auto fitted = calibration.table_from_image.to_table({x, y});
+      const auto exact = simulated.table_from_image().to_table({x, y});
+      const auto made_again = again.table_from_image.to_table({x, y});
+      REQUIRE(fitted);
+      REQUIRE(made_again);
+      REQUIRE(exact);
+      worst_m = std::max(worst_m, std::hypot(fitted->x_m - exact->x_m, fitted->y_m - exact->y_m));
+      changed_m = std::max(
+          changed_m, std::hypot(fitted->x_m - made_again->x_m, fitted->y_m - made_again->y_m));
+    }
+  }
+  CHECK(worst_m < 1e-4);
+  CHECK(changed_m < 1e-6);
+  REQUIRE(calibration.camera);
+  CHECK(calibration.camera->focal_px == doctest::Approx(simulated.camera().focal_px).epsilon(1e-4));
+  CHECK(calibration.camera->principal_point == simulated.camera().principal_point);
 }
 
 TEST_CASE("puck-calibrate refuses degenerate input with one line that names the file") {

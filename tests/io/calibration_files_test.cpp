@@ -108,6 +108,30 @@ TEST_CASE("a table reads back as it was written") {
   CHECK(again.geometry.puck_radius_m == 0.0325);
 }
 
+TEST_CASE("a table's camera reads back as it was written; half a camera is refused") {
+  const TemporaryFolder folder;
+  const TableCalibration calibration{Homography({0.003, 0, -0.9, 0, 0.004, 0.1, 0, 0.0005, 1}),
+                                     {},
+                                     PinholeCamera{740.5, {319.5, 239}, {0.02, 0.1, -0.08}}};
+  write_table_file(folder / "table.toml", calibration, "measured");
+  const TableCalibration again = read_table_file(folder / "table.toml");
+  REQUIRE(again.camera);
+  CHECK(again.camera->focal_px == 740.5);
+  CHECK(again.camera->principal_point == Pixel{319.5, 239});
+  CHECK(again.camera->pivot_m == calibration.camera->pivot_m);
+
+  const std::string table = "[table]\ntable_from_image = [1, 0, 0, 0, 1, 0, 0, 0, 1]\n";
+  const auto refusal = [&](const std::string& camera) {
+    const auto path = folder.write("half.toml", table + "[camera]\n" + camera);
+    return message_of<ConfigError>([&] { read_table_file(path); });
+  };
+  CHECK(contains(refusal("focal_px = 700\n"), "camera.principal_x_px is missing"));
+  CHECK(contains(refusal("pivot_m = [0, 0, 0]\n"), "camera.focal_px is missing"));
+  const std::string whole = "focal_px = 700\nprincipal_x_px = 320\nprincipal_y_px = 240\n";
+  CHECK(refusal(whole).empty());
+  CHECK(contains(refusal(whole + "pivot = [0, 0, 0]\n"), "half.toml:7"));
+}
+
 TEST_CASE("a table file whose homography is missing, short or singular is refused") {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& text) {

@@ -52,8 +52,29 @@ int run(int argc, char** argv) {
   size_app->add_option("--width", size.sensor.width, "of the sensor, px: tells the coverage");
   size_app->add_option("--height", size.sensor.height, "of the sensor, px");
 
+  TableCommand table;
   CLI::App* table_app = app.add_subcommand("table", "The homography from the image to the table");
   table_app->add_option("correspondences", input, "CSV: x_px,y_px,x_m,y_m")->required();
+  table_app
+      ->add_option("--puck-height", table.puck_height_m,
+                   "m, where the places lie on the playing surface: the puck's thickness")
+      ->check(CLI::Range(0.0, 0.1));
+  table_app
+      ->add_option("--width", table.sensor.width,
+                   "of the sensor, px: the optical axis meets its middle")
+      ->check(CLI::Range(1, 10'000));
+  table_app->add_option("--height", table.sensor.height, "of the sensor, px")
+      ->check(CLI::Range(1, 10'000));
+  table_app
+      ->add_option("--principal-point", table.principal_point,
+                   "X,Y where the optical axis meets the sensor, if not in its middle, px")
+      ->delimiter(',');
+  table_app->add_option("--focal", table.focal_px, "focal length, px; else it is fitted");
+  table_app
+      ->add_option("--pivot", table.pivot_m,
+                   "X,Y,Z where the head's axes meet, from the camera at home: right, down, "
+                   "forwards, m")
+      ->delimiter(',');
 
   LagCommand lag;
   CLI::App* lag_app = app.add_subcommand(
@@ -96,7 +117,9 @@ int run(int argc, char** argv) {
       hot.output = output;
       calibrate_hot_pixels(hot, typed);
     } else {
-      calibrate_table(input, output, typed);
+      table.correspondences = input;
+      table.output = output;
+      calibrate_table(table, typed);
     }
   } catch (const std::invalid_argument& error) {
     // The fits do not know which file their rows come from.

@@ -97,8 +97,9 @@ RecordingSummary record(const SimulateSettings& settings, const SimulationParams
   const std::vector<Annotation> marks = spread_marks(truth, kMarks);
   write_truth_file(settings.output + ".truth.csv", truth);
   write_annotation_file(settings.output + ".annotations.csv", marks);
-  summary.has_size_model = write_calibration(settings, params.moving_camera, params.sensor_size,
-                                             marks, {table.table_from_image(), params.table});
+  summary.has_size_model =
+      write_calibration(settings, params.moving_camera, params.sensor_size, marks,
+                        {table.table_from_image(), params.table, table.camera()});
   summary.seconds = static_cast<double>(table.now().us) * 1e-6;
   summary.took_s = progress.elapsed_s();
   summary.marks = static_cast<int>(marks.size());
