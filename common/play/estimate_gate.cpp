@@ -17,26 +17,20 @@ bool has(const puck_estimate_t& estimate, std::int32_t flag) {
   return (estimate.flags & flag) != 0;
 }
 
-// Of (x, y) in the image, px².
-std::optional<std::array<double, 4>> image_covariance(const puck_estimate_t& estimate,
-                                                      double default_sigma_px) {
-  const double xx = estimate.covariance[0];
-  const double xy = (estimate.covariance[1] + estimate.covariance[4]) / 2;
-  const double yy = estimate.covariance[5];
+// Of (x, y, vx, vy) in the image. Nothing where the place's is none.
+std::optional<Matrix4> image_covariance(const puck_estimate_t& estimate, double default_sigma_px) {
+  Matrix4 covariance{};
+  std::copy(std::begin(estimate.covariance), std::end(estimate.covariance), covariance.begin());
+  covariance = symmetric_part(covariance);
+  const double xx = covariance[0];
+  const double xy = covariance[1];
+  const double yy = covariance[5];
   if (xx == 0 && xy == 0 && yy == 0) {
     const double variance = default_sigma_px * default_sigma_px;
-    return std::array<double, 4>{variance, 0, 0, variance};
+    return diagonal(variance, variance, 0, 0);
   }
   if (!(xx >= 0 && yy >= 0 && xy * xy <= xx * yy * (1 + 1e-9))) return std::nullopt;
-  return std::array<double, 4>{xx, xy, xy, yy};
-}
-
-// j c jᵀ, two by two.
-std::array<double, 4> carried(const std::array<double, 4>& j, const std::array<double, 4>& c) {
-  const std::array<double, 4> jc{j[0] * c[0] + j[1] * c[2], j[0] * c[1] + j[1] * c[3],
-                                 j[2] * c[0] + j[3] * c[2], j[2] * c[1] + j[3] * c[3]};
-  const double cross = jc[0] * j[2] + jc[1] * j[3];
-  return {jc[0] * j[0] + jc[1] * j[1], cross, cross, jc[2] * j[2] + jc[3] * j[3]};
+  return covariance;
 }
 
 }  // namespace
@@ -55,6 +49,10 @@ const char* to_string(EstimateVerdict verdict) {
       return "implausible";
     case EstimateVerdict::kMalformed:
       return "malformed";
+    case EstimateVerdict::kBlind:
+      return "blind";
+    case EstimateVerdict::kBelated:
+      return "belated";
     case EstimateVerdict::kLate:
       return "late";
     case EstimateVerdict::kOtherPublisher:
@@ -67,9 +65,8 @@ const char* to_string(EstimateVerdict verdict) {
   return "unknown";
 }
 
-EstimateGate::EstimateGate(const EstimateGateParams& params, const Homography& table_from_image,
-                           const TableGeometry& table)
-    : params_(params), table_from_image_(table_from_image), table_(table) {
+EstimateGate::EstimateGate(const EstimateGateParams& params, const TableGeometry& table)
+    : params_(params), table_(table) {
   const auto require = [](bool holds, const std::string& what, double got) {
     if (!holds) throw std::invalid_argument(what + ", got " + std::to_string(got));
   };
@@ -85,10 +82,14 @@ EstimateGate::EstimateGate(const EstimateGateParams& params, const Homography& t
 }
 
 EstimateVerdict EstimateGate::judge(const puck_estimate_t& estimate, const HostNow& now,
-                                    const SenderClock& sender, TableMeasurement& measurement) {
+                                    const SenderClock& sender, const TableView* view,
+                                    TableMeasurement& measurement) {
   EstimateVerdict verdict = judge_order(estimate, now, sender);
   if (verdict == EstimateVerdict::kGood) {
-    verdict = judge_content(estimate, now, *sender, measurement);
+    verdict = judge_content(estimate, now, *sender, view, measurement);
+  } else if (verdict == EstimateVerdict::kLate && estimate.session == publisher_.session() &&
+             judge_content(estimate, now, *sender, view, measurement) == EstimateVerdict::kGood) {
+    verdict = EstimateVerdict::kBelated;
   }
   ++counts_[static_cast<std::size_t>(verdict)];
   return verdict;
@@ -118,7 +119,7 @@ EstimateVerdict EstimateGate::judge_order(const puck_estimate_t& estimate, const
 }
 
 EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, const HostNow& now,
-                                            const ClockOffset& sender,
+                                            const ClockOffset& sender, const TableView* view,
                                             TableMeasurement& measurement) const {
   if (estimate.sensor_us < 0 || estimate.sensor_us > kLongestRunUs || estimate.event_utime < 0) {
     return EstimateVerdict::kMalformed;
@@ -141,16 +142,19 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
     return EstimateVerdict::kStale;
   }
 
-  const Pixel pixel{estimate.x_px, estimate.y_px};
-  const std::optional<TablePoint> point = table_from_image_.to_table(pixel);
-  if (!point || !table_.contains(*point, params_.margin_m)) return EstimateVerdict::kOffTable;
-  const std::array<double, 4> j = table_from_image_.jacobian_at(pixel);
-  const TableVelocity velocity{j[0] * estimate.vx_px_s + j[1] * estimate.vy_px_s,
-                               j[2] * estimate.vx_px_s + j[3] * estimate.vy_px_s};
+  if (view == nullptr) return EstimateVerdict::kBlind;
+  const std::optional<PuckTrack> track = view->to_table(
+      {{estimate.x_px, estimate.y_px}, {estimate.vx_px_s, estimate.vy_px_s}, *covariance});
+  if (!track || !table_.contains(track->state.position, params_.margin_m)) {
+    return EstimateVerdict::kOffTable;
+  }
+  const auto& [position, velocity] = track->state;
   if (!(std::hypot(velocity.x_m_s, velocity.y_m_s) <= params_.max_speed_m_s)) {
     return EstimateVerdict::kImplausible;
   }
-  measurement = {{estimate.sensor_us}, *point, carried(j, *covariance), velocity, resting};
+  const Matrix4& p = track->covariance;
+  measurement = {{estimate.sensor_us},        position, {p[0], p[1], p[4], p[5]}, velocity, resting,
+                 {p[10], p[11], p[14], p[15]}};
   return EstimateVerdict::kGood;
 }
 

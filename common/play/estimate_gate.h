@@ -7,9 +7,9 @@
 #include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 #include "common/messaging/single_publisher.h"
-#include "common/table/homography.h"
 #include "common/table/motion_filter.h"
 #include "common/table/table_geometry.h"
+#include "common/table/table_view.h"
 
 namespace puck {
 
@@ -28,13 +28,15 @@ enum class EstimateVerdict : std::uint8_t {
   kStale,  ///< Its newest event is too old.
   kOffTable,
   kImplausible,     ///< Too fast.
+  kBlind,           ///< The head has turned, and where to is not known.
   kMalformed,       ///< Not finite, or a covariance that is none.
+  kBelated,         ///< Overtaken by a newer one, but good: says something about then.
   kLate,            ///< Late, a duplicate or a replay.
   kOtherPublisher,  ///< Another tracker is followed.
   kClock,           ///< Old, or from the future, by its own clock.
   kClockUnknown,    ///< The tracker's clock is not known, or not well enough.
 };
-inline constexpr std::size_t kEstimateVerdicts = 10;
+inline constexpr std::size_t kEstimateVerdicts = 12;
 
 /// `good`, `not_tracking`, …: as in the names of counters.
 const char* to_string(EstimateVerdict verdict);
@@ -47,12 +49,13 @@ constexpr bool is_news(EstimateVerdict verdict) { return verdict <= EstimateVerd
 class EstimateGate {
  public:
   /// Throws std::invalid_argument that names the key when a value is out of its range.
-  EstimateGate(const EstimateGateParams& params, const Homography& table_from_image,
-               const TableGeometry& table);
+  EstimateGate(const EstimateGateParams& params, const TableGeometry& table);
 
-  /// Fills `measurement` when the estimate is good. `sender`: the clock of its session.
+  /// Fills `measurement` when the estimate is good or belated. `sender`: the clock of its session.
+  /// `view`: the table in the image at its time; null where that is not known.
   EstimateVerdict judge(const puck_estimate_t& estimate, const HostNow& now,
-                        const SenderClock& sender, TableMeasurement& measurement);
+                        const SenderClock& sender, const TableView* view,
+                        TableMeasurement& measurement);
 
   std::int64_t count(EstimateVerdict verdict) const {
     return counts_[static_cast<std::size_t>(verdict)];
@@ -62,10 +65,10 @@ class EstimateGate {
   EstimateVerdict judge_order(const puck_estimate_t& estimate, const HostNow& now,
                               const SenderClock& sender);
   EstimateVerdict judge_content(const puck_estimate_t& estimate, const HostNow& now,
-                                const ClockOffset& sender, TableMeasurement& measurement) const;
+                                const ClockOffset& sender, const TableView* view,
+                                TableMeasurement& measurement) const;
 
   EstimateGateParams params_;
-  Homography table_from_image_;
   TableGeometry table_;
   SinglePublisher publisher_;
   std::array<std::int64_t, kEstimateVerdicts> counts_{};

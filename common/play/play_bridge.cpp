@@ -10,6 +10,9 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kArmSilentUs = 500'000;
+// Of HEAD's sensor_us.
+constexpr std::int64_t kTimeUnknown = -1;
+constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;  // 30 years
 constexpr std::int64_t kGamePeriodUs = 100'000;
 // A track whose velocity is less sure than 0.5 m/s says nothing about the game yet.
 constexpr double kGameSpeedVariance = 0.25;
@@ -38,16 +41,20 @@ void check(const PlayBridgeParams& params) {
 }  // namespace
 
 PlayBridge::PlayBridge(const PlayBridgeParams& params, const Homography& table_from_image,
-                       const TableGeometry& table)
+                       const TableGeometry& table, const std::optional<PinholeCamera>& camera)
     : params_(params),
       table_(table),
-      gate_(params.gate, table_from_image, table),
+      gate_(params.gate, table),
       motion_(table, params.motion),
       filter_(motion_, params.filter),
       predictor_(motion_, params.intercept),
       strategy_(params.strategy, table),
-      game_(motion_) {
+      game_(motion_),
+      home_(table_from_image),
+      head_(params.head),
+      is_blind_(params.needs_head) {
   check(params_);
+  if (camera) camera_.emplace(table_from_image, *camera);
   path_.reserve(static_cast<std::size_t>(kPathHorizonS / kPathStepS) + 2);
 }
 
@@ -65,8 +72,12 @@ void PlayBridge::follow_session(const puck_estimate_t& estimate) {
 void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
                       const SenderClock& sender) {
   TableMeasurement measurement;
-  const EstimateVerdict verdict = gate_.judge(estimate, now, sender, measurement);
+  const std::optional<TableView> view = view_of({estimate.sensor_us});
+  const EstimateVerdict verdict =
+      gate_.judge(estimate, now, sender, view ? &*view : nullptr, measurement);
+  if (verdict == EstimateVerdict::kBelated) filter_.update(measurement);
   if (!is_news(verdict)) return;
+  is_blind_ = !view;
   tracked_ = verdict == EstimateVerdict::kGood;
   if (verdict == EstimateVerdict::kMalformed) return;
   follow_session(estimate);
@@ -76,6 +87,7 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
   // The estimate is news, so the clock of its sender is known.
   const std::int64_t age_us = now.utime - sender->to_own(estimate.event_utime);
   const bool age_is_known = estimate.event_utime != 0 && age_us >= 0;
+  if (age_is_known) sensor_ahead_us_ = estimate.sensor_us + age_us - now.monotonic_us;
   if (!tracked_) {
     // Without a puck there may be no events either: sensor time would stand still.
     game_.miss(newest_sensor_ + (age_is_known ? age_us : 0));
@@ -117,9 +129,27 @@ void PlayBridge::hear(const head_state_t& head, const HostNow& now) {
       verdict != SinglePublisher::Verdict::kAccepted) {
     return;
   }
+  if (verdict == SinglePublisher::Verdict::kNewPublisher) head_.forget();
+  hears_head_ = true;
+  const HeadPose pose{head.yaw_deg,   head.pitch_deg,   head.roll_deg,
+                      head.yaw_deg_s, head.pitch_deg_s, head.roll_deg_s};
+  if (head.sensor_us >= 0 && head.sensor_us <= kLongestRunUs) {
+    head_.add({head.sensor_us}, pose);
+  } else if (head.sensor_us == kTimeUnknown && sensor_ahead_us_) {
+    // A robot's encoders know nothing of the sensor's clock: their word is of now.
+    head_.add({now.monotonic_us + *sensor_ahead_us_}, pose);
+  }
   const double furthest_deg =
       std::max({std::abs(head.yaw_deg), std::abs(head.pitch_deg), std::abs(head.roll_deg)});
   head_is_home_ = furthest_deg <= params_.max_head_deg;
+  if (!camera_) is_blind_ = !head_is_home_;
+}
+
+std::optional<TableView> PlayBridge::view_of(Timestamp t) const {
+  if (!hears_head_) return params_.needs_head ? std::nullopt : std::optional(home_);
+  if (!camera_) return head_is_home_ ? std::optional(home_) : std::nullopt;
+  const std::optional<HeadPose> pose = head_.at(t);
+  return pose ? camera_->view_at(*pose) : std::nullopt;
 }
 
 Timestamp PlayBridge::sensor_now(const HostNow& now) const {
@@ -148,7 +178,7 @@ std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now)
   message.estimate_session = newest_.session;
   message.estimate_seq = newest_.seq;
   message.sensor_us = newest_sensor_.us;
-  message.head_known = head_is_home_;
+  message.head_known = !is_blind_;
   message.line_x_m = predictor_.line_x_m();
   const std::optional<PuckTrack> track = filter_.at(newest_sensor_);
   if (!track) {
@@ -184,7 +214,7 @@ std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now)
 
 std::optional<arm_command_t> PlayBridge::next_command(const HostNow& now) {
   if (!is_due(last_command_us_, params_.command_hz, now.monotonic_us)) return std::nullopt;
-  if (!hears_arm(now) || !head_is_home_) return std::nullopt;
+  if (!hears_arm(now) || is_blind_) return std::nullopt;
   const std::optional<PuckTrack> track = live_track(now);
   if (!track) return std::nullopt;
 

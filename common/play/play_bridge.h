@@ -11,10 +11,13 @@
 #include "common/play/estimate_gate.h"
 #include "common/play/game_observer.h"
 #include "common/play/strategy.h"
+#include "common/table/head_track.h"
 #include "common/table/homography.h"
 #include "common/table/intercept_predictor.h"
 #include "common/table/motion_filter.h"
 #include "common/table/puck_motion.h"
+#include "common/table/table_camera.h"
+#include "common/table/table_view.h"
 
 namespace puck {
 
@@ -27,9 +30,13 @@ struct PlayBridgeParams {
   double max_trajectory_hz = 1000;
   double command_hz = 250;              ///< At most so many commands a second.
   std::int64_t valid_for_us = 100'000;  ///< Of a command.
-  /// The camera may turn so far from where the calibration was made before the table's place
-  /// counts as unknown, deg.
+  /// A camera of which the calibration holds no focal length may turn so far from where it was made
+  /// before the table's place counts as unknown, deg.
   double max_head_deg = 0.5;
+  HeadTrackParams head;
+  /// Without HEAD the table's place counts as unknown. Else the camera counts as fixed until HEAD
+  /// is heard for the first time.
+  bool needs_head = false;
 };
 
 /// From estimates to the puck's motion on the table, the game, and commands for the arm. Fed with
@@ -38,8 +45,9 @@ struct PlayBridgeParams {
 class PlayBridge {
  public:
   /// Throws std::invalid_argument that names the key when a value is out of its range.
+  /// `camera`: nothing when it is not known; then the head is not followed.
   PlayBridge(const PlayBridgeParams& params, const Homography& table_from_image,
-             const TableGeometry& table);
+             const TableGeometry& table, const std::optional<PinholeCamera>& camera = std::nullopt);
 
   /// `sender`: the clock of the message's session. An arm's word that is not of now is no arm.
   void hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
@@ -51,8 +59,8 @@ class PlayBridge {
   std::optional<arm_command_t> next_command(const HostNow& now);
   std::optional<game_state_t> next_game(const HostNow& now);
 
-  /// The camera has turned from where the calibration was made: no commands.
-  bool is_blind_to_head() const { return !head_is_home_; }
+  /// Where the camera looks is not known, so neither where the table is: no commands.
+  bool is_blind_to_head() const { return is_blind_; }
 
   const EstimateGate& gate() const { return gate_; }
   std::int64_t outliers() const { return outliers_; }
@@ -69,6 +77,7 @@ class PlayBridge {
     std::int64_t received_us = 0;  // CLOCK_MONOTONIC
   };
 
+  std::optional<TableView> view_of(Timestamp t) const;
   Timestamp sensor_now(const HostNow& now) const;
   std::optional<PuckTrack> live_track(const HostNow& now) const;
   bool hears_arm(const HostNow& now) const;
@@ -93,8 +102,15 @@ class PlayBridge {
   SinglePublisher arm_publisher_;
   std::optional<arm_state_t> arm_;
   std::int64_t arm_heard_us_ = 0;  // CLOCK_MONOTONIC
+  TableView home_;
+  std::optional<TableCamera> camera_;
   SinglePublisher head_publisher_;
+  HeadTrack head_;
+  bool hears_head_ = false;
   bool head_is_home_ = true;
+  bool is_blind_;
+  /// The sensor's clock less CLOCK_MONOTONIC, µs.
+  std::optional<std::int64_t> sensor_ahead_us_;
 
   std::optional<std::int64_t> last_trajectory_us_;  // CLOCK_MONOTONIC, as all of these
   std::optional<std::int64_t> last_command_us_;

@@ -33,6 +33,8 @@ struct TableMeasurement {
   std::array<double, 4> covariance{};  ///< Of (x, y), row by row, m².
   TableVelocity velocity{};            ///< Used only where a track begins.
   bool resting = false;                ///< The tracker saw that the puck lies still.
+  /// Of the velocity, row by row, m²/s²; all zeros where it is not known.
+  std::array<double, 4> velocity_covariance{};
 };
 
 enum class MeasurementUse : std::uint8_t {

@@ -11,10 +11,10 @@ constexpr std::chrono::milliseconds kHandle{2};
 constexpr std::int64_t kSilentUs = 500'000;
 
 // Estimates that are not good, and not just those of a puck that is not in sight.
-constexpr std::array kSuspicious{EstimateVerdict::kStale,       EstimateVerdict::kOffTable,
-                                 EstimateVerdict::kImplausible, EstimateVerdict::kMalformed,
-                                 EstimateVerdict::kLate,        EstimateVerdict::kOtherPublisher,
-                                 EstimateVerdict::kClock,       EstimateVerdict::kClockUnknown};
+constexpr std::array kSuspicious{
+    EstimateVerdict::kStale,          EstimateVerdict::kOffTable,  EstimateVerdict::kImplausible,
+    EstimateVerdict::kBlind,          EstimateVerdict::kMalformed, EstimateVerdict::kLate,
+    EstimateVerdict::kOtherPublisher, EstimateVerdict::kClock,     EstimateVerdict::kClockUnknown};
 
 std::int64_t read_ms(Config& config, const char* key, std::int64_t value_us, std::int64_t lowest_ms,
                      std::int64_t highest_ms) {
@@ -57,6 +57,9 @@ BridgeServiceParams BridgeService::read_params(Config& config) {
   play.valid_for_us = read_ms(config, "bridge.valid_for_ms", play.valid_for_us, 1, 100);
   config.read("bridge.max_trajectory_hz", play.max_trajectory_hz, 1, 10'000);
   config.read("bridge.max_head_deg", play.max_head_deg, 0, 180);
+  config.read("bridge.needs_head", play.needs_head);
+  play.head.max_ahead_us = read_ms(config, "head.max_ahead_ms", play.head.max_ahead_us, 0, 100);
+  play.head.max_gap_us = read_ms(config, "head.max_gap_ms", play.head.max_gap_us, 1, 100);
   EstimateGateParams& gate = play.gate;
   gate.max_age_us = read_ms(config, "bridge.max_age_ms", gate.max_age_us, 1, 100);
   gate.max_clock_error_us =
@@ -70,7 +73,8 @@ BridgeServiceParams BridgeService::read_params(Config& config) {
 
 BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& context)
     : context_(context),
-      bridge_(params.play, params.table.table_from_image, params.table.geometry) {
+      bridge_(params.play, params.table.table_from_image, params.table.geometry,
+              params.table.camera) {
   context_.peers.need({"puck-tracker", "puck-arm"});
   context_.bus.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate,
                                                  const Receipt& at) {
@@ -113,7 +117,7 @@ void BridgeService::follow_state() {
     context_.status.set_state(ServiceState::kWaiting, "no ESTIMATE");
   } else if (bridge_.is_blind_to_head()) {
     context_.status.set_state(ServiceState::kDegraded,
-                              "the head has turned; the table is not followed");
+                              "where the head looks is not known, nor where the table is");
   } else {
     context_.status.set_state(ServiceState::kRunning);
   }
@@ -136,6 +140,7 @@ void BridgeService::report(StatusReport& report) const {
   report.counters = {
       {"estimates_good", bridge_.gate().count(EstimateVerdict::kGood)},
       {"estimates_not_tracking", bridge_.gate().count(EstimateVerdict::kNotTracking)},
+      {"estimates_belated", bridge_.gate().count(EstimateVerdict::kBelated)},
       {"estimates_outliers", bridge_.outliers()},
       {"commands_sent", bridge_.commands()},
       {"shots", bridge_.game().shots},

@@ -15,14 +15,16 @@ class BridgeBench {
   static constexpr std::int64_t kArmSession = 1001;
 
   /// The clock of the tracker and the arm is ahead by `sender_ahead_us`, as is known.
-  explicit BridgeBench(const PlayBridgeParams& params = {}, std::int64_t sender_ahead_us = 0)
-      : sender(ClockOffset{sender_ahead_us, 0}), bridge(params, test_camera(), TableGeometry{}) {}
+  explicit BridgeBench(const PlayBridgeParams& params = {}, std::int64_t sender_ahead_us = 0,
+                       const std::optional<PinholeCamera>& camera = std::nullopt)
+      : sender(ClockOffset{sender_ahead_us, 0}),
+        bridge(params, test_camera(), TableGeometry{}, camera) {}
 
   std::int64_t sender_utime() const { return now.utime + sender->ahead_us; }
 
   /// A good estimate of a puck there, which a test may then spoil. 300 µs old, as its clock says.
-  puck_estimate_t estimate(const PuckState& puck) {
-    const Homography camera = test_camera();
+  puck_estimate_t estimate(const PuckState& puck) { return estimate(puck, test_camera()); }
+  puck_estimate_t estimate(const PuckState& puck, const Homography& camera) {
     const Pixel pixel = *camera.to_image(puck.position);
     // The image's velocity, through the point a microsecond on.
     const Pixel next = *camera.to_image({puck.position.x_m + 1e-6 * puck.velocity.x_m_s,

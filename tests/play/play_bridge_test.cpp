@@ -280,9 +280,11 @@ TEST_CASE("No commands while the head has turned, and the trajectory says so") {
   bench.bridge.hear(bench.estimate({{1.4, 0.1}, {-1, 0.1}}), bench.now, bench.sender);
   bench.take();
   CHECK(bench.trajectory->head_known == 0);
+  CHECK(bench.bridge.gate().count(EstimateVerdict::kBlind) == 1);
   head.yaw_deg = 0.1;
   head.seq = 8;
   bench.bridge.hear(head, bench.now);
+  bench.bridge.hear(bench.estimate({{1.4, 0.1}, {-1, 0.1}}), bench.now, bench.sender);
   CHECK(commands_next(bench));
 }
 
