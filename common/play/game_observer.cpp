@@ -6,32 +6,64 @@
 namespace puck {
 namespace {
 
-constexpr double kHeadingMS = 0.2;  // slower along the table is no direction
 constexpr double kSlowMS = 0.05;    // slower is at rest
+constexpr double kComingMS = -0.1;  // slower towards the robot is no shot
 constexpr std::int64_t kStuckUs = 2'000'000;
 constexpr std::int64_t kUnseenUs = 200'000;  // unseen for so long, it is in a goal or out of view
-// The prediction flickers with the track's noise: it has to stay so long.
-constexpr std::int64_t kSureUs = 30'000;
-constexpr double kHorizonS = 2.0;
+constexpr std::int64_t kSureUs = 30'000;     // the prediction flickers with the track's noise
+constexpr double kSureSigmas = 2;
+constexpr double kHorizonS = 3.0;
 constexpr int kMaxBounces = 4;
-constexpr double kBeforeGoalM = 0.5;  // only a puck so near to a goal can have vanished in it
+// A puck that grazes a goal post by no more than this share of its radius still goes in.
+constexpr double kPostShare = 0.68;
+// One that was to pass a post by less on its outside can have been unsure of its way.
+constexpr double kBesideGoalM = 0.05;
+// A puck that was nearer to the end than this has bounced there.
+constexpr double kBesideRailM = 0.1;
+// Only a puck so near to a goal can have vanished in it.
+constexpr double kBeforeGoalM = 0.5;
+constexpr double kBeforeGoalS = 0.15;
 
 }  // namespace
 
-GameObserver::Goal GameObserver::goal_ahead(const PuckTrack& track) const {
+GameObserver::Outlook GameObserver::look_ahead(const PuckTrack& track) const {
   PuckTrack at = track;
-  double left_s = kHorizonS;
-  for (int bounces = 0; bounces <= kMaxBounces && left_s > 0; ++bounces) {
-    const PuckMotion::Leg leg = motion_.next_leg(at, left_s);
-    if (leg.end == PuckMotion::LegEnd::kTimeUp) return Goal::kNone;
-    if (leg.end == PuckMotion::LegEnd::kGoal) {
-      const bool near = leg.track.state.position.x_m < motion_.table().length_m / 2;
-      return near ? Goal::kRobots : Goal::kOpponents;
+  double elapsed_s = 0;
+  for (int bounces = 0; bounces <= kMaxBounces && elapsed_s < kHorizonS; ++bounces) {
+    const TableVelocity velocity = at.state.velocity;
+    const PuckMotion::Leg leg = motion_.next_leg(at, kHorizonS - elapsed_s);
+    elapsed_s += leg.duration_s;
+    const bool comes = velocity.x_m_s < 0;
+    const bool at_end =
+        leg.end == PuckMotion::LegEnd::kGoal || comes != (leg.track.state.velocity.x_m_s < 0);
+    if (at_end) {
+      const auto [inside_m, per_m] = beside_posts(leg.track.state.position.y_m, velocity);
+      const double sigma_m = per_m * std::sqrt(std::max(0.0, leg.track.covariance[5]));
+      const Goal near = inside_m < -kBesideGoalM ? Goal::kNone
+                        : comes                  ? Goal::kRobots
+                                                 : Goal::kOpponents;
+      // What a bounce does is known to a few per cent only, and always errs to the same side.
+      const bool is_sure = bounces == 0 && std::abs(inside_m) > kSureSigmas * sigma_m;
+      return {near, inside_m >= 0, is_sure, elapsed_s};
     }
+    if (leg.end == PuckMotion::LegEnd::kTimeUp) break;
     at = leg.track;
-    left_s -= leg.duration_s;
   }
-  return Goal::kNone;
+  return {Goal::kNone, false, false, elapsed_s};
+}
+
+// By how much a puck that touches the end rail's line at `y_m` passes the nearer goal post on the
+// inside, and how that changes with `y_m`. The posts stand a puck's radius behind where its centre
+// is then.
+std::pair<double, double> GameObserver::beside_posts(double y_m, TableVelocity velocity) const {
+  const TableGeometry& table = motion_.table();
+  const double speed_m_s = std::max(1e-6, std::hypot(velocity.x_m_s, velocity.y_m_s));
+  const double across = std::abs(velocity.x_m_s) / speed_m_s;
+  const double along = velocity.y_m_s / speed_m_s;
+  const double half_m = table.goal_width_m / 2;
+  const double left_m = (half_m - y_m) * across - table.puck_radius_m * along;
+  const double right_m = (half_m + y_m) * across + table.puck_radius_m * along;
+  return {std::min(left_m, right_m) - kPostShare * table.puck_radius_m, across};
 }
 
 void GameObserver::enter(GamePhase phase, Timestamp t) {
@@ -42,67 +74,99 @@ void GameObserver::enter(GamePhase phase, Timestamp t) {
 
 void GameObserver::end_rally() {
   belief_.rally_hits = 0;
-  heading_ = Heading::kNone;
+  attack_open_ = false;
   shot_open_ = false;
-  aimed_since_.reset();
-  astray_since_.reset();
+  threat_ = false;
+  changing_since_.reset();
+  hits_.forget();
 }
 
-void GameObserver::follow_heading(double vx_m_s) {
-  const Heading before = heading_;
-  if (vx_m_s < -kHeadingMS) heading_ = Heading::kToRobot;
-  if (vx_m_s > kHeadingMS) heading_ = Heading::kToOpponent;
-  if (heading_ == before) return;
+void GameObserver::decide_attack(bool enters) {
+  attack_open_ = false;
+  if (enters && !shot_open_) {
+    ++belief_.shots;
+    shot_touched_ = false;
+    nearest_m_ = motion_.table().length_m;
+  }
+  shot_open_ = enters;
+}
+
+void GameObserver::save() {
+  ++belief_.saves;
+  shot_open_ = false;
+}
+
+void GameObserver::follow_hits(Timestamp t, const PuckTrack& track) {
+  const std::optional<TableVelocity> change = hits_.see(t, track);
+  if (!change) return;
   ++belief_.rally_hits;
   belief_.longest_rally = std::max(belief_.longest_rally, belief_.rally_hits);
-  if (heading_ == Heading::kToOpponent && shot_open_) {
-    ++belief_.saves;
-    shot_open_ = false;
+  // A hit that is first seen late is told by its direction, not by its place.
+  const double middle_m = motion_.table().length_m / 2;
+  if (change->x_m_s < 0 || track.state.position.x_m > middle_m) {
+    attack_open_ = true;
+    attack_since_ = t;
+    return;
   }
-  aimed_since_.reset();
+  // What it was before the touch, says the last look before.
+  if (attack_open_) decide_attack(outlook_.is_shot());
+  shot_touched_ = true;
   astray_since_.reset();
 }
 
 void GameObserver::follow_shot(Timestamp t, const PuckTrack& track) {
-  const bool aimed = heading_ == Heading::kToRobot && goal_ahead(track) == Goal::kRobots;
-  if (aimed) {
-    astray_since_.reset();
-    if (!aimed_since_) aimed_since_ = t;
-    if (!shot_open_ && t - *aimed_since_ >= kSureUs) {
-      ++belief_.shots;
-      shot_open_ = true;
-    }
+  const bool comes = track.state.velocity.x_m_s < kComingMS;
+  const bool enters = comes && outlook_.is_shot();
+  if (attack_open_) {
+    const bool here = track.state.position.x_m < motion_.table().length_m / 2;
+    const bool away = track.state.velocity.x_m_s > -kComingMS && t - attack_since_ >= kSureUs;
+    if (away || (here && outlook_.is_sure)) decide_attack(enters);
     return;
   }
-  aimed_since_.reset();
   if (!shot_open_) return;
+  nearest_m_ = std::min(nearest_m_, track.state.position.x_m);
+  if (!shot_touched_) {
+    if (comes) return;
+    // It has turned back, and nobody saw how: at the end rail, or at the mallet.
+    shot_open_ = false;
+    if (nearest_m_ > kBesideRailM) ++belief_.saves;
+    return;
+  }
+  if (enters) {
+    astray_since_.reset();
+    return;
+  }
   if (!astray_since_) astray_since_ = t;
-  if (t - *astray_since_ < kSureUs) return;
-  // It left its way beside the mallet: turned aside. Elsewhere the first prediction was wrong.
-  const TableGeometry& table = motion_.table();
-  const double reach_m = table.robot_line_x_m + 3 * (table.mallet_radius_m + table.puck_radius_m);
-  if (track.state.position.x_m < reach_m) ++belief_.saves;
-  shot_open_ = false;
+  if (!comes || t - *astray_since_ >= kSureUs) save();
 }
 
 void GameObserver::see(Timestamp t, const PuckTrack& track) {
   const auto& velocity = track.state.velocity;
   if (belief_.phase == GamePhase::kGoal) end_rally();
+
+  follow_hits(t, track);
+  outlook_ = look_ahead(track);
+  follow_shot(t, track);
   last_seen_ = t;
   last_track_ = track;
-
-  follow_heading(velocity.x_m_s);
-  follow_shot(t, track);
   if (std::hypot(velocity.x_m_s, velocity.y_m_s) >= kSlowMS) {
     slow_since_.reset();
   } else if (!slow_since_) {
     slow_since_ = t;
   }
 
+  const bool threat = shot_open_ || (attack_open_ && outlook_.is_shot());
+  if (threat == threat_) {
+    changing_since_.reset();
+  } else if (!changing_since_) {
+    changing_since_ = t;
+  } else if (t - *changing_since_ >= kSureUs) {
+    threat_ = threat;
+  }
   if (slow_since_ && t - *slow_since_ >= kStuckUs) {
     end_rally();
     enter(GamePhase::kPuckStuck, t);
-  } else if (shot_open_) {
+  } else if (threat_) {
     enter(GamePhase::kShotAtRobot, t);
   } else if (belief_.rally_hits > 0) {
     enter(GamePhase::kRally, t);
@@ -119,14 +183,17 @@ void GameObserver::miss(Timestamp t) {
 
   const double x_m = last_track_.state.position.x_m;
   const double length_m = motion_.table().length_m;
-  const Goal goal = goal_ahead(last_track_);
-  if (goal == Goal::kRobots && x_m < kBeforeGoalM) {
+  const bool soon = outlook_.in_s < kBeforeGoalS;
+  if (outlook_.near == Goal::kRobots && (soon || x_m < kBeforeGoalM)) {
+    if (attack_open_) decide_attack(true);
     ++belief_.goals_against;
     enter(GamePhase::kGoal, t);
-  } else if (goal == Goal::kOpponents && x_m > length_m - kBeforeGoalM) {
+  } else if (outlook_.near == Goal::kOpponents && (soon || x_m > length_m - kBeforeGoalM)) {
+    if (shot_open_ && shot_touched_) save();
     ++belief_.goals_for;
     enter(GamePhase::kGoal, t);
   } else {
+    if (shot_open_ && shot_touched_) save();
     enter(GamePhase::kPuckOutOfView, t);
   }
 }

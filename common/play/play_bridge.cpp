@@ -101,7 +101,9 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
       Basis{estimate.session, estimate.seq, newest_sensor_,
             newest_sensor_ + (age_is_known && !measurement.resting ? age_us : 0), now.monotonic_us};
   const std::optional<PuckTrack> track = filter_.at(newest_sensor_);
-  if (track && track->covariance[10] < kGameSpeedVariance) game_.see(newest_sensor_, *track);
+  if (track && std::max(track->covariance[10], track->covariance[15]) < kGameSpeedVariance) {
+    game_.see(newest_sensor_, *track);
+  }
 }
 
 void PlayBridge::hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {

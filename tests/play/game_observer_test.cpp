@@ -1,9 +1,14 @@
 #include "common/play/game_observer.h"
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 namespace puck {
 namespace {
+
+// Of a track that has been followed for a while.
+const Matrix4 kSure = diagonal(1e-6, 1e-6, 1e-4, 1e-4);
 
 // Shows the observer a puck once a millisecond.
 class Game {
@@ -12,13 +17,14 @@ class Game {
   void glide(int ms) {
     for (int i = 0; i < ms; ++i) {
       t_ = t_ + 1000;
-      puck_ = motion_.advance(puck_, 0.001).track;
+      puck_ = {motion_.advance(puck_, 0.001).track.state, kSure};
       observer.see(t_, puck_);
     }
   }
   void hide(int ms) {
     for (int i = 0; i < ms; ++i) observer.miss(t_ = t_ + 1000);
   }
+  const PuckState& puck() const { return puck_.state; }
   const GameBelief& belief() const { return observer.belief(); }
 
  private:
@@ -35,6 +41,8 @@ TEST_CASE("A puck on its way into the robot's goal is one shot; turned back, one
   game.put(1.8, 0.1, -2, -0.1);
   game.glide(300);
   CHECK(game.belief().phase == GamePhase::kShotAtRobot);
+  CHECK(game.belief().shots == 0);
+  game.glide(200);
   CHECK(game.belief().shots == 1);
   CHECK(game.belief().saves == 0);
   game.put(0.3, 0.02, 2, 0.3);
@@ -61,7 +69,60 @@ TEST_CASE("A puck that would miss the goal is no shot, and its return from the r
   game.glide(1500);
   CHECK(game.belief().shots == 0);
   CHECK(game.belief().saves == 0);
+  CHECK(game.belief().rally_hits == 1);
+}
+
+TEST_CASE("A puck that comes back from the opponent's end rail by itself is no shot") {
+  Game game;
+  game.put(1.5, 0.32, 3, -0.34);
+  game.glide(1100);
+  CHECK(game.puck().velocity.x_m_s < -1.5);
+  CHECK(std::abs(game.puck().position.y_m) < 0.1);
+  CHECK(game.belief().phase == GamePhase::kRally);
+  CHECK(game.belief().rally_hits == 1);
+  CHECK(game.belief().shots == 0);
+}
+
+TEST_CASE("A puck that is served, out of the opponent's goal, is no shot") {
+  Game game;
+  game.put(2.1, 0, -1.5, 0);
+  game.glide(800);
+  CHECK(game.belief().phase == GamePhase::kWaiting);
+  CHECK(game.belief().shots == 0);
+}
+
+TEST_CASE("A shot that the end rail beside the goal turns back is no save") {
+  Game game;
+  game.put(1.6, 0.172, -3, 0);
+  game.glide(1000);
+  CHECK(game.puck().velocity.x_m_s > 1);
+  CHECK(game.belief().shots == 1);
+  CHECK(game.belief().saves == 0);
+  CHECK(game.belief().phase == GamePhase::kRally);
+}
+
+TEST_CASE("A soft hit that changes the way of a puck that comes anyway makes it a shot") {
+  Game game;
+  game.put(1.9, 0.4, -1.5, 0);
+  game.glide(100);
+  CHECK(game.belief().phase == GamePhase::kRally);
+  game.put(1.7, 0.4, -1.7, -0.4);
+  game.glide(800);
+  CHECK(game.belief().shots == 1);
   CHECK(game.belief().rally_hits == 2);
+}
+
+TEST_CASE("A shot whose hit was hidden is one when it is seen late") {
+  Game game;
+  game.put(1.7, 0, 0, 0);
+  game.glide(200);
+  game.hide(100);
+  game.put(0.9, 0, -8, 0);
+  game.glide(40);
+  CHECK(game.belief().shots == 1);
+  game.put(0.3, 0, 5, 0);
+  game.glide(20);
+  CHECK(game.belief().saves == 1);
 }
 
 TEST_CASE("A puck that vanishes on its way into a goal is a goal, one each time") {
@@ -102,7 +163,7 @@ TEST_CASE("A puck that rests for two seconds is stuck and ends the rally") {
   game.glide(20);
   CHECK(game.belief().phase == GamePhase::kPuckStuck);
   CHECK(game.belief().rally_hits == 0);
-  CHECK(game.belief().longest_rally == 1);
+  CHECK(game.belief().longest_rally == 2);  // what stopped it was a hit, too
 }
 
 }  // namespace
