@@ -68,15 +68,16 @@ const std::map<std::string, std::set<std::string>> kAllowed{
     {"vision", {"events"}},
     {"baselines", {"events", "vision"}},
     {"table", {"events", "vision"}},
-    {"calibration", {"events", "vision", "table"}},
-    {"simulation", {"events", "vision", "table"}},
+    {"motion", {}},
+    {"calibration", {"events", "vision", "table", "motion"}},
+    {"simulation", {"events", "vision", "table", "motion"}},
     {"evaluation", {"events", "vision", "table"}},
     {"plot", {}},
     {"runtime", {"events", "vision"}},
-    {"io", {"events", "vision", "table"}},
+    {"io", {"events", "vision", "table", "motion"}},
     {"messaging", {"events", "vision", "table"}},
     {"play", {"events", "vision", "table", "messaging"}},
-    {"control", {"events", "vision", "table", "simulation", "runtime", "messaging"}},
+    {"control", {"events", "vision", "table", "motion", "simulation", "runtime", "messaging"}},
 };
 
 }  // namespace
