@@ -116,7 +116,7 @@ void visit_parameters(Reader& reader, SimulationParams& params) {
   SimulatedArmParams& arm = params.arm;
   reader.read("arm.max_speed_m_s", arm.max_speed_m_s, 0.01, 10.0);
   reader.read("arm.max_acceleration_m_s2", arm.max_acceleration_m_s2, 0.1, 500.0);
-  reader.read("arm.stiffness_1_s", arm.stiffness_1_s, 0.1, 1000.0);
+  reader.read("arm.max_jerk_m_s3", arm.max_jerk_m_s3, 1.0, 100000.0);
 }
 
 }  // namespace puck

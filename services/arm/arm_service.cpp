@@ -68,7 +68,7 @@ ArmServiceParams ArmService::read_params(Config& config) {
   controller.track.max_clock_error_us = clock_error_ms * 1000;
   config.read("arm.max_speed_m_s", controller.arm.max_speed_m_s, 0.001, 20);
   config.read("arm.max_acceleration_m_s2", controller.arm.max_acceleration_m_s2, 0.01, 1000);
-  config.read("arm.stiffness_1_s", controller.arm.stiffness_1_s, 0.1, 500);
+  config.read("arm.max_jerk_m_s3", controller.arm.max_jerk_m_s3, 1, 100000);
 
   if (mode == "follow") {
     if (table_file.empty()) config.fail("arm.table", "is needed when arm.mode is \"follow\"");
