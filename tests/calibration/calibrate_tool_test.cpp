@@ -253,5 +253,36 @@ TEST_CASE("puck-calibrate exits with 1 for a missing file and 2 for a wrong comm
   CHECK(tool.run("--help") == 0);
 }
 
+TEST_CASE("puck-calibrate arm writes a joint table and prints what it lets the mallet do") {
+  const Tool tool;
+  std::string rows = "y_m,joint_0_deg,joint_1_deg\n";
+  std::string table;
+  for (int i = 0; i <= 10; ++i) {
+    const double y_m = -0.1 + 0.02 * i;
+    rows += std::to_string(y_m) + "," + std::to_string(100 * y_m) + ",5\n";
+    table += std::to_string(y_m + 0.05) + "\t0\t0\t30";
+    for (int k = 0; k < 13; ++k) table += "\t" + std::to_string(-50 * y_m * (k + 1));
+    table += "\n";
+  }
+  tool.write("pairs.csv", rows);
+  CHECK(tool.run("arm pairs.csv --max-velocity 50 --output arm.toml") == 0);
+  CHECK(contains(tool.read("said"), "11 pairs at 11 places: y -0.100 to 0.100 m"));
+  CHECK(contains(tool.read("said"), "to and fro"));
+  CHECK(contains(tool.read("said"), "let the mallet move at 0.500 m/s, 6.00 m/s^2 and 120.0"));
+  CHECK(contains(tool.read("arm.toml"), "# puck-calibrate arm pairs.csv"));
+  CHECK(contains(tool.read("arm.toml"), "[joint_1]"));
+
+  tool.write("table.tsv", table);
+  CHECK(tool.run("arm table.tsv --centre 0.05 --mirror --output authors.toml") == 0);
+  CHECK(contains(tool.read("said"), "y -0.100 to 0.100 m"));
+  CHECK(contains(tool.read("authors.toml"), "joints = 7"));
+
+  tool.write("still.csv", "y_m,joint_0_deg\n0,1\n0.1,1\n0.2,1\n0.3,1\n");
+  CHECK(tool.run("arm still.csv --output none.toml") == 1);
+  CHECK(contains(tool.read("said"), "still.csv: joint table: no joint grows or falls"));
+  CHECK(tool.read("none.toml").empty());
+  CHECK(tool.run("arm pairs.csv --output pairs.csv") == 1);
+}
+
 }  // namespace
 }  // namespace puck

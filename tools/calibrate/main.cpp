@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/calibrate/arm_command.h"
 #include "tools/calibrate/hot_pixels_command.h"
 #include "tools/calibrate/lag_command.h"
 #include "tools/calibrate/size_command.h"
@@ -39,8 +40,31 @@ void add_file_options(CLI::App& command, EventFileOptions& file) {
                      "sensor, px, where the recording does not say");
 }
 
+void add_arm_options(CLI::App& command, ArmCommand& arm) {
+  MotionLimits& limits = arm.fit.limits;
+  const auto add = [&](const char* name, double& value, const char* what) {
+    command.add_option(name, value, what)->check(CLI::Range(1e-3, 1e9))->capture_default_str();
+  };
+  add("--max-velocity", limits.velocity, "of every joint, deg/s; the file has one for each");
+  add("--max-acceleration", limits.acceleration, "deg/s^2");
+  add("--max-jerk", limits.jerk, "deg/s^3");
+  command
+      .add_option("--margin", arm.fit.margin_deg,
+                  "a joint may go so far beyond what was measured, deg")
+      ->check(CLI::Range(0.0, 90.0))
+      ->capture_default_str();
+  command.add_option("--intervals", arm.fit.intervals, "of the spline; 0: chosen by the pairs")
+      ->check(CLI::Range(0, 900));
+  command.add_option("--centre", arm.centre_m, "y of the pairs at the middle of the line, m")
+      ->check(CLI::Range(-10.0, 10.0));
+  command.add_flag("--mirror", arm.mirror, "y of the pairs grows to the other side");
+  command.add_option("--part", arm.part, "of the authors' table")
+      ->check(CLI::IsMember({"torso", "arm", "head"}))
+      ->capture_default_str();
+}
+
 int run(int argc, char** argv) {
-  CLI::App app("Fits what the trackers must know of a camera and its table.", "puck-calibrate");
+  CLI::App app("Fits what must be known of a camera, its table and an arm.", "puck-calibrate");
   app.set_version_flag("--version", PUCK_VERSION);
   app.require_subcommand(1);
   std::filesystem::path input;
@@ -91,7 +115,16 @@ int run(int argc, char** argv) {
   hot_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3) or text")->required();
   add_file_options(*hot_app, hot.file);
 
-  for (CLI::App* command : {size_app, table_app, lag_app, hot_app}) {
+  ArmCommand arm;
+  CLI::App* arm_app = app.add_subcommand("arm", "The arm's joints along the robot's line");
+  add_arm_options(*arm_app, arm);
+  arm_app
+      ->add_option("pairs", input,
+                   "CSV: y_m,joint_0_deg,joint_1_deg,...; or, when it ends in .tsv, the authors' "
+                   "table")
+      ->required();
+
+  for (CLI::App* command : {size_app, table_app, lag_app, hot_app, arm_app}) {
     command->add_option("--output", output, "TOML file to write")->required();
   }
   try {
@@ -116,6 +149,10 @@ int run(int argc, char** argv) {
       hot.recording = input;
       hot.output = output;
       calibrate_hot_pixels(hot, typed);
+    } else if (arm_app->parsed()) {
+      arm.pairs = input;
+      arm.output = output;
+      calibrate_arm(arm, typed);
     } else {
       table.correspondences = input;
       table.output = output;

@@ -1,0 +1,112 @@
+#include "common/calibration/joint_fit.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+// One joint that grows, one that turns round.
+std::vector<JointPair> pairs(double noise_deg = 0) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 1);
+  std::vector<JointPair> result;
+  for (int i = 0; i <= 30; ++i) {
+    const double y_m = -0.3 + 0.02 * i;
+    result.push_back({y_m,
+                      {20 + 60 * y_m + 40 * y_m * y_m + noise_deg * noise(random),
+                       5 + 80 * y_m * y_m + noise_deg * noise(random)}});
+  }
+  return result;
+}
+
+std::string refusal_of(const std::vector<JointPair>& from, const JointFitParams& params = {}) {
+  try {
+    fit_joint_table(from, params);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST_CASE("Joints are fitted along the line, those that go one way so that they never turn") {
+  const JointFit fit = fit_joint_table(pairs(), {});
+  CHECK(fit.places == 31);
+  CHECK(fit.longest_gap_m == doctest::Approx(0.02));
+  REQUIRE(fit.residuals.size() == 2);
+  CHECK(fit.residuals[0].is_monotone);
+  CHECK(!fit.residuals[1].is_monotone);
+  for (const JointResidual& residual : fit.residuals) CHECK(residual.max_deg < 1e-3);
+  const JointTable table(fit.table);
+  std::array<double, 2> deg{};
+  table.at(0.111, deg);
+  CHECK(deg[0] == doctest::Approx(20 + 60 * 0.111 + 40 * 0.111 * 0.111));
+  CHECK(deg[1] == doctest::Approx(5 + 80 * 0.111 * 0.111));
+  // What was measured, and the margin.
+  CHECK(table.limits(1).highest == doctest::Approx(5 + 80 * 0.09 + 2));
+}
+
+TEST_CASE("Noise is told as residuals, and does not make a monotone joint turn") {
+  JointFitParams params;
+  params.intervals = 12;
+  const JointFit fit = fit_joint_table(pairs(0.1), params);
+  CHECK(fit.residuals[0].is_monotone);
+  CHECK(fit.residuals[0].rms_deg == doctest::Approx(0.07).epsilon(0.4));
+  CHECK(JointTable(fit.table).is_monotone(0));
+
+  // A step, between and beside which a spline would swing past what was measured.
+  std::vector<JointPair> step;
+  for (int i = 0; i <= 20; ++i) {
+    step.push_back({0.02 * i, {i + (i > 10 ? 40.0 : 0.0), 2.0 * i}});
+  }
+  const JointFit stepped = fit_joint_table(step, params);
+  CHECK(JointTable(stepped.table).is_monotone(0));
+  CHECK(stepped.residuals[0].max_deg > 1);
+}
+
+TEST_CASE("What was measured twice at a place is averaged, in any order") {
+  std::vector<JointPair> twice = pairs();
+  for (const JointPair& pair : pairs()) twice.push_back(pair);
+  twice.back().deg[1] += 1;
+  const JointFit fit = fit_joint_table(twice, {});
+  CHECK(fit.places == 31);
+  CHECK(fit.residuals[1].max_deg == doctest::Approx(0.5).epsilon(0.2));
+}
+
+TEST_CASE("Pairs that fix no table are refused, and it is said why") {
+  const auto contains = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  std::vector<JointPair> few = pairs();
+  few.resize(3);
+  CHECK(contains(refusal_of(few), "at least 4 different places"));
+  CHECK(contains(refusal_of({}), "no pairs"));
+  CHECK(contains(refusal_of({4, JointPair{0.1, {1}}}), "at least 4 different places"));
+  std::vector<JointPair> near = pairs();
+  for (JointPair& pair : near) pair.y_m *= 0.03;
+  CHECK(contains(refusal_of(near), "20 mm"));
+  std::vector<JointPair> gap = pairs();
+  gap.erase(gap.begin() + 5, gap.begin() + 17);
+  CHECK(contains(refusal_of(gap), "a gap of 0.26"));
+  std::vector<JointPair> ragged = pairs();
+  ragged[4].deg.pop_back();
+  CHECK(contains(refusal_of(ragged), "the same joints"));
+  std::vector<JointPair> nan = pairs();
+  nan[4].deg[0] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(contains(refusal_of(nan), "not finite"));
+  std::vector<JointPair> still = pairs();
+  for (JointPair& pair : still) pair.deg[0] = 3;
+  CHECK(contains(refusal_of(still), "no joint grows or falls"));
+  JointFitParams many;
+  many.intervals = 29;
+  CHECK(contains(refusal_of(pairs(), many), "1 to 28 intervals"));
+}
+
+}  // namespace
+}  // namespace puck
