@@ -22,6 +22,7 @@ struct GameParams {
   double reach_max_s = 0.6;
   double second_puck_speed_m_s = 0;  ///< Of one that glides about by itself; 0: there is none.
   double serve_after_s = 1.0;        ///< The puck is out of play for so long after a goal.
+  bool served_at_start = false;      ///< As all later ones; else the first puck lies there.
   double stuck_after_s = 2.0;  ///< A puck that rests for so long, or that the opponent did not
                                ///< hit for three times so long, is taken off and served again.
 };

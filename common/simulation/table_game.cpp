@@ -35,7 +35,11 @@ TableGame::TableGame(const SimulationParams& params)
     second_puck_.emplace(params.table, params.physics, params.game.second_puck_speed_m_s,
                          Random(params.seed, kSecondPuckStream));
   }
-  puck_ = DiscState{place_to_serve(), {}};
+  if (params_.served_at_start) {
+    serve();
+  } else {
+    puck_ = DiscState{place_to_serve(), {}};
+  }
 }
 
 void TableGame::step() {

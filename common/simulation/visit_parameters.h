@@ -111,6 +111,7 @@ void visit_parameters(Reader& reader, SimulationParams& params) {
   reader.read("game.reach_max_s", game.reach_max_s, 0.0, 60.0);
   reader.read("game.second_puck_speed_m_s", game.second_puck_speed_m_s, 0.0, 5.0);
   reader.read("game.serve_after_s", game.serve_after_s, 0.0, 60.0);
+  reader.read("game.served_at_start", game.served_at_start);
   reader.read("game.stuck_after_s", game.stuck_after_s, 0.5, 60.0);
 
   SimulatedArmParams& arm = params.arm;

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "common/simulation/table_game.h"
+
 namespace puck {
 
 TEST_CASE("A served puck is pushed from one place to another and left there at rest") {
@@ -29,6 +31,16 @@ TEST_CASE("A served puck is pushed from one place to another and left there at r
   CHECK(std::hypot(puck.velocity.x_m_s, puck.velocity.y_m_s) < 1e-6);
   // A quarter of a sine is π/2 times as fast at its start as on average.
   CHECK(fastest_m_s == doctest::Approx(0.7 / 0.5 * 1.5708).epsilon(0.01));
+}
+
+TEST_CASE("A game that begins with a serve has its first puck come out of the opponent's goal") {
+  SimulationParams params;
+  CHECK(TableGame(params).puck()->position.x_m < 0.8 * params.table.length_m);
+  params.game.served_at_start = true;
+  TableGame game(params);
+  CHECK(game.puck()->position.x_m == doctest::Approx(params.table.length_m).epsilon(0.02));
+  for (int step = 0; step < 20'000; ++step) game.step();
+  CHECK(game.puck()->position.x_m < 0.8 * params.table.length_m);
 }
 
 }  // namespace puck
