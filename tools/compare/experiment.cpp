@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/runtime/parallel.h"
 #include "tools/compare/content_hash.h"
-#include "tools/compare/parallel.h"
 #include "tools/compare/program.h"
 
 namespace puck {

@@ -1,4 +1,4 @@
-#include "tools/compare/parallel.h"
+#include "common/runtime/parallel.h"
 
 #include <atomic>
 #include <stdexcept>
