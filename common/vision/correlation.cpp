@@ -29,6 +29,7 @@ void Correlation::show(ImageView<const std::uint8_t> picture, const Region& regi
   region_ = region;
   blurs_ = blurs;
   ready_ = false;
+  in_blocks_ = false;
 }
 
 void Correlation::cover(const Region& region) {
@@ -126,6 +127,22 @@ void Correlation::sum_shapes(const EllipseKernel& kernel, const Region& candidat
   } else {
     sum_plainly(sums_of_rows_, kernel, candidates, sums_);
   }
+}
+
+double Correlation::lower_bound(const EllipseKernel& kernel) {
+  if (!in_blocks_) blocks_.set_picture(picture_);
+  in_blocks_ = true;
+  const bool mirrors_once =
+      picture_.width() > 2 * GaussianBlur::kRadius && picture_.height() > 2 * GaussianBlur::kRadius;
+  if (blurs_ && !mirrors_once) return kernel.lowest_response();
+  const auto most_in = [&](int width, int height) {
+    if (!blurs_) return static_cast<double>(blocks_.most_in(width, height));
+    const auto grey = static_cast<double>(
+        blocks_.most_in(width + 2 * GaussianBlur::kRadius, height + 2 * GaussianBlur::kRadius));
+    return GaussianBlur::kMostGain * grey + 0.5 * width * height;
+  };
+  return kernel.lowest_response(most_in(kernel.width(), kernel.height()),
+                                most_in(kernel.inner_width(), kernel.inner_height()));
 }
 
 double Correlation::contrast_at(const EllipseKernel& kernel, int x, int y) {

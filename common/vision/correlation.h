@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "common/vision/block_sums.h"
 #include "common/vision/ellipse_kernel.h"
 #include "common/vision/gaussian_blur.h"
 #include "common/vision/image.h"
@@ -41,6 +42,9 @@ class Correlation {
   double correlate_lowest(const EllipseKernel& kernel, const Region& candidates, const Region& kept,
                           CorrelationMap& out);
 
+  /// No candidate has a lower weighted response, wherever it lies: found without correlating.
+  double lower_bound(const EllipseKernel& kernel);
+
   /// How much the place around pixel (x, y) looks like a puck: EllipseKernel::contrast.
   double contrast_at(const EllipseKernel& kernel, int x, int y);
 
@@ -58,6 +62,8 @@ class Correlation {
   Region region_;
   bool blurs_ = false;
   bool ready_ = false;
+  bool in_blocks_ = false;
+  BlockSums blocks_;
   GaussianBlur blur_;
   RowSums sums_of_rows_;
   KernelSweep sweep_;

@@ -48,6 +48,8 @@ EllipseKernel::EllipseKernel(const KernelGeometry& geometry, const KernelProfile
     outer_.push_back(outer);
     inner_.push_back(inner);
     inside_pixels_ += inner.last - inner.first;
+    inner_width_ = std::max(inner_width_, inner.last - inner.first);
+    if (inner.last != inner.first) ++inner_height_;
     ring_pixels_ += (outer.last - outer.first) - (inner.last - inner.first);
   }
   outside_pixels_ = geometry.canvas_width * geometry.canvas_height - ring_pixels_ - inside_pixels_;
@@ -63,6 +65,8 @@ EllipseKernel::EllipseKernel(const KernelGeometry& geometry, const KernelProfile
   lowest_response_ = 255 * (std::min(profile.inside_weight, 0.0) * inside_pixels_ +
                             std::min(profile.ring_weight, 0.0) * ring_pixels_ +
                             std::min(profile.outside_weight, 0.0) * outside_pixels_);
+  canvas_floor_ = std::min({profile.ring_weight, profile.outside_weight, 0.0});
+  inner_floor_ = std::min(profile.inside_weight - canvas_floor_, 0.0);
   const auto canvas = whole_weight(canvas_factor_);
   const auto outer = whole_weight(outer_factor_);
   const auto inner = whole_weight(inner_factor_);

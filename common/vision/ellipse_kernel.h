@@ -79,6 +79,15 @@ class EllipseKernel {
 
   /// No picture has a lower response.
   double lowest_response() const { return lowest_response_; }
+  /// No picture has a lower weighted sum that has at most so much grey on the canvas and in the
+  /// rectangle around the inner ellipse.
+  double lowest_response(double canvas_sum, double inner_sum) const {
+    return std::max(lowest_response_, canvas_floor_ * canvas_sum + inner_floor_ * inner_sum);
+  }
+
+  /// Size of the rectangle around the inner ellipse.
+  int inner_width() const { return inner_width_; }
+  int inner_height() const { return inner_height_; }
 
   int inside_pixels() const { return inside_pixels_; }
   int ring_pixels() const { return ring_pixels_; }
@@ -125,6 +134,10 @@ class EllipseKernel {
   double outer_factor_ = 0;
   double inner_factor_ = 0;
   double lowest_response_ = 0;
+  double canvas_floor_ = 0;  // the lowest weight outside the inner ellipse, at most 0
+  double inner_floor_ = 0;   // by how much it is lower inside
+  int inner_width_ = 0;
+  int inner_height_ = 0;
   std::optional<WholeWeights> whole_weights_;
 };
 

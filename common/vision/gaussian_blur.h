@@ -15,6 +15,9 @@ class GaussianBlur {
  public:
   /// How far a pixel's value reaches.
   static constexpr int kRadius = 2;
+  /// What is mirrored counts more than once, but no pixel of a picture larger than 4 × 4 px adds
+  /// more than so many times its grey to the result, rounding aside: 20 of 16ths in each direction.
+  static constexpr double kMostGain = 1.25 * 1.25;
 
   /// Blurs all of `source` into `out`, which takes its size.
   void apply(ImageView<const std::uint8_t> source, Image<std::uint8_t>& out);

@@ -127,7 +127,7 @@ WeightedPeak PuckTracker::find_peak(const EllipseKernel& kernel, const Region& r
   }
   const double most = picture_.correlate_lowest(kernel, kept, kept, map_);
   if (const auto peak =
-          finder_.find_between(weigh(window, centre, kernel), kernel.lowest_response(), most)) {
+          finder_.find_between(weigh(window, centre, kernel), picture_.lower_bound(kernel), most)) {
     return *peak;
   }
   const double lowest = picture_.correlate_lowest(kernel, region, kept, map_);
