@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "common/vision/image.h"
 #include "common/vision/region.h"
@@ -26,11 +27,11 @@ class GaussianBlur {
   void apply(ImageView<const std::uint8_t> source, const Region& part, ImageView<std::uint8_t> out);
 
  private:
-  // The columns of a source row that the part needs, with mirrored pixels where the source ends.
-  const std::uint8_t* padded(const std::uint8_t* row, int source_width, const Region& part);
+  // What a column beyond the source would have.
+  void mirror_column(int x, int first_x, int source_width);
 
-  Image<std::uint16_t> rows_;  // blurred along x, in 16ths
-  Image<std::uint8_t> padded_row_;
+  std::vector<const std::uint8_t*> rows_;  // of the source, as they are needed from the top
+  Image<std::uint16_t> down_;              // blurred along y, in 16ths
 };
 
 }  // namespace puck

@@ -126,8 +126,11 @@ WeightedPeak PuckTracker::find_peak(const EllipseKernel& kernel, const Region& r
     return finder_.find(weigh(window, centre, kernel), lowest);
   }
   const double most = picture_.correlate_lowest(kernel, kept, kept, map_);
-  if (const auto peak =
-          finder_.find_between(weigh(window, centre, kernel), picture_.lower_bound(kernel), most)) {
+  const WeightedWindow weighted = weigh(window, centre, kernel);
+  if (const auto peak = finder_.find_between(weighted, kernel.lowest_response(), most)) {
+    return *peak;
+  }
+  if (const auto peak = finder_.find_between(weighted, picture_.lower_bound(kernel), most)) {
     return *peak;
   }
   const double lowest = picture_.correlate_lowest(kernel, region, kept, map_);
