@@ -78,6 +78,7 @@ const std::map<std::string, std::set<std::string>> kAllowed{
     {"messaging", {"events", "vision", "table"}},
     {"play", {"events", "vision", "table", "messaging"}},
     {"control", {"events", "vision", "table", "motion", "simulation", "runtime", "messaging"}},
+    {"yarp", {"control"}},
 };
 
 }  // namespace

@@ -1,0 +1,12 @@
+#include "common/yarp/board_error.h"
+
+namespace puck {
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kMost = 80;
+  std::string result = "\"";
+  for (const char c : text.substr(0, kMost)) result += c >= 0x20 && c < 0x7f ? c : '?';
+  return result + (text.size() > kMost ? "…\"" : "\"");
+}
+
+}  // namespace puck
