@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "common/control/arm_back_end.h"
+
+namespace puck {
+
+/// What STATUS tells of a control board.
+struct YarpCounters {
+  std::int64_t connections = 0;  ///< That came as far as encoders.
+  std::int64_t failures = 0;     ///< Of connections, and of attempts at one.
+  std::int64_t encoders_received = 0;
+  std::int64_t set_points_sent = 0;
+  std::int64_t set_points_replaced = 0;  ///< By a newer one before they went out.
+  std::int64_t set_points_unheard = 0;   ///< Given while there was no connection to begin anew on.
+  std::int64_t set_points_refused = 0;
+  std::int64_t round_trip_us = 0;  ///< The newest request and its answer.
+  std::int64_t round_trip_max_us = 0;
+  std::optional<std::int64_t> encoder_age_us;  ///< Nothing: no connection.
+};
+
+/// Where the arm's loop and the thread that talks to its control board meet. Safe from any thread.
+class BoardExchange {
+ public:
+  explicit BoardExchange(std::int64_t silent_us) : silent_us_(silent_us) {}
+
+  // For the arm's loop.
+
+  /// Returns false when the set-point is dropped: there is no connection, or the loop has not read
+  /// its encoders yet, or has not been told of a fault yet.
+  bool give_set_point(const JointAngles& set_point);
+  std::optional<JointReading> reading();
+  /// The loop is told of every fault, be it over by then or not.
+  std::string fault(std::int64_t monotonic_us);
+  YarpCounters counters(std::int64_t monotonic_us) const;
+
+  // For the board's thread.
+
+  void begin_connection(const JointReading& first);
+  void put_encoders(const JointReading& reading);
+  void lose_connection(const std::string& reason);
+  /// The newest set-point; nothing: none since the last call.
+  std::optional<JointAngles> take_set_point();
+  void count_sent();
+  void refuse_set_point(const std::string& reason);
+  void put_round_trip(std::int64_t round_trip_us);
+
+ private:
+  const std::int64_t silent_us_;
+  mutable std::mutex mutex_;
+  bool has_read_ = false;                // the loop, encoders of this connection
+  std::optional<JointReading> reading_;  // while there is a connection
+  std::optional<JointAngles> set_point_;
+  std::string why_none_;  // no connection
+  std::string untold_;    // a fault that the loop does not know of yet
+  YarpCounters counters_;
+};
+
+}  // namespace puck

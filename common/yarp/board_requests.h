@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/yarp/board_answer.h"
+#include "common/yarp/text_connection.h"
+
+namespace puck {
+
+/// How far a joint may go, deg.
+struct JointRange {
+  double lowest_deg = 0;
+  double highest_deg = 0;
+};
+
+/// The questions and orders that a board takes on its port rpc:i, one at a time. What goes wrong
+/// throws BoardError that names the request.
+class BoardRequests {
+ public:
+  /// Each answer has to come within `patience`.
+  BoardRequests(const PortAddress& address, std::string_view local_name, const Waiter& waiter,
+                SteadyClock::duration patience, Deadline connected_by);
+
+  int axes();
+  std::string name(int joint);
+  JointRange range(int joint);
+  std::vector<std::string> modes(std::size_t axes);
+  void set_mode(int joint, std::string_view mode);
+
+  // The modes again, without waiting.
+
+  void begin_modes();
+  bool is_waiting() const { return asked_at_.has_value(); }
+  /// When the answer that is waited for is late.
+  Deadline late_at() const { return *asked_at_ + patience_; }
+  /// Nothing: it has not come yet.
+  std::optional<std::vector<std::string>> modes_now(std::size_t axes);
+
+  int descriptor() const { return connection_.descriptor(); }
+  /// From the newest request to its answer.
+  std::int64_t round_trip_us() const { return round_trip_us_; }
+
+  /// Puts the joints into a mode for good, by the deadline whatever is going on.
+  void leave_in_mode(const std::vector<int>& joints, std::string_view mode, const Waiter& waiter,
+                     Deadline deadline);
+
+ private:
+  BoardAnswer ask(const std::string& request, const Waiter& waiter, Deadline deadline);
+  BoardAnswer ask(const std::string& request);
+  void note_answer();
+
+  const Waiter& waiter_;
+  SteadyClock::duration patience_;
+  TextConnection connection_;
+  std::optional<SteadyClock::time_point> asked_at_;
+  std::int64_t round_trip_us_ = 0;
+};
+
+}  // namespace puck

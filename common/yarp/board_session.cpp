@@ -1,0 +1,278 @@
+#include "common/yarp/board_session.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+
+#include "common/yarp/board_error.h"
+#include "common/yarp/set_point_message.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr const char* kDirect = "posd";
+constexpr const char* kPosition = "pos";
+// Some boards take a while to change a joint's mode.
+constexpr milliseconds kModesWithin{2000};
+constexpr milliseconds kModesAgain{10};
+constexpr milliseconds kLeaveWithin{50};
+
+Deadline in(int ms) { return SteadyClock::now() + milliseconds(ms); }
+
+std::int64_t monotonic_us(SteadyClock::time_point time) {
+  return std::chrono::duration_cast<std::chrono::microseconds>(time.time_since_epoch()).count();
+}
+
+std::string in_deg(const JointRange& range) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.6g to %.6g deg", range.lowest_deg, range.highest_deg);
+  return text.data();
+}
+
+// What goes wrong with a port is told with its name.
+template <typename Work>
+auto at_port(const std::string& name, Work work) {
+  try {
+    return work();
+  } catch (const BoardError& error) {
+    throw BoardError(name + ": " + error.what());
+  }
+}
+
+PortAddress find_port(TextConnection& name_server, const std::string& name, const Waiter& waiter,
+                      Deadline deadline) {
+  // Answers may come with more lines than these in other versions.
+  constexpr int kMostLines = 8;
+  name_server.send("query " + name, waiter, deadline);
+  std::optional<PortAddress> address;
+  for (int i = 0; i < kMostLines; ++i) {
+    const std::string line = name_server.receive(waiter, deadline);
+    if (line == kEndOfAnswer) {
+      if (!address) throw BoardError("there is no port " + name + ": is the robot running?");
+      return *address;
+    }
+    if (!address) address = parse_registration(line, name);
+  }
+  throw BoardError("its answer to a query for " + name + " has no end");
+}
+
+}  // namespace
+
+BoardSession::Ports BoardSession::find_ports(const YarpParams& params,
+                                             const PortAddress& name_server, const Waiter& waiter) {
+  return at_port("the name server", [&]() -> Ports {
+    TextConnection connection(name_server, params.local_name, waiter,
+                              in(params.connect_timeout_ms));
+    const auto find = [&](const char* port) {
+      return find_port(connection, params.port_name(port), waiter, in(params.answer_timeout_ms));
+    };
+    return {find("rpc:i"), find("command:i"), find("state:o")};
+  });
+}
+
+BoardSession::BoardSession(const YarpParams& params, const PortAddress& name_server,
+                           const Waiter& waiter, BoardExchange& exchange)
+    : BoardSession(params, find_ports(params, name_server, waiter), waiter, exchange) {}
+
+BoardSession::BoardSession(const YarpParams& params, const Ports& ports, const Waiter& waiter,
+                           BoardExchange& exchange)
+    : params_(params),
+      waiter_(waiter),
+      exchange_(exchange),
+      requests_(at_port(params.port_name("rpc:i"),
+                        [&] {
+                          return BoardRequests(ports.requests, params.local_name, waiter,
+                                               milliseconds(params.answer_timeout_ms),
+                                               in(params.connect_timeout_ms));
+                        })),
+      state_(at_port(params.port_name("state:o"),
+                     [&] {
+                       return StreamConnection(ports.state, params.local_name, waiter,
+                                               in(params.connect_timeout_ms));
+                     })),
+      command_(at_port(params.port_name("command:i"),
+                       [&] {
+                         return StreamConnection(ports.command, params.local_name, waiter,
+                                                 in(params.connect_timeout_ms));
+                       })),
+      gate_(params) {
+  at_port(params_.port_name("rpc:i"), [&] { check_joints(); });
+  at_port(params_.port_name("state:o"), [&] { begin_to_receive(); });
+  at_port(params_.port_name("rpc:i"), [&] { take_joints(); });
+}
+
+void BoardSession::check_joints() {
+  axes_ = static_cast<std::size_t>(requests_.axes());
+  for (std::size_t i = 0; i < params_.joints.size(); ++i) {
+    const int joint = params_.joints[i];
+    const std::string which = "joint " + std::to_string(joint);
+    if (joint >= static_cast<int>(axes_)) {
+      throw BoardError("there is no " + which + " of arm.yarp.joints among its " +
+                       std::to_string(axes_));
+    }
+    names_.push_back(which + " " + quoted(requests_.name(joint)));
+    const JointRange range = requests_.range(joint);
+    const JointRange ours{params_.lowest_deg[i], params_.highest_deg[i]};
+    if (ours.lowest_deg < range.lowest_deg || ours.highest_deg > range.highest_deg) {
+      throw BoardError(names_.back() + " may go from " + in_deg(range) +
+                       ": our limits are wider, from " + in_deg(ours));
+    }
+  }
+}
+
+void BoardSession::begin_to_receive() {
+  const Deadline deadline = in(params_.answer_timeout_ms);
+  state_.turn_round(waiter_, deadline);
+  reading_ = take_state(state_.receive(waiter_, deadline));
+}
+
+void BoardSession::take_joints() {
+  for (const int joint : params_.joints) requests_.set_mode(joint, kDirect);
+  const Deadline deadline = SteadyClock::now() + kModesWithin;
+  while (true) {
+    const std::string wrong = wrong_mode(requests_.modes(axes_));
+    exchange_.put_round_trip(requests_.round_trip_us());
+    if (wrong.empty()) return;
+    if (SteadyClock::now() >= deadline) throw BoardError(wrong);
+    waiter_.rest_until(SteadyClock::now() + kModesAgain);
+  }
+}
+
+std::string BoardSession::wrong_mode(const std::vector<std::string>& modes) const {
+  for (std::size_t i = 0; i < params_.joints.size(); ++i) {
+    const std::string& mode = modes[static_cast<std::size_t>(params_.joints[i])];
+    if (mode == kDirect) continue;
+    return names_[i] + " is in mode " + quoted(mode) + ", not in " + quoted(kDirect);
+  }
+  return {};
+}
+
+void BoardSession::run() {
+  received_at_ = stamp_moved_at_ = command_free_at_ = next_modes_at_ = SteadyClock::now();
+  at_port(params_.port_name("state:o"), [&] { wait_for_fresh_encoders(); });
+  exchange_.begin_connection(reading_);
+  while (!waiter_.is_stopped()) {
+    at_port(params_.port_name("state:o"), [&] { receive_encoders(); });
+    at_port(params_.port_name("command:i"), [&] { send_set_point(); });
+    at_port(params_.port_name("rpc:i"), [&] { attend_requests(); });
+    wait_for_more();
+  }
+}
+
+// What has piled up while the modes were changed is old by now; and a board whose stamp stands
+// still is not one to begin with.
+void BoardSession::wait_for_fresh_encoders() {
+  const Deadline deadline = in(params_.answer_timeout_ms);
+  while (const auto message = state_.receive_now()) {
+    take_state(*message);
+    if (SteadyClock::now() >= deadline) throw BoardError("it sends encoders without a pause");
+  }
+  const double before_s = stamp_->time_s;
+  bool is_sending = false;
+  while (stamp_->time_s == before_s) {
+    if (const auto message = state_.receive_now()) {
+      reading_ = take_state(*message);
+      is_sending = true;
+    } else {
+      waiter_.wait_for(state_.descriptor(), POLLIN, deadline);
+    }
+    if (SteadyClock::now() >= deadline) {
+      throw BoardError(is_sending ? "its stamp stands still" : "no encoders in time");
+    }
+  }
+}
+
+void BoardSession::leave() {
+  // The waiter of this session is stopped.
+  Waker waker;
+  const Waiter waiter({}, waker);
+  requests_.leave_in_mode(params_.joints, kPosition, waiter, SteadyClock::now() + kLeaveWithin);
+}
+
+void BoardSession::receive_encoders() {
+  // More at once than a board sends in a second wait for the next turn.
+  constexpr int kMostAtOnce = 64;
+  for (int i = 0; i < kMostAtOnce; ++i) {
+    const auto message = state_.receive_now();
+    if (!message) break;
+    reading_ = take_state(*message);
+    exchange_.put_encoders(reading_);
+  }
+  check_silence();
+}
+
+JointReading BoardSession::take_state(std::span<const std::uint8_t> message) {
+  const StateMessage state = parse_state_message(message);
+  if (state.encoders_deg.size() != axes_) {
+    throw BoardError("it sent the encoders of " + std::to_string(state.encoders_deg.size()) +
+                     " joints: there were " + std::to_string(axes_));
+  }
+  received_at_ = SteadyClock::now();
+  // The count goes on while the board itself reads nothing new; the time does not.
+  if (!stamp_ || state.stamp.time_s != stamp_->time_s) stamp_moved_at_ = received_at_;
+  stamp_ = state.stamp;
+  JointReading reading{.received_us = monotonic_us(received_at_)};
+  std::array<double, JointAngles::kMost> deg{};
+  for (std::size_t i = 0; i < params_.joints.size(); ++i) {
+    deg[i] = state.encoders_deg[static_cast<std::size_t>(params_.joints[i])];
+  }
+  reading.position = JointAngles(std::span(deg).first(params_.joints.size()));
+  return reading;
+}
+
+void BoardSession::check_silence() const {
+  const Deadline now = SteadyClock::now();
+  const milliseconds patience(params_.silent_ms);
+  const std::string for_ms = " for " + std::to_string(params_.silent_ms) + " ms";
+  if (now - received_at_ > patience) throw BoardError("no encoders" + for_ms);
+  if (now - stamp_moved_at_ > patience) throw BoardError("its stamp stands still" + for_ms);
+}
+
+void BoardSession::send_set_point() {
+  command_.attend();
+  if (command_.is_free()) {
+    command_free_at_ = SteadyClock::now();
+    const auto set_point = exchange_.take_set_point();
+    if (!set_point) return;
+    const std::string refusal = gate_.refusal(*set_point, reading_.position);
+    if (!refusal.empty()) return exchange_.refuse_set_point(refusal);
+    command_.send(params_.joints.size() == axes_
+                      ? set_points_of_all(set_point->deg())
+                      : set_points_of_some(params_.joints, set_point->deg()));
+    exchange_.count_sent();
+  } else if (SteadyClock::now() - command_free_at_ > milliseconds(params_.silent_ms)) {
+    throw BoardError("it takes no set-points for " + std::to_string(params_.silent_ms) + " ms");
+  }
+}
+
+void BoardSession::attend_requests() {
+  if (const auto modes = requests_.modes_now(axes_)) {
+    exchange_.put_round_trip(requests_.round_trip_us());
+    const std::string wrong = wrong_mode(*modes);
+    if (!wrong.empty()) throw BoardError(wrong);
+  }
+  const Deadline now = SteadyClock::now();
+  if (requests_.is_waiting()) {
+    if (now > requests_.late_at()) throw BoardError("no answer in time, asked for the modes");
+  } else if (now >= next_modes_at_) {
+    next_modes_at_ = now + milliseconds(params_.check_modes_ms);
+    requests_.begin_modes();
+  }
+}
+
+void BoardSession::wait_for_more() const {
+  const milliseconds patience(params_.silent_ms);
+  const short command_events = command_.is_free() ? POLLIN : POLLIN | POLLOUT;
+  const std::array sockets{pollfd{state_.descriptor(), POLLIN, 0},
+                           pollfd{command_.descriptor(), command_events, 0},
+                           pollfd{requests_.descriptor(), POLLIN, 0}};
+  Deadline next = std::min(received_at_, stamp_moved_at_) + patience;
+  next = std::min(next, requests_.is_waiting() ? requests_.late_at() : next_modes_at_);
+  if (!command_.is_free()) next = std::min(next, command_free_at_ + patience);
+  waiter_.wait(sockets, next);
+}
+
+}  // namespace puck

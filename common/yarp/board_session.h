@@ -1,0 +1,72 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/yarp/board_exchange.h"
+#include "common/yarp/board_requests.h"
+#include "common/yarp/set_point_gate.h"
+#include "common/yarp/state_message.h"
+#include "common/yarp/stream_connection.h"
+#include "common/yarp/yarp_params.h"
+
+namespace puck {
+
+/// One connection to a control board, from the query for its ports to the first thing that goes
+/// wrong. One thread.
+class BoardSession {
+ public:
+  /// Connects, checks the joints and their limits, and puts them into the mode that takes
+  /// set-points. Throws BoardError with the port that it is about.
+  BoardSession(const YarpParams& params, const PortAddress& name_server, const Waiter& waiter,
+               BoardExchange& exchange);
+
+  /// Hands encoders and set-points over until the waiter is stopped. Throws BoardError as soon as
+  /// the board cannot be trusted any more.
+  void run();
+
+  /// Leaves the joints where they are, in mode `pos`, within 50 ms.
+  void leave();
+
+ private:
+  struct Ports {
+    PortAddress requests;
+    PortAddress command;
+    PortAddress state;
+  };
+  static Ports find_ports(const YarpParams& params, const PortAddress& name_server,
+                          const Waiter& waiter);
+  BoardSession(const YarpParams& params, const Ports& ports, const Waiter& waiter,
+               BoardExchange& exchange);
+
+  void check_joints();
+  void begin_to_receive();
+  void take_joints();
+  std::string wrong_mode(const std::vector<std::string>& modes) const;
+
+  void wait_for_fresh_encoders();
+  void receive_encoders();
+  JointReading take_state(std::span<const std::uint8_t> message);
+  void send_set_point();
+  void attend_requests();
+  void check_silence() const;
+  void wait_for_more() const;
+
+  const YarpParams& params_;
+  const Waiter& waiter_;
+  BoardExchange& exchange_;
+  BoardRequests requests_;
+  StreamConnection state_;
+  StreamConnection command_;
+  SetPointGate gate_;
+  std::size_t axes_ = 0;
+  std::vector<std::string> names_;  // of the driven joints
+  std::optional<BoardStamp> stamp_;
+  Deadline received_at_;  // the newest encoders
+  Deadline stamp_moved_at_;
+  Deadline command_free_at_;  // last time that all set-points had gone out
+  Deadline next_modes_at_;
+  JointReading reading_;
+};
+
+}  // namespace puck

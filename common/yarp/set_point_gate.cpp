@@ -1,0 +1,46 @@
+#include "common/yarp/set_point_gate.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace puck {
+namespace {
+
+std::string in_deg(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g deg", value);
+  return text.data();
+}
+
+}  // namespace
+
+std::string SetPointGate::refusal(const JointAngles& set_point, const JointAngles& encoders) {
+  std::string why = why_not(set_point, encoders);
+  is_open_ = why.empty();
+  return why;
+}
+
+std::string SetPointGate::why_not(const JointAngles& set_point, const JointAngles& encoders) const {
+  const std::size_t joints = params_.joints.size();
+  if (set_point.size() != joints || encoders.size() != joints) {
+    return "a set-point of " + std::to_string(set_point.size()) + " joints instead of " +
+           std::to_string(joints);
+  }
+  for (std::size_t i = 0; i < joints; ++i) {
+    const double deg = set_point[i];
+    const auto refuse = [&](const std::string& why) {
+      return "the set-point of joint " + std::to_string(params_.joints[i]) + why;
+    };
+    if (!std::isfinite(deg)) return refuse(" is not a finite number");
+    if (deg < params_.lowest_deg[i] || deg > params_.highest_deg[i]) {
+      return refuse(", " + in_deg(deg) + ", is outside its limits");
+    }
+    if (!is_open_ && !(std::abs(deg - encoders[i]) <= params_.start_within_deg)) {
+      return refuse(", " + in_deg(deg) + ", does not begin at its encoder, " + in_deg(encoders[i]));
+    }
+  }
+  return {};
+}
+
+}  // namespace puck

@@ -1,0 +1,93 @@
+#include "common/yarp/tcp_socket.h"
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "common/yarp/board_error.h"
+
+namespace puck {
+namespace {
+
+bool is_would_block(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
+
+void check_connected(int socket) {
+  int error = 0;
+  socklen_t length = sizeof error;
+  getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &length);
+  if (error != 0) throw BoardError(std::strerror(error));
+}
+
+void connect_by(int socket, const PortAddress& to, const Waiter& waiter, Deadline deadline) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(to.port);
+  if (inet_pton(AF_INET, to.ip.c_str(), &address.sin_addr) != 1) throw BoardError("no address");
+  const auto* generic = reinterpret_cast<const sockaddr*>(&address);
+  if (connect(socket, generic, sizeof address) != 0 && errno != EINPROGRESS) {
+    throw BoardError(std::strerror(errno));
+  }
+  if (!waiter.wait_for(socket, POLLOUT, deadline)) throw BoardError("no answer in time");
+  check_connected(socket);
+  // Set-points are small and must not wait for one another, nor pile up, so that a newer one still
+  // replaces an older.
+  const int on = 1;
+  const int few_bytes = 4096;
+  setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+  setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &few_bytes, sizeof few_bytes);
+}
+
+}  // namespace
+
+TcpSocket::TcpSocket(const PortAddress& address, const Waiter& waiter, Deadline deadline)
+    : descriptor_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
+  const std::string to = "cannot connect to " + address.to_string() + ": ";
+  if (descriptor_ < 0) throw BoardError(to + std::strerror(errno));
+  try {
+    connect_by(descriptor_, address, waiter, deadline);
+  } catch (const BoardError& error) {
+    close(descriptor_);
+    throw BoardError(to + error.what());
+  }
+}
+
+TcpSocket::~TcpSocket() { close(descriptor_); }
+
+std::size_t TcpSocket::send_now(std::span<const std::uint8_t> bytes) {
+  const ssize_t sent = ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+  if (sent >= 0) return static_cast<std::size_t>(sent);
+  if (is_would_block(errno)) return 0;
+  throw BoardError(std::string("the connection broke: ") + std::strerror(errno));
+}
+
+std::size_t TcpSocket::receive_now(std::span<std::uint8_t> bytes) {
+  const ssize_t received = recv(descriptor_, bytes.data(), bytes.size(), 0);
+  if (received > 0) return static_cast<std::size_t>(received);
+  if (received == 0) throw BoardError("it closed the connection");
+  if (is_would_block(errno)) return 0;
+  throw BoardError(std::string("the connection broke: ") + std::strerror(errno));
+}
+
+void TcpSocket::send(std::span<const std::uint8_t> bytes, const Waiter& waiter, Deadline deadline) {
+  while (!bytes.empty()) {
+    if (!waiter.wait_for(descriptor_, POLLOUT, deadline)) throw BoardError("it takes no bytes");
+    bytes = bytes.subspan(send_now(bytes));
+  }
+}
+
+std::size_t TcpSocket::receive(std::span<std::uint8_t> bytes, const Waiter& waiter,
+                               Deadline deadline) {
+  while (true) {
+    if (!waiter.wait_for(descriptor_, POLLIN, deadline)) throw BoardError("no answer in time");
+    const std::size_t received = receive_now(bytes);
+    if (received > 0) return received;
+  }
+}
+
+}  // namespace puck

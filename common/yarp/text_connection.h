@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/yarp/line_reader.h"
+#include "common/yarp/tcp_socket.h"
+
+namespace puck {
+
+/// A connection in YARP's text carrier: to the name server, or to a board's port rpc:i. What goes
+/// wrong throws BoardError.
+class TextConnection {
+ public:
+  /// Connects as `local_name` and waits for the welcome.
+  TextConnection(const PortAddress& address, std::string_view local_name, const Waiter& waiter,
+                 Deadline deadline);
+
+  int descriptor() const { return socket_.descriptor(); }
+
+  void send(std::string_view request, const Waiter& waiter, Deadline deadline);
+  /// The next line of an answer.
+  std::string receive(const Waiter& waiter, Deadline deadline);
+  /// The next line if it has come whole.
+  std::optional<std::string> receive_now();
+
+ private:
+  TcpSocket socket_;
+  LineReader lines_;
+};
+
+}  // namespace puck

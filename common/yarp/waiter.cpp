@@ -1,0 +1,63 @@
+#include "common/yarp/waiter.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include "common/yarp/board_error.h"
+
+namespace puck {
+namespace {
+
+// Rounded up, so that nobody wakes just before the deadline over and over.
+int milliseconds_until(Deadline deadline) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - SteadyClock::now());
+  return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 60'000));
+}
+
+}  // namespace
+
+Waker::Waker() : descriptor_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+  if (descriptor_ < 0) throw std::runtime_error(std::string("eventfd: ") + std::strerror(errno));
+}
+
+Waker::~Waker() { close(descriptor_); }
+
+void Waker::wake() {
+  const std::uint64_t one = 1;
+  // It can only fail when it is called already, 2^64 - 2 times.
+  [[maybe_unused]] const ssize_t written = write(descriptor_, &one, sizeof one);
+}
+
+void Waiter::wait(std::span<const pollfd> sockets, Deadline deadline) const {
+  constexpr std::size_t kMostSockets = 7;
+  std::array<pollfd, kMostSockets + 1> all{};
+  const std::size_t count = std::min(sockets.size(), kMostSockets);
+  std::copy_n(sockets.begin(), count, all.begin());
+  all[count] = {waker_.descriptor_, POLLIN, 0};
+  poll(all.data(), count + 1, milliseconds_until(deadline));
+  if (all[count].revents != 0) {
+    std::uint64_t calls = 0;
+    [[maybe_unused]] const ssize_t taken = read(waker_.descriptor_, &calls, sizeof calls);
+  }
+}
+
+bool Waiter::wait_for(int socket, short events, Deadline deadline) const {
+  while (true) {
+    if (is_stopped()) throw BoardError("stopped");
+    // Before the socket, so that one which is always ready with next to nothing comes to an end.
+    if (SteadyClock::now() >= deadline) return false;
+    pollfd ready{socket, events, 0};
+    if (socket >= 0 && poll(&ready, 1, 0) > 0) return true;
+    const std::array sockets{pollfd{socket, events, 0}};
+    wait(sockets, deadline);
+  }
+}
+
+}  // namespace puck

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <span>
+#include <stop_token>
+
+#include <poll.h>
+
+namespace puck {
+
+using SteadyClock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
+using Deadline = SteadyClock::time_point;
+
+/// Ends another thread's waiting.
+class Waker {
+ public:
+  Waker();
+  ~Waker();
+  Waker(const Waker&) = delete;
+  Waker& operator=(const Waker&) = delete;
+
+  /// Safe from any thread.
+  void wake();
+
+ private:
+  friend class Waiter;
+  int descriptor_;
+};
+
+/// Waits for sockets, never longer than until a deadline, a waker's call or a stop. One thread.
+class Waiter {
+ public:
+  /// A stop has to call the waker, too.
+  Waiter(std::stop_token stop, Waker& waker) : stop_(std::move(stop)), waker_(waker) {}
+
+  bool is_stopped() const { return stop_.stop_requested(); }
+
+  /// Until a socket is ready, the deadline has come, or the waker was called.
+  void wait(std::span<const pollfd> sockets, Deadline deadline) const;
+
+  /// Until the socket is ready for `events`; false: the deadline has come. Throws BoardError when a
+  /// stop was requested.
+  bool wait_for(int socket, short events, Deadline deadline) const;
+
+  /// Throws BoardError when a stop was requested.
+  void rest_until(Deadline deadline) const { wait_for(-1, 0, deadline); }
+
+ private:
+  std::stop_token stop_;
+  Waker& waker_;
+};
+
+}  // namespace puck

@@ -1,0 +1,90 @@
+#include "common/yarp/yarp_back_end.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <stdexcept>
+
+#include <arpa/inet.h>
+#include <netdb.h>
+#include <netinet/in.h>
+
+#include "common/yarp/board_session.h"
+
+namespace puck {
+namespace {
+
+constexpr std::chrono::milliseconds kLongestPause{5000};
+
+const YarpParams& checked(const YarpParams& params) {
+  check(params);
+  return params;
+}
+
+// Once, since a look-up can neither be interrupted nor be given an end.
+std::vector<PortAddress> look_up(const YarpParams& params) {
+  addrinfo hints{};
+  hints.ai_family = AF_INET;
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  const int error = getaddrinfo(params.host.c_str(), nullptr, &hints, &found);
+  if (error != 0) {
+    throw std::invalid_argument("arm.yarp.host \"" + params.host +
+                                "\" cannot be found: " + gai_strerror(error));
+  }
+  std::vector<PortAddress> addresses;
+  for (const addrinfo* each = found; each != nullptr; each = each->ai_next) {
+    std::array<char, INET_ADDRSTRLEN> dotted{};
+    const auto* address = reinterpret_cast<const sockaddr_in*>(each->ai_addr);
+    inet_ntop(AF_INET, &address->sin_addr, dotted.data(), dotted.size());
+    addresses.push_back({dotted.data(), static_cast<std::uint16_t>(params.port)});
+  }
+  freeaddrinfo(found);
+  return addresses;
+}
+
+}  // namespace
+
+YarpBackEnd::YarpBackEnd(const YarpParams& params)
+    : params_(checked(params)),
+      name_servers_(look_up(params)),
+      exchange_(std::int64_t{1000} * params.silent_ms),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+void YarpBackEnd::command(const JointAngles& set_point, std::int64_t) {
+  if (exchange_.give_set_point(set_point)) waker_.wake();
+}
+
+std::optional<JointReading> YarpBackEnd::reading(std::int64_t) { return exchange_.reading(); }
+
+std::string YarpBackEnd::fault(std::int64_t monotonic_us) { return exchange_.fault(monotonic_us); }
+
+void YarpBackEnd::run(const std::stop_token& stop) {
+  const std::stop_callback on_stop(stop, [this] { waker_.wake(); });
+  const Waiter waiter(stop, waker_);
+  const std::chrono::milliseconds first_pause(params_.retry_ms);
+  auto pause = first_pause;
+  for (std::size_t i = 0; !waiter.is_stopped(); ++i) {
+    const std::int64_t connections_before = exchange_.counters(0).connections;
+    const std::string reason = serve(name_servers_[i % name_servers_.size()], waiter);
+    if (waiter.is_stopped()) return;
+    exchange_.lose_connection(reason);
+    if (exchange_.counters(0).connections > connections_before) pause = first_pause;
+    const Deadline again_at = SteadyClock::now() + pause;
+    while (!waiter.is_stopped() && SteadyClock::now() < again_at) waiter.wait({}, again_at);
+    pause = std::min(2 * pause, kLongestPause);
+  }
+}
+
+std::string YarpBackEnd::serve(const PortAddress& name_server, const Waiter& waiter) {
+  try {
+    BoardSession session(params_, name_server, waiter, exchange_);
+    session.run();
+    session.leave();
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace puck

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include "common/control/arm_back_end.h"
+#include "common/yarp/board_exchange.h"
+#include "common/yarp/name_server.h"
+#include "common/yarp/waiter.h"
+#include "common/yarp/yarp_params.h"
+
+namespace puck {
+
+/// A real iCub's control board, in YARP's own wire protocol. A thread of its own connects, hands
+/// set-points and encoders over, and connects again after whatever went wrong; the joints hold
+/// where they are in the meantime.
+///
+/// **After a failure** reading() is nothing until there is a new connection, and a set-point is
+/// heard only when since then (1) fault() has been asked, (2) reading() has given encoders, and (3)
+/// the set-point lies within `start_within_deg` of these: a controller begins anew at what
+/// reading() says, at rest. The same holds after a set-point that was refused.
+///
+/// When it ends, it leaves the joints in mode `pos`: they stay stiff where they are, as in `posd`,
+/// but set-points of anybody that come late move nothing. The modes of before are not restored:
+/// they may have been slack, and the arm would fall.
+class YarpBackEnd final : public ArmBackEnd {
+ public:
+  /// Looks up the name server's host. Throws std::invalid_argument that names the key when a value
+  /// is out of its range or there is no such host.
+  explicit YarpBackEnd(const YarpParams& params);
+
+  std::string_view name() const override { return "yarp"; }
+  void command(const JointAngles& set_point, std::int64_t monotonic_us) override;
+  std::optional<JointReading> reading(std::int64_t monotonic_us) override;
+  /// Empty while the first attempt to connect goes on.
+  std::string fault(std::int64_t monotonic_us) override;
+
+  /// Safe from any thread.
+  YarpCounters counters(std::int64_t monotonic_us) const {
+    return exchange_.counters(monotonic_us);
+  }
+
+ private:
+  void run(const std::stop_token& stop);
+  /// Until it is stopped or something goes wrong: why.
+  std::string serve(const PortAddress& name_server, const Waiter& waiter);
+
+  YarpParams params_;
+  std::vector<PortAddress> name_servers_;  // all addresses of the host, tried in turn
+  Waker waker_;
+  BoardExchange exchange_;
+  std::jthread thread_;
+};
+
+}  // namespace puck

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace puck {
+
+/// What a test board does instead of what it should.
+enum class BoardTrouble : std::uint8_t {
+  kNone,
+  kNamesMute,        ///< The name server does not answer,
+  kNamesUnknown,     ///< knows no port,
+  kNamesGarbage,     ///< answers nonsense,
+  kNamesNoAddress,   ///< or an address that is none.
+  kRequestsLate,     ///< Port rpc:i answers after TestBoardParams::late_ms,
+  kRequestsMute,     ///< not at all,
+  kRequestsFail,     ///< everything with [fail],
+  kRequestsNak,      ///< or [nak],
+  kRequestsGarbage,  ///< nonsense,
+  kRequestsEndless,  ///< a line without an end,
+  kRequestsDrip,     ///< the same, a byte each 20 ms,
+  kRequestsClose,    ///< or closes each connection.
+  kAxesChange,       ///< There is one joint fewer than before,
+  kModesStay,        ///< joints do not change their mode,
+  kModeLost,         ///< or fall out of it.
+  kStateMute,        ///< Port state:o sends nothing,
+  kStateGarbage,     ///< nonsense,
+  kStateTruncated,   ///< a vector that ends early,
+  kStateHuge,        ///< a message of 2 GB,
+  kStateNan,         ///< an encoder that is NaN,
+  kStateFrozen,      ///< the same time again and again,
+  kStateStampless,   ///< no stamp,
+  kStateClose,       ///< or closes each connection.
+  kCommandDeaf,      ///< Port command:i reads nothing,
+  kCommandClose,     ///< or closes each connection.
+  kHelloWrong,       ///< The binary carrier is another,
+  kByteAtATime,      ///< or every byte comes alone.
+};
+
+/// For command lines: `state_mute`; nothing: there is none of that name.
+std::optional<BoardTrouble> board_trouble(std::string_view name);
+std::vector<std::string> board_trouble_names();
+
+struct TestBoardParams {
+  int port = 0;  ///< Of the name server; 0: any that is free.
+  std::string robot = "/icub";
+  std::string part = "right_arm";
+  std::size_t axes = 7;
+  double lowest_deg = -90;
+  double highest_deg = 90;
+  int period_ms = 20;  ///< Encoders are sent so often.
+  int late_ms = 50;
+};
+
+/// A name server and a control board in one, on ports of this machine, that behave as real ones
+/// were seen to: set-points sent as text are dropped silently, text to state:o kills the board, NaN
+/// is taken, joints are where they were told to be at the next reading. A thread of its own; all
+/// calls are safe from any thread.
+class TestBoard {
+ public:
+  explicit TestBoard(const TestBoardParams& params = {});
+  ~TestBoard();
+
+  /// Of the name server.
+  int port() const;
+
+  void set_trouble(BoardTrouble trouble);
+  /// A hand that moves a joint.
+  void move_joint(std::size_t joint, double deg);
+  /// Closes all of the board's connections and its ports, as a process that dies; and a new one.
+  void die();
+  void revive();
+
+  bool is_dead() const;
+  std::vector<double> encoders() const;
+  std::vector<std::string> modes() const;
+  /// Set-points in the binary carrier that it did, and that it could not read.
+  std::int64_t set_points() const;
+  std::int64_t unreadable() const;
+  /// Lines of text that came to command:i.
+  std::int64_t text_dropped() const;
+  /// Now, of all ports.
+  std::size_t connections() const;
+
+ private:
+  class Ports;
+  std::unique_ptr<Ports> ports_;
+  std::jthread thread_;
+};
+
+}  // namespace puck

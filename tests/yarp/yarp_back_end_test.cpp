@@ -1,0 +1,461 @@
+#include "common/yarp/yarp_back_end.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <doctest/doctest.h>
+
+#include "common/yarp/text_connection.h"
+#include "tests/support/test_board.h"
+
+namespace puck {
+namespace {
+
+std::int64_t now_us() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+// Until it holds; false: it did not within 20 s.
+bool until(const std::function<bool()>& condition) {
+  for (int i = 0; i < 20'000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+// Patient with the board, quick to try again.
+YarpParams params_for(const TestBoard& board, std::vector<int> joints = {0, 1, 2, 3, 4, 5, 6}) {
+  YarpParams params;
+  params.port = board.port();
+  params.lowest_deg.assign(joints.size(), -80);
+  params.highest_deg.assign(joints.size(), 80);
+  params.joints = std::move(joints);
+  params.silent_ms = 1000;
+  params.answer_timeout_ms = 5000;
+  params.connect_timeout_ms = 5000;
+  params.check_modes_ms = 20;
+  params.retry_ms = 10;
+  return params;
+}
+
+JointAngles all(double deg, std::size_t joints = 7) {
+  return JointAngles(std::vector<double>(joints, deg));
+}
+
+// What an arm's loop does with its back end.
+class Loop {
+ public:
+  explicit Loop(const YarpParams& params) : back_end(params) {}
+
+  std::string fault() { return back_end.fault(now_us()); }
+  std::optional<JointReading> reading() { return back_end.reading(now_us()); }
+  YarpCounters counters() const { return back_end.counters(now_us()); }
+  bool is_connected() {
+    return until([&] { return reading().has_value(); });
+  }
+  void command(const JointAngles& set_point) {
+    ++commands_;
+    back_end.command(set_point, now_us());
+  }
+  // Until nothing is under way any more; not across a lost connection.
+  bool settles() {
+    return until([&] {
+      const YarpCounters now = counters();
+      return now.set_points_sent + now.set_points_replaced + now.set_points_refused +
+                 now.set_points_unheard ==
+             commands_;
+    });
+  }
+  // Goes there in steps, as fast as encoders come.
+  bool moves_to(double deg) {
+    return until([&] {
+      fault();
+      const auto now = reading();
+      if (!now) return false;
+      JointAngles next = now->position;
+      bool is_there = true;
+      for (std::size_t i = 0; i < next.size(); ++i) {
+        is_there = is_there && std::abs(next[i] - deg) < 1e-9;
+        next[i] += std::clamp(deg - next[i], -1.9, 1.9);
+      }
+      command(next);
+      return is_there;
+    });
+  }
+  bool fails_with(const std::string& part_of_reason) {
+    std::string last;
+    const bool fails = until([&] {
+      const std::string reason = fault();
+      if (!reason.empty()) last = reason;
+      return reason.find(part_of_reason) != std::string::npos;
+    });
+    INFO(last);
+    CHECK(fails);
+    return fails;
+  }
+
+  YarpBackEnd back_end;
+
+ private:
+  std::int64_t commands_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("The back end finds the board, takes its joints and moves them") {
+  TestBoard board;
+  board.move_joint(3, 7);
+  Loop loop(params_for(board));
+  REQUIRE(loop.is_connected());
+  CHECK(loop.reading()->position[3] == 7);
+  CHECK(board.modes() == std::vector<std::string>(7, "posd"));
+  CHECK(loop.moves_to(15));
+  CHECK(board.encoders() == std::vector<double>(7, 15));
+  CHECK(loop.fault().empty());
+  const YarpCounters counters = loop.counters();
+  CHECK(counters.connections == 1);
+  CHECK(counters.failures == 0);
+  CHECK(until([&] { return board.set_points() == loop.counters().set_points_sent; }));
+  CHECK(counters.set_points_refused == 0);
+  CHECK(counters.encoders_received > 5);
+  CHECK(counters.round_trip_us > 0);
+  CHECK(counters.encoder_age_us.has_value());
+  CHECK(board.unreadable() == 0);
+}
+
+TEST_CASE("The back end drives some joints of a part and leaves the others alone") {
+  TestBoard board({.axes = 16});
+  for (std::size_t i = 0; i < 16; ++i) board.move_joint(i, static_cast<double>(i));
+  Loop loop(params_for(board, {1, 5}));
+  REQUIRE(loop.is_connected());
+  CHECK(loop.reading()->position[1] == 5);
+  CHECK(loop.moves_to(-20));
+  const auto encoders = board.encoders();
+  CHECK(encoders[1] == -20);
+  CHECK(encoders[5] == -20);
+  CHECK(encoders[2] == 2);
+  CHECK(encoders[15] == 15);
+  CHECK(board.modes()[1] == "posd");
+  CHECK(board.modes()[2] == "pos");
+  CHECK(board.unreadable() == 0);
+}
+
+TEST_CASE("The back end understands a board that sends its bytes one by one") {
+  TestBoard board;
+  board.set_trouble(BoardTrouble::kByteAtATime);
+  Loop loop(params_for(board));
+  CHECK(loop.moves_to(4));
+  CHECK(loop.counters().failures == 0);
+}
+
+TEST_CASE("The back end waits for late answers as long as it is patient") {
+  TestBoard board({.late_ms = 5});
+  board.set_trouble(BoardTrouble::kRequestsLate);
+  Loop loop(params_for(board));
+  CHECK(loop.moves_to(4));
+  CHECK(loop.counters().failures == 0);
+  CHECK(loop.counters().round_trip_us >= 5000);
+
+  TestBoard later({.late_ms = 1'000'000});
+  later.set_trouble(BoardTrouble::kRequestsLate);
+  YarpParams impatient = params_for(later);
+  impatient.answer_timeout_ms = 20;
+  Loop other(impatient);
+  other.fails_with("/icub/right_arm/rpc:i: no answer in time, asked \"get axes\"");
+}
+
+TEST_CASE("An arm that stands still is no fault") {
+  TestBoard board({.period_ms = 2});
+  YarpParams params = params_for(board);
+  Loop loop(params);
+  REQUIRE(loop.is_connected());
+  const auto enough = loop.counters().encoders_received + 100;
+  std::string fault;
+  CHECK(until([&] {
+    fault += loop.fault();
+    return loop.counters().encoders_received > enough;
+  }));
+  CHECK(fault.empty());
+  CHECK(loop.counters().failures == 0);
+}
+
+TEST_CASE("Whatever the name server does, it is a fault with its reason, and mends itself") {
+  struct Case {
+    BoardTrouble trouble;
+    const char* reason;
+  };
+  for (const Case& each :
+       {Case{BoardTrouble::kNamesMute, "the name server: no answer in time"},
+        Case{BoardTrouble::kNamesUnknown,
+             "the name server: there is no port /icub/right_arm/rpc:i: is the robot running?"},
+        Case{BoardTrouble::kNamesGarbage, "the name server: it sent what is no text"},
+        Case{BoardTrouble::kNamesNoAddress, "which is no address"}}) {
+    CAPTURE(each.reason);
+    TestBoard board;
+    board.set_trouble(each.trouble);
+    YarpParams params = params_for(board);
+    params.answer_timeout_ms = 300;
+    Loop loop(params);
+    loop.fails_with(each.reason);
+    CHECK(!loop.reading());
+    board.set_trouble(BoardTrouble::kNone);
+    CHECK(loop.moves_to(3));
+  }
+}
+
+TEST_CASE("A board that fails from the beginning is a fault with its reason, and never moved") {
+  struct Case {
+    BoardTrouble trouble;
+    const char* reason;
+  };
+  for (const Case& each :
+       {Case{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get axes\" with [fail]"},
+        Case{BoardTrouble::kRequestsNak, "rpc:i: it refused \"get axes\" with [nak]"},
+        Case{BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get axes\""},
+        Case{BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
+        Case{BoardTrouble::kRequestsEndless, "rpc:i: it sent a line without an end"},
+        Case{BoardTrouble::kRequestsDrip, "rpc:i: no answer in time"},
+        Case{BoardTrouble::kRequestsClose, "rpc:i: "},
+        Case{BoardTrouble::kStateFrozen, "state:o: its stamp stands still"},
+        Case{BoardTrouble::kModesStay, "is in mode \"pos\", not in \"posd\""},
+        Case{BoardTrouble::kHelloWrong, "state:o: it does not answer in the binary carrier"},
+        Case{BoardTrouble::kStateClose, "state:o: "},
+        Case{BoardTrouble::kCommandClose, "command:i: "},
+        Case{BoardTrouble::kStateMute, "state:o: no answer in time"},
+        Case{BoardTrouble::kStateNan, "state:o: the encoder of joint 6 is not a finite number"},
+        Case{BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of a size"},
+        Case{BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
+        Case{BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
+        Case{BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"}}) {
+    CAPTURE(each.reason);
+    TestBoard board;
+    board.set_trouble(each.trouble);
+    YarpParams params = params_for(board);
+    params.answer_timeout_ms = 300;
+    Loop loop(params);
+    loop.fails_with(each.reason);
+    CHECK(board.set_points() == 0);
+    CHECK(board.encoders() == std::vector<double>(7, 0));
+  }
+}
+
+TEST_CASE("A board that fails in a game is a fault with its reason, and connected to again") {
+  struct Case {
+    BoardTrouble trouble;
+    const char* reason;
+  };
+  for (const Case& each :
+       {Case{BoardTrouble::kStateMute, "state:o: no encoders for 150 ms"},
+        Case{BoardTrouble::kStateFrozen, "state:o: its stamp stands still for 150 ms"},
+        Case{BoardTrouble::kStateNan, "state:o: the encoder of joint 6 is not a finite number"},
+        Case{BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of a size"},
+        Case{BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
+        Case{BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
+        Case{BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"},
+        Case{BoardTrouble::kAxesChange, "state:o: it sent the encoders of 6 joints: there were 7"},
+        Case{BoardTrouble::kStateClose, "state:o: "},
+        Case{BoardTrouble::kCommandClose, "command:i: "},
+        Case{BoardTrouble::kRequestsClose, "rpc:i: "},
+        Case{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get icmd cmds\" with [fail]"},
+        Case{BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked for the modes"},
+        Case{BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
+        Case{BoardTrouble::kModeLost,
+             "rpc:i: joint 0 \"joint0\" is in mode \"hwf\", not in \"posd\""}}) {
+    CAPTURE(each.reason);
+    TestBoard board;
+    YarpParams params = params_for(board);
+    params.silent_ms = 150;
+    params.answer_timeout_ms = 400;
+    Loop loop(params);
+    REQUIRE(loop.moves_to(5));
+    board.set_trouble(each.trouble);
+    loop.fails_with(each.reason);
+    CHECK(board.encoders() == std::vector<double>(7, 5));
+    CHECK(until([&] { return !loop.reading() || loop.counters().connections > 1; }));
+    board.set_trouble(BoardTrouble::kNone);
+    CHECK(loop.moves_to(8));
+    CHECK(loop.counters().failures > 0);
+  }
+}
+
+TEST_CASE(
+    "A board that reads no set-points is a fault, and the newest set-point replaced the rest") {
+  TestBoard board;
+  YarpParams params = params_for(board);
+  params.silent_ms = 150;
+  Loop loop(params);
+  REQUIRE(loop.moves_to(5));
+  board.set_trouble(BoardTrouble::kCommandDeaf);
+  std::string reason;
+  CHECK(until([&] {
+    loop.reading();
+    for (int i = 0; i < 100; ++i) loop.command(all(5));
+    reason = loop.fault();
+    return reason.find("command:i: it takes no set-points for 150 ms") != std::string::npos;
+  }));
+  CHECK(loop.counters().set_points_replaced > 0);
+}
+
+TEST_CASE("A board that dies and comes back elsewhere is found again") {
+  TestBoard board;
+  Loop loop(params_for(board));
+  REQUIRE(loop.moves_to(5));
+  board.die();
+  loop.fails_with("Connection refused");
+  CHECK(!loop.reading());
+  board.revive();
+  CHECK(loop.moves_to(7));
+}
+
+TEST_CASE("Nothing is sent after a failure until the loop begins anew at the encoders") {
+  TestBoard board;
+  Loop loop(params_for(board));
+  REQUIRE(loop.moves_to(5));
+  board.die();
+  loop.fails_with("Connection refused");
+  // While it was away a person pushed the arm.
+  for (std::size_t i = 0; i < 7; ++i) board.move_joint(i, 40);
+  board.revive();
+  REQUIRE(until([&] {
+    loop.command(all(5));
+    return loop.counters().connections == 2;
+  }));
+  loop.command(all(5));
+  CHECK(loop.reading()->position[0] == 40);
+  while (!loop.fault().empty()) {
+  }
+  const auto before = loop.counters().set_points_sent;
+  // A loop that goes on with its old trajectory.
+  loop.command(all(5.5));
+  loop.fails_with("the set-point of joint 0, 5.5 deg, does not begin at its encoder, 40 deg");
+  CHECK(loop.counters().set_points_sent == before);
+  CHECK(board.encoders() == std::vector<double>(7, 40));
+  CHECK(loop.counters().set_points_refused == 1);
+  CHECK(loop.moves_to(38));
+}
+
+TEST_CASE("What is not finite, outside the limits or of other joints never leaves this machine") {
+  TestBoard board;
+  Loop loop(params_for(board));
+  REQUIRE(loop.moves_to(5));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::int64_t refused = 0;
+  for (const JointAngles& wrong : {all(nan), all(std::numeric_limits<double>::infinity()),
+                                   all(80.01), all(-1e300), all(5, 6)}) {
+    CHECK(loop.fault().empty());
+    loop.reading();
+    REQUIRE(loop.settles());
+    const auto before = loop.counters().set_points_sent;
+    loop.command(wrong);
+    loop.fails_with("set-point of ");
+    CHECK(loop.counters().set_points_refused == ++refused);
+    CHECK(loop.counters().set_points_sent == before);
+    CHECK(loop.moves_to(5 + static_cast<double>(refused)));
+  }
+  CHECK(until([&] { return board.set_points() == loop.counters().set_points_sent; }));
+  CHECK(loop.counters().connections == 1);
+}
+
+TEST_CASE("Joints that are not there, and limits wider than the board's, are refused by name") {
+  TestBoard board;
+  Loop too_many(params_for(board, {0, 7}));
+  too_many.fails_with("there is no joint 7 of arm.yarp.joints among its 7");
+  YarpParams wide = params_for(board);
+  wide.highest_deg[2] = 91;
+  Loop too_wide(wide);
+  too_wide.fails_with(
+      "joint 2 \"joint2\" may go from -90 to 90 deg: our limits are wider, from -80 to 91 deg");
+  CHECK(board.modes() == std::vector<std::string>(7, "pos"));
+}
+
+TEST_CASE("An arm that ends leaves its joints where they are, in position mode") {
+  TestBoard board({.axes = 8});
+  {
+    Loop loop(params_for(board));
+    REQUIRE(loop.moves_to(5));
+  }
+  auto modes = board.modes();
+  CHECK(modes == std::vector<std::string>(8, "pos"));
+  CHECK(board.encoders()[0] == 5);
+  CHECK(until([&] { return board.connections() == 0; }));
+}
+
+TEST_CASE("A stop does not wait for a board, whatever it is asked for") {
+  constexpr int kTooLongMs = 60'000;
+  const auto stops = [](BoardTrouble trouble, BoardTrouble later) {
+    TestBoard board;
+    board.set_trouble(trouble);
+    YarpParams params = params_for(board);
+    params.answer_timeout_ms = params.connect_timeout_ms = kTooLongMs;
+    auto loop = std::make_unique<Loop>(params);
+    if (trouble == BoardTrouble::kNone) {
+      REQUIRE(loop->is_connected());
+    } else {
+      REQUIRE(until([&] { return board.connections() > 0; }));
+    }
+    board.set_trouble(later);
+    const auto begin = now_us();
+    loop.reset();
+    CHECK(now_us() - begin < 1000 * kTooLongMs / 2);
+  };
+  stops(BoardTrouble::kNamesMute, BoardTrouble::kNamesMute);
+  stops(BoardTrouble::kRequestsMute, BoardTrouble::kRequestsMute);
+  stops(BoardTrouble::kStateMute, BoardTrouble::kStateMute);
+  stops(BoardTrouble::kModesStay, BoardTrouble::kModesStay);
+  stops(BoardTrouble::kNone, BoardTrouble::kRequestsMute);
+}
+
+TEST_CASE("A host that is not there ends the start with its name") {
+  TestBoard board;
+  YarpParams params = params_for(board);
+  params.host = "no such host";
+  CHECK_THROWS_WITH_AS(YarpBackEnd{params}, doctest::Contains("arm.yarp.host \"no such host\""),
+                       std::invalid_argument);
+  params.host = "127.0.0.1";
+  params.port = 0;
+  CHECK_THROWS_AS(YarpBackEnd{params}, std::invalid_argument);
+}
+
+TEST_CASE(
+    "The test board drops text set-points and dies of text on its state port, as a real one") {
+  TestBoard board;
+  Waker waker;
+  const Waiter waiter({}, waker);
+  const auto in_a_while = [] { return SteadyClock::now() + std::chrono::seconds(10); };
+  const PortAddress names{"127.0.0.1", static_cast<std::uint16_t>(board.port())};
+  TextConnection name_server(names, "test", waiter, in_a_while());
+  const auto find = [&](const std::string& name) {
+    name_server.send("query " + name, waiter, in_a_while());
+    const PortAddress address = parse_registration(name_server.receive(waiter, in_a_while()), name);
+    name_server.receive(waiter, in_a_while());
+    return address;
+  };
+  const PortAddress requests = find("/icub/right_arm/rpc:i");
+  const PortAddress command = find("/icub/right_arm/command:i");
+  const PortAddress state = find("/icub/right_arm/state:o");
+
+  TextConnection rpc(requests, "test", waiter, in_a_while());
+  rpc.send("set pos 0 nan", waiter, in_a_while());
+  CHECK(rpc.receive(waiter, in_a_while()) == "[ok]");
+  CHECK(std::isnan(board.encoders()[0]));
+
+  TextConnection text(command, "test", waiter, in_a_while());
+  text.send("dpos (1 2 3)", waiter, in_a_while());
+  CHECK(until([&] { return board.text_dropped() == 2; }));
+  CHECK(board.set_points() == 0);
+
+  CHECK_THROWS(TextConnection(state, "test", waiter, in_a_while()));
+  CHECK(board.is_dead());
+}
+
+}  // namespace puck
