@@ -15,7 +15,7 @@ constexpr std::size_t kLongestEnvelope = 256;
 // A list (256) whose items are all 64-bit floating-point numbers (10).
 constexpr std::int32_t kRealList = 266;
 
-// How far up to its NUL the text of the port command at the beginning goes.
+// The text of the port command at the beginning, without its NUL and the end of its line.
 std::string_view take_envelope(LittleEndianReader& reader) {
   if (reader.left() < kCommandBytes) throw BoardError("it sent a message without a port command");
   const std::int32_t length = reader.whole();
@@ -31,8 +31,7 @@ std::string_view take_envelope(LittleEndianReader& reader) {
   }
   const auto bytes = reader.take(static_cast<std::size_t>(length));
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (text.find('\0') != text.size() - 1) throw BoardError("it sent an envelope without its end");
-  return text.substr(0, text.size() - 1);
+  return text.substr(0, text.find_last_not_of(std::string_view(" \r\n\0", 4)) + 1);
 }
 
 template <typename Number>
@@ -46,12 +45,12 @@ bool take_number(std::string_view& text, Number& number) {
 }
 
 BoardStamp parse_envelope(std::string_view text) {
-  if (text.front() == 'q') throw BoardError("it closes the connection");
+  if (text == "q") throw BoardError("it closes the connection");
   BoardStamp stamp;
-  std::string_view rest = text.substr(1);
-  const bool is_data = text.front() == 'D' || text.front() == 'd';
+  const bool is_data = text.starts_with('D') || text.starts_with('d');
+  std::string_view rest = is_data ? text.substr(1) : text;
   if (!is_data || !take_number(rest, stamp.count) || !take_number(rest, stamp.time_s) ||
-      rest.find_first_not_of(" \r\n") != std::string_view::npos || !std::isfinite(stamp.time_s)) {
+      !rest.empty() || !std::isfinite(stamp.time_s)) {
     throw BoardError("it sent the envelope " + quoted(text));
   }
   return stamp;

@@ -41,6 +41,7 @@ TEST_CASE("a message of state:o has a stamp and encoders") {
   CHECK(message.stamp.time_s == 1795247365.76);
   CHECK(message.encoders_deg == std::vector<double>{1.5, -20, 0});
   CHECK(parse(envelope("D 12 1795247365.76\r\n\0"s) + encoders({1})).stamp.count == 12);
+  CHECK(parse(envelope("D 12 1795247365.76"s) + encoders({1})).stamp.count == 12);
   CHECK(parse(envelope("d 0 0\0"s) + encoders({1})).stamp.time_s == 0);
 }
 
@@ -58,9 +59,9 @@ TEST_CASE("a message of state:o that is anything else is refused") {
   }
   CHECK_THROWS_AS(parse(good + "x"), BoardError);
   CHECK_THROWS_AS(parse(kStamp + encoders({})), BoardError);
-  for (const std::string& text : {"D 12\0"s, "D\0"s, "D x 1\0"s, "D 12 1 2\0"s, "D 12 nan\0"s,
-                                  "D 12 inf\0"s, "E 1 2\0"s, "D 1 2"s, "D 1\0 2\0"s, "\0"s,
-                                  "D 99999999999999999999 1\0"s, std::string(300, '1') + "\0"s}) {
+  for (const std::string& text :
+       {"D 12\0"s, "D\0"s, "D x 1\0"s, "D 12 1 2\0"s, "D 12 nan\0"s, "D 12 inf\0"s, "E 1 2\0"s,
+        "D 1\0 2\0"s, "\0"s, "D 99999999999999999999 1\0"s, std::string(300, '1') + "\0"s}) {
     CAPTURE(text);
     CHECK_THROWS_AS(parse(envelope(text) + encoders({1})), BoardError);
   }
