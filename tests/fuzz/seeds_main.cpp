@@ -11,6 +11,7 @@
 #include "common/io/event_writer.h"
 #include "common/messaging/log_file.h"
 #include "tests/support/random_message.h"
+#include "tests/support/test_board_bytes.h"
 
 namespace puck {
 namespace {
@@ -97,6 +98,24 @@ void add_settings(Seeds& seeds, const fs::path& source) {
   }
 }
 
+void add_boards(Seeds& seeds) {
+  // The choice and the number of cuts are taken from the end.
+  const auto add = [&](const std::string& bytes, bool is_text) {
+    seeds.add("fuzz_yarp", bytes + '\0' + (is_text ? '\1' : '\0'));
+  };
+  const std::string end = " [tsta] 0 1795247365.76 [ok]\r\n";
+  for (const char* line : {"axes 7", "name joint0", "name \"r shoulder\"", "llim 0.0 100.0",
+                           "encs (0.0 1e-3 )", "[cmds] ([pos] [posd])"}) {
+    add("[is] " + std::string(line) + end, true);
+  }
+  add("[fail]\r\n[nak]\r\n", true);
+  add("registration name /icub/right_arm/rpc:i ip 192.0.2.2 port 10002 type tcp\r\n"
+      "*** end of message\r\n",
+      true);
+  add(state_message(12, 1795247365.76, {1, -2.5, 3}), false);
+  add(state_message_without_stamp({1}), false);
+}
+
 void add_recordings(Seeds& seeds) {
   EventPacket packet;
   std::mt19937_64 random(3);
@@ -154,6 +173,7 @@ int main(int argc, char** argv) {
   puck::add_datagrams(seeds);
   puck::add_urls(seeds);
   puck::add_settings(seeds, argv[1]);
+  puck::add_boards(seeds);
   puck::add_recordings(seeds);
   puck::add_data_files(seeds, argv[1]);
   return 0;

@@ -1,0 +1,110 @@
+// What a control board and a name server send: lines of text, messages, and what is in them. Where
+// the bytes are cut must make no difference.
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <fuzzer/FuzzedDataProvider.h>
+
+#include "common/yarp/binary_carrier.h"
+#include "common/yarp/board_answer.h"
+#include "common/yarp/board_error.h"
+#include "common/yarp/line_reader.h"
+#include "common/yarp/name_server.h"
+#include "common/yarp/state_message.h"
+#include "tests/fuzz/require.h"
+
+namespace puck {
+namespace {
+
+void may_refuse(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const BoardError& error) {
+    require_one_line(error.what());
+  }
+}
+
+struct Outcome {
+  std::vector<std::string> parts;
+  bool is_refused = false;
+
+  bool operator==(const Outcome&) const = default;
+};
+
+template <typename Reader>
+Outcome cut(const Bytes& bytes, const std::vector<std::uint8_t>& pieces) {
+  Outcome outcome;
+  Reader reader;
+  std::size_t piece = 0;
+  may_refuse([&] {
+    // Until it comes to its end, it is refused.
+    outcome.is_refused = true;
+    for (std::size_t at = 0; at < bytes.size();) {
+      const std::size_t most = pieces.empty() ? bytes.size() : 1U + pieces[piece++ % pieces.size()];
+      const std::size_t size = std::min(most, bytes.size() - at);
+      reader.feed(std::span(bytes).subspan(at, size));
+      at += size;
+      while (const auto part = reader.next())
+        outcome.parts.emplace_back(part->begin(), part->end());
+    }
+    outcome.is_refused = false;
+  });
+  return outcome;
+}
+
+template <typename Reader>
+Outcome cut_both_ways(const Bytes& bytes, const std::vector<std::uint8_t>& pieces) {
+  const Outcome whole = cut<Reader>(bytes, {});
+  require(cut<Reader>(bytes, pieces) == whole, "where the bytes are cut makes no difference");
+  return whole;
+}
+
+void read_state(const std::string& message) {
+  may_refuse([&] {
+    const StateMessage state = parse_state_message(
+        {reinterpret_cast<const std::uint8_t*>(message.data()), message.size()});
+    require(!state.encoders_deg.empty() && state.encoders_deg.size() <= kMostBoardJoints,
+            "a board has joints, and not too many");
+    for (const double deg : state.encoders_deg) require(std::isfinite(deg), "encoders are finite");
+    require(std::isfinite(state.stamp.time_s), "a stamp is finite");
+  });
+}
+
+void read_line(const std::string& line) {
+  may_refuse([&] {
+    const PortAddress address = parse_registration(line, "/icub/right_arm/rpc:i");
+    require(address.port > 0, "an address has a port");
+  });
+  may_refuse([&] {
+    const BoardAnswer answer("get it", line);
+    may_refuse([&] { require(answer.count("axes", 64) <= 64, "a count is bounded"); });
+    may_refuse([&] { require(!answer.name("name").empty(), "a name has letters"); });
+    may_refuse([&] { require(answer.vocabs("cmds", 2).size() == 2, "so many modes"); });
+    may_refuse([&] {
+      for (const double deg : answer.numbers("llim", 2)) require(std::isfinite(deg), "finite");
+    });
+  });
+}
+
+}  // namespace
+}  // namespace puck
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  FuzzedDataProvider input(data, size);
+  const bool is_text = input.ConsumeBool();
+  const auto pieces = input.ConsumeBytes<std::uint8_t>(input.ConsumeIntegralInRange(0, 8));
+  const auto bytes = input.ConsumeRemainingBytes<std::uint8_t>();
+  if (is_text) {
+    for (const auto& line : puck::cut_both_ways<puck::LineReader>(bytes, pieces).parts) {
+      puck::read_line(line);
+    }
+    return 0;
+  }
+  puck::read_state({bytes.begin(), bytes.end()});
+  for (const auto& message : puck::cut_both_ways<puck::MessageReader>(bytes, pieces).parts) {
+    puck::read_state(message);
+  }
+  return 0;
+}
