@@ -96,7 +96,7 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
 
   const MeasurementUse use = filter_.update(measurement);
   if (use == MeasurementUse::kOutlier) ++outliers_;
-  if (use != MeasurementUse::kUsed && use != MeasurementUse::kStarted) return;
+  if (!is_good(use)) return;
   basis_ =
       Basis{estimate.session, estimate.seq, newest_sensor_,
             newest_sensor_ + (age_is_known && !measurement.resting ? age_us : 0), now.monotonic_us};

@@ -64,6 +64,9 @@ class PlayBridge {
 
   const EstimateGate& gate() const { return gate_; }
   std::int64_t outliers() const { return outliers_; }
+  /// How often the track began anew: where the puck was, and elsewhere.
+  std::int64_t hits() const { return filter_.hits(); }
+  std::int64_t jumps() const { return filter_.jumps(); }
   std::int64_t commands() const { return commands_; }
   const GameBelief& game() const { return game_.belief(); }
 

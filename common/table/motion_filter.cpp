@@ -8,23 +8,21 @@
 namespace puck {
 namespace {
 
-using Matrix2 = std::array<double, 4>;
-
 // A puck at rest may still creep with the air, m/s.
 constexpr double kRestingSpeedSigma = 0.01;
+// How far from where it must be a puck may seem to be that has just been hit, m.
+constexpr double kNear = 0.03;
 
-bool is_usable(const TableMeasurement& m) {
-  for (const double value : {m.position.x_m, m.position.y_m, m.velocity.x_m_s, m.velocity.y_m_s}) {
-    if (!std::isfinite(value)) return false;
-  }
-  for (const double element : m.covariance) {
-    if (!std::isfinite(element)) return false;
-  }
-  const auto& c = m.covariance;
-  return c[0] >= 0 && c[3] >= 0 && c[1] * c[2] <= c[0] * c[3] * (1 + 1e-9);
+PuckTrack at_rest(const PuckTrack& track) {
+  const double speed = kRestingSpeedSigma * kRestingSpeedSigma;
+  const Matrix4& p = track.covariance;
+  return {{track.state.position, {}},
+          {p[0], p[1], 0, 0, p[4], p[5], 0, 0, 0, 0, speed, 0, 0, 0, 0, speed}};
 }
 
-double determinant(const Matrix2& m) { return m[0] * m[3] - m[1] * m[2]; }
+double distance_m(const TablePoint& a, const TablePoint& b) {
+  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+}
 
 }  // namespace
 
@@ -41,111 +39,142 @@ MotionFilter::MotionFilter(const PuckMotion& motion, const MotionFilterParams& p
           "filter.initial_speed_sigma_m_s must be above 0 and at most 100");
   require(params_.gate_sigmas >= 1 && params_.gate_sigmas <= 100,
           "filter.gate_sigmas must be between 1 and 100");
-  require(params_.restart_after_us >= 0 && params_.restart_after_us <= 1'000'000,
-          "filter.restart_after_us must be between 0 and 1000000");
+  require(params_.hit_after_us >= 0 && params_.hit_after_us <= 1'000'000,
+          "filter.hit_after_us must be between 0 and 1000000");
+  require(params_.jump_after_us >= 0 && params_.jump_after_us <= 1'000'000,
+          "filter.jump_after_us must be between 0 and 1000000");
+  require(params_.fastest_m_s > 0 && params_.fastest_m_s <= 100,
+          "filter.fastest_m_s must be above 0 and at most 100");
   require(params_.max_coast_us > 0 && params_.max_coast_us <= 1'000'000,
           "filter.max_coast_us must be above 0 and at most 1000000");
 }
 
 void MotionFilter::reset() {
-  newest_.reset();
-  outliers_since_.reset();
-}
-
-void MotionFilter::start(const TableMeasurement& m) {
-  track_.state = {m.position, m.velocity};
-  const double position = params_.position_sigma_m * params_.position_sigma_m;
-  const double speed = params_.initial_speed_sigma_m_s * params_.initial_speed_sigma_m_s;
-  track_.covariance =
-      diagonal(m.covariance[0] + position, m.covariance[3] + position, speed, speed);
-  track_.covariance[1] = m.covariance[1];
-  track_.covariance[4] = m.covariance[2];
-  newest_ = newest_seen_ = m.t;
-  outliers_since_.reset();
-  if (m.resting) come_to_rest();
-}
-
-void MotionFilter::come_to_rest() {
-  const double speed = kRestingSpeedSigma * kRestingSpeedSigma;
-  const Matrix4& p = track_.covariance;
-  track_.covariance = {p[0], p[1], 0, 0, p[4], p[5], 0, 0, 0, 0, speed, 0, 0, 0, 0, speed};
-  track_.state.velocity = {};
+  before_.hits = current().hits;
+  before_.jumps = current().jumps;
+  before_.newest.reset();
+  before_.doubt.reset();
+  before_.newest_seen = {};
+  count_ = 0;
 }
 
 MeasurementUse MotionFilter::update(const TableMeasurement& m) {
   if (!is_usable(m)) return MeasurementUse::kRejected;
-  if (newest_ && m.t <= newest_seen_) {
+  const auto end = moments_.begin() + static_cast<std::ptrdiff_t>(count_);
+  const auto place =
+      std::upper_bound(moments_.begin(), end, m.t,
+                       [](Timestamp t, const Moment& moment) { return t < moment.measurement.t; });
+  auto index = static_cast<std::size_t>(place - moments_.begin());
+  if (index > 0 && moments_[index - 1].measurement.t == m.t) {
     // A puck at rest makes no events, so that time stands still with it.
-    if (m.resting && m.t == newest_ && !outliers_since_) {
-      come_to_rest();
-      return MeasurementUse::kUsed;
-    }
-    return MeasurementUse::kLate;
+    Moment& same = moments_[index - 1];
+    if (!m.resting || index != count_ || !is_good(same.use)) return MeasurementUse::kLate;
+    same.measurement.resting = true;
+    filter_from(index - 1);
+    return MeasurementUse::kUsed;
   }
-  if (!newest_ || m.t - *newest_ > params_.max_coast_us) {
-    start(m);
+  const bool is_after_all_forgotten = m.t > before_.newest_seen || !before_.newest;
+  if (index == 0 && !is_after_all_forgotten) return MeasurementUse::kLate;
+  if (count_ == kHistory) {
+    if (index == 0) return MeasurementUse::kLate;
+    before_ = moments_.front().after;
+    std::move(moments_.begin() + 1, moments_.end(), moments_.begin());
+    --count_;
+    --index;
+  }
+  std::move_backward(moments_.begin() + static_cast<std::ptrdiff_t>(index),
+                     moments_.begin() + static_cast<std::ptrdiff_t>(count_),
+                     moments_.begin() + static_cast<std::ptrdiff_t>(count_ + 1));
+  ++count_;
+  moments_[index].measurement = m;
+  filter_from(index);
+  return moments_[index].use;
+}
+
+void MotionFilter::filter_from(std::size_t index) {
+  for (std::size_t i = index; i < count_; ++i) {
+    moments_[i].after = i > 0 ? moments_[i - 1].after : before_;
+    moments_[i].use = filter(moments_[i].after, moments_[i].measurement);
+  }
+}
+
+MeasurementUse MotionFilter::filter(Belief& belief, const TableMeasurement& m) const {
+  const std::int64_t since_last_us = belief.newest ? m.t - belief.newest_seen : 0;
+  belief.newest_seen = m.t;
+  if (!belief.newest || m.t - *belief.newest > params_.max_coast_us) {
+    belief.track = begun(m, noise_of(m, 1));
+    belief.newest = m.t;
+    belief.doubt.reset();
     return MeasurementUse::kStarted;
   }
-
-  const std::int64_t since_last_us = m.t - newest_seen_;
-  newest_seen_ = m.t;
-  const PuckTrack predicted =
-      motion_.advance(track_, static_cast<double>(m.t - *newest_) * 1e-6).track;
-  const Matrix4& p = predicted.covariance;
-
-  const double shared = std::max(
-      1.0, static_cast<double>(params_.error_memory_us) / static_cast<double>(since_last_us));
-  const double floor = params_.position_sigma_m * params_.position_sigma_m;
-  const Matrix2 r{shared * (m.covariance[0] + floor), shared * m.covariance[1],
-                  shared * m.covariance[2], shared * (m.covariance[3] + floor)};
-  const Matrix2 s{p[0] + r[0], p[1] + r[1], p[4] + r[2], p[5] + r[3]};
-  const double det = determinant(s);
-  const Matrix2 inverse{s[3] / det, -s[1] / det, -s[2] / det, s[0] / det};
-  const double dx = m.position.x_m - predicted.state.position.x_m;
-  const double dy = m.position.y_m - predicted.state.position.y_m;
-  const double distance_squared =
-      dx * (inverse[0] * dx + inverse[1] * dy) + dy * (inverse[2] * dx + inverse[3] * dy);
-
-  if (!(distance_squared <= params_.gate_sigmas * params_.gate_sigmas)) {
-    if (!outliers_since_) outliers_since_ = m.t;
-    if (m.t - *outliers_since_ < params_.restart_after_us) return MeasurementUse::kOutlier;
-    start(m);
-    return MeasurementUse::kStarted;
+  const double shared =
+      std::max(1.0, static_cast<double>(params_.error_memory_us) /
+                        static_cast<double>(std::max<std::int64_t>(since_last_us, 1)));
+  const PuckTrack expected = predicted(belief.track, *belief.newest, m.t);
+  if (!is_within(expected, m.position, noise_of(m, 1), params_.gate_sigmas)) {
+    return follow_doubt(belief, m, shared);
   }
-  outliers_since_.reset();
-
-  std::array<double, 8> gain{};  // four by two: P Hᵀ S⁻¹
-  for (std::size_t row = 0; row < 4; ++row) {
-    const double px = p[4 * row];
-    const double py = p[4 * row + 1];
-    gain[2 * row] = px * inverse[0] + py * inverse[2];
-    gain[2 * row + 1] = px * inverse[1] + py * inverse[3];
-  }
-  // Joseph's form keeps the covariance positive whatever the rounding.
-  Matrix4 keep = diagonal(1, 1, 1, 1);
-  Matrix4 noise{};
-  for (std::size_t row = 0; row < 4; ++row) {
-    keep[4 * row] -= gain[2 * row];
-    keep[4 * row + 1] -= gain[2 * row + 1];
-    for (std::size_t column = 0; column < 4; ++column) {
-      const double a = gain[2 * row] * r[0] + gain[2 * row + 1] * r[2];
-      const double b = gain[2 * row] * r[1] + gain[2 * row + 1] * r[3];
-      noise[4 * row + column] = a * gain[2 * column] + b * gain[2 * column + 1];
-    }
-  }
-  track_.covariance = symmetric_part(sum(carried(keep, p), noise));
-  track_.state.position = {predicted.state.position.x_m + gain[0] * dx + gain[1] * dy,
-                           predicted.state.position.y_m + gain[2] * dx + gain[3] * dy};
-  track_.state.velocity = {predicted.state.velocity.x_m_s + gain[4] * dx + gain[5] * dy,
-                           predicted.state.velocity.y_m_s + gain[6] * dx + gain[7] * dy};
-  newest_ = m.t;
-  if (m.resting) come_to_rest();
+  const PuckTrack track = with_measurement(expected, m.position, noise_of(m, shared));
+  belief.track = m.resting ? at_rest(track) : track;
+  belief.newest = m.t;
+  belief.doubt.reset();
   return MeasurementUse::kUsed;
 }
 
+MeasurementUse MotionFilter::follow_doubt(Belief& belief, const TableMeasurement& m,
+                                          double shared) const {
+  std::optional<Doubt>& doubt = belief.doubt;
+  const PuckTrack expected = doubt ? predicted(doubt->track, doubt->newest, m.t) : PuckTrack{};
+  if (doubt && is_within(expected, m.position, noise_of(m, 1), params_.gate_sigmas)) {
+    doubt->track = with_measurement(expected, m.position, noise_of(m, shared));
+    doubt->newest = m.t;
+  } else {
+    const double since_s = static_cast<double>(m.t - *belief.newest) * 1e-6;
+    const double reach_m = kNear + params_.fastest_m_s * since_s;
+    doubt = Doubt{begun(m, noise_of(m, 1)), m.t, m.t,
+                  distance_m(belief.track.state.position, m.position) <= reach_m};
+  }
+  const std::int64_t needed_us = doubt->is_near ? params_.hit_after_us : params_.jump_after_us;
+  if (m.t - doubt->since < needed_us) return MeasurementUse::kOutlier;
+  const MeasurementUse use = doubt->is_near ? MeasurementUse::kHit : MeasurementUse::kJumped;
+  ++(doubt->is_near ? belief.hits : belief.jumps);
+  belief.track = m.resting ? at_rest(doubt->track) : doubt->track;
+  belief.newest = m.t;
+  doubt.reset();
+  return use;
+}
+
+PuckTrack MotionFilter::begun(const TableMeasurement& m, const Matrix2& noise) const {
+  const double speed = params_.initial_speed_sigma_m_s * params_.initial_speed_sigma_m_s;
+  const Matrix2& v = m.velocity_covariance;
+  const double cross = (v[1] + v[2]) / 2;
+  const PuckTrack track{{m.position, m.velocity},
+                        {noise[0], noise[1], 0, 0, noise[2], noise[3], 0, 0, 0, 0, v[0] + speed,
+                         cross, 0, 0, cross, v[3] + speed}};
+  return m.resting ? at_rest(track) : track;
+}
+
+Matrix2 MotionFilter::noise_of(const TableMeasurement& m, double shared) const {
+  const double floor = params_.position_sigma_m * params_.position_sigma_m;
+  const double cross = shared * (m.covariance[1] + m.covariance[2]) / 2;
+  return {shared * m.covariance[0] + floor, cross, cross, shared * m.covariance[3] + floor};
+}
+
+PuckTrack MotionFilter::predicted(const PuckTrack& track, Timestamp from, Timestamp to) const {
+  return motion_.advance(track, static_cast<double>(to - from) * 1e-6).track;
+}
+
 std::optional<PuckTrack> MotionFilter::at(Timestamp t) const {
-  if (!newest_ || t < *newest_ || t - *newest_ > params_.max_coast_us) return std::nullopt;
-  return motion_.advance(track_, static_cast<double>(t - *newest_) * 1e-6).track;
+  const Belief& belief = current();
+  if (!belief.newest || t < *belief.newest || t - *belief.newest > params_.max_coast_us) {
+    return std::nullopt;
+  }
+  PuckTrack track = predicted(belief.track, *belief.newest, t);
+  // What the tracker does not know of stays, however many measurements are taken in.
+  const double floor = params_.position_sigma_m * params_.position_sigma_m;
+  track.covariance[0] += floor;
+  track.covariance[5] += floor;
+  return track;
 }
 
 }  // namespace puck

@@ -34,7 +34,9 @@ void read_motion(Config& config, PlayBridgeParams& params) {
   config.read("filter.error_memory_us", params.filter.error_memory_us, 0, 1'000'000);
   config.read("filter.initial_speed_sigma_m_s", params.filter.initial_speed_sigma_m_s, 0.001, 100);
   config.read("filter.gate_sigmas", params.filter.gate_sigmas, 1, 100);
-  config.read("filter.restart_after_us", params.filter.restart_after_us, 0, 1'000'000);
+  config.read("filter.hit_after_us", params.filter.hit_after_us, 0, 1'000'000);
+  config.read("filter.jump_after_us", params.filter.jump_after_us, 0, 1'000'000);
+  config.read("filter.fastest_m_s", params.filter.fastest_m_s, 0.1, 100);
   params.filter.max_coast_us =
       read_ms(config, "filter.max_coast_ms", params.filter.max_coast_us, 1, 100);
 
@@ -142,6 +144,8 @@ void BridgeService::report(StatusReport& report) const {
       {"estimates_not_tracking", bridge_.gate().count(EstimateVerdict::kNotTracking)},
       {"estimates_belated", bridge_.gate().count(EstimateVerdict::kBelated)},
       {"estimates_outliers", bridge_.outliers()},
+      {"track_hits", bridge_.hits()},
+      {"track_jumps", bridge_.jumps()},
       {"commands_sent", bridge_.commands()},
       {"shots", bridge_.game().shots},
       {"saves", bridge_.game().saves},

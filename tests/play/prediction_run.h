@@ -111,6 +111,8 @@ struct PredictionRun {
                               false,
                               {p[10], p[11], p[14], p[15]}})) {
         case MeasurementUse::kStarted:
+        case MeasurementUse::kHit:
+        case MeasurementUse::kJumped:
           ++result.starts;
           break;
         case MeasurementUse::kOutlier:

@@ -1,10 +1,13 @@
 #include "common/table/motion_filter.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -22,7 +25,8 @@ class Player {
   MeasurementUse step(MotionFilter& filter) {
     truth_ = motion_.advance(truth_, 0.001).track;
     t_ = t_ + 1000;
-    TableMeasurement m{t_, truth_.state.position};
+    const double variance = noise_.stddev() * noise_.stddev();
+    TableMeasurement m{t_, truth_.state.position, {variance, 0, 0, variance}};
     m.position.x_m += noise_(random_);
     m.position.y_m += noise_(random_);
     return filter.update(m);
@@ -115,17 +119,126 @@ TEST_CASE("A lone outlier moves nothing") {
   CHECK(player.step(filter) == MeasurementUse::kUsed);
 }
 
-TEST_CASE("Outliers that agree for 5 ms begin a new track, as after a hit") {
+TEST_CASE("A hit is followed within a few milliseconds, wherever it sends the puck") {
+  const PuckMotion motion(kTable);
+  for (const TableVelocity after : {TableVelocity{-4, -1}, {3, 2}, {-0.5, 3}, {-12, 0}}) {
+    CAPTURE(after.x_m_s);
+    MotionFilter filter(motion);
+    Player player(motion, {{{1.2, 0.1}, {0.5, 0}}, {}}, 0.0003);
+    for (int i = 0; i < 100; ++i) player.step(filter);
+    player.hit(after);
+    int after_ms = 0;
+    for (int i = 1; i <= 20; ++i) {
+      if (player.step(filter) == MeasurementUse::kHit) after_ms = i;
+    }
+    CHECK(after_ms >= 2);
+    CHECK(after_ms <= 6);
+    CHECK(filter.hits() == 1);
+    CHECK(filter.jumps() == 0);
+    CHECK(position_error(*filter.at(player.t()), player.truth()) < 0.003);
+    CHECK(velocity_error(*filter.at(player.t()), player.truth()) < 0.5);
+  }
+}
+
+TEST_CASE("A puck that is suddenly elsewhere is believed only after 20 ms, and counted as a jump") {
   const PuckMotion motion(kTable);
   MotionFilter filter(motion);
-  Player player(motion, {{{1.5, 0.2}, {0.5, 0}}, {}}, 0.001);
-  for (int i = 0; i < 200; ++i) player.step(filter);
-  player.hit({-4, -1});
-  int started = 0;
-  for (int i = 0; i < 60; ++i) started += player.step(filter) == MeasurementUse::kStarted ? 1 : 0;
-  CHECK(started == 1);
-  CHECK(position_error(*filter.at(player.t()), player.truth()) < 0.005);
-  CHECK(velocity_error(*filter.at(player.t()), player.truth()) < 0.4);
+  Player player(motion, {{{1.5, 0.2}, {0.5, 0}}, {}}, 0.0003);
+  for (int i = 0; i < 100; ++i) player.step(filter);
+  const TablePoint before = filter.at(player.t())->state.position;
+  int jumped_after_ms = 0;
+  for (int i = 1; i <= 40 && jumped_after_ms == 0; ++i) {
+    const Timestamp t = player.t() + 1000 * i;
+    const MeasurementUse use = filter.update({t, {0.5, -0.3}});
+    if (use == MeasurementUse::kJumped) jumped_after_ms = i;
+    if (use == MeasurementUse::kOutlier) {
+      CHECK(std::abs(filter.at(t)->state.position.x_m - before.x_m) < 0.05);
+    }
+  }
+  CHECK(jumped_after_ms == 21);
+  CHECK(filter.jumps() == 1);
+  CHECK(filter.hits() == 0);
+}
+
+TEST_CASE("Outliers that do not agree with one another never begin a track") {
+  const PuckMotion motion(kTable);
+  MotionFilter filter(motion);
+  Player player(motion, {{{1.5, 0.2}, {0.5, 0}}, {}}, 0.0003);
+  for (int i = 0; i < 100; ++i) player.step(filter);
+  for (int i = 1; i < 90; ++i) {
+    const double y = i % 2 == 0 ? -0.3 : 0.35;
+    CHECK(filter.update({player.t() + 1000 * i, {0.5 + 0.01 * (i % 7), y}}) ==
+          MeasurementUse::kOutlier);
+  }
+}
+
+// A game's measurements with a bounce, a hit and outliers among them.
+std::vector<TableMeasurement> eventful_measurements() {
+  const PuckMotion motion(kTable);
+  PuckTrack truth{{{1.5, 0.2}, {-1, 2}}, {}};
+  std::mt19937 random(9);
+  std::normal_distribution<double> noise(0, 0.0005);
+  std::vector<TableMeasurement> measurements;
+  for (int i = 0; i < 400; ++i) {
+    truth = motion.advance(truth, 0.001).track;
+    if (i == 230) truth.state.velocity = {3, -1};
+    TableMeasurement m{
+        {1'000'000 + 1000 * i},
+        {truth.state.position.x_m + noise(random), truth.state.position.y_m + noise(random)},
+        {1e-7, 0, 0, 1e-7},
+        truth.state.velocity};
+    if (i % 37 == 36) m.position.x_m -= 0.2;
+    m.resting = i == 390;
+    measurements.push_back(m);
+  }
+  return measurements;
+}
+
+TEST_CASE("In whatever order the measurements of a window come, the track is the same") {
+  const PuckMotion motion(kTable);
+  const std::vector<TableMeasurement> in_order = eventful_measurements();
+  std::mt19937 random(4);
+  for (const std::size_t window : {2, 5, 16, 32}) {
+    CAPTURE(window);
+    std::vector<TableMeasurement> shuffled = in_order;
+    // The first begins the track either way.
+    for (std::size_t i = 1; i < shuffled.size(); i += window) {
+      const std::size_t end = std::min(i + window, shuffled.size());
+      std::shuffle(shuffled.begin() + static_cast<std::ptrdiff_t>(i),
+                   shuffled.begin() + static_cast<std::ptrdiff_t>(end), random);
+    }
+    MotionFilter expected(motion);
+    MotionFilter filter(motion);
+    for (std::size_t i = 0; i < in_order.size(); ++i) {
+      expected.update(in_order[i]);
+      CHECK(filter.update(shuffled[i]) != MeasurementUse::kLate);
+      if (i % window != 0) continue;
+      REQUIRE(filter.newest() == expected.newest());
+      const PuckTrack a = *expected.at(*expected.newest());
+      const PuckTrack b = *filter.at(*filter.newest());
+      CHECK(a.state.position == b.state.position);
+      CHECK(a.state.velocity.x_m_s == b.state.velocity.x_m_s);
+      CHECK(a.covariance == b.covariance);
+    }
+    CHECK(filter.hits() == expected.hits());
+    CHECK(filter.hits() >= 1);
+    CHECK(filter.jumps() == 0);
+  }
+}
+
+TEST_CASE("A measurement from before all that is kept is late, and so is one that came already") {
+  const PuckMotion motion(kTable);
+  MotionFilter filter(motion);
+  const std::vector<TableMeasurement> measurements = eventful_measurements();
+  for (const TableMeasurement& m : measurements) filter.update(m);
+  const PuckTrack before = *filter.at(measurements.back().t);
+  const std::size_t oldest_kept = measurements.size() - MotionFilter::kHistory;
+  TableMeasurement old = measurements[oldest_kept];
+  old.t = old.t + -500;
+  old.position.x_m += 0.001;
+  CHECK(filter.update(old) == MeasurementUse::kLate);
+  CHECK(filter.update(measurements[oldest_kept + 3]) == MeasurementUse::kLate);
+  CHECK(filter.at(measurements.back().t)->state.position == before.state.position);
 }
 
 TEST_CASE("Measurements that share their errors are not trusted more for coming more often") {
@@ -138,11 +251,10 @@ TEST_CASE("Measurements that share their errors are not trusted more for coming 
   CHECK(sigma_at_rate(200) == doctest::Approx(sigma_at_rate(2000)).epsilon(0.25));
 }
 
-TEST_CASE("Late and repeated measurements are dropped, but a resting puck may repeat its time") {
+TEST_CASE("Repeated measurements are dropped, but a resting puck may repeat its time") {
   const PuckMotion motion(kTable);
   MotionFilter filter(motion);
   filter.update({{10'000}, {1, 0}, {}, {3, 0}});
-  CHECK(filter.update({{9'000}, {1, 0}}) == MeasurementUse::kLate);
   CHECK(filter.update({{10'000}, {1, 0}}) == MeasurementUse::kLate);
   TableMeasurement resting{{10'000}, {1, 0}};
   resting.resting = true;
