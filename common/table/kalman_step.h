@@ -7,9 +7,6 @@
 
 namespace puck {
 
-/// Two by two, row by row.
-using Matrix2 = std::array<double, 4>;
-
 /// Where one estimate places the puck on the table.
 struct TableMeasurement {
   Timestamp t;

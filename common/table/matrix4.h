@@ -5,6 +5,8 @@
 
 namespace puck {
 
+/// Two by two, row by row.
+using Matrix2 = std::array<double, 4>;
 /// Four by four, row by row.
 using Matrix4 = std::array<double, 16>;
 

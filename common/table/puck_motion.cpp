@@ -1,8 +1,10 @@
 #include "common/table/puck_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -100,50 +102,124 @@ double PuckMotion::time_to_x(const PuckState& start, double x_m) const {
   return time_to_cover(distance, start.velocity.x_m_s, params_.damping_per_s);
 }
 
+std::optional<PuckMotion::Contact> PuckMotion::next_post(const PuckState& start) const {
+  const auto& [position, velocity] = start;
+  const double radius = table_.puck_radius_m;
+  const double speed_squared = velocity.x_m_s * velocity.x_m_s + velocity.y_m_s * velocity.y_m_s;
+  std::optional<Contact> first;
+  for (const double rail_x : {0.0, table_.length_m}) {
+    for (const double post_y : {-table_.goal_width_m / 2, table_.goal_width_m / 2}) {
+      // Where |offset + s velocity| = radius.
+      const double x = position.x_m - rail_x;
+      const double y = position.y_m - post_y;
+      const double approach = x * velocity.x_m_s + y * velocity.y_m_s;
+      const double gap = x * x + y * y - radius * radius;
+      const double root = approach * approach - speed_squared * gap;
+      if (!(approach < 0) || root < 0) continue;
+      const double s = std::max(0.0, (-approach - std::sqrt(root)) / speed_squared);
+      const double hit_x = x + s * velocity.x_m_s;
+      const double hit_y = y + s * velocity.y_m_s;
+      // Beside the mouth, and behind it, there are walls.
+      const bool is_before_rail = rail_x == 0 ? hit_x >= 0 : hit_x <= 0;
+      const bool is_in_mouth = std::abs(hit_y + post_y) < table_.goal_width_m / 2;
+      const double after_s = time_to_cover(s, 1, params_.damping_per_s);
+      if (!is_before_rail || !is_in_mouth || (first && after_s >= first->after_s)) continue;
+      const double distance = std::hypot(hit_x, hit_y);
+      if (distance > 0) first = Contact{after_s, hit_x / distance, hit_y / distance};
+    }
+  }
+  return first;
+}
+
+PuckTrack PuckMotion::bounced(const PuckTrack& at, double normal_x, double normal_y,
+                              double curvature_1_m) const {
+  const double back = -params_.rail_restitution;
+  const double along = params_.rail_grip;
+  const auto& [position, velocity] = at.state;
+  const double xx = normal_x * normal_x;
+  const double xy = normal_x * normal_y;
+  const double yy = normal_y * normal_y;
+  // Across the contact's normal n, and along the tangent, what n leaves.
+  const Matrix2 turn{back * xx + along * yy, (back - along) * xy, (back - along) * xy,
+                     back * yy + along * xx};
+  PuckTrack after;
+  after.state.position = position;
+  after.state.velocity = {turn[0] * velocity.x_m_s + turn[1] * velocity.y_m_s,
+                          turn[2] * velocity.x_m_s + turn[3] * velocity.y_m_s};
+  // To first order the place beyond the contact is the mirror image of the one before it, scaled
+  // like the speed. What the moment of the bounce does to the place along the rail is left out: it
+  // is small, and grows without bound where the puck grazes the rail.
+  const Matrix4 reflection{back * xx + yy,
+                           (back - 1) * xy,
+                           0,
+                           0,  //
+                           (back - 1) * xy,
+                           back * yy + xx,
+                           0,
+                           0,  //
+                           0,
+                           0,
+                           turn[0],
+                           turn[1],  //
+                           0,
+                           0,
+                           turn[2],
+                           turn[3]};
+  const Matrix4& p = at.covariance;
+  const double speed = std::hypot(velocity.x_m_s, velocity.y_m_s);
+  const double spread = params_.bounce_spread * speed;
+  // At a post the normal turns with where the puck meets it.
+  const double along_variance = yy * p[0] - 2 * xy * p[1] + xx * p[5];
+  const double turned = (1 - back) * speed * curvature_1_m;
+  const double variance = spread * spread + turned * turned * std::max(0.0, along_variance);
+  after.covariance = sum(carried(reflection, p), diagonal(0, 0, variance, variance));
+  return after;
+}
+
 PuckMotion::Leg PuckMotion::next_leg(const PuckTrack& start, double limit_s) const {
   const auto& [position, velocity] = start.state;
+  const double damping = params_.damping_per_s;
   const double radius = table_.puck_radius_m;
   const double side = table_.width_m / 2 - radius;
   const double wall_x = wall_ahead(velocity.x_m_s, radius, table_.length_m - radius);
   const double wall_y = wall_ahead(velocity.y_m_s, -side, side);
-  const double end_rail_s =
-      time_to_cover(wall_x - position.x_m, velocity.x_m_s, params_.damping_per_s);
-  const double side_rail_s =
-      time_to_cover(wall_y - position.y_m, velocity.y_m_s, params_.damping_per_s);
+  double end_rail_s = time_to_cover(wall_x - position.x_m, velocity.x_m_s, damping);
+  const double side_rail_s = time_to_cover(wall_y - position.y_m, velocity.y_m_s, damping);
+
+  // In a goal's mouth there is no rail but the two posts, which are points, and the goal's line.
+  double goal_s = kNever;
+  std::optional<Contact> post;
+  const bool meets_end = end_rail_s <= side_rail_s && end_rail_s <= limit_s;
+  const auto is_in_mouth = [&](double y_m) { return std::abs(y_m) < table_.goal_width_m / 2; };
+  if (meets_end && is_in_mouth(glide(start, end_rail_s).state.position.y_m)) {
+    const double line_x = wall_ahead(velocity.x_m_s, 0, table_.length_m);
+    goal_s = time_to_cover(line_x - position.x_m, velocity.x_m_s, damping);
+    end_rail_s = kNever;
+  }
+  const double to_end = std::min(position.x_m, table_.length_m - position.x_m);
+  if (goal_s < kNever || (to_end < radius && is_in_mouth(position.y_m)))
+    post = next_post(start.state);
+  const double post_s = post ? post->after_s : kNever;
 
   Leg leg;
-  leg.duration_s = std::min({end_rail_s, side_rail_s, limit_s});
+  leg.duration_s = std::min({end_rail_s, side_rail_s, goal_s, post_s, limit_s});
   leg.track = glide(start, leg.duration_s);
-  if (leg.duration_s == limit_s && limit_s < std::min(end_rail_s, side_rail_s)) return leg;
-
-  PuckState& state = leg.track.state;
-  const bool at_end_rail = end_rail_s <= side_rail_s;
-  if (at_end_rail && std::abs(state.position.y_m) < table_.goal_width_m / 2 - radius) {
-    state.velocity = {};
-    leg.end = LegEnd::kGoal;
+  if (leg.duration_s == limit_s && limit_s < std::min({end_rail_s, side_rail_s, goal_s, post_s})) {
     return leg;
   }
-
   leg.end = LegEnd::kBounce;
-  const double speed = std::hypot(state.velocity.x_m_s, state.velocity.y_m_s);
-  const double back = -params_.rail_restitution;
-  const double along = params_.rail_grip;
-  Matrix4 reflection;
-  if (at_end_rail) {
-    state.position.x_m = wall_x;
-    state.velocity = {back * state.velocity.x_m_s, along * state.velocity.y_m_s};
-    reflection = diagonal(back, 1, back, along);
+  if (leg.duration_s == post_s) {
+    leg.track = bounced(leg.track, post->normal_x, post->normal_y, 1 / radius);
+  } else if (leg.duration_s == goal_s) {
+    leg.track.state.velocity = {};
+    leg.end = LegEnd::kGoal;
+  } else if (end_rail_s <= side_rail_s) {
+    leg.track.state.position.x_m = wall_x;
+    leg.track = bounced(leg.track, 1, 0, 0);
   } else {
-    state.position.y_m = wall_y;
-    state.velocity = {along * state.velocity.x_m_s, back * state.velocity.y_m_s};
-    reflection = diagonal(1, back, along, back);
+    leg.track.state.position.y_m = wall_y;
+    leg.track = bounced(leg.track, 0, 1, 0);
   }
-  // To first order the place beyond the rail is the mirror image of the one before it, scaled
-  // like the speed. What the moment of the bounce does to the place along the rail is left out: it
-  // is small, and grows without bound where the puck grazes the rail.
-  const double spread = params_.bounce_spread * speed;
-  leg.track.covariance = sum(carried(reflection, leg.track.covariance),
-                             diagonal(0, 0, spread * spread, spread * spread));
   return leg;
 }
 

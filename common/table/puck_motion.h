@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "common/table/puck_track.h"
 #include "common/table/table_geometry.h"
 
@@ -18,13 +20,14 @@ struct PuckMotionParams {
 };
 
 /// The puck's motion on the table: gliding with linear damping, and bounces of its rim at the
-/// rails. It knows no mallets. An end rail is open where the goal is.
+/// rails and the goals' posts, which are points. It knows no mallets. An end rail is open where the
+/// goal is.
 class PuckMotion {
  public:
   enum class LegEnd {
     kTimeUp,  ///< Still gliding.
-    kBounce,  ///< Just after a bounce at a rail.
-    kGoal,    ///< In a goal's mouth, and taken to rest there.
+    kBounce,  ///< Just after a bounce at a rail or a post.
+    kGoal,    ///< With its centre on a goal's line, and taken to rest there.
   };
   struct Leg {
     PuckTrack track;  ///< At the leg's end.
@@ -55,6 +58,18 @@ class PuckMotion {
   Advanced advance(const PuckTrack& start, double dt_s) const;
 
  private:
+  /// With a goal's post.
+  struct Contact {
+    double after_s = 0;
+    double normal_x = 0;  ///< Unit vector towards the puck.
+    double normal_y = 0;
+  };
+
+  std::optional<Contact> next_post(const PuckState& start) const;
+  /// Just after a contact whose normal turns so much a metre along it.
+  PuckTrack bounced(const PuckTrack& at, double normal_x, double normal_y,
+                    double curvature_1_m) const;
+
   TableGeometry table_;
   PuckMotionParams params_;
 };

@@ -80,14 +80,41 @@ TEST_CASE("In a corner the puck bounces at both rails and comes back the way it 
 
 TEST_CASE("The end rail returns the puck beside the goal and lets it in between the posts") {
   const PuckMotion motion(kTable, kIdeal);
-  const PuckMotion::Advanced beside = motion.advance(track_at(0.5, 0.11, -1, 0), 0.6);
+  const PuckMotion::Advanced beside = motion.advance(track_at(0.5, 0.21, -1, 0), 0.6);
   CHECK_FALSE(beside.in_goal);
   CHECK(beside.track.state.velocity.x_m_s == doctest::Approx(1));
   const PuckMotion::Advanced inside = motion.advance(track_at(0.5, 0.09, -1, 0), 0.6);
   CHECK(inside.in_goal);
   CHECK(inside.bounces == 0);
-  CHECK(inside.track.state.position.x_m == doctest::Approx(0.1));
+  CHECK(inside.track.state.position.x_m == doctest::Approx(0));
   CHECK(inside.track.state.velocity.x_m_s == 0);
+}
+
+TEST_CASE("A goal post, a point, turns the puck's rim away along the line through its centre") {
+  const PuckMotion motion(kTable, kIdeal);
+  // The post lies at (0, 0.2), the puck's centre 0.06 beside it: contact at x = 0.08, where the
+  // normal is (0.8, -0.6). (-1, 0) is mirrored at it to (0.28, -0.96).
+  const PuckMotion::Leg robots = motion.next_leg(track_at(0.5, 0.14, -1, 0), 1);
+  CHECK(robots.end == PuckMotion::LegEnd::kBounce);
+  CHECK(robots.duration_s == doctest::Approx(0.42));
+  CHECK(robots.track.state.velocity.x_m_s == doctest::Approx(0.28));
+  CHECK(robots.track.state.velocity.y_m_s == doctest::Approx(-0.96));
+  const PuckMotion::Leg opponents = motion.next_leg(track_at(1.5, -0.14, 1, 0), 1);
+  CHECK(opponents.duration_s == doctest::Approx(0.42));
+  CHECK(opponents.track.state.velocity.x_m_s == doctest::Approx(-0.28));
+  CHECK(opponents.track.state.velocity.y_m_s == doctest::Approx(0.96));
+  // Met more than halfway it comes back out; less, it goes in by way of the other post.
+  CHECK_FALSE(motion.advance(track_at(0.5, 0.14, -1, 0), 0.6).in_goal);
+}
+
+TEST_CASE("Where the puck meets a post decides where it goes, so that its spread grows there") {
+  const PuckMotion motion(kTable, kIdeal);
+  PuckTrack start = track_at(0.5, 0.14, -1, 0);
+  start.covariance = diagonal(1e-6, 1e-6, 0, 0);
+  const Matrix4 p = motion.next_leg(start, 1).track.covariance;
+  // By a tenth of the radius in 100: 2 * 1 m/s * 0.001 / 0.1.
+  CHECK(p[10] == doctest::Approx(4e-4));
+  CHECK(p[15] == doctest::Approx(4e-4));
 }
 
 TEST_CASE("A place measured beyond a rail comes back to the table") {
