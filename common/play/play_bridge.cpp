@@ -195,7 +195,9 @@ std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now)
   message.vx_m_s = track->state.velocity.x_m_s;
   message.vy_m_s = track->state.velocity.y_m_s;
   std::copy(track->covariance.begin(), track->covariance.end(), std::begin(message.covariance));
-  predictor_.predict_path(*track, kPathHorizonS, kPathStepS, path_);
+  std::optional<TablePoint> mallet;
+  if (hears_arm(now)) mallet = TablePoint{table_.robot_line_x_m, arm_->position_m};
+  predictor_.predict_path(*track, mallet, kPathHorizonS, kPathStepS, path_);
   message.path_length = static_cast<std::int32_t>(path_.size());
   for (const PathPoint& point : path_) {
     message.path_t_s.push_back(point.t_s);

@@ -12,6 +12,9 @@ struct InterceptParams {
   double horizon_s = 2.0;          ///< Crossings later than this are not looked for.
   double min_approach_m_s = 0.05;  ///< Slower ones towards the line do not count.
   int max_bounces = 4;             ///< Nothing is predicted beyond.
+  /// A puck that stays in the opponent's half for longer is his to hit: nothing is predicted
+  /// beyond.
+  double opponent_after_s = 0.5;
 };
 
 /// Where and when the puck's centre crosses x = `x_m` towards the robot.
@@ -41,16 +44,22 @@ class InterceptPredictor {
 
   double line_x_m() const { return line_x_m_; }
 
-  /// Nothing when the puck moves away, is beyond the line, comes to rest before, enters the other
-  /// goal, or would need longer or more bounces than the parameters allow.
+  /// Nothing when the puck moves away, as it will meet the opponent's mallet before it comes back,
+  /// and so where it stays long in the opponent's half; when it is beyond the line, comes to rest
+  /// before, or would need longer or more bounces than the parameters allow.
   std::optional<Intercept> predict(const PuckTrack& track) const;
 
   /// Fills `path` with the predicted places every `step_s` up to `horizon_s`, the bounces between
-  /// them included; ends at a goal.
-  void predict_path(const PuckTrack& track, double horizon_s, double step_s,
-                    std::vector<PathPoint>& path) const;
+  /// them included; ends at a goal, at the robot's mallet if it is known, and where the opponent
+  /// may have hit.
+  void predict_path(const PuckTrack& track, const std::optional<TablePoint>& robot_mallet,
+                    double horizon_s, double step_s, std::vector<PathPoint>& path) const;
 
  private:
+  bool is_in_opponents_half(const PuckTrack& track) const {
+    return track.state.position.x_m > motion_.table().length_m / 2;
+  }
+
   PuckMotion motion_;
   InterceptParams params_;
   double line_x_m_;

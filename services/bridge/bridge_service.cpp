@@ -43,6 +43,7 @@ void read_motion(Config& config, PlayBridgeParams& params) {
   config.read("intercept.horizon_s", params.intercept.horizon_s, 0.01, 60);
   config.read("intercept.min_approach_m_s", params.intercept.min_approach_m_s, 0.001, 10);
   config.read("intercept.max_bounces", params.intercept.max_bounces, 0, 64);
+  config.read("intercept.opponent_after_s", params.intercept.opponent_after_s, 0, 60);
 
   config.read("strategy.max_crossing_sigma_m", params.strategy.max_crossing_sigma_m, 0.001, 10);
   config.read("strategy.shadow_gain", params.strategy.shadow_gain, 0, 1);

@@ -308,7 +308,7 @@ TEST_CASE("A late HEAD, or another robot's, does not say that the head is home a
 TEST_CASE(
     "The trajectory has the puck on the table in metres, and says when it is only predicted") {
   BridgeBench bench;
-  PuckTrack puck = puck_at(1.8, -0.2, -1, 0.5);
+  PuckTrack puck = puck_at(1.5, -0.2, -1, 0.5);
   bench.play(PuckMotion(TableGeometry{}), puck, 200);
   REQUIRE(bench.trajectory);
   CHECK(bench.trajectory->validity == puck_trajectory_t::VALIDITY_TRACKED);

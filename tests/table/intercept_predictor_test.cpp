@@ -36,13 +36,19 @@ TEST_CASE("A bank shot crosses after its bounce, on the other side") {
   CHECK(crossing->bounces == 1);
 }
 
-TEST_CASE("A puck that goes away comes back from the far rail, but not from the far goal") {
+TEST_CASE("A puck that goes away is not predicted: the opponent's mallet will be in its way") {
   const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
-  const std::optional<Intercept> crossing = predictor.predict(track_at(1.1, 0.3, 2, 0));
-  REQUIRE(crossing);
-  CHECK(crossing->in_s == doctest::Approx(0.4 + 0.8));
-  CHECK(crossing->bounces == 1);
-  CHECK_FALSE(predictor.predict(track_at(1.1, 0.05, 2, 0)));
+  CHECK_FALSE(predictor.predict(track_at(1.1, 0.3, 2, 0)));
+  CHECK_FALSE(predictor.predict(track_at(0.5, 0.3, 2, 0)));
+}
+
+TEST_CASE("A puck that dawdles in the opponent's half is his; one that leaves it soon is not") {
+  const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
+  // 0.6 m to the middle of the table.
+  CHECK_FALSE(predictor.predict(track_at(1.6, 0, -1.19, 0)));
+  CHECK(predictor.predict(track_at(1.6, 0, -1.21, 0)));
+  // In the robot's half it may take its time.
+  CHECK(predictor.predict(track_at(0.99, 0, -0.4, 0)));
 }
 
 TEST_CASE("No crossing: it rests, stops short, is too slow, too late, or is past the line") {
@@ -85,11 +91,25 @@ TEST_CASE("The spread of place and time follows from the covariance") {
 TEST_CASE("The predicted path starts at the puck, keeps its step and ends in the goal") {
   const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
   std::vector<PathPoint> path;
-  predictor.predict_path(track_at(0.9, 0, -2, 0), 1.0, 0.1, path);
+  predictor.predict_path(track_at(0.9, 0, -2, 0), std::nullopt, 1.0, 0.1, path);
   REQUIRE(path.size() == 5);
   CHECK(path[0].position.x_m == doctest::Approx(0.9));
   CHECK(path[4].t_s == doctest::Approx(0.4));
   CHECK(path[4].position.x_m == doctest::Approx(0.1));
+}
+
+TEST_CASE("The predicted path ends at the robot's mallet and where the opponent may have hit") {
+  const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
+  std::vector<PathPoint> path;
+  // The discs touch at 0.15 from centre to centre: x = 0.3, after 0.3 s.
+  predictor.predict_path(track_at(0.91, 0.05, -2, 0), TablePoint{0.15, 0.05}, 1.0, 0.1, path);
+  REQUIRE(path.size() == 5);
+  CHECK(path.back().position.x_m == doctest::Approx(0.11));
+  predictor.predict_path(track_at(0.91, 0.3, -2, 0), TablePoint{0.15, 0.05}, 1.0, 0.1, path);
+  CHECK(path.size() == 11);
+  // In the opponent's half from 0.1 s on.
+  predictor.predict_path(track_at(0.95, 0.3, 1, 0), std::nullopt, 2.0, 0.1, path);
+  CHECK(path.back().t_s == doctest::Approx(0.6));
 }
 
 TEST_CASE("Intercept parameters out of range are refused by name") {
