@@ -41,7 +41,7 @@ HWY_INLINE TotalVector half_of(V values, int half) {
   return hn::PromoteTo(Totals(), values);
 #else
   return half == 0 ? hn::PromoteTo(Totals(), hn::LowerHalf(values))
-                   : hn::PromoteTo(Totals(), hn::UpperHalf(hn::Half<hn::DFromV<V>>(), values));
+                   : hn::PromoteTo(Totals(), hn::UpperHalf(hn::Half<hn::DFromV<V> >(), values));
 #endif
 }
 
@@ -72,11 +72,7 @@ class Strip {
       move_on(place);
       put(row);
     }
-    std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
-    for (const auto& values : lowest_) {
-      lowest = std::min(lowest, hn::GetLane(hn::MinOfLanes(Totals(), values)));
-    }
-    return lowest;
+    return lowest();
   }
 
  private:
@@ -147,15 +143,7 @@ class Strip {
 
   HWY_INLINE void put(int row) {
     if constexpr (kShapes == 1) {
-      const std::size_t lanes = hn::Lanes(Totals());
-      for (int i = 0; i < kVectors * kHalves; ++i) {
-        const std::size_t x = x_ + static_cast<std::size_t>(i) * lanes;
-        if (x >= plan_.width) break;
-        const auto inside = hn::FirstN(Totals(), plan_.width - x);
-        const auto known = hn::IfThenElse(
-            inside, totals_[i], hn::Set(Totals(), std::numeric_limits<std::int32_t>::max()));
-        lowest_[i] = hn::Min(lowest_[i], known);
-      }
+      for (int i = 0; i < kVectors * kHalves; ++i) lowest_[i] = hn::Min(lowest_[i], totals_[i]);
     }
     if (row < plan_.kept_first || row >= plan_.kept_last) return;
     for (int shape = 0; shape < kShapes; ++shape) {
@@ -166,6 +154,19 @@ class Strip {
                    to + static_cast<std::size_t>(i) * hn::Lanes(Totals()));
       }
     }
+  }
+
+  // Of the columns that are candidates.
+  HWY_INLINE std::int32_t lowest() const {
+    const auto none = hn::Set(Totals(), std::numeric_limits<std::int32_t>::max());
+    auto all = none;
+    for (int i = 0; i < kVectors * kHalves; ++i) {
+      const std::size_t x = x_ + static_cast<std::size_t>(i) * hn::Lanes(Totals());
+      if (x >= plan_.width) break;
+      const auto inside = hn::FirstN(Totals(), plan_.width - x);
+      all = hn::Min(all, hn::IfThenElse(inside, lowest_[i], none));
+    }
+    return hn::GetLane(hn::MinOfLanes(Totals(), all));
   }
 
   const SweepPlan& plan_;

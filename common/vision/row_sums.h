@@ -18,22 +18,29 @@ class RowSums {
   static constexpr int kLongestRun = 257;
   /// So many sums may be read beyond a row's last, whatever they are: whole vectors.
   static constexpr int kSlack = 128;
+  /// So many pixels are summed up at once, whatever the last ones of a row's are.
+  static constexpr int kStep = 16;
 
   /// Makes room for a picture of `place`. The caller writes all its pixels, row by row, to
   /// `pixels()`, and then calls `sum_up()`.
   void resize(const Region& place);
-  ImageView<std::uint8_t> pixels() { return pixels_.mutable_view(); }
+  ImageView<std::uint8_t> pixels() {
+    return {pixels_.data(), place_.width, place_.height, pixel_stride_};
+  }
   void sum_up();
 
   const Region& place() const { return place_; }
   /// The sums of row y, from the top of the place: [x] is that of the pixels left of column x.
   const std::uint16_t* row(int y) const { return sums_.data() + y * stride_; }
   std::ptrdiff_t stride() const { return stride_; }
-  const Image<std::uint8_t>& picture() const { return pixels_; }
+  ImageView<const std::uint8_t> picture() const {
+    return {pixels_.data(), place_.width, place_.height, pixel_stride_};
+  }
 
  private:
   Region place_;
-  Image<std::uint8_t> pixels_;
+  std::ptrdiff_t pixel_stride_ = 0;
+  std::vector<std::uint8_t> pixels_;
   std::ptrdiff_t stride_ = 0;
   std::vector<std::uint16_t> sums_;
 };
