@@ -1,15 +1,18 @@
 #include "common/control/arm_controller.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace puck {
 namespace {
 
-// Nearer to its target and slower than this the arm counts as holding.
-constexpr double kThereM = 0.002;
+// Slower than this, and its set-point at rest, the arm counts as holding.
 constexpr double kStillMS = 0.005;
 
 CommandGuardParams guard_params(const ArmControllerParams& params) {
@@ -18,22 +21,45 @@ CommandGuardParams guard_params(const ArmControllerParams& params) {
   return guard;
 }
 
+JointAngles middle_of(const JointTable& table) {
+  std::array<double, JointAngles::kMost> deg{};
+  table.at(0, deg);
+  return JointAngles(std::span<const double>(deg).first(table.size()));
+}
+
 }  // namespace
 
-ArmController::ArmController(const ArmControllerParams& params, std::int64_t session)
+ArmController::ArmController(const ArmControllerParams& params, std::int64_t session,
+                             std::unique_ptr<ArmBackEnd> back_end)
     : params_(params),
       guard_(guard_params(params), session),
       track_(params.track),
-      arm_(params.arm, params.guard.line_half_m) {
+      jumps_(params.jumps),
+      motion_(params.arm, params.guard.line_half_m),
+      back_end_(std::move(back_end)) {
   if (params_.mode == ArmMode::kFollow && !params_.view) {
     throw std::invalid_argument("arm.table is needed when arm.mode is \"follow\"");
+  }
+  if (!back_end_) {
+    back_end_ = std::make_unique<SimulatedBackEnd>(params.simulated, motion_.table(),
+                                                   middle_of(motion_.table()));
   }
   order_.reason = "nothing asked yet";
 }
 
 void ArmController::hear(const puck_estimate_t& estimate, const HostNow& now,
                          const SenderClock& sender) {
-  ++estimates_[static_cast<std::size_t>(track_.hear(estimate, now, sender))];
+  const TrackWatch::Verdict verdict = track_.hear(estimate, now, sender);
+  ++estimates_[static_cast<std::size_t>(verdict)];
+  if (params_.mode != ArmMode::kFollow || verdict != TrackWatch::Verdict::kUsed) return;
+  const puck_estimate_t* track = track_.alive(now.monotonic_us);
+  if (track == nullptr) return jumps_.lose();
+  const std::optional<TablePoint> point = place_of(*track);
+  if (!point) {
+    ++off_table_;
+    return jumps_.lose();
+  }
+  jumps_.see(*point, track->sensor_us, now.monotonic_us);
 }
 
 ArmController::Order ArmController::decide_as_commanded(const HostNow& now,
@@ -61,16 +87,27 @@ ArmController::Order ArmController::decide_as_commanded(const HostNow& now,
   return order;
 }
 
-ArmController::Order ArmController::decide_to_follow(const puck_estimate_t* track) const {
+std::optional<TablePoint> ArmController::place_of(const puck_estimate_t& track) const {
+  const std::optional<TablePoint> point =
+      params_.view->table_from_image.to_table({track.x_px, track.y_px});
+  if (!point || !params_.view->table.contains(*point, params_.margin_m)) return std::nullopt;
+  return point;
+}
+
+ArmController::Order ArmController::decide_to_follow(const puck_estimate_t* track,
+                                                     const HostNow& now) const {
   Order order;
   if (track == nullptr) {
     order.reason = "no live track";
     return order;
   }
-  const std::optional<TablePoint> point =
-      params_.view->table_from_image.to_table({track->x_px, track->y_px});
-  if (!point || !params_.view->table.contains(*point, params_.margin_m)) {
+  const std::optional<TablePoint> point = place_of(*track);
+  if (!point) {
     order.reason = "the track is off the table";
+    return order;
+  }
+  if (!jumps_.is_believed(now.monotonic_us)) {
+    order.reason = "the track jumps";
     return order;
   }
   const double half_m = params_.guard.line_half_m;
@@ -87,7 +124,7 @@ ArmController::Order ArmController::decide(const HostNow& now) const {
     return order;
   }
   const puck_estimate_t* track = track_.alive(now.monotonic_us);
-  return params_.mode == ArmMode::kFollow ? decide_to_follow(track)
+  return params_.mode == ArmMode::kFollow ? decide_to_follow(track, now)
                                           : decide_as_commanded(now, track);
 }
 
@@ -109,29 +146,47 @@ void ArmController::step(const HostNow& now, double dt_s) {
   alive_seq_ = track != nullptr ? track->seq : 0;
   order_ = order;
 
-  if (order_.target_m) {
-    was_ever_ordered_ = true;
-    arm_.set_target(*order_.target_m);
-  } else {
-    arm_.hold();
-  }
-  arm_.step(dt_s);
-  if (!std::isfinite(arm_.position_m())) guard_.fault("the arm's position is not finite");
+  if (order_.target_m) was_ever_ordered_ = true;
+
+  const bool is_faulty = guard_.latch() == CommandGuard::Latch::kFault;
+  if (was_faulty_ && !is_faulty) motion_.restart();
+  was_faulty_ = is_faulty;
+  const std::string wrong = motion_.step(*back_end_, order_.target_m, now.monotonic_us, dt_s);
+  if (wrong.empty()) return;
+  guard_.fault(wrong);
+  was_faulty_ = true;
+  order_ = {};
+  order_.reason = guard_.latch_reason();
 }
 
 arm_state_t ArmController::state() const {
   const double half_m = params_.guard.line_half_m;
   arm_state_t state{};
-  state.reason = order_.target_m ? "" : order_.reason;
+  const bool is_latched = guard_.latch() != CommandGuard::Latch::kNone;
+  if (is_latched) {
+    state.reason = guard_.latch_reason();
+  } else if (order_.target_m || !motion_.encoders().has_reading()) {
+    state.reason = motion_.note();
+  } else {
+    state.reason = order_.reason;
+  }
   state.faults = guard_.faults();
-  state.back_end = "simulated";
+  state.back_end = back_end_->name();
   state.line_x_m = params_.line_x_m;
   state.line_min_m = -half_m;
   state.line_max_m = half_m;
-  state.position_m = arm_.position_m();
-  state.position_normalised = arm_.position_m() / half_m;
-  state.velocity_m_s = arm_.velocity_m_s();
-  state.target_m = order_.target_m.value_or(arm_.position_m());
+  state.position_m = position_m();
+  state.position_normalised = position_m() / half_m;
+  state.velocity_m_s = velocity_m_s();
+  state.target_m = order_.target_m.value_or(motion_.line().target());
+  if (motion_.encoders().has_reading()) {
+    const JointAngles& joints = motion_.encoders().deg();
+    state.joint_count = static_cast<std::int32_t>(joints.size());
+    state.joint_deg.assign(joints.deg().begin(), joints.deg().end());
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      state.joint_velocity_deg_s.push_back(motion_.encoders().joint_velocity_deg_s(k));
+    }
+  }
   state.command_session = order_.command_session;
   state.command_seq = order_.command_seq;
   state.estimate_session = alive_session_;
@@ -139,7 +194,7 @@ arm_state_t ArmController::state() const {
   state.commands_refused = guard_.refused();
   state.estimate_to_motion_us = estimate_to_motion_us_;
 
-  const bool there = std::abs(state.target_m - state.position_m) < kThereM &&
+  const bool there = motion_.line().is_at_rest() && (motion_.is_on_line() || !order_.target_m) &&
                      std::abs(state.velocity_m_s) < kStillMS;
   if (guard_.latch() == CommandGuard::Latch::kFault) {
     state.state = arm_state_t::STATE_FAULT;

@@ -2,16 +2,20 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <string>
+#include <string_view>
 
+#include "common/control/arm_back_end.h"
+#include "common/control/arm_motion.h"
 #include "common/control/command_guard.h"
+#include "common/control/jump_watch.h"
+#include "common/control/simulated_back_end.h"
 #include "common/control/track_watch.h"
 #include "common/messaging/channels.h"
 #include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 #include "common/runtime/latency_histogram.h"
-#include "common/simulation/simulated_arm.h"
 #include "common/table/homography.h"
 #include "common/table/table_geometry.h"
 
@@ -34,17 +38,21 @@ struct ArmControllerParams {
   double margin_m = 0.05;  ///< In mode follow: a puck further off the table is not believed.
   CommandGuardParams guard;
   TrackWatchParams track;
-  SimulatedArmParams arm;
+  ArmMotionParams arm;
+  SimulatedBackEndParams simulated;
+  JumpWatchParams jumps;        ///< Of the puck, in mode follow.
   std::optional<ArmView> view;  ///< Needed in mode follow.
 };
 
-/// All that decides whether and where the mallet moves, and the simulated arm that moves it. Fed
-/// with messages and times, stepped at a fixed rate. One thread.
+/// All that decides whether and where the mallet moves, and the arm that moves it. Fed with
+/// messages and times, and stepped. One thread.
 class ArmController {
  public:
-  /// `session`: of the ARM_STATE that it makes. Throws std::invalid_argument that names the key
-  /// when a value is out of its range.
-  ArmController(const ArmControllerParams& params, std::int64_t session);
+  /// `session`: of the ARM_STATE that it makes. `back_end`: nothing: simulated joints that rest in
+  /// the middle of the line. Throws std::invalid_argument that names the key when a value is out of
+  /// its range.
+  ArmController(const ArmControllerParams& params, std::int64_t session,
+                std::unique_ptr<ArmBackEnd> back_end = nullptr);
 
   /// `sender`: the clock of the message's session.
   void hear(const arm_command_t& command, const HostNow& now, const SenderClock& sender) {
@@ -52,8 +60,10 @@ class ArmController {
   }
   void hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
 
-  /// Decides anew and moves on by `dt_s`.
+  /// Decides anew and moves on by `dt_s`, the time since the step before.
   void step(const HostNow& now, double dt_s);
+  /// Steps were left out for so long that the arm has come to rest.
+  void rest() { motion_.rest(); }
 
   /// As of the last step; all but the header.
   arm_state_t state() const;
@@ -65,14 +75,21 @@ class ArmController {
   /// From an estimate's publication to the set-point that it led to, corrected for the offset of
   /// the tracker's clock.
   const LatencyHistogram& estimate_to_motion() const { return estimate_to_motion_; }
-  double position_m() const { return arm_.position_m(); }
-  double velocity_m_s() const { return arm_.velocity_m_s(); }
+  /// Of the mallet, by the encoders.
+  double position_m() const { return motion_.encoders().place().y_m; }
+  double velocity_m_s() const { return motion_.encoders().velocity_m_s(); }
+  const ArmMotion& motion() const { return motion_; }
+
+  // What stood still or was not believed, so far.
+  std::int64_t frozen_estimates() const { return track_.frozen(); }
+  std::int64_t jumped_estimates() const { return jumps_.jumps(); }  ///< In mode follow.
+  std::int64_t off_table_estimates() const { return off_table_; }   ///< In mode follow.
 
  private:
   // What the arm is to do now, and what that rests on.
   struct Order {
     std::optional<double> target_m;  // nothing: stand still
-    std::string reason;              // why it stands still
+    std::string_view reason;         // why it stands still: outlives a step
     std::int64_t command_session = 0;
     std::int64_t command_seq = 0;
     std::int64_t estimate_session = 0;
@@ -86,13 +103,18 @@ class ArmController {
 
   Order decide(const HostNow& now) const;
   Order decide_as_commanded(const HostNow& now, const puck_estimate_t* track) const;
-  Order decide_to_follow(const puck_estimate_t* track) const;
+  Order decide_to_follow(const puck_estimate_t* track, const HostNow& now) const;
+  std::optional<TablePoint> place_of(const puck_estimate_t& track) const;
   void measure_latency(const Order& order, const HostNow& now);
 
   ArmControllerParams params_;
   CommandGuard guard_;
   TrackWatch track_;
-  SimulatedArm arm_;
+  JumpWatch jumps_;
+  std::int64_t off_table_ = 0;
+  ArmMotion motion_;
+  std::unique_ptr<ArmBackEnd> back_end_;
+  bool was_faulty_ = false;
   Order order_;
   std::int64_t alive_session_ = 0;  // of the live track at the last step
   std::int64_t alive_seq_ = 0;

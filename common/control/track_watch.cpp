@@ -42,7 +42,11 @@ TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const Host
   const bool rests = (estimate.flags & puck_estimate_t::FLAG_RESTING) != 0;
   const bool went_on = !newest_ || newest_->events_session != estimate.events_session ||
                        estimate.sensor_us > newest_->sensor_us;
-  if (rests || went_on) went_on_us_ = now.monotonic_us;
+  if (rests || went_on) {
+    went_on_us_ = now.monotonic_us;
+  } else if (tracks(estimate)) {
+    ++frozen_;
+  }
   newest_ = estimate;
   newest_heard_us_ = now.monotonic_us;
   published_[static_cast<std::size_t>(estimate.seq) % kRemembered] = {

@@ -40,6 +40,9 @@ class TrackWatch {
   /// nor is what a tracker sees in a log.
   const puck_estimate_t* alive(std::int64_t monotonic_us) const;
 
+  /// How many of those used said the same as before, of a puck that does not rest.
+  std::int64_t frozen() const { return frozen_; }
+
   /// When one of the newest estimates was published, by our CLOCK_REALTIME, µs: corrected for the
   /// offset of the tracker's clock.
   std::optional<std::int64_t> published_utime(std::int64_t session, std::int64_t seq) const;
@@ -57,6 +60,7 @@ class TrackWatch {
   std::optional<puck_estimate_t> newest_;
   std::int64_t newest_heard_us_ = 0;  // CLOCK_MONOTONIC
   std::int64_t went_on_us_ = 0;       // CLOCK_MONOTONIC, when sensor time last went on
+  std::int64_t frozen_ = 0;
   std::array<Published, kRemembered> published_{};
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 #include "common/control/arm_controller.h"
 
@@ -15,8 +17,9 @@ class ArmBench {
 
   /// The clock of the bridge, the tracker and the operator is ahead by `sender_ahead_us`, as is
   /// known.
-  explicit ArmBench(const ArmControllerParams& params = {}, std::int64_t sender_ahead_us = 0)
-      : sender(ClockOffset{sender_ahead_us, 0}), arm(params, kArmSession) {}
+  explicit ArmBench(const ArmControllerParams& params = {}, std::int64_t sender_ahead_us = 0,
+                    std::unique_ptr<ArmBackEnd> back_end = nullptr)
+      : sender(ClockOffset{sender_ahead_us, 0}), arm(params, kArmSession, std::move(back_end)) {}
 
   std::int64_t sender_utime() const { return now.utime + sender->ahead_us; }
 
@@ -80,7 +83,7 @@ class ArmBench {
     }
   }
 
-  bool stands() const { return arm.velocity_m_s() == 0; }
+  bool stands() const { return arm.motion().line().is_at_rest(); }
 
   HostNow now{1'700'000'000'000'000, 5'000'000};
   SenderClock sender;

@@ -160,6 +160,7 @@ TEST_CASE("Whatever arrives, the arm keeps its limits and only brakes without co
   int braked_without_leave = 0;
   for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
     ArmBench bench(params);
+    const JerkLimitedMotion& line = bench.arm.motion().line();
     Mischief mischief(seed);
     Witness witness;
     double target_m = 0;
@@ -196,11 +197,11 @@ TEST_CASE("Whatever arrives, the arm keeps its limits and only brakes without co
         bench.arm.hear(command, bench.now, bench.sender);
       }
 
-      const double position_before = bench.arm.position_m();
-      const double velocity_before = bench.arm.velocity_m_s();
+      const double position_before = line.state().position;
+      const double velocity_before = line.state().velocity;
       bench.run(1);
-      const double position = bench.arm.position_m();
-      const double velocity = bench.arm.velocity_m_s();
+      const double position = line.state().position;
+      const double velocity = line.state().velocity;
       constexpr double kRounding = 1e-9;
       REQUIRE(std::isfinite(position));
       REQUIRE(std::abs(position) <= params.guard.line_half_m + kRounding);

@@ -185,9 +185,9 @@ class Play {
   void check_arm() {
     constexpr double kRounding = 1e-9;
     const ArmControllerParams params;
-    require(std::abs(arm_.position_m()) <= params.guard.line_half_m + kRounding,
+    require(std::abs(arm_.motion().line().state().position) <= params.guard.line_half_m + kRounding,
             "the arm stays on its line");
-    require(std::abs(arm_.velocity_m_s()) <= params.arm.max_speed_m_s + kRounding,
+    require(std::abs(arm_.motion().line().state().velocity) <= params.arm.max_speed_m_s + kRounding,
             "the arm is not faster than it may be");
     arm_state_t state = arm_.state();
     state.session = kArmSession;

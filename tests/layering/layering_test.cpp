@@ -77,7 +77,7 @@ const std::map<std::string, std::set<std::string>> kAllowed{
     {"io", {"events", "vision", "table", "motion"}},
     {"messaging", {"events", "vision", "table"}},
     {"play", {"events", "vision", "table", "messaging"}},
-    {"control", {"events", "vision", "table", "motion", "simulation", "runtime", "messaging"}},
+    {"control", {"events", "vision", "table", "motion", "runtime", "messaging"}},
     {"yarp", {"control"}},
 };
 

@@ -1,0 +1,277 @@
+#include "common/control/arm_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/control/arm_bench.h"
+
+namespace puck {
+namespace {
+
+// Joints that do what the test says: follow at once unless told otherwise.
+class ScriptedBackEnd : public ArmBackEnd {
+ public:
+  struct Script {
+    std::optional<JointAngles> at;  // the encoders
+    bool follows = true;
+    bool speaks = true;
+    std::optional<std::int64_t> stamp_us;  // of readings, when it stands still
+    std::string fault;
+    std::vector<JointAngles> sent;
+  };
+  explicit ScriptedBackEnd(Script& script) : script_(script) {}
+
+  std::string_view name() const override { return "scripted"; }
+  void command(const JointAngles& set_point, std::int64_t) override {
+    script_.sent.push_back(set_point);
+    if (script_.follows) script_.at = set_point;
+  }
+  std::optional<JointReading> reading(std::int64_t monotonic_us) override {
+    if (!script_.speaks || !script_.at) return std::nullopt;
+    return JointReading{*script_.at, script_.stamp_us.value_or(monotonic_us)};
+  }
+  std::string fault(std::int64_t) override { return script_.fault; }
+
+ private:
+  Script& script_;
+};
+
+JointAngles joints_at(double y_m) {
+  std::array<double, 7> deg{};
+  JointTable(simulated_joints()).at(y_m, deg);
+  return JointAngles(deg);
+}
+
+class ScriptedArm {
+ public:
+  explicit ScriptedArm(double y_m) : bench({}, 0, std::make_unique<ScriptedBackEnd>(script)) {
+    script.at = joints_at(y_m);
+  }
+  explicit ScriptedArm(const ArmControllerParams& params)
+      : bench(params, 0, std::make_unique<ScriptedBackEnd>(script)) {}
+
+  std::string reason() const { return bench.arm.state().reason; }
+  bool is_faulty() const { return bench.arm.state().state == arm_state_t::STATE_FAULT; }
+
+  ScriptedBackEnd::Script script;
+  ArmBench bench;
+};
+
+TEST_CASE("The set-points begin where the encoders are, wherever on the line that is") {
+  for (const double y_m : {-0.3, -0.17, 0.0, 0.3}) {
+    ScriptedArm arm(y_m);
+    arm.bench.run(1);
+    REQUIRE(arm.script.sent.size() == 1);
+    for (std::size_t k = 0; k < 7; ++k) {
+      CHECK(arm.script.sent[0][k] == doctest::Approx(joints_at(y_m)[k]).epsilon(1e-9));
+    }
+    CHECK(arm.bench.arm.position_m() == doctest::Approx(y_m));
+    arm.bench.run(50);
+    CHECK(arm.bench.arm.position_m() == doctest::Approx(y_m));
+    CHECK(arm.bench.arm.state().state == arm_state_t::STATE_IDLE);
+  }
+}
+
+TEST_CASE("Without encoders nothing is sent, and the arm says what it waits for") {
+  ScriptedArm arm(0);
+  arm.script.speaks = false;
+  arm.bench.play(200, 0.1);
+  CHECK(arm.script.sent.empty());
+  CHECK(arm.reason() == "waiting for the encoders");
+  CHECK(!arm.is_faulty());
+  arm.script.speaks = true;
+  arm.bench.play(400, 0.1);
+  CHECK(arm.bench.arm.position_m() == doctest::Approx(0.1));
+}
+
+TEST_CASE("An arm off the line moves to it slowly, only while it is asked to, and then plays") {
+  ScriptedArm arm(0.1);
+  (*arm.script.at)[1] += 4;
+  const double from = (*arm.script.at)[1];
+  arm.bench.run(100);
+  CHECK((*arm.script.at)[1] == from);
+  arm.bench.play(300, 0.25);
+  CHECK(arm.reason() == "on its way to the line");
+  CHECK(arm.bench.arm.state().state == arm_state_t::STATE_MOVING);
+  const double on_the_way = (*arm.script.at)[1];
+  CHECK(on_the_way < from);
+  // 10 deg/s and no faster.
+  CHECK(on_the_way > from - 3);
+  arm.bench.run(400);
+  const double stopped = (*arm.script.at)[1];
+  arm.bench.run(400);
+  CHECK((*arm.script.at)[1] == stopped);
+  arm.bench.play(1500, 0.25);
+  CHECK(arm.bench.arm.position_m() == doctest::Approx(0.25));
+  CHECK(arm.reason().empty());
+  double before = from;
+  for (const JointAngles& sent : arm.script.sent) {
+    REQUIRE(std::abs(sent[1] - before) <= 0.2);
+    before = sent[1];
+  }
+}
+
+TEST_CASE("A joint outside its limits is a fault, and nothing is sent") {
+  ScriptedArm arm(0);
+  (*arm.script.at)[2] = 99;
+  arm.bench.play(50, 0.1);
+  CHECK(arm.is_faulty());
+  CHECK(arm.reason().find("joint 2 stands at 99.000000 deg, outside its limits") == 0);
+  CHECK(arm.script.sent.empty());
+}
+
+TEST_CASE("A joint that does not follow is a fault: the set-points come to rest, until a reset") {
+  ScriptedArm arm(-0.3);
+  arm.bench.play(10, 0.3);
+  arm.script.follows = false;
+  arm.bench.play(300, 0.3);
+  CHECK(arm.is_faulty());
+  CHECK(arm.reason().find("does not follow") != std::string::npos);
+  CHECK(arm.bench.stands());
+  CHECK(arm.bench.arm.state().faults == 1);
+  CHECK(arm.bench.arm.motion().line().state().position < 0.1);
+  // It begins anew where the encoders are, not where the set-points were.
+  arm.script.follows = true;
+  const JointAngles at = *arm.script.at;
+  arm.script.sent.clear();
+  arm.bench.operate(arm_command_t::MODE_RESET);
+  arm.bench.run(1);
+  REQUIRE(!arm.script.sent.empty());
+  for (std::size_t k = 0; k < 7; ++k) CHECK(std::abs(arm.script.sent[0][k] - at[k]) < 0.01);
+  CHECK(!arm.is_faulty());
+  arm.bench.play(800, 0.3);
+  CHECK(arm.bench.arm.position_m() == doctest::Approx(0.3));
+}
+
+TEST_CASE("Encoders that fall silent, or whose stamp stands still, are a fault after 100 ms") {
+  for (const bool stamp_stands : {false, true}) {
+    CAPTURE(stamp_stands);
+    ScriptedArm arm(0);
+    arm.bench.play(50, 0.02);
+    if (stamp_stands) {
+      arm.script.stamp_us = arm.bench.now.monotonic_us;
+    } else {
+      arm.script.speaks = false;
+    }
+    arm.bench.play(100, 0.02);
+    CHECK(!arm.is_faulty());
+    arm.bench.play(1, 0.02);
+    CHECK(arm.is_faulty());
+    CHECK(arm.reason() == "encoders silent");
+    arm.bench.operate(arm_command_t::MODE_RESET);
+    arm.bench.run(1);
+    CHECK(arm.reason() == "waiting for the encoders");
+  }
+}
+
+TEST_CASE("Encoders that are no numbers, or of other joints, are a fault and move nothing") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [bad, why] :
+       {std::pair{JointAngles(std::array<double, 7>{0, 0, nan, 0, 0, 0, 0}), "not finite"},
+        std::pair{JointAngles(std::array<double, 3>{0, 0, 0}), "not those of the joint table"}}) {
+    ScriptedArm arm(0);
+    arm.bench.play(200, 0.05);
+    arm.script.follows = false;
+    arm.script.at = bad;
+    arm.bench.play(200, 0.25);
+    CHECK(arm.is_faulty());
+    CHECK(arm.reason().find(why) != std::string::npos);
+    CHECK(arm.bench.arm.position_m() == doctest::Approx(0.05));
+    CHECK(arm.bench.stands());
+  }
+}
+
+TEST_CASE(
+    "A back end's fault faults the arm and silences it until a reset, and again if it stays") {
+  ScriptedArm arm(0);
+  arm.bench.play(20, 0.3);
+  arm.script.fault = "no connection";
+  arm.bench.play(1, 0.3);
+  CHECK(arm.is_faulty());
+  CHECK(arm.reason() == "no connection");
+  arm.script.fault.clear();
+  arm.script.sent.clear();
+  arm.bench.play(100, 0.3);
+  CHECK(arm.script.sent.empty());
+  arm.script.fault = "no connection";
+  arm.bench.operate(arm_command_t::MODE_RESET);
+  arm.bench.run(1);
+  CHECK(arm.is_faulty());
+  CHECK(arm.bench.arm.state().faults == 2);
+  arm.script.fault.clear();
+  arm.bench.operate(arm_command_t::MODE_RESET);
+  arm.bench.play(500, 0.3);
+  CHECK(arm.bench.arm.position_m() == doctest::Approx(0.3));
+  CHECK(arm.bench.arm.state().back_end == "scripted");
+}
+
+TEST_CASE("After a pause of its loop the motion goes on from rest, without a jump") {
+  ScriptedArm arm(-0.3);
+  arm.bench.play(100, 0.3);
+  CHECK(arm.bench.arm.motion().line().state().velocity > 1);
+  const JointAngles before = arm.script.sent.back();
+  arm.bench.arm.rest();
+  arm.bench.now.utime += 50'000;
+  arm.bench.now.monotonic_us += 50'000;
+  arm.bench.play(1, 0.3);
+  for (std::size_t k = 0; k < 7; ++k) {
+    CHECK(std::abs(arm.script.sent.back()[k] - before[k]) < 1e-3);
+  }
+  arm.bench.play(600, 0.3);
+  CHECK(!arm.is_faulty());
+  CHECK(arm.bench.arm.position_m() == doctest::Approx(0.3));
+}
+
+TEST_CASE("The arm tells its joints and their velocities, by the encoders") {
+  ScriptedArm arm(-0.2);
+  arm.bench.play(120, 0.2);
+  const arm_state_t state = arm.bench.arm.state();
+  REQUIRE(state.joint_count == 7);
+  REQUIRE(state.joint_deg.size() == 7);
+  REQUIRE(state.joint_velocity_deg_s.size() == 7);
+  // Read before the newest set-point was sent.
+  CHECK(state.joint_deg[3] == arm.script.sent[arm.script.sent.size() - 2][3]);
+  // Of 1.5 m/s, joint 0 at about 53 deg/m and more.
+  CHECK(state.velocity_m_s == doctest::Approx(1.5));
+  CHECK(state.joint_velocity_deg_s[0] > 50);
+}
+
+TEST_CASE("A line that the joint table does not know is refused, as are limits that are none") {
+  ArmControllerParams params;
+  params.guard.line_half_m = 0.31;
+  CHECK_THROWS_WITH_AS(ArmController(params, 1),
+                       "arm.line_half_m goes beyond arm.joint_table, which is known from "
+                       "-0.300000 to 0.300000 m",
+                       std::invalid_argument);
+  params = {};
+  params.arm.max_jerk_m_s3 = 0;
+  CHECK_THROWS_WITH_AS(ArmController(params, 1), "arm.max_jerk_m_s3 must be above 0",
+                       std::invalid_argument);
+  params = {};
+  params.arm.approach_deg_s = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(ArmController(params, 1), std::invalid_argument);
+}
+
+TEST_CASE("Joints that are slower than the line's limits make the line slower") {
+  ArmControllerParams params;
+  for (LineJoint& joint : params.arm.joints.joints) joint.limits.velocity = 30;
+  ArmBench bench(params);
+  CHECK(bench.arm.motion().line().limits().velocity < 0.4);
+  bench.play(200, 0.3);
+  CHECK(bench.arm.velocity_m_s() < 0.4);
+  bench.play(1500, 0.3);
+  CHECK(bench.arm.position_m() == doctest::Approx(0.3));
+  CHECK(bench.arm.state().faults == 0);
+}
+
+}  // namespace
+}  // namespace puck
