@@ -20,7 +20,6 @@ using SteadyClock = std::chrono::steady_clock;
 
 constexpr milliseconds kRouteRetry{200};
 constexpr std::chrono::seconds kWaitingReport{5};
-constexpr milliseconds kLongestDrain{50};
 
 /// Runs a handler; what it throws, as text.
 template <typename Call>
@@ -95,10 +94,10 @@ class Bus::Impl {
     return true;
   }
 
-  int handle(milliseconds timeout) {
+  int handle(std::chrono::microseconds timeout, std::chrono::microseconds longest) {
     if (!transport_) return 0;
     const int handled = transport_->receive(
-        timeout, kLongestDrain, [this](const ArrivedMessage& message) { receive(message); });
+        timeout, longest, [this](const ArrivedMessage& message) { receive(message); });
     keep_network_counters();
     return handled;
   }
@@ -293,7 +292,9 @@ bool Bus::start(std::stop_token stop, const std::function<void(const std::string
 
 void Bus::subscribe_all(RawHandler handler) { impl_->add_raw_handler(std::move(handler)); }
 
-int Bus::handle(milliseconds timeout) { return impl_->handle(timeout); }
+int Bus::handle(std::chrono::microseconds timeout, std::chrono::microseconds longest) {
+  return impl_->handle(timeout, longest);
+}
 
 std::int64_t Bus::session() const { return impl_->session(); }
 const std::string& Bus::prefix() const { return impl_->prefix(); }

@@ -98,9 +98,10 @@ class Bus {
     });
   }
 
-  /// Waits up to `timeout` for a message, then handles all that are there, for up to 50 ms. Returns
-  /// how many. Returns early when a signal comes. One thread.
-  int handle(std::chrono::milliseconds timeout);
+  /// Waits up to `timeout` for a message, then handles all that are there, for up to `longest`.
+  /// Returns how many. Returns early when a signal comes. One thread.
+  int handle(std::chrono::microseconds timeout,
+             std::chrono::microseconds longest = std::chrono::milliseconds(50));
 
   /// Random, never 0: the id of this run on the wire.
   std::int64_t session() const;

@@ -40,7 +40,7 @@ void MemoryTransport::listen(const Listening& listening) {
   listening_ = listening;
 }
 
-int MemoryTransport::receive(std::chrono::milliseconds timeout, std::chrono::milliseconds longest,
+int MemoryTransport::receive(std::chrono::microseconds timeout, std::chrono::microseconds longest,
                              const Receive& receive) {
   int received = 0;
   auto end = Clock::time_point::max();
@@ -48,12 +48,12 @@ int MemoryTransport::receive(std::chrono::milliseconds timeout, std::chrono::mil
     receive({message->channel, message->payload, {}, message->utime, message->monotonic_us});
     if (received++ == 0) end = Clock::now() + longest;
     if (Clock::now() >= end) break;
-    timeout = std::chrono::milliseconds(0);
+    timeout = {};
   }
   return received;
 }
 
-std::optional<MemoryTransport::Waiting> MemoryTransport::take(std::chrono::milliseconds timeout) {
+std::optional<MemoryTransport::Waiting> MemoryTransport::take(std::chrono::microseconds timeout) {
   std::unique_lock lock(mutex_);
   if (!came_.wait_for(lock, timeout, [this] { return !waiting_.empty(); })) return std::nullopt;
   Waiting message = std::move(waiting_.front());

@@ -16,7 +16,7 @@ class MemoryTransport : public Transport {
   std::optional<std::string> send(const std::string& channel,
                                   std::span<const std::uint8_t> payload) override;
   void listen(const Listening& listening) override;
-  int receive(std::chrono::milliseconds timeout, std::chrono::milliseconds longest,
+  int receive(std::chrono::microseconds timeout, std::chrono::microseconds longest,
               const Receive& receive) override;
   const TransportCounters& counters() const override { return counters_; }
 
@@ -28,7 +28,7 @@ class MemoryTransport : public Transport {
     std::int64_t monotonic_us = 0;
   };
 
-  std::optional<Waiting> take(std::chrono::milliseconds timeout);
+  std::optional<Waiting> take(std::chrono::microseconds timeout);
 
   // Guards all below but the counters.
   std::mutex mutex_;

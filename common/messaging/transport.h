@@ -71,7 +71,7 @@ class Transport {
 
   /// Waits up to `timeout` for a message, then hands over all that are there, for up to `longest`.
   /// Returns how many. `receive` must not throw.
-  virtual int receive(std::chrono::milliseconds timeout, std::chrono::milliseconds longest,
+  virtual int receive(std::chrono::microseconds timeout, std::chrono::microseconds longest,
                       const Receive& receive) = 0;
 
   /// Receiving thread only.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <variant>
 
 #include <arpa/inet.h>
@@ -103,13 +104,17 @@ void UdpTransport::listen(const Listening& listening) {
   attach_filters();
 }
 
-int UdpTransport::receive(milliseconds timeout, milliseconds longest, const Receive& receive) {
+int UdpTransport::receive(std::chrono::microseconds timeout, std::chrono::microseconds longest,
+                          const Receive& receive) {
   const auto begin = Clock::now();
   if (begin >= network_due_) look_after_network(begin);
   if (begin >= foreign_due_) count_foreign();
   if (queue_.is_empty()) {
     pollfd waiting{socket_.descriptor(), POLLIN, 0};
-    if (poll(&waiting, 1, static_cast<int>(timeout.count())) <= 0) return 0;
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(timeout);
+    const timespec longest_wait{seconds.count(),
+                                std::chrono::nanoseconds(timeout - seconds).count()};
+    if (ppoll(&waiting, 1, &longest_wait, nullptr) <= 0) return 0;
     queue_.fill(socket_.descriptor());
   }
   int received = 0;

@@ -37,7 +37,7 @@ class UdpTransport : public Transport {
   std::optional<std::string> send(const std::string& channel,
                                   std::span<const std::uint8_t> payload) override;
   void listen(const Listening& listening) override;
-  int receive(std::chrono::milliseconds timeout, std::chrono::milliseconds longest,
+  int receive(std::chrono::microseconds timeout, std::chrono::microseconds longest,
               const Receive& receive) override;
   const TransportCounters& counters() const override { return counters_; }
 

@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <string>
-#include <string_view>
 
-#include "common/io/table_file.h"
+#include "services/arm/back_end.h"
+#include "services/arm/real_time.h"
 
 namespace puck {
 namespace {
 
-constexpr std::int64_t kStepUs = 1000;
-constexpr double kStepS = 0.001;
-// After a longer pause of this process the missing steps are left out instead of caught up.
-constexpr std::int64_t kLongestPauseUs = 100'000;
-constexpr std::chrono::milliseconds kHandle{1};
+// A robot that gets no set-points for so long stands still: the motion goes on from rest.
+constexpr std::int64_t kPauseUs = 20'000;
+// However many messages come, a step is not kept waiting for longer.
+constexpr std::chrono::microseconds kLongestDrain{500};
+// Why it stands still in a game is logged at most so often, but always at level debug.
+constexpr std::int64_t kTellPeriodUs = 1'000'000;
 
 const char* name_of(int state) {
   switch (state) {
@@ -34,6 +36,10 @@ const char* name_of(int state) {
   }
 }
 
+bool plays(int state) {
+  return state == arm_state_t::STATE_MOVING || state == arm_state_t::STATE_HOLDING;
+}
+
 // Counts that each stand for a reason to look at.
 constexpr std::array kRefusals{
     CommandRefusal::kOld,         CommandRefusal::kFromFuture,  CommandRefusal::kClockUnknown,
@@ -43,46 +49,14 @@ constexpr std::array kRefusals{
 
 }  // namespace
 
-ArmServiceParams ArmService::read_params(Config& config) {
-  ArmServiceParams params;
-  ArmControllerParams& controller = params.controller;
-  constexpr std::array<std::string_view, 2> kModes{"commanded", "follow"};
-  constexpr std::array<std::string_view, 1> kBackEnds{"simulated"};
-  std::string mode(kModes[0]);
-  std::string back_end(kBackEnds[0]);
-  std::string table_file;
-  config.read_choice("arm.mode", mode, kModes);
-  config.read_choice("arm.back_end", back_end, kBackEnds);
-  config.read("arm.table", table_file);
-  config.read("arm.margin_m", controller.margin_m, 0, 1);
-  config.read("arm.state_hz", params.state_hz, 10, 1000);
-  config.read("arm.line_x_m", controller.line_x_m, 0, 10);
-  config.read("arm.line_half_m", controller.guard.line_half_m, 0.001, 10);
-  config.read("arm.excess_m", controller.guard.excess_m, 0, 0.1);
-  std::int64_t dead_man_ms = controller.guard.dead_man_us / 1000;
-  config.read("arm.dead_man_ms", dead_man_ms, 1, 100);
-  controller.guard.dead_man_us = controller.track.dead_man_us = dead_man_ms * 1000;
-  std::int64_t clock_error_ms = controller.guard.max_clock_error_us / 1000;
-  config.read("arm.max_clock_error_ms", clock_error_ms, 1, 200);
-  controller.guard.max_clock_error_us = clock_error_ms * 1000;
-  controller.track.max_clock_error_us = clock_error_ms * 1000;
-  config.read("arm.max_speed_m_s", controller.arm.max_speed_m_s, 0.001, 20);
-  config.read("arm.max_acceleration_m_s2", controller.arm.max_acceleration_m_s2, 0.01, 1000);
-  config.read("arm.max_jerk_m_s3", controller.arm.max_jerk_m_s3, 1, 100000);
-
-  if (mode == "follow") {
-    if (table_file.empty()) config.fail("arm.table", "is needed when arm.mode is \"follow\"");
-    controller.mode = ArmMode::kFollow;
-    const TableCalibration table = read_table_file(table_file);
-    controller.view = ArmView{table.table_from_image, table.geometry};
-  }
-  return params;
-}
-
 ArmService::ArmService(const ArmServiceParams& params, ServiceContext& context)
     : context_(context),
-      controller_(params.controller, context.bus.session()),
-      state_period_us_(static_cast<std::int64_t>(1e6 / params.state_hz)) {
+      controller_(
+          params.controller, context.bus.session(),
+          make_back_end(params.back_end, params.controller, context.bus.is_authenticated())),
+      real_time_priority_(params.real_time_priority),
+      step_period_us_(std::llround(1e6 / params.loop_hz)),
+      state_period_us_(std::llround(1e6 / params.state_hz)) {
   context_.peers.need({"puck-tracker"});
   if (params.controller.mode == ArmMode::kCommanded) context_.peers.need({"puck-bridge"});
   context_.bus.subscribe<arm_command_t>([this](const arm_command_t& command, const Receipt& at) {
@@ -97,26 +71,48 @@ ArmService::ArmService(const ArmServiceParams& params, ServiceContext& context)
 }
 
 void ArmService::run(std::stop_token stop) {
-  next_step_us_ = next_state_us_ = host_monotonic_us();
+  if (real_time_priority_ > 0) {
+    const std::string why_not = run_in_real_time(real_time_priority_);
+    context_.log.info("{}", why_not.empty() ? "runs in real time"
+                                            : "not wholly in real time, so steps may be late on a "
+                                              "busy machine: " +
+                                                  why_not);
+  }
+  due_us_ = stepped_us_ = next_state_us_ = host_monotonic_us();
   while (!stop.stop_requested()) {
-    context_.bus.handle(kHandle);
+    wait_until_due();
     const HostNow now = host_now();
-    step_until(now);
+    step(now);
     publish_state(now);
     warn_of_refusals();
     poll_status(context_, *this);
   }
 }
 
-void ArmService::step_until(const HostNow& now) {
-  if (now.monotonic_us - next_step_us_ > kLongestPauseUs) {
-    time_skipped_us_ += now.monotonic_us - next_step_us_;
-    context_.limited_log.warn("pause", "the arm's loop could not run for more than 100 ms");
-    next_step_us_ = now.monotonic_us;
+// Messages are taken as they come.
+void ArmService::wait_until_due() {
+  due_us_ += step_period_us_;
+  // What is late is not caught up with: set-points would come faster than the motion is.
+  due_us_ = std::max(due_us_, host_monotonic_us());
+  do {
+    const std::int64_t left_us = std::max<std::int64_t>(0, due_us_ - host_monotonic_us());
+    context_.bus.handle(std::chrono::microseconds(left_us), kLongestDrain);
+  } while (host_monotonic_us() < due_us_);
+}
+
+void ArmService::step(const HostNow& now) {
+  loop_jitter_.record(now.monotonic_us - due_us_);
+  std::int64_t passed_us = now.monotonic_us - stepped_us_;
+  stepped_us_ = now.monotonic_us;
+  if (passed_us > kPauseUs) {
+    ++pauses_;
+    time_skipped_us_ += passed_us - step_period_us_;
+    context_.limited_log.warn(
+        "pause", "the arm's loop could not run for " + std::to_string(passed_us / 1000) + " ms");
+    controller_.rest();
+    passed_us = step_period_us_;
   }
-  for (; next_step_us_ <= now.monotonic_us; next_step_us_ += kStepUs) {
-    controller_.step(now, kStepS);
-  }
+  if (passed_us > 0) controller_.step(now, 1e-6 * static_cast<double>(passed_us));
 }
 
 void ArmService::publish_state(const HostNow& now) {
@@ -128,25 +124,29 @@ void ArmService::publish_state(const HostNow& now) {
 }
 
 void ArmService::follow_state(const arm_state_t& state) {
-  const bool latched =
-      state.state == arm_state_t::STATE_STOPPED || state.state == arm_state_t::STATE_FAULT;
-  if (latched) {
-    context_.status.set_state(ServiceState::kDegraded, state.reason);
+  const std::string text =
+      std::string(name_of(state.state)) + (state.reason.empty() ? "" : ": ") + state.reason;
+  const bool is_fault = state.state == arm_state_t::STATE_FAULT;
+  if (is_fault || state.state == arm_state_t::STATE_STOPPED) {
+    context_.status.set_state(ServiceState::kDegraded, text);
   } else if (state.state == arm_state_t::STATE_IDLE) {
-    context_.status.set_state(ServiceState::kWaiting, state.reason);
+    context_.status.set_state(ServiceState::kWaiting, text);
   } else {
-    context_.status.set_state(ServiceState::kRunning);
+    context_.status.set_state(ServiceState::kRunning, text);
   }
-  // Moving and holding alternate all the time in a game.
-  const bool was_playing =
-      logged_state_ == arm_state_t::STATE_MOVING || logged_state_ == arm_state_t::STATE_HOLDING;
-  const bool plays =
-      state.state == arm_state_t::STATE_MOVING || state.state == arm_state_t::STATE_HOLDING;
-  if (state.state == logged_state_) return;
-  const auto level = was_playing && plays ? spdlog::level::debug : spdlog::level::info;
-  context_.log.log(level, "{}{}{}", name_of(state.state), state.reason.empty() ? "" : ": ",
-                   state.reason);
+  if (text == logged_) return;
+  const bool is_play = plays(logged_state_) && plays(state.state);
+  const std::int64_t now_us = host_monotonic_us();
+  auto level = is_fault ? spdlog::level::err : spdlog::level::info;
+  // Moving and holding alternate all the time in a game, and with a bad track so do the reasons.
+  if (is_play && (state.reason.empty() || now_us - told_us_ < kTellPeriodUs)) {
+    level = spdlog::level::debug;
+  } else {
+    told_us_ = now_us;
+  }
+  context_.log.log(level, "{}", text);
   logged_state_ = state.state;
+  logged_ = text;
 }
 
 void ArmService::warn_of_refusals() {
@@ -172,7 +172,11 @@ void ArmService::report(StatusReport& report) const {
       {"estimates_wrong_clock", controller_.estimates(Verdict::kClock)},
       {"estimates_clock_unknown", controller_.estimates(Verdict::kClockUnknown)},
       {"estimates_malformed", controller_.estimates(Verdict::kMalformed)},
+      {"estimates_frozen", controller_.frozen_estimates()},
+      {"estimates_off_table", controller_.off_table_estimates()},
+      {"estimates_jumped", controller_.jumped_estimates()},
       {"faults", controller_.guard().faults()},
+      {"pauses", pauses_},
       {"time_skipped_us", time_skipped_us_},
   };
   for (const CommandRefusal refusal : kRefusals) {
@@ -180,8 +184,10 @@ void ArmService::report(StatusReport& report) const {
                                  controller_.guard().refused(refusal));
   }
   const LatencySummary latency = controller_.estimate_to_motion().summary();
+  const LatencySummary jitter = loop_jitter_.summary();
   report.latencies = {
-      {"estimate_to_motion", latency.p50_us, latency.p99_us, latency.max_us, latency.samples}};
+      {"estimate_to_motion", latency.p50_us, latency.p99_us, latency.max_us, latency.samples},
+      {"loop_jitter", jitter.p50_us, jitter.p99_us, jitter.max_us, jitter.samples}};
 }
 
 }  // namespace puck

@@ -187,6 +187,51 @@ TEST_CASE("Arm settings that cannot be are refused by name") {
   CHECK(refusal_of("[arm]\nmode = \"dance\"").find("arm.mode") != std::string::npos);
   CHECK(refusal_of("[arm]\nmode = \"follow\"").find("arm.table") != std::string::npos);
   CHECK(refusal_of("[arm]\nmax_speed_m_s = -1").find("arm.max_speed_m_s") != std::string::npos);
+  CHECK(refusal_of("[arm]\njoint_table = \"/none.toml\"").find("/none.toml") != std::string::npos);
+  CHECK(refusal_of("[arm]\nback_end = \"yarp\"").find("arm.joint_table") != std::string::npos);
+  CHECK(refusal_of("[arm]\nsimulated_delay_ms = 101").find("arm.simulated_delay_ms") !=
+        std::string::npos);
+}
+
+TEST_CASE("A real arm does not start on a bus without a key, unless that is allowed") {
+  const auto refusal_of = [](const BackEndParams& params, bool authenticated) -> std::string {
+    try {
+      make_back_end(params, {}, authenticated);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  CHECK(refusal_of({.name = "simulated"}, false).empty());
+  CHECK(refusal_of({.name = "yarp"}, false).find("give lcm.key_file") != std::string::npos);
+  for (const bool allowed : {false, true}) {
+    CHECK(refusal_of({.name = "yarp", .allow_unauthenticated = allowed}, true).find("key_file") ==
+          std::string::npos);
+  }
+  CHECK(refusal_of({.name = "yarp", .allow_unauthenticated = true}, false).find("key_file") ==
+        std::string::npos);
+  // And the service asks with what its bus has.
+  ServiceBench bench;
+  ArmServiceParams params;
+  params.back_end.name = "yarp";
+  CHECK_THROWS_AS(bench.make<ArmService>(params), std::invalid_argument);
+}
+
+TEST_CASE("The loop keeps its pace while messages come, and says how late its steps were") {
+  RunningArm arm;
+  CHECK(arm.moves_to(0.2));
+  arm.bench.stop();
+  StatusReport report;
+  arm.bench.service->report(report);
+  REQUIRE(report.latencies.size() == 2);
+  CHECK(report.latencies[1].name == "loop_jitter");
+  CHECK(report.latencies[1].samples > 50);
+  // However many messages came: a step each 2 ms, none to catch up.
+  std::int64_t accepted = 0;
+  for (const auto& [name, count] : report.counters) {
+    if (name == "commands_accepted") accepted = count;
+  }
+  CHECK(accepted > 50);
 }
 
 TEST_CASE("config/arm.toml holds every key with its default") {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace puck {
+
+/// Lets the calling thread, and none that it makes, run before all that is not real-time, and keeps
+/// the process's memory from being paged out. Why not, when that is not permitted; empty: it does.
+std::string run_in_real_time(int priority);
+
+}  // namespace puck
