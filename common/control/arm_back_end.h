@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "common/control/joint_angles.h"
 
@@ -34,6 +36,12 @@ class ArmBackEnd {
 
   /// Why the arm cannot be trusted to do what it is told; empty: it can.
   virtual std::string fault(std::int64_t monotonic_us) = 0;
+
+  /// What STATUS is to tell of it, by name.
+  virtual std::vector<std::pair<std::string, std::int64_t>> counters(
+      std::int64_t /*monotonic_us*/) const {
+    return {};
+  }
 };
 
 }  // namespace puck

@@ -79,6 +79,7 @@ class ArmController {
   double position_m() const { return motion_.encoders().place().y_m; }
   double velocity_m_s() const { return motion_.encoders().velocity_m_s(); }
   const ArmMotion& motion() const { return motion_; }
+  const ArmBackEnd& back_end() const { return *back_end_; }
 
   // What stood still or was not believed, so far.
   std::int64_t frozen_estimates() const { return track_.frozen(); }

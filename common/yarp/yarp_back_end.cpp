@@ -59,6 +59,21 @@ std::optional<JointReading> YarpBackEnd::reading(std::int64_t) { return exchange
 
 std::string YarpBackEnd::fault(std::int64_t monotonic_us) { return exchange_.fault(monotonic_us); }
 
+std::vector<std::pair<std::string, std::int64_t>> YarpBackEnd::counters(
+    std::int64_t monotonic_us) const {
+  const YarpCounters now = board_counters(monotonic_us);
+  return {{"board_connections", now.connections},
+          {"board_failures", now.failures},
+          {"board_encoders", now.encoders_received},
+          {"board_encoder_age_us", now.encoder_age_us.value_or(-1)},
+          {"board_set_points", now.set_points_sent},
+          {"board_set_points_replaced", now.set_points_replaced},
+          {"board_set_points_unheard", now.set_points_unheard},
+          {"board_set_points_refused", now.set_points_refused},
+          {"board_round_trip_us", now.round_trip_us},
+          {"board_round_trip_max_us", now.round_trip_max_us}};
+}
+
 void YarpBackEnd::run(const std::stop_token& stop) {
   const std::stop_callback on_stop(stop, [this] { waker_.wake(); });
   const Waiter waiter(stop, waker_);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <stop_token>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "common/control/arm_back_end.h"
@@ -36,8 +38,11 @@ class YarpBackEnd final : public ArmBackEnd {
   /// Empty while the first attempt to connect goes on.
   std::string fault(std::int64_t monotonic_us) override;
 
+  std::vector<std::pair<std::string, std::int64_t>> counters(
+      std::int64_t monotonic_us) const override;
+
   /// Safe from any thread.
-  YarpCounters counters(std::int64_t monotonic_us) const {
+  YarpCounters board_counters(std::int64_t monotonic_us) const {
     return exchange_.counters(monotonic_us);
   }
 

@@ -7,6 +7,7 @@
 
 #include "common/io/joint_table_file.h"
 #include "common/io/table_file.h"
+#include "services/arm/yarp_settings.h"
 
 namespace puck {
 namespace {
@@ -42,6 +43,7 @@ void read_back_end(Config& config, ArmServiceParams& params) {
   constexpr std::array<std::string_view, 2> kBackEnds{"simulated", "yarp"};
   config.read_choice("arm.back_end", params.back_end.name, kBackEnds);
   config.read("arm.allow_unauthenticated", params.back_end.allow_unauthenticated);
+  params.back_end.yarp = read_yarp_params(config);
   SimulatedBackEndParams& simulated = params.controller.simulated;
   config.read("arm.simulated_frequency_hz", simulated.frequency_hz, 0.1, 1000);
   config.read("arm.simulated_delay_ms", simulated.delay_ms, 0, 100);

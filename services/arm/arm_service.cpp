@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "services/arm/back_end.h"
 #include "services/arm/real_time.h"
@@ -182,6 +183,9 @@ void ArmService::report(StatusReport& report) const {
   for (const CommandRefusal refusal : kRefusals) {
     report.counters.emplace_back(std::string("refused_") + to_string(refusal),
                                  controller_.guard().refused(refusal));
+  }
+  for (auto& counter : controller_.back_end().counters(host_monotonic_us())) {
+    report.counters.push_back(std::move(counter));
   }
   const LatencySummary latency = controller_.estimate_to_motion().summary();
   const LatencySummary jitter = loop_jitter_.summary();

@@ -10,13 +10,12 @@
 namespace puck {
 namespace {
 
-// The section of the board in config/arm.toml, which is commented out as long as no arm needs it.
+// The section of the board in config/arm.toml.
 std::string yarp_section() {
   std::ifstream file(std::string(std::getenv("PUCK_SOURCE_DIR")) + "/config/arm.toml");
   std::string section;
   bool is_in_it = false;
   for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("# ")) line.erase(0, 2);
     is_in_it = (is_in_it && !line.starts_with("[")) || line == "[arm.yarp]";
     if (is_in_it) section += line + "\n";
   }

@@ -59,7 +59,7 @@ class Loop {
 
   std::string fault() { return back_end.fault(now_us()); }
   std::optional<JointReading> reading() { return back_end.reading(now_us()); }
-  YarpCounters counters() const { return back_end.counters(now_us()); }
+  YarpCounters counters() const { return back_end.board_counters(now_us()); }
   bool is_connected() {
     return until([&] { return reading().has_value(); });
   }
