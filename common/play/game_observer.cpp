@@ -32,24 +32,34 @@ GameObserver::Outlook GameObserver::look_ahead(const PuckTrack& track) const {
   for (int bounces = 0; bounces <= kMaxBounces && elapsed_s < kHorizonS; ++bounces) {
     const TableVelocity velocity = at.state.velocity;
     const PuckMotion::Leg leg = motion_.next_leg(at, kHorizonS - elapsed_s);
-    elapsed_s += leg.duration_s;
     const bool comes = velocity.x_m_s < 0;
-    const bool at_end =
-        leg.end == PuckMotion::LegEnd::kGoal || comes != (leg.track.state.velocity.x_m_s < 0);
-    if (at_end) {
-      const auto [inside_m, per_m] = beside_posts(leg.track.state.position.y_m, velocity);
-      const double sigma_m = per_m * std::sqrt(std::max(0.0, leg.track.covariance[5]));
+    const double to_end_s = time_to_end(at.state);
+    if (to_end_s <= leg.duration_s) {
+      const PuckTrack end = motion_.glide(at, to_end_s);
+      const auto [inside_m, per_m] = beside_posts(end.state.position.y_m, velocity);
+      const double sigma_m = per_m * std::sqrt(std::max(0.0, end.covariance[5]));
       const Goal near = inside_m < -kBesideGoalM ? Goal::kNone
                         : comes                  ? Goal::kRobots
                                                  : Goal::kOpponents;
       // What a bounce does is known to a few per cent only, and always errs to the same side.
       const bool is_sure = bounces == 0 && std::abs(inside_m) > kSureSigmas * sigma_m;
-      return {near, inside_m >= 0, is_sure, elapsed_s};
+      return {near, inside_m >= 0, is_sure, elapsed_s + to_end_s};
     }
+    elapsed_s += leg.duration_s;
     if (leg.end == PuckMotion::LegEnd::kTimeUp) break;
     at = leg.track;
   }
   return {Goal::kNone, false, false, elapsed_s};
+}
+
+// Until its rim touches the line of the end rail that it moves to, in a goal's mouth or beside it.
+double GameObserver::time_to_end(const PuckState& state) const {
+  const TableGeometry& table = motion_.table();
+  const bool comes = state.velocity.x_m_s < 0;
+  const double line_x_m = comes ? table.puck_radius_m : table.length_m - table.puck_radius_m;
+  const double x_m = state.position.x_m;
+  const bool is_there = state.velocity.x_m_s != 0 && (comes ? x_m <= line_x_m : x_m >= line_x_m);
+  return is_there ? 0 : motion_.time_to_x(state, line_x_m);
 }
 
 // By how much a puck that touches the end rail's line at `y_m` passes the nearer goal post on the

@@ -66,6 +66,7 @@ class GameObserver {
   };
 
   Outlook look_ahead(const PuckTrack& track) const;
+  double time_to_end(const PuckState& state) const;
   std::pair<double, double> beside_posts(double y_m, TableVelocity velocity) const;
   void follow_hits(Timestamp t, const PuckTrack& track);
   void follow_shot(Timestamp t, const PuckTrack& track);

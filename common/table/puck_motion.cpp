@@ -186,14 +186,14 @@ PuckMotion::Leg PuckMotion::next_leg(const PuckTrack& start, double limit_s) con
   double end_rail_s = time_to_cover(wall_x - position.x_m, velocity.x_m_s, damping);
   const double side_rail_s = time_to_cover(wall_y - position.y_m, velocity.y_m_s, damping);
 
-  // In a goal's mouth there is no rail but the two posts, which are points, and the goal's line.
+  // In a goal's mouth there is no rail but the two posts, which are points.
   double goal_s = kNever;
   std::optional<Contact> post;
   const bool meets_end = end_rail_s <= side_rail_s && end_rail_s <= limit_s;
   const auto is_in_mouth = [&](double y_m) { return std::abs(y_m) < table_.goal_width_m / 2; };
   if (meets_end && is_in_mouth(glide(start, end_rail_s).state.position.y_m)) {
-    const double line_x = wall_ahead(velocity.x_m_s, 0, table_.length_m);
-    goal_s = time_to_cover(line_x - position.x_m, velocity.x_m_s, damping);
+    const double inside_x = wall_ahead(velocity.x_m_s, -radius, table_.length_m + radius);
+    goal_s = time_to_cover(inside_x - position.x_m, velocity.x_m_s, damping);
     end_rail_s = kNever;
   }
   const double to_end = std::min(position.x_m, table_.length_m - position.x_m);

@@ -27,7 +27,7 @@ class PuckMotion {
   enum class LegEnd {
     kTimeUp,  ///< Still gliding.
     kBounce,  ///< Just after a bounce at a rail or a post.
-    kGoal,    ///< With its centre on a goal's line, and taken to rest there.
+    kGoal,    ///< In a goal with all of its disc, and taken to rest there.
   };
   struct Leg {
     PuckTrack track;  ///< At the leg's end.

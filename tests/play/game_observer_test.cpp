@@ -91,14 +91,13 @@ TEST_CASE("A puck that is served, out of the opponent's goal, is no shot") {
   CHECK(game.belief().shots == 0);
 }
 
-TEST_CASE("A shot that the end rail beside the goal turns back is no save") {
+TEST_CASE("A shot that grazes a goal post and goes in is no save") {
   Game game;
   game.put(1.6, 0.172, -3, 0);
   game.glide(1000);
-  CHECK(game.puck().velocity.x_m_s > 1);
+  CHECK(game.puck().position.x_m < 0.001);
   CHECK(game.belief().shots == 1);
   CHECK(game.belief().saves == 0);
-  CHECK(game.belief().phase == GamePhase::kRally);
 }
 
 TEST_CASE("A soft hit that changes the way of a puck that comes anyway makes it a shot") {

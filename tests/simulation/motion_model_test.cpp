@@ -36,7 +36,7 @@ Comparison compare(TablePoint lowest, TablePoint highest, double slowest, double
     bool in_goal = false;
     for (double t_s = 0; t_s < 0.6 && !in_goal; t_s += PuckPhysics::kStep_s) {
       physics.glide(puck, PuckPhysics::kStep_s);
-      in_goal = puck.position.x_m < 0 || puck.position.x_m > table.length_m;
+      in_goal = physics.goal_of(puck) != GoalEntered::kNone;
     }
     if (in_goal != end.in_goal) ++comparison.disputed_goals;
     if (in_goal || end.in_goal) continue;

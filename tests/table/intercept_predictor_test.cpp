@@ -91,11 +91,11 @@ TEST_CASE("The spread of place and time follows from the covariance") {
 TEST_CASE("The predicted path starts at the puck, keeps its step and ends in the goal") {
   const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
   std::vector<PathPoint> path;
-  predictor.predict_path(track_at(0.9, 0, -2, 0), std::nullopt, 1.0, 0.1, path);
+  predictor.predict_path(track_at(0.85, 0, -2, 0), std::nullopt, 1.0, 0.1, path);
   REQUIRE(path.size() == 5);
-  CHECK(path[0].position.x_m == doctest::Approx(0.9));
+  CHECK(path[0].position.x_m == doctest::Approx(0.85));
   CHECK(path[4].t_s == doctest::Approx(0.4));
-  CHECK(path[4].position.x_m == doctest::Approx(0.1));
+  CHECK(path[4].position.x_m == doctest::Approx(0.05));
 }
 
 TEST_CASE("The predicted path ends at the robot's mallet and where the opponent may have hit") {
