@@ -12,6 +12,8 @@ namespace {
 
 // No sensor runs for longer: 30 years.
 constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;
+// A tracker that is less sure of the place does not see the puck.
+constexpr double kMostUnsureM = 0.5;
 
 bool has(const puck_estimate_t& estimate, std::int32_t flag) {
   return (estimate.flags & flag) != 0;
@@ -134,12 +136,18 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
                                   [](double value) { return std::isfinite(value); });
   if (!finite) return EstimateVerdict::kMalformed;
   const auto covariance = image_covariance(estimate, params_.default_sigma_px);
-  if (!covariance) return EstimateVerdict::kMalformed;
+  if (!covariance || !(estimate.covariance[10] >= 0 && estimate.covariance[15] >= 0))
+    return EstimateVerdict::kMalformed;
 
   const bool resting = has(estimate, puck_estimate_t::FLAG_RESTING);
   if (estimate.event_utime != 0 && !resting &&
       sender.to_own(estimate.event_utime) < now.utime - params_.max_age_us) {
     return EstimateVerdict::kStale;
+  }
+
+  // An estimate's own utime has been found to be of now.
+  if (estimate.event_utime > estimate.utime + params_.max_age_us) {
+    return EstimateVerdict::kImplausible;
   }
 
   if (view == nullptr) return EstimateVerdict::kBlind;
@@ -153,6 +161,7 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
     return EstimateVerdict::kImplausible;
   }
   const Matrix4& p = track->covariance;
+  if (!(p[0] + p[5] <= kMostUnsureM * kMostUnsureM)) return EstimateVerdict::kImplausible;
   measurement = {{estimate.sensor_us},        position, {p[0], p[1], p[4], p[5]}, velocity, resting,
                  {p[10], p[11], p[14], p[15]}};
   return EstimateVerdict::kGood;

@@ -27,7 +27,7 @@ enum class EstimateVerdict : std::uint8_t {
   kNotTracking,
   kStale,  ///< Its newest event is too old.
   kOffTable,
-  kImplausible,     ///< Too fast.
+  kImplausible,     ///< Too fast, too unsure, or of events that are yet to come.
   kBlind,           ///< The head has turned, and where to is not known.
   kMalformed,       ///< Not finite, or a covariance that is none.
   kBelated,         ///< Overtaken by a newer one, but good: says something about then.

@@ -13,6 +13,10 @@ constexpr std::int64_t kArmSilentUs = 500'000;
 // Of HEAD's sensor_us.
 constexpr std::int64_t kTimeUnknown = -1;
 constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;  // 30 years
+// The arm may follow another bridge's last command for as long when this one starts.
+constexpr std::int64_t kOtherCommanderUs = 500'000;
+// A camera's time runs no faster than ours, but for what was held up on the way.
+constexpr std::int64_t kMaxHeldUpUs = 500'000;
 constexpr std::int64_t kGamePeriodUs = 100'000;
 // A track whose velocity is less sure than 0.5 m/s says nothing about the game yet.
 constexpr double kGameSpeedVariance = 0.25;
@@ -47,6 +51,7 @@ PlayBridge::PlayBridge(const PlayBridgeParams& params, const Homography& table_f
       gate_(params.gate, table),
       motion_(table, params.motion),
       filter_(motion_, params.filter),
+      trust_({params.probation_us, params.gate.max_speed_m_s}),
       predictor_(motion_, params.intercept),
       strategy_(params.strategy, table),
       game_(motion_),
@@ -58,13 +63,17 @@ PlayBridge::PlayBridge(const PlayBridgeParams& params, const Homography& table_f
   path_.reserve(static_cast<std::size_t>(kPathHorizonS / kPathStepS) + 2);
 }
 
-void PlayBridge::follow_session(const puck_estimate_t& estimate) {
-  const bool goes_on =
-      events_session_ == estimate.events_session && estimate.sensor_us >= newest_sensor_.us;
+void PlayBridge::follow_session(const puck_estimate_t& estimate, const HostNow& now) {
+  const std::int64_t latest_us =
+      newest_sensor_.us + (now.monotonic_us - newest_heard_us_) + kMaxHeldUpUs;
+  const bool goes_on = events_session_ == estimate.events_session &&
+                       estimate.sensor_us >= newest_sensor_.us && estimate.sensor_us <= latest_us;
   events_session_ = estimate.events_session;
+  newest_heard_us_ = now.monotonic_us;
   if (goes_on) return;
   // Another camera's time, or the camera's time begins anew.
   filter_.reset();
+  trust_.forget();
   game_.forget_time();
   basis_.reset();
 }
@@ -80,7 +89,7 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
   is_blind_ = !view;
   tracked_ = verdict == EstimateVerdict::kGood;
   if (verdict == EstimateVerdict::kMalformed) return;
-  follow_session(estimate);
+  follow_session(estimate, now);
   newest_ = estimate;
   newest_sensor_ = {estimate.sensor_us};
   trajectory_due_ = true;
@@ -95,12 +104,15 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
   }
 
   const MeasurementUse use = filter_.update(measurement);
+  const std::optional<PuckTrack> track = filter_.at(newest_sensor_);
+  trust_.take(measurement, use, track);
   if (use == MeasurementUse::kOutlier) ++outliers_;
+  if (use == MeasurementUse::kLate) ++frozen_;
+  if (!trust_.is_trusted()) ++untrusted_;
   if (!is_good(use)) return;
   basis_ =
       Basis{estimate.session, estimate.seq, newest_sensor_,
             newest_sensor_ + (age_is_known && !measurement.resting ? age_us : 0), now.monotonic_us};
-  const std::optional<PuckTrack> track = filter_.at(newest_sensor_);
   if (track && std::max(track->covariance[10], track->covariance[15]) < kGameSpeedVariance) {
     game_.see(newest_sensor_, *track);
   }
@@ -115,6 +127,9 @@ void PlayBridge::hear(const arm_state_t& state, const HostNow& now, const Sender
   switch (arm_publisher_.hear(state.session, state.seq, now.monotonic_us)) {
     case SinglePublisher::Verdict::kNewPublisher:
     case SinglePublisher::Verdict::kAccepted:
+      if (!arm_ || arm_->command_session != state.command_session) {
+        commander_since_us_ = now.monotonic_us;
+      }
       arm_ = state;
       arm_heard_us_ = now.monotonic_us;
       break;
@@ -159,13 +174,18 @@ Timestamp PlayBridge::sensor_now(const HostNow& now) const {
 }
 
 std::optional<PuckTrack> PlayBridge::live_track(const HostNow& now) const {
-  if (!tracked_ || !basis_) return std::nullopt;
+  if (!tracked_ || !basis_ || !trust_.is_trusted()) return std::nullopt;
   if (now.monotonic_us - basis_->received_us > params_.gate.max_age_us) return std::nullopt;
   return filter_.at(sensor_now(now));
 }
 
 bool PlayBridge::hears_arm(const HostNow& now) const {
   return arm_ && now.monotonic_us - arm_heard_us_ <= kArmSilentUs;
+}
+
+std::int64_t PlayBridge::other_commander(std::int64_t own_session, const HostNow& now) const {
+  if (!hears_arm(now) || arm_->command_session == own_session) return 0;
+  return now.monotonic_us - commander_since_us_ > kOtherCommanderUs ? arm_->command_session : 0;
 }
 
 std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now) {

@@ -11,6 +11,7 @@
 #include "common/play/estimate_gate.h"
 #include "common/play/game_observer.h"
 #include "common/play/strategy.h"
+#include "common/play/track_trust.h"
 #include "common/table/head_track.h"
 #include "common/table/homography.h"
 #include "common/table/intercept_predictor.h"
@@ -23,6 +24,7 @@ namespace puck {
 
 struct PlayBridgeParams {
   EstimateGateParams gate;
+  std::int64_t probation_us = TrackTrustParams{}.probation_us;  ///< As TrackTrustParams has it.
   PuckMotionParams motion;
   MotionFilterParams filter;
   InterceptParams intercept;
@@ -62,7 +64,18 @@ class PlayBridge {
   /// Where the camera looks is not known, so neither where the table is: no commands.
   bool is_blind_to_head() const { return is_blind_; }
 
+  /// Whether the arm is heard, so that it can be commanded.
+  bool hears_arm(const HostNow& now) const;
+  /// The session of somebody else whose commands the arm has followed for a while; 0: nobody.
+  /// `own_session`: that of the commands that are made here.
+  std::int64_t other_commander(std::int64_t own_session, const HostNow& now) const;
+
   const EstimateGate& gate() const { return gate_; }
+  const TrackTrust& trust() const { return trust_; }
+  /// Good estimates that did not move the arm: on which nothing new rests, since the sensor's time
+  /// stood still under them, and those of a track that is not trusted.
+  std::int64_t frozen() const { return frozen_; }
+  std::int64_t untrusted() const { return untrusted_; }
   std::int64_t outliers() const { return outliers_; }
   /// How often the track began anew: where the puck was, and elsewhere.
   std::int64_t hits() const { return filter_.hits(); }
@@ -83,14 +96,14 @@ class PlayBridge {
   std::optional<TableView> view_of(Timestamp t) const;
   Timestamp sensor_now(const HostNow& now) const;
   std::optional<PuckTrack> live_track(const HostNow& now) const;
-  bool hears_arm(const HostNow& now) const;
-  void follow_session(const puck_estimate_t& estimate);
+  void follow_session(const puck_estimate_t& estimate, const HostNow& now);
 
   PlayBridgeParams params_;
   TableGeometry table_;
   EstimateGate gate_;
   PuckMotion motion_;
   MotionFilter filter_;
+  TrackTrust trust_;
   InterceptPredictor predictor_;
   Strategy strategy_;
   GameObserver game_;
@@ -99,12 +112,14 @@ class PlayBridge {
   bool tracked_ = false;  // the newest estimate was good
   std::int64_t events_session_ = 0;
   Timestamp newest_sensor_;
+  std::int64_t newest_heard_us_ = 0;  // CLOCK_MONOTONIC
   bool trajectory_due_ = false;
   puck_estimate_t newest_{};
 
   SinglePublisher arm_publisher_;
   std::optional<arm_state_t> arm_;
-  std::int64_t arm_heard_us_ = 0;  // CLOCK_MONOTONIC
+  std::int64_t arm_heard_us_ = 0;        // CLOCK_MONOTONIC
+  std::int64_t commander_since_us_ = 0;  // CLOCK_MONOTONIC
   TableView home_;
   std::optional<TableCamera> camera_;
   SinglePublisher head_publisher_;
@@ -121,6 +136,8 @@ class PlayBridge {
   GameBelief published_game_;
   std::vector<PathPoint> path_;
   std::int64_t outliers_ = 0;
+  std::int64_t frozen_ = 0;
+  std::int64_t untrusted_ = 0;
   std::int64_t commands_ = 0;
 };
 

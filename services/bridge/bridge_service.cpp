@@ -59,6 +59,7 @@ BridgeServiceParams BridgeService::read_params(Config& config) {
   config.read("bridge.command_hz", play.command_hz, 20, 1000);
   play.valid_for_us = read_ms(config, "bridge.valid_for_ms", play.valid_for_us, 1, 100);
   config.read("bridge.max_trajectory_hz", play.max_trajectory_hz, 1, 10'000);
+  play.probation_us = read_ms(config, "bridge.probation_ms", play.probation_us, 0, 1000);
   config.read("bridge.max_head_deg", play.max_head_deg, 0, 180);
   config.read("bridge.needs_head", play.needs_head);
   play.head.max_ahead_us = read_ms(config, "head.max_ahead_ms", play.head.max_ahead_us, 0, 100);
@@ -147,6 +148,10 @@ void BridgeService::report(StatusReport& report) const {
       {"estimates_outliers", bridge_.outliers()},
       {"track_hits", bridge_.hits()},
       {"track_jumps", bridge_.jumps()},
+      {"estimates_frozen", bridge_.frozen()},
+      {"estimates_untrusted", bridge_.untrusted()},
+      {"track_leaps", bridge_.trust().leaps()},
+      {"track_contradictions", bridge_.trust().contradictions()},
       {"commands_sent", bridge_.commands()},
       {"shots", bridge_.game().shots},
       {"saves", bridge_.game().saves},

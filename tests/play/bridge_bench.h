@@ -53,14 +53,27 @@ class BridgeBench {
     return message;
   }
 
-  void see_arm() {
+  /// `command_session`: of whom it follows.
+  void see_arm(std::int64_t command_session = 0) {
     arm_state_t message{};
     message.utime = sender_utime();
     message.session = kArmSession;
     message.seq = next_arm_seq_++;
+    message.command_session = command_session;
     message.line_min_m = -0.3;
     message.line_max_m = 0.3;
     bridge.hear(message, now, sender);
+  }
+
+  /// An estimate each millisecond of a puck that begins there, for as long as a track needs to be
+  /// trusted. Nothing is taken, and nothing of the arm heard.
+  void earn_trust(PuckTrack puck) {
+    const PuckMotion motion(TableGeometry{});
+    for (int i = 0; i < 20; ++i) {
+      pass(1000);
+      puck = motion.advance(puck, 0.001).track;
+      bridge.hear(estimate(puck.state), now, sender);
+    }
   }
 
   void pass(std::int64_t us) {

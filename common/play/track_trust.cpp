@@ -1,0 +1,124 @@
+#include "common/play/track_trust.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace puck {
+namespace {
+
+// Unseen for longer, the puck that is seen next may be another one.
+constexpr std::int64_t kGapUs = 100'000;
+constexpr double kLeapM = 0.05;  // what estimates may be off by
+// The share of outliers is that of the last 50 ms. A hit makes 5 ms of them.
+constexpr double kScatterMemoryUs = 50'000;
+constexpr std::int64_t kLongestStepUs = 5'000;
+constexpr double kScattered = 0.35;
+constexpr double kGathered = 0.15;
+// A tracker's velocity lags behind a hit.
+constexpr std::int64_t kContradictionUs = 30'000;
+constexpr double kVelocityErrorMS = 1.0;
+constexpr double kVelocityErrorShare = 0.5;
+// A track that is less sure of its velocity contradicts nobody, m²/s².
+constexpr double kKnownSpeedVariance = 0.1;
+
+double distance(const TablePoint& a, const TablePoint& b) {
+  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+}
+
+}  // namespace
+
+const char* to_string(TrackTrust::Doubt doubt) {
+  switch (doubt) {
+    case TrackTrust::Doubt::kNone:
+      return "none";
+    case TrackTrust::Doubt::kNew:
+      return "new";
+    case TrackTrust::Doubt::kScattered:
+      return "scattered";
+    case TrackTrust::Doubt::kContradicts:
+      return "contradicts";
+  }
+  return "unknown";
+}
+
+TrackTrust::TrackTrust(const TrackTrustParams& params) : params_(params) {
+  if (params_.probation_us < 0 || params_.probation_us > 1'000'000) {
+    throw std::invalid_argument("bridge.probation_ms must be between 0 and 1000, got " +
+                                std::to_string(params_.probation_us / 1000));
+  }
+}
+
+void TrackTrust::forget() {
+  newest_.reset();
+  newest_good_.reset();
+  contradicts_since_.reset();
+  contradicts_ = false;
+}
+
+TrackTrust::Doubt TrackTrust::doubt() const {
+  if (!newest_good_ || newest_good_->t - began_ < params_.probation_us) return Doubt::kNew;
+  if (contradicts_) return Doubt::kContradicts;
+  if (is_scattered_) return Doubt::kScattered;
+  return Doubt::kNone;
+}
+
+// Whether a track that begins anew can be the same puck after a hit.
+bool TrackTrust::continues(const TableMeasurement& start) const {
+  if (!newest_good_) return false;
+  const std::int64_t gap_us = start.t - newest_good_->t;
+  if (gap_us > kGapUs) return false;
+  const double reach_m = params_.max_speed_m_s * static_cast<double>(gap_us) * 1e-6 + kLeapM;
+  return distance(start.position, newest_good_->position) <= reach_m;
+}
+
+void TrackTrust::follow_scatter(Timestamp t, bool is_outlier) {
+  // The first of them after a gap stands for no more than itself.
+  const std::int64_t since_us = newest_ ? t - *newest_ : kLongestStepUs;
+  const auto elapsed_us =
+      static_cast<double>(std::clamp<std::int64_t>(since_us, 0, kLongestStepUs));
+  const double kept = std::exp(-elapsed_us / kScatterMemoryUs);
+  outlier_share_ = kept * outlier_share_ + (is_outlier ? 1 - kept : 0);
+  if (outlier_share_ > kScattered) is_scattered_ = true;
+  if (outlier_share_ < kGathered) is_scattered_ = false;
+}
+
+void TrackTrust::follow_velocity(const TableMeasurement& measurement, const PuckTrack& track) {
+  const TableVelocity& said = measurement.velocity;
+  const TableVelocity& found = track.state.velocity;
+  // Exactly nothing: a tracker that gives no velocity.
+  const bool is_said = said.x_m_s != 0 || said.y_m_s != 0;
+  const bool is_found = std::max(track.covariance[10], track.covariance[15]) < kKnownSpeedVariance;
+  const double speed_m_s =
+      std::max(std::hypot(said.x_m_s, said.y_m_s), std::hypot(found.x_m_s, found.y_m_s));
+  const double error_m_s = std::hypot(said.x_m_s - found.x_m_s, said.y_m_s - found.y_m_s);
+  if (!is_said || !is_found || error_m_s <= kVelocityErrorMS + kVelocityErrorShare * speed_m_s) {
+    contradicts_since_.reset();
+    if (contradicts_) began_ = measurement.t;
+    contradicts_ = false;
+    return;
+  }
+  if (!contradicts_since_) contradicts_since_ = measurement.t;
+  if (contradicts_ || measurement.t - *contradicts_since_ < kContradictionUs) return;
+  contradicts_ = true;
+  ++contradictions_;
+}
+
+void TrackTrust::take(const TableMeasurement& measurement, MeasurementUse use,
+                      const std::optional<PuckTrack>& track) {
+  if (use == MeasurementUse::kLate || use == MeasurementUse::kRejected) return;
+  follow_scatter(measurement.t, use == MeasurementUse::kOutlier);
+  newest_ = measurement.t;
+  if (use == MeasurementUse::kOutlier) return;
+  if (use != MeasurementUse::kUsed && !continues(measurement)) {
+    if (newest_good_ && measurement.t - newest_good_->t <= kGapUs) ++leaps_;
+    began_ = measurement.t;
+    contradicts_since_.reset();
+    contradicts_ = false;
+  }
+  newest_good_ = measurement;
+  if (track) follow_velocity(measurement, *track);
+}
+
+}  // namespace puck

@@ -1,0 +1,202 @@
+#include "common/play/track_trust.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/play/bridge_bench.h"
+
+namespace puck {
+namespace {
+
+PuckTrack puck_at(double x, double y, double vx, double vy) { return {{{x, y}, {vx, vy}}, {}}; }
+
+// For `ms` an estimate each millisecond of what `look` makes of the true puck; how many commands
+// were sent meanwhile.
+int commands_of(BridgeBench& bench, PuckTrack& puck, int ms,
+                const std::function<void(puck_estimate_t&, int)>& look) {
+  const PuckMotion motion(TableGeometry{});
+  const int before = bench.commands;
+  for (int i = 0; i < ms; ++i) {
+    bench.pass(1000);
+    puck = motion.advance(puck, 0.001).track;
+    bench.see_arm();
+    puck_estimate_t estimate = bench.estimate(puck.state);
+    look(estimate, i);
+    bench.bridge.hear(estimate, bench.now, bench.sender);
+    bench.take();
+  }
+  return bench.commands - before;
+}
+
+int commands_of(BridgeBench& bench, PuckTrack& puck, int ms) {
+  return commands_of(bench, puck, ms, [](puck_estimate_t&, int) {});
+}
+
+void move_to(puck_estimate_t& estimate, const TablePoint& place) {
+  const Pixel pixel = *test_camera().to_image(place);
+  estimate.x_px = pixel.x;
+  estimate.y_px = pixel.y;
+}
+
+TEST_CASE("A track that begins moves the arm when it has held for its probation") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.5, 0.1, -1, 0.1);
+  CHECK(commands_of(bench, puck, 15) == 0);
+  CHECK(commands_of(bench, puck, 20) >= 4);
+}
+
+TEST_CASE("A hit is no new track: the arm is commanded on at once") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.3, 0.1, 2, 0.1);
+  commands_of(bench, puck, 50);
+  puck.state.velocity = {-8, 0.5};
+  // Less the time in which a hit looks like outliers.
+  CHECK(commands_of(bench, puck, 40) >= 8);
+  CHECK(bench.bridge.trust().leaps() == 0);
+  const double at_line_y_m = puck.state.position.y_m + 0.5 / 8 * (puck.state.position.x_m - 0.2325);
+  CHECK(bench.command->target_m == doctest::Approx(at_line_y_m).epsilon(0.1));
+}
+
+TEST_CASE("A track that leaps as no puck can has to earn trust again, and is counted") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.5, 0.3, -1, 0);
+  commands_of(bench, puck, 50);
+  puck.state.position.y_m = -0.3;
+  // 5 ms in which it is an outlier, on the old track, then the probation of the new one.
+  CHECK(commands_of(bench, puck, 20) <= 2);
+  CHECK(bench.bridge.trust().leaps() == 1);
+  CHECK(commands_of(bench, puck, 20) >= 4);
+  CHECK(bench.command->target_m < -0.1);
+}
+
+TEST_CASE("A tracker that leaps to and fro never moves the arm, however sure it says it is") {
+  for (const int every_ms : {1, 3, 8, 14}) {
+    CAPTURE(every_ms);
+    BridgeBench bench;
+    PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
+    int heard = 0;
+    const auto mirror = [&](puck_estimate_t& estimate, int) {
+      estimate.covariance[0] = estimate.covariance[5] = 1e-12;
+      if (heard++ / every_ms % 2 == 1) estimate.x_px = 640 - estimate.x_px;
+    };
+    commands_of(bench, puck, 100, mirror);
+    CHECK(commands_of(bench, puck, 400, mirror) == 0);
+    CHECK(bench.bridge.untrusted() > 100);
+  }
+}
+
+TEST_CASE("A velocity that is not that of the positions ends the commands, until it is again") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.8, 0.3, -1.5, 0);
+  commands_of(bench, puck, 50);
+  const auto reverse = [](puck_estimate_t& estimate, int) {
+    estimate.vx_px_s *= -1;
+    estimate.vy_px_s *= -1;
+  };
+  commands_of(bench, puck, 40, reverse);
+  CHECK(commands_of(bench, puck, 100, reverse) == 0);
+  CHECK(bench.bridge.trust().contradictions() == 1);
+  CHECK(bench.bridge.trust().doubt() == TrackTrust::Doubt::kContradicts);
+  CHECK(commands_of(bench, puck, 40) > 0);
+}
+
+TEST_CASE("A position that is held while the tracker says that it moves ends the commands") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.8, 0.3, -4, 0);
+  commands_of(bench, puck, 50);
+  const TablePoint held = puck.state.position;
+  const auto hold = [&](puck_estimate_t& estimate, int) { move_to(estimate, held); };
+  commands_of(bench, puck, 80, hold);
+  CHECK(commands_of(bench, puck, 60, hold) == 0);
+}
+
+TEST_CASE("A tracker without velocities is no liar") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.8, 0.3, -1.5, 0);
+  CHECK(commands_of(bench, puck, 200, [](puck_estimate_t& estimate, int) {
+          estimate.vx_px_s = estimate.vy_px_s = 0;
+        }) > 30);
+}
+
+TEST_CASE("The same estimate under new numbers is counted and moves the arm for 100 ms only") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
+  commands_of(bench, puck, 50);
+  const puck_estimate_t frozen = bench.estimate(puck.state);
+  const auto freeze = [&](puck_estimate_t& estimate, int) {
+    move_to(estimate, {1.75, 0.3});
+    estimate.sensor_us = frozen.sensor_us;
+  };
+  commands_of(bench, puck, 105, freeze);
+  CHECK(commands_of(bench, puck, 200, freeze) == 0);
+  CHECK(bench.bridge.frozen() > 250);
+}
+
+TEST_CASE("Sensor time that runs ahead of the clock, or to and fro, is never trusted for long") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
+  commands_of(bench, puck, 50);
+  const auto leap = [](puck_estimate_t& estimate, int i) {
+    if (i % 7 == 0) estimate.sensor_us += 3'600'000'000;
+  };
+  commands_of(bench, puck, 10, leap);
+  CHECK(commands_of(bench, puck, 300, leap) == 0);
+}
+
+TEST_CASE("An estimate of events to come, or one that is sure of nothing, is implausible") {
+  const std::vector<std::pair<const char*, std::function<void(puck_estimate_t&)>>> spoils{
+      {"events to come", [](auto& e) { e.event_utime += 200'000; }},
+      {"the last of all times",
+       [](auto& e) { e.event_utime = std::numeric_limits<std::int64_t>::max(); }},
+      {"unsure of the place", [](auto& e) { e.covariance[0] = 1e9; }},
+      {"beyond numbers", [](auto& e) { e.covariance[5] = 1e308; }},
+  };
+  for (const auto& [name, spoil] : spoils) {
+    CAPTURE(name);
+    BridgeBench bench;
+    PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
+    commands_of(bench, puck, 50);
+    CHECK(commands_of(bench, puck, 100, [&](puck_estimate_t& e, int) { spoil(e); }) == 0);
+    CHECK(bench.bridge.gate().count(EstimateVerdict::kImplausible) == 100);
+  }
+}
+
+TEST_CASE("Of two trackers one is followed, the other is counted and moves nothing") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
+  commands_of(bench, puck, 50);
+  const double target_m = bench.command->target_m;
+  for (int i = 0; i < 100; ++i) {
+    commands_of(bench, puck, 1);
+    puck_estimate_t other = bench.estimate({{0.5, -0.3}, {-1, 0}});
+    other.session = 9;
+    bench.bridge.hear(other, bench.now, bench.sender);
+  }
+  CHECK(bench.bridge.gate().count(EstimateVerdict::kOtherPublisher) == 100);
+  CHECK(bench.command->target_m == doctest::Approx(target_m).epsilon(0.05));
+}
+
+TEST_CASE("A bridge notices when the arm goes on following another one") {
+  constexpr std::int64_t kOwn = 2001;
+  BridgeBench bench;
+  const auto arm_follows = [&](std::int64_t session, int ms) {
+    for (int i = 0; i < ms; ++i) {
+      bench.pass(1000);
+      bench.see_arm(session);
+    }
+    return bench.bridge.other_commander(kOwn, bench.now);
+  };
+  CHECK(arm_follows(0, 1000) == 0);
+  CHECK(arm_follows(kOwn, 1000) == 0);
+  CHECK(arm_follows(77, 400) == 0);
+  CHECK(arm_follows(77, 200) == 77);
+  CHECK(arm_follows(kOwn, 1) == 0);
+}
+
+}  // namespace
+}  // namespace puck
