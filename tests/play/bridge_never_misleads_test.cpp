@@ -1,0 +1,191 @@
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <random>
+
+#include <doctest/doctest.h>
+
+#include "tests/play/bridge_bench.h"
+
+namespace puck {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kSteps = 20'000;
+#else
+constexpr int kSteps = 500'000;
+#endif
+constexpr std::int64_t kMaxAgeUs = 100'000;
+
+// Spoils estimates in every way that a bridge must see through, or survive.
+class Mischief {
+ public:
+  explicit Mischief(unsigned seed) : random_(seed) {}
+
+  bool chance(double probability) { return std::bernoulli_distribution(probability)(random_); }
+  int below(int limit) { return std::uniform_int_distribution<int>(0, limit - 1)(random_); }
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  double wild_number() {
+    constexpr double kWild[] = {std::numeric_limits<double>::quiet_NaN(),
+                                std::numeric_limits<double>::infinity(),
+                                -std::numeric_limits<double>::infinity(),
+                                1e308,
+                                -1e18,
+                                std::numeric_limits<double>::denorm_min(),
+                                0};
+    const int which = below(9);
+    return which < 7 ? kWild[which] : between(-2000, 2000);
+  }
+  std::int64_t wild_integer() {
+    switch (below(4)) {
+      case 0:
+        return std::numeric_limits<std::int64_t>::max();
+      case 1:
+        return std::numeric_limits<std::int64_t>::min();
+      case 2:
+        return 0;
+      default:
+        return static_cast<std::int64_t>(random_());
+    }
+  }
+
+  /// Whether the estimate must now be refused, whatever came before it.
+  bool spoil(puck_estimate_t& e) {
+    switch (below(14)) {
+      case 0:
+        e.x_px = wild_number();
+        return !std::isfinite(e.x_px) || std::abs(e.x_px) > 1e6;
+      case 1:
+        e.y_px = wild_number();
+        return !std::isfinite(e.y_px) || e.y_px < -100;
+      case 2:
+        e.vx_px_s = wild_number();
+        return !std::isfinite(e.vx_px_s) || std::abs(e.vx_px_s) > 1e6;
+      case 3:
+        e.covariance[5 * below(4)] = wild_number();
+        return std::isnan(e.covariance[0] + e.covariance[5] + e.covariance[10] + e.covariance[15]);
+      case 4:
+        e.covariance[1] = e.covariance[4] = 5;  // more than the variances allow
+        return true;
+      case 5:
+        e.state = static_cast<std::int8_t>(below(3));
+        return e.state != puck_estimate_t::STATE_TRACKING;
+      case 6:
+        e.flags = 0;
+        return true;
+      case 7:
+        e.event_utime -= 100'001 + below(1'000'000);
+        return true;
+      case 8:
+        e.event_utime = wild_integer();
+        return e.event_utime != 0;
+      case 9:
+        e.utime += (chance(0.5) ? 1 : -1) * (200'001 + below(1'000'000));
+        return true;
+      case 10:
+        e.session = wild_integer();
+        return false;
+      case 11:
+        e.seq -= 1 + below(50);  // late, unless what lies between was refused
+        return false;
+      case 12:
+        e.sensor_us = chance(0.5) ? wild_integer() : e.sensor_us + below(10'000'000) - 5'000'000;
+        return false;
+      default:
+        e.x_px = between(0, 640);
+        e.y_px = between(100, 480);
+        return false;
+    }
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+struct Heard {
+  Heard(std::int64_t publisher, std::int64_t heard_us, std::int64_t happened_us)
+      : session(publisher), at_us(heard_us), event_us(happened_us) {}
+  std::int64_t session = 0;
+  std::int64_t at_us = 0;     // CLOCK_MONOTONIC
+  std::int64_t event_us = 0;  // by the same
+};
+
+TEST_CASE("Whatever arrives, no command is sent that a good, live estimate does not bear") {
+  int commands = 0;
+  int refused = 0;
+  int blind_steps = 0;
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+    BridgeBench bench;
+    Mischief mischief(seed);
+    const PuckMotion motion(TableGeometry{});
+    PuckTrack puck{{{1.5, 0.1}, {-1, 0.3}}, {}};
+    std::map<std::int64_t, Heard> good;  // by seq
+    std::int64_t arm_us = -1'000'000;
+    std::int64_t head_seq = 0;
+    bool head_is_home = true;
+    double estimate_rate = 1;
+    double spoilt = 0;
+    for (int i = 0; i < kSteps / 5; ++i) {
+      if (i % 200 == 0) {
+        estimate_rate = mischief.chance(0.2) ? 0.01 : 0.8;
+        spoilt = mischief.chance(0.5) ? 0.5 : 0.02;
+      }
+      if (i % 997 == 0) puck.state.velocity = {mischief.between(-8, 8), mischief.between(-5, 5)};
+      bench.pass(mischief.chance(0.01) ? mischief.below(120'000) : mischief.below(2000));
+      puck = {motion.advance(puck, 0.001).track.state, {}};
+      if (i / 500 % 4 != 3 && mischief.chance(0.3)) {
+        bench.see_arm();
+        arm_us = bench.now.monotonic_us;
+      }
+      if (mischief.chance(0.002)) {
+        head_state_t head{};
+        head.session = 5001;
+        head.seq = ++head_seq;
+        head.yaw_deg = mischief.chance(0.5) ? 3 : 0;
+        head_is_home = head.yaw_deg == 0;
+        bench.bridge.hear(head, bench.now);
+      }
+      if (mischief.chance(estimate_rate)) {
+        puck_estimate_t e = bench.estimate(puck.state);
+        const bool must_be_refused = mischief.chance(spoilt) && mischief.spoil(e);
+        bench.bridge.hear(e, bench.now, bench.sender);
+        if (must_be_refused) {
+          ++refused;
+        } else {
+          const std::int64_t age_us = e.event_utime == 0 ? 0 : bench.sender_utime() - e.event_utime;
+          good.try_emplace(e.seq, e.session, bench.now.monotonic_us,
+                           bench.now.monotonic_us - age_us);
+        }
+      }
+
+      bench.command.reset();
+      bench.take();
+      if (!head_is_home) ++blind_steps;
+      if (!bench.command) continue;
+      ++commands;
+      const arm_command_t& command = *bench.command;
+      REQUIRE(std::abs(command.target_m) <= 0.3);
+      REQUIRE(std::abs(command.target_normalised) <= 1);
+      REQUIRE(command.arrive_in_us >= 0);
+      REQUIRE(command.valid_for_us <= 100'000);
+      REQUIRE(head_is_home);
+      REQUIRE(bench.now.monotonic_us - arm_us <= 500'000);
+      const auto basis = good.find(command.estimate_seq);
+      REQUIRE(basis != good.end());
+      REQUIRE(command.estimate_session == basis->second.session);
+      REQUIRE(bench.now.monotonic_us - basis->second.at_us <= kMaxAgeUs);
+      REQUIRE(bench.now.monotonic_us - basis->second.event_us <= kMaxAgeUs);
+    }
+  }
+  // The test has to have met what it is about.
+  CHECK(commands > kSteps / 50);
+  CHECK(refused > kSteps / 50);
+  CHECK(blind_steps > kSteps / 50);
+  MESSAGE(commands, " commands, ", refused, " estimates that had to be refused");
+}
+
+}  // namespace
+}  // namespace puck
