@@ -30,7 +30,7 @@ struct PlayBridgeParams {
   InterceptParams intercept;
   StrategyParams strategy;
   double max_trajectory_hz = 1000;
-  double command_hz = 250;              ///< At most so many commands a second.
+  double command_hz = 250;  ///< Commands a second; one whose target has moved goes out at once.
   std::int64_t valid_for_us = 100'000;  ///< Of a command.
   /// A camera of which the calibration holds no focal length may turn so far from where it was made
   /// before the table's place counts as unknown, deg.
@@ -132,6 +132,8 @@ class PlayBridge {
 
   std::optional<std::int64_t> last_trajectory_us_;  // CLOCK_MONOTONIC, as all of these
   std::optional<std::int64_t> last_command_us_;
+  std::int64_t last_basis_seq_ = -1;
+  double last_target_m_ = 0;
   std::optional<std::int64_t> last_game_us_;
   GameBelief published_game_;
   std::vector<PathPoint> path_;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kHandle{2};
 constexpr std::int64_t kSilentUs = 500'000;
+constexpr std::int64_t kWorthALineUs = 200'000;
 
 // Estimates that are not good, and not just those of a puck that is not in sight.
 constexpr std::array kSuspicious{
@@ -45,7 +46,7 @@ void read_motion(Config& config, PlayBridgeParams& params) {
   config.read("intercept.max_bounces", params.intercept.max_bounces, 0, 64);
   config.read("intercept.opponent_after_s", params.intercept.opponent_after_s, 0, 60);
 
-  config.read("strategy.max_crossing_sigma_m", params.strategy.max_crossing_sigma_m, 0.001, 10);
+  config.read("strategy.crossing_prior_m", params.strategy.crossing_prior_m, 0.001, 10);
   config.read("strategy.shadow_gain", params.strategy.shadow_gain, 0, 1);
 }
 
@@ -84,7 +85,8 @@ BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& 
                                                  const Receipt& at) {
     bridge_.hear(estimate, {at.utime, at.monotonic_us}, context_.status.clock_of(estimate.session));
     last_estimate_us_ = at.monotonic_us;
-    estimate_answered_ = false;
+    // At once, before what else may have come is dealt with: the arm waits for it.
+    if (command()) estimate_to_command_.record(host_monotonic_us() - at.monotonic_us);
   });
   context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& at) {
     bridge_.hear(state, {at.utime, at.monotonic_us}, context_.status.clock_of(state.session));
@@ -104,26 +106,60 @@ void BridgeService::run(std::stop_token stop) {
   }
 }
 
+bool BridgeService::command() {
+  auto command = bridge_.next_command(host_now());
+  if (!command) return false;
+  context_.bus.publish(*command);
+  return true;
+}
+
 void BridgeService::publish_what_is_due() {
+  command();
   const HostNow now = host_now();
-  // The command first: the arm waits for it.
-  if (auto command = bridge_.next_command(now)) {
-    context_.bus.publish(*command);
-    if (!estimate_answered_) estimate_to_command_.record(host_monotonic_us() - last_estimate_us_);
-    estimate_answered_ = true;
-  }
   if (auto trajectory = bridge_.next_trajectory(now)) context_.bus.publish(*trajectory);
   if (auto game = bridge_.next_game(now)) context_.bus.publish(*game);
 }
 
+BridgeService::Standing BridgeService::standing() const {
+  const HostNow now = host_now();
+  if (last_estimate_us_ == 0 || now.monotonic_us - last_estimate_us_ > kSilentUs) {
+    return {ServiceState::kWaiting, "no ESTIMATE"};
+  }
+  if (bridge_.is_blind_to_head()) {
+    return {ServiceState::kDegraded, "where the head looks is not known, nor where the table is"};
+  }
+  if (!bridge_.hears_arm(now)) return {ServiceState::kWaiting, "no ARM_STATE that is of now"};
+  if (const std::int64_t other = bridge_.other_commander(context_.bus.session(), now)) {
+    return {ServiceState::kDegraded, "the arm obeys another run, session " + std::to_string(other)};
+  }
+  switch (bridge_.trust().doubt()) {
+    case TrackTrust::Doubt::kContradicts:
+      return {ServiceState::kDegraded,
+              "the track is not trusted: its velocity is not that of its positions"};
+    case TrackTrust::Doubt::kScattered:
+      return {ServiceState::kDegraded, "the track is not trusted: it leaps to and fro"};
+    case TrackTrust::Doubt::kNew:
+    case TrackTrust::Doubt::kNone:
+      break;
+  }
+  return {ServiceState::kRunning, {}};
+}
+
 void BridgeService::follow_state() {
-  if (last_estimate_us_ == 0 || host_monotonic_us() - last_estimate_us_ > kSilentUs) {
-    context_.status.set_state(ServiceState::kWaiting, "no ESTIMATE");
-  } else if (bridge_.is_blind_to_head()) {
-    context_.status.set_state(ServiceState::kDegraded,
-                              "where the head looks is not known, nor where the table is");
+  const Standing now = standing();
+  context_.status.set_state(now.state, now.text);
+  const std::int64_t now_us = host_monotonic_us();
+  if (now.text != text_) {
+    text_ = now.text;
+    text_since_us_ = now_us;
+  }
+  // What comes and goes within moments would fill the log.
+  if (text_ == logged_text_ || now_us - text_since_us_ < kWorthALineUs) return;
+  logged_text_ = text_;
+  if (text_.empty()) {
+    context_.log.info("follows the puck");
   } else {
-    context_.status.set_state(ServiceState::kRunning);
+    context_.log.warn("does not move the arm: {}", text_);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <stop_token>
+#include <string>
 
 #include "common/io/config.h"
 #include "common/io/table_file.h"
@@ -28,14 +29,24 @@ class BridgeService : public Service {
   void report(StatusReport& report) const override;
 
  private:
+  struct Standing {
+    ServiceState state = ServiceState::kWaiting;
+    std::string text;
+  };
+
+  /// Whether one was sent.
+  bool command();
   void publish_what_is_due();
+  Standing standing() const;
   void follow_state();
   void warn_of_estimates();
 
   ServiceContext& context_;
   PlayBridge bridge_;
   std::int64_t last_estimate_us_ = 0;  // CLOCK_MONOTONIC; 0: none yet
-  bool estimate_answered_ = true;
+  std::string text_;                   // of the state
+  std::int64_t text_since_us_ = 0;     // CLOCK_MONOTONIC
+  std::string logged_text_;
   std::int64_t warned_of_ = 0;
   LatencyHistogram estimate_to_command_;
 };

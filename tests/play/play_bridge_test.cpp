@@ -1,5 +1,6 @@
 #include "common/play/play_bridge.h"
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -63,12 +64,61 @@ TEST_CASE("The bridge sends the arm to where a bank shot will cross") {
   CHECK(bench.command->target_m == doctest::Approx(truth.y_m).epsilon(0.2));
 }
 
-TEST_CASE("A target beyond the line's end is the end, by the table and by what the arm says") {
+TEST_CASE("A puck that will miss the goal is waited for at the post, not beyond") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.0, 0.45, -2, 0);
-  bench.play(PuckMotion(TableGeometry{}), puck, 100);
-  CHECK(bench.command->target_m == 0.3);
+  bench.play(PuckMotion(TableGeometry{}), puck, 200);
+  CHECK(bench.command->target_m == 0.2);
+  CHECK(bench.command->target_normalised == doctest::Approx(0.2 / 0.3));
+}
+
+TEST_CASE("A target beyond the end of the line that the arm says it has is that end") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.0, 0.45, -2, 0);
+  bench.play(PuckMotion(TableGeometry{}), puck, 200);
+  arm_state_t narrow{};
+  narrow.utime = bench.sender_utime();
+  narrow.session = BridgeBench::kArmSession;
+  narrow.seq = 1'000'000;
+  narrow.line_min_m = -0.1;
+  narrow.line_max_m = 0.1;
+  bench.pass(5000);
+  bench.bridge.hear(narrow, bench.now, bench.sender);
+  bench.take();
+  CHECK(bench.command->target_m == 0.1);
   CHECK(bench.command->target_normalised == 1);
+}
+
+TEST_CASE("An unsure crossing is gone for in part, a sure one wholly") {
+  const TableGeometry table;
+  const Strategy strategy({.crossing_prior_m = 0.15}, table);
+  const PuckTrack puck = puck_at(1.5, 0, -2, 0);
+  Intercept crossing;
+  crossing.y_m = 0.16;
+  crossing.in_s = 0.7;
+  crossing.sigma_y_m = 0.001;
+  CHECK(strategy.decide(puck, crossing).y_m == doctest::Approx(0.16).epsilon(0.001));
+  crossing.sigma_y_m = 0.15;
+  CHECK(strategy.decide(puck, crossing).y_m == doctest::Approx(0.08));
+  crossing.sigma_y_m = 1e6;
+  CHECK(std::abs(strategy.decide(puck, crossing).y_m) < 1e-6);
+  CHECK(strategy.decide(puck, crossing).arrive_in_s == 0.7);
+}
+
+TEST_CASE("After a save the mallet goes back to the middle at once") {
+  const Strategy strategy({}, TableGeometry{});
+  CHECK(strategy.decide(puck_at(0.4, 0.3, 1.5, 0), std::nullopt).y_m == 0);
+  CHECK(strategy.decide(puck_at(0.4, 0.3, 0, 0), std::nullopt).y_m == doctest::Approx(0.15));
+}
+
+TEST_CASE("A command whose target has moved goes out at once, one that repeats waits") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.2, 0.1, 2, 0.1);
+  bench.play(PuckMotion(TableGeometry{}), puck, 50);
+  puck.state.velocity = {-8, 0.9};
+  const int before = bench.commands;
+  bench.play(PuckMotion(TableGeometry{}), puck, 24);
+  CHECK(bench.commands - before > 24 / 4 + 2);
 }
 
 TEST_CASE("The mallet returns to the middle when the puck goes away") {

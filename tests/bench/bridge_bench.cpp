@@ -1,0 +1,76 @@
+// What the bridge does between the receipt of an estimate and the command that rests on it, without
+// the bus: one iteration is one estimate of a puck that goes to and fro across the table.
+
+#include <cstdint>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "common/play/play_bridge.h"
+#include "tests/support/test_camera.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kStartUtime = 1'700'000'000'000'000;
+constexpr std::int64_t kPeriodUs = 1'000;
+
+// As a tracker would see a game of one player against the rails.
+std::vector<puck_estimate_t> estimates() {
+  const PuckMotionParams lossless{.damping_per_s = 0, .rail_restitution = 1, .rail_grip = 1};
+  TableGeometry closed;
+  closed.goal_width_m = 0;
+  const PuckMotion motion(closed, lossless);
+  const Homography camera = test_camera();
+  PuckTrack puck{{{1.5, 0.1}, {-4, 1.3}}, {}};
+  std::vector<puck_estimate_t> all(20'000);
+  for (puck_estimate_t& e : all) {
+    puck = {motion.advance(puck, kPeriodUs * 1e-6).track.state, {}};
+    const Pixel pixel = *camera.to_image(puck.state.position);
+    e = {};
+    e.session = 3001;
+    e.events_session = 1;
+    e.state = puck_estimate_t::STATE_TRACKING;
+    e.flags = puck_estimate_t::FLAG_POSITION;
+    e.x_px = pixel.x;
+    e.y_px = pixel.y;
+    e.covariance[0] = e.covariance[5] = 0.25;
+  }
+  return all;
+}
+
+void estimate_to_command(benchmark::State& state) {
+  const std::vector<puck_estimate_t> seen = estimates();
+  PlayBridge bridge({}, test_camera(), TableGeometry{});
+  const SenderClock clock = ClockOffset{};
+  HostNow now{kStartUtime, 1'000'000};
+  std::int64_t seq = 0;
+  std::int64_t commands = 0;
+  puck_estimate_t estimate{};
+  for (auto _ : state) {
+    now.utime += kPeriodUs;
+    now.monotonic_us += kPeriodUs;
+    if (seq % 100 == 0) {
+      arm_state_t arm{};
+      arm.utime = now.utime;
+      arm.session = 1001;
+      arm.seq = seq;
+      arm.line_min_m = -0.3;
+      arm.line_max_m = 0.3;
+      bridge.hear(arm, now, clock);
+    }
+    estimate = seen[static_cast<std::size_t>(seq) % seen.size()];
+    estimate.seq = seq++;
+    estimate.utime = now.utime - 100;
+    estimate.event_utime = now.utime - 300;
+    estimate.sensor_us = now.monotonic_us - 300;
+    bridge.hear(estimate, now, clock);
+    if (bridge.next_command(now)) ++commands;
+  }
+  if (10 * commands < seq) state.SkipWithError("the bridge did not command");
+}
+
+BENCHMARK(estimate_to_command)->Name("bridge_estimate/ours");
+
+}  // namespace
+}  // namespace puck
