@@ -180,6 +180,7 @@ DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
   score(game, estimates, figures);
   figures.packet_to_estimate = game.latency("puck-tracker", "packet_to_estimate");
   figures.sensor_to_estimate = game.latency("puck-tracker", "sensor_to_estimate");
+  figures.estimate_to_command = game.latency("puck-bridge", "estimate_to_command");
   figures.backlog = game.latency("puck-tracker", "backlog");
   figures.bus = sum_up_bus(game);
   if (game.last_truth) {
@@ -212,6 +213,7 @@ void print(const DemoFigures& f) {
   print_row("packet received to estimate", f.packet_to_estimate);
   print_row("event at the sensor to estimate", f.sensor_to_estimate);
   print_row("received but not on the surface yet", f.backlog);
+  print_row("estimate received to command sent", f.estimate_to_command);
   std::printf("Messages to all services\n");
   print_row("received", std::optional(f.bus.received), "");
   print_row("lost", std::optional(f.bus.lost), "");

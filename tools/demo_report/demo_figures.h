@@ -34,6 +34,7 @@ struct DemoFigures {
   std::optional<LoggedLatency> packet_to_estimate;
   std::optional<LoggedLatency> sensor_to_estimate;
   std::optional<LoggedLatency> backlog;
+  std::optional<LoggedLatency> estimate_to_command;  ///< As the bridge measures it.
   std::optional<std::int64_t> shots;
   std::optional<std::int64_t> saves;
   std::optional<std::int64_t> goals_against;
