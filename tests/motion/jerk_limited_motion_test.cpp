@@ -262,7 +262,7 @@ TEST_CASE("Over random targets and holds every limit is kept at every step") {
       CHECK(differences.most().velocity > 0.9 * limits.velocity);
       CHECK(differences.most().acceleration > 0.99 * std::min(limits.acceleration, 35.0));
       CHECK(differences.most().jerk > 0.99 * limits.jerk);
-      CHECK(differences.most().highest > 0.299);
+      CHECK(differences.most().highest > (kTargets > 100'000 ? 0.299 : 0.25));
       CHECK(moved > 1);
     }
   }
