@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/play_tool/play_bench.h"
+#include "tools/play/error_fit.h"
+#include "tools/play/error_model_check.h"
+#include "tools/play/sweep.h"
+#include "tools/play/whole_game.h"
+
+namespace puck {
+namespace {
+
+bool equal(const ShotOutcome& a, const ShotOutcome& b) {
+  return a.end == b.end && a.cause == b.cause && a.tracked_share == b.tracked_share &&
+         a.command_error_m == b.command_error_m && a.mallet_error_m == b.mallet_error_m &&
+         a.settled_us == b.settled_us && a.belief == b.belief && a.played_us == b.played_us;
+}
+
+int saves_of(const std::vector<ShotOutcome>& outcomes) {
+  return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(), [](const auto& outcome) {
+    return outcome.end == ShotOutcome::End::kSaved;
+  }));
+}
+
+TEST_CASE("Each shot is a shot, at the speed asked for, and hits the line within the goal") {
+  const PlaySetup setup = fast_shots();
+  const TableGeometry& table = setup.world.table;
+  const auto shots = find_shots(setup, 1, kShots, 2);
+  REQUIRE(static_cast<int>(shots.size()) == kShots);
+  for (const ShotFacts& facts : shots) {
+    CHECK(facts.is_shot);
+    CHECK(facts.hit.us > 600'000);  // after the serve and the wait
+    CHECK(facts.crossing > facts.hit);
+    CHECK(facts.speed_m_s > 7.4);
+    CHECK(facts.speed_m_s <= 15);
+    CHECK(std::abs(facts.crossing_y_m) < table.width_m / 2);
+  }
+}
+
+TEST_CASE("The same seed plays the same shots to the bit, however many threads play them") {
+  const PlaySetup setup = fast_shots();
+  const auto shots = find_shots(setup, 1, kShots, 1);
+  const auto again = find_shots(setup, 1, kShots, 3);
+  const auto others = find_shots(setup, 2, kShots, 3);
+  const auto outcomes = play_shots(setup, shots, 1);
+  const auto outcomes_again = play_shots(setup, again, 3);
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    CHECK(shots[i].seed == again[i].seed);
+    CHECK(shots[i].crossing_y_m == again[i].crossing_y_m);
+    CHECK(equal(outcomes[i], outcomes_again[i]));
+    CHECK(shots[i].crossing_y_m != others[i].crossing_y_m);
+  }
+}
+
+TEST_CASE(
+    "A shot seen by PUCK itself is the same to the bit, too, and the same as without images") {
+  PlaySetup setup = fast_shots();
+  const auto shots = find_shots(setup, 1, 1, 1);
+  const auto without = play_shots(setup, shots, 1);
+  setup.source = EstimateSource::kEvents;
+  const auto first = play_shots(setup, shots, 2);
+  const auto second = play_shots(setup, shots, 1);
+  CHECK(equal(first[0], second[0]));
+  CHECK(first[0].tracked_share > 0.5);
+  CHECK(first[0].end != ShotOutcome::End::kUnjudged);
+  CHECK_FALSE(equal(first[0], without[0]));
+}
+
+TEST_CASE("A robot that hears nothing saves just what hits a mallet in the middle") {
+  PlaySetup setup = fast_shots();
+  setup.link.loss_percent = 100;
+  const auto shots = find_shots(setup, 1, kShots, 2);
+  const auto outcomes = play_shots(setup, shots, 2);
+  int goals = 0;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    CHECK((outcomes[i].end == ShotOutcome::End::kSaved) == shots[i].hits_waiting_mallet);
+    CHECK(outcomes[i].tracked_share == 0);
+    // Beside the mallet with all of the puck, and straight into the goal.
+    if (std::abs(shots[i].crossing_y_m) < 0.03) CHECK(shots[i].hits_waiting_mallet);
+    if (outcomes[i].end != ShotOutcome::End::kGoal) continue;
+    ++goals;
+    CHECK(outcomes[i].cause ==
+          (shots[i].is_reachable ? GoalCause::kNotTracked : GoalCause::kNotReachable));
+  }
+  CHECK(goals > kShots / 5);
+}
+
+TEST_CASE("An arm without limits that hears at once saves nearly all, and the bound says all") {
+  PlaySetup setup = fast_shots();
+  setup.arm.arm = {.max_speed_m_s = 20, .max_acceleration_m_s2 = 1000, .stiffness_1_s = 500};
+  setup.link.latency_us = 0;
+  setup.errors.loss_share = 0;
+  const auto shots = find_shots(setup, 1, kShots, 2);
+  for (const ShotFacts& facts : shots) CHECK(facts.is_reachable);
+  CHECK(saves_of(play_shots(setup, shots, 2)) >= kShots - 1 - kShots / 20);
+}
+
+TEST_CASE("Who hears late saves less") {
+  PlaySetup setup = fast_shots();
+  const auto shots = find_shots(setup, 1, kShots, 2);
+  const int at_once = saves_of(play_shots(setup, shots, 2));
+  setup.link.latency_us = 80'000;
+  CHECK(saves_of(play_shots(setup, shots, 2)) < at_once);
+}
+
+TEST_CASE("A whole game counts as its referee does, and plays for as long as it is asked to") {
+  PlaySetup setup = fast_shots();
+  setup.world.game = {};
+  const double seconds = 1.5 * kShots;
+  const SaveFigures game = play_game(setup, 3, seconds);
+  CHECK(game.played_s == doctest::Approx(seconds));
+  CHECK(game.shots > 0);
+  CHECK(game.saves + game.goals <= game.shots + 1);  // a goal can come of no shot
+  CHECK_FALSE(game.bound_percent());
+  const SaveFigures again = play_game(setup, 3, seconds);
+  CHECK(again.shots == game.shots);
+  CHECK(again.saves == game.saves);
+}
+
+TEST_CASE("The fit of the errors finds what the model was told") {
+  PlaySetup setup = fast_shots();
+  setup.errors = {.sigma_x_px = 0.3,
+                  .sigma_y_px = 0.2,
+                  .correlation_us = 5'000,
+                  .bias_x_px = 0.1,
+                  .bias_y_px = -0.1,
+                  .lag_us = 100,
+                  .reported_sigma_px = 0.25,
+                  .detection_us = 100'000,
+                  .notice_us = 4'000,
+                  .loss_share = 0.3,
+                  .loss_us = 8'000};
+  const auto shots = find_shots(setup, 1, 5 * kShots, 2);
+  std::vector<FlightErrors> flights;
+  for (const ShotFacts& facts : shots) flights.push_back(watch_flight(setup, facts));
+  const EstimateErrorParams fit = fit_estimate_errors(flights, 1'000);
+  CHECK(fit.sigma_x_px == doctest::Approx(0.3).epsilon(0.25));
+  CHECK(fit.sigma_y_px == doctest::Approx(0.2).epsilon(0.25));
+  CHECK(fit.correlation_us == doctest::Approx(5'000).epsilon(0.5));
+  CHECK(fit.lag_us == doctest::Approx(100).epsilon(0.5));
+  CHECK(fit.reported_sigma_px == doctest::Approx(0.25).epsilon(0.01));
+  CHECK(fit.detection_us == doctest::Approx(100'000).epsilon(0.02));
+  CHECK(fit.notice_us == doctest::Approx(4'000).epsilon(0.3));
+  CHECK(fit.loss_share == doctest::Approx(0.3).epsilon(0.5));
+  CHECK(fit.loss_us == doctest::Approx(8'000).epsilon(0.6));
+}
+
+TEST_CASE("A sweep plays the same shots at each of its points") {
+  PlannedSweep plan = plan_sweep("latency", fast_shots(), 15);
+  CHECK(plan.points.size() == 4 * 8);
+  CHECK(plan.points.front().setup.link.latency_us == 1'000);
+  CHECK(plan.points[7].setup.link.latency_us == 101'000);
+  plan.points = {plan.points[0], plan.points[6], plan.points[31]};
+  int seen = 0;
+  const Sweep sweep = run_sweep(plan, {.shots = kShots / 2, .seed = 1, .jobs = 2},
+                                [&](const SweepPoint&) { ++seen; });
+  CHECK(seen == 3);
+  REQUIRE(sweep.points.size() == 3);
+  for (const SweepPoint& point : sweep.points) {
+    CHECK(point.figures.shots == kShots / 2);
+    CHECK(point.figures.bound_percent() == sweep.points[0].figures.bound_percent());
+    CHECK(point.figures.waiting_percent() == sweep.points[0].figures.waiting_percent());
+  }
+  // 133 ms after the exposure the bridge does not believe an estimate any more.
+  CHECK(sweep.points[2].figures.save_percent() == sweep.points[2].figures.waiting_percent());
+}
+
+TEST_CASE("Every sweep that the help names has its points, and no other") {
+  const PlaySetup setup = fast_shots();
+  for (const char* name : {"latency", "speed", "rate", "loss"}) {
+    CHECK(plan_sweep(name, setup, 15).points.size() > 20);
+  }
+  CHECK_THROWS_WITH(plan_sweep("size", setup, 15),
+                    "--sweep takes latency, speed, loss or rate, got size");
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# Plays air hockey in a closed loop on the simulated table, in steps and as fast as the machine can,
+# and says how many shots the robot saved: camera, tracker, bridge and arm, as the services run them.
+#
+#   tools/play.sh [--seconds N | --shots N] [--max-speed M_PER_S] [--source truth|events]
+#                 [--real-time] [--sweep latency|speed|loss|rate] [--json FILE] [--plots DIR]
+#                 [--moving] [OPTION...]
+#
+# --seconds N     a whole game of so long (default 60)
+# --shots N       instead so many single shots, each a game of its own: the puck is served, comes to
+#                 rest, and the opponent shoots it at the robot's goal, directly or by a rail
+# --max-speed V   of the shots, m/s; the slowest are half as fast (default 4; of a sweep 15)
+# --source truth  estimates are made from where the puck truly is, with the errors that PUCK makes
+#        events   estimates are PUCK's, from the events of the simulated camera
+# --real-time     a whole game, through the five services, each a process of its own
+# --sweep WHAT    how the share of saves falls as this grows, for PUCK and for others, with --shots
+#                 (default 200) at each point
+# --json FILE     write the figures there
+# --plots DIR     write plots there
+#
+# --moving        the camera's head turns
+#
+# Of the loop in steps also --seed, --jobs, --latency-ms, --rate-hz, --loss-percent, --burst-ms,
+# --frames-hz and --fit-estimate-errors: build/release/bin/puck-play --help says what they do.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+
+
+usage() { # EXIT_CODE
+  sed -n '2,/^set /s/^# \{0,1\}//p' "$root/tools/play.sh" | sed '/^set /d'
+  exit "$1"
+}
+
+real_time=false
+for option in "$@"; do
+  case "$option" in
+    --real-time) real_time=true ;;
+    -h | --help) usage 0 ;;
+  esac
+done
+
+"$root/tools/install-deps.sh"
+echo "building"
+target=puck-play
+if $real_time; then target=puck_programs; fi
+(
+  cd "$root"
+  cmake --preset release >/dev/null
+  cmake --build --preset release -j "$(nproc)" --target $target -- --quiet
+)
+bin=$root/build/release/bin
+if ! $real_time; then exec "$bin/puck-play" --calibration "$root/config/calibration" "$@"; fi
+
+seconds=60
+max_speed=4
+json=
+moving=false
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --real-time) shift ;;
+    --seconds) seconds=${2-} && shift 2 || usage 2 ;;
+    --max-speed) max_speed=${2-} && shift 2 || usage 2 ;;
+    --json) json=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
+    --moving) moving=true && shift ;;
+    *)
+      echo "play.sh: $1 does not go with --real-time" >&2
+      usage 2
+      ;;
+  esac
+done
+if ! [[ "$seconds" =~ ^[1-9][0-9]{0,4}$ && "$max_speed" =~ ^[0-9]{1,2}(\.[0-9]+)?$ ]]; then
+  echo "play.sh: --seconds takes a whole number from 1 to 99999, --max-speed one up to 15" >&2
+  exit 2
+fi
+cd "$root"
+# shellcheck source=tools/services.sh
+. tools/services.sh
+play_game "$(url_of "$(free_port)")" "$seconds" --set "simulation.world.moving_camera=$moving" \
+  --set "simulation.game.shot_speed_max_m_s=$max_speed" \
+  --set "simulation.game.shot_speed_min_m_s=$(awk "BEGIN { print $max_speed / 2 }")"
+echo
+"$bin/puck-play" --log "$work/game.lcm" ${json:+--json "$json"}

@@ -1,0 +1,70 @@
+#include "tools/play/options.h"
+
+#include "tools/command_line/number_range.h"
+
+namespace puck {
+
+void add_options(CLI::App& app, PlayOptions& options) {
+  auto* seconds = app.add_option("--seconds", options.seconds, "length of a whole game")
+                      ->check(number_range(0.1, 100'000));
+  auto* shots = app.add_option("--shots", options.shots,
+                               "so many single shots, each a game of its own, instead")
+                    ->check(number_range(1, 100'000))
+                    ->excludes(seconds);
+  app.add_option("--max-speed", options.max_speed_m_s,
+                 "of the shots, m/s; the slowest are half as fast (default: 4, of a sweep 15)")
+      ->check(number_range(0.6, 15));
+  auto* source = app.add_option("--source", options.source,
+                                "truth: where the puck truly is, with PUCK's errors; events: PUCK "
+                                "on the simulated camera's events")
+                     ->check(CLI::IsMember({"truth", "events"}))
+                     ->capture_default_str();
+  auto* sweep = app.add_option("--sweep", options.sweep,
+                               "how the save rate falls as this grows; --shots of each point "
+                               "(default 200)")
+                    ->check(CLI::IsMember({"latency", "speed", "loss", "rate"}))
+                    ->excludes(seconds);
+  app.add_option("--latency-ms", options.latency_ms, "from the sensor to the bridge and the arm")
+      ->check(number_range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--rate-hz", options.rate_hz, "estimates a second")
+      ->check(number_range(1, 5000))
+      ->capture_default_str();
+  auto* loss = app.add_option("--loss-percent", options.loss_percent, "of the estimates")
+                   ->check(number_range(0, 100))
+                   ->capture_default_str();
+  app.add_option("--burst-ms", options.burst_ms,
+                 "estimates are lost in bursts that take so long on average; 0: one by one")
+      ->check(number_range(0, 10'000))
+      ->needs(loss)
+      ->capture_default_str();
+  app.add_option("--frames-hz", options.frames_hz,
+                 "instead of PUCK a tracker on the pictures of a camera")
+      ->check(number_range(1, 2000))
+      ->excludes(source)
+      ->excludes(sweep);
+  app.add_flag("--moving", options.moving, "the camera's head turns; with events")->needs(source);
+  app.add_option("--seed", options.seed, "the same seed plays the same game, to the bit")
+      ->check(number_range(0, 100'000))
+      ->capture_default_str();
+  app.add_option("--jobs", options.jobs, "threads (default: one a core)")
+      ->check(number_range(1, 256));
+  auto* fit = app.add_flag("--fit-estimate-errors", options.fits_errors,
+                           "print the errors that PUCK makes on events, as --source truth uses "
+                           "them, and the save rates with both")
+                  ->needs(shots)
+                  ->excludes(source)
+                  ->excludes(sweep);
+  app.add_option("--log", options.log, "only say what happened in this log of a game")
+      ->excludes(seconds)
+      ->excludes(shots)
+      ->excludes(sweep)
+      ->excludes(fit);
+  app.add_option("--calibration", options.calibration,
+                 "folder with simulated_size.toml and simulated_table.toml")
+      ->capture_default_str();
+  app.add_option("--json", options.json, "write the figures here");
+  app.add_option("--plots", options.plots, "write plots into this folder");
+}
+
+}  // namespace puck

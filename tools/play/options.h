@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace puck {
+
+/// What the command line says.
+struct PlayOptions {
+  double seconds = 0;
+  int shots = 0;
+  double max_speed_m_s = 0;
+  std::string source = "truth";
+  std::string sweep;
+  std::filesystem::path log;
+  std::filesystem::path calibration = "config/calibration";
+  bool fits_errors = false;
+  std::filesystem::path json;
+  std::filesystem::path plots;
+  std::int64_t seed = 1;
+  bool moving = false;
+  int jobs = 0;
+  double latency_ms = 1;
+  double rate_hz = 1000;
+  double loss_percent = 0;
+  double burst_ms = 0;
+  double frames_hz = 0;
+};
+
+/// `options` must outlive the parsing.
+void add_options(CLI::App& app, PlayOptions& options);
+
+}  // namespace puck

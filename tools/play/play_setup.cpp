@@ -1,0 +1,32 @@
+#include "tools/play/play_setup.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "common/io/contour_calibration_file.h"
+#include "common/io/size_model_file.h"
+#include "common/vision/presets.h"
+
+namespace puck {
+
+PlaySetup default_setup(const std::filesystem::path& calibration) {
+  const std::filesystem::path size_file = calibration / "simulated_size.toml";
+  PlaySetup setup;
+  setup.table = read_table_file(calibration / "simulated_table.toml");
+  setup.tracker = preset_params(Preset::kDefault);
+  setup.tracker.contour.calibration =
+      read_contour_calibration(size_file).value_or(ContourCalibration{});
+  setup.size_model = read_size_model_file(size_file);
+  return setup;
+}
+
+void set_shot_speed(GameParams& game, double max_speed_m_s) {
+  if (!(max_speed_m_s >= 0.6 && max_speed_m_s <= 15)) {
+    throw std::invalid_argument("--max-speed must be between 0.6 and 15, got " +
+                                std::to_string(max_speed_m_s));
+  }
+  game.shot_speed_max_m_s = max_speed_m_s;
+  game.shot_speed_min_m_s = max_speed_m_s / 2;
+}
+
+}  // namespace puck

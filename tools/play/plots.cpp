@@ -1,0 +1,87 @@
+#include "tools/play/plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "common/plot/chart.h"
+
+namespace puck {
+namespace {
+
+constexpr double kMostPercent = 105;
+// Points of different curves lie side by side, so that none hides another's interval.
+constexpr double kApart = 0.003;
+
+Axis axis_of(const Sweep& sweep) {
+  double smallest = sweep.points.front().value;
+  double largest = smallest;
+  for (const SweepPoint& point : sweep.points) {
+    smallest = std::min(smallest, point.value);
+    largest = std::max(largest, point.value);
+  }
+  if (sweep.is_logarithmic) return logarithmic_axis(sweep.axis, smallest, largest);
+  return {.label = sweep.axis, .from = 0, .to = 1.04 * largest};
+}
+
+std::vector<std::string> curves_of(const Sweep& sweep) {
+  std::vector<std::string> names;
+  for (const SweepPoint& point : sweep.points) {
+    if (names.empty() || names.back() != point.curve) names.push_back(point.curve);
+  }
+  return names;
+}
+
+// So much to the right of a value as `shift` of the axis is.
+double shifted(const Sweep& sweep, const Axis& axis, double value, double shift) {
+  if (!sweep.is_logarithmic) return value + shift * (axis.to - axis.from);
+  return value * std::pow(axis.to / axis.from, shift);
+}
+
+void draw_limits(const Sweep& sweep, Chart& chart) {
+  std::vector<Chart::Point> bound;
+  std::vector<Chart::Point> waiting;
+  for (const SweepPoint& point : sweep.points) {
+    if (point.curve != sweep.points.front().curve) break;
+    bound.push_back({point.value, point.figures.bound_percent().value_or(0)});
+    waiting.push_back({point.value, point.figures.waiting_percent().value_or(0)});
+  }
+  chart.line(bound, kBlack, 1);
+  chart.line(waiting, kGrey, 1);
+}
+
+void draw_curve(const Sweep& sweep, const Axis& axis, const std::string& name, double shift,
+                Ink ink, Chart& chart) {
+  std::vector<Chart::Point> line;
+  for (const SweepPoint& point : sweep.points) {
+    if (point.curve != name) continue;
+    const double x = shifted(sweep, axis, point.value, shift);
+    const Interval interval = wilson_interval(point.figures.saves, point.figures.shots);
+    line.push_back({x, point.figures.save_percent()});
+    chart.line({{x, 100 * interval.low}, {x, 100 * interval.high}}, ink, 1);
+  }
+  chart.line(line, ink);
+}
+
+}  // namespace
+
+void write_plot(const Sweep& sweep, const std::filesystem::path& folder) {
+  if (sweep.points.empty()) return;
+  std::filesystem::create_directories(folder);
+  const Axis axis = axis_of(sweep);
+  Chart chart("shots saved, %, with 95 % intervals", axis,
+              {.label = "saved, %", .to = kMostPercent}, {.width_px = 1000, .height_px = 560});
+  draw_limits(sweep, chart);
+  chart.legend("best arm", kBlack);
+  chart.legend("waits in the middle", kGrey);
+  const std::vector<std::string> curves = curves_of(sweep);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const double shift = kApart * (static_cast<double>(i) - static_cast<double>(curves.size()) / 2);
+    draw_curve(sweep, axis, curves[i], shift, series_ink(i), chart);
+    chart.legend(curves[i], series_ink(i));
+  }
+  chart.save(folder / ("saves_" + sweep.name + ".png"));
+}
+
+}  // namespace puck

@@ -1,0 +1,84 @@
+#include "tools/play/program.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "tools/command_line/flush_stdout.h"
+#include "tools/play/error_model_check.h"
+#include "tools/play/logged_game.h"
+#include "tools/play/plots.h"
+#include "tools/play/report.h"
+#include "tools/play/shot_series.h"
+#include "tools/play/sweep.h"
+#include "tools/play/whole_game.h"
+
+namespace puck {
+namespace {
+
+constexpr double kGameSpeed_m_s = 4;
+constexpr double kSweepSpeed_m_s = 15;
+constexpr int kSweepShots = 200;
+constexpr double kGameSeconds = 60;
+
+PlaySetup setup_of(const PlayOptions& options) {
+  PlaySetup setup = default_setup(options.calibration);
+  setup.world.moving_camera = options.moving;
+  setup.link.latency_us = static_cast<std::int64_t>(1000 * options.latency_ms);
+  setup.link.rate_hz = options.rate_hz;
+  setup.link.loss_percent = options.loss_percent;
+  setup.link.burst_us = static_cast<std::int64_t>(1000 * options.burst_ms);
+  if (options.source == "events") setup.source = EstimateSource::kEvents;
+  if (options.frames_hz > 0) {
+    setup.source = EstimateSource::kFrames;
+    setup.frames.rate_hz = options.frames_hz;
+  }
+  set_shot_speed(setup.world.game,
+                 options.max_speed_m_s > 0 ? options.max_speed_m_s : kGameSpeed_m_s);
+  return setup;
+}
+
+void run_sweep(const PlayOptions& options, int jobs) {
+  const double speed_m_s = options.max_speed_m_s > 0 ? options.max_speed_m_s : kSweepSpeed_m_s;
+  const PlannedSweep plan = plan_sweep(options.sweep, setup_of(options), speed_m_s);
+  const SweepSettings settings{options.shots > 0 ? options.shots : kSweepShots, options.seed, jobs};
+  std::size_t done = 0;
+  const Sweep sweep = run_sweep(plan, settings, [&](const SweepPoint&) {
+    std::fprintf(stderr, "\r%zu of %zu points", ++done, plan.points.size());
+    if (done == plan.points.size()) std::fputc('\n', stderr);
+  });
+  print(sweep);
+  if (!options.json.empty()) write_json(sweep, options.json);
+  if (!options.plots.empty()) write_plot(sweep, options.plots);
+}
+
+SaveFigures figures_of(const PlayOptions& options, int jobs) {
+  if (!options.log.empty()) return figures_of_log(options.log);
+  const PlaySetup setup = setup_of(options);
+  if (options.shots == 0) {
+    return play_game(setup, options.seed, options.seconds > 0 ? options.seconds : kGameSeconds);
+  }
+  const PlaySetup single = for_single_shots(setup);
+  return measure_saves(single, find_shots(single, options.seed, options.shots, jobs), jobs);
+}
+
+}  // namespace
+
+void run(const PlayOptions& options) {
+  const int jobs = options.jobs > 0
+                       ? options.jobs
+                       : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (!options.sweep.empty()) {
+    run_sweep(options, jobs);
+  } else if (options.fits_errors) {
+    print(
+        check_error_model(for_single_shots(setup_of(options)), options.seed, options.shots, jobs));
+  } else {
+    const SaveFigures figures = figures_of(options, jobs);
+    print(figures);
+    if (!options.json.empty()) write_json(figures, options.json);
+  }
+  flush_stdout();
+}
+
+}  // namespace puck
