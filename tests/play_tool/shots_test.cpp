@@ -90,7 +90,7 @@ TEST_CASE("A robot that hears nothing saves just what hits a mallet in the middl
 
 TEST_CASE("An arm without limits that hears at once saves nearly all, and the bound says all") {
   PlaySetup setup = fast_shots();
-  setup.arm.arm = {.max_speed_m_s = 20, .max_acceleration_m_s2 = 1000, .stiffness_1_s = 500};
+  setup.arm.arm = {.max_speed_m_s = 20, .max_acceleration_m_s2 = 1000, .max_jerk_m_s3 = 1e6};
   setup.link.latency_us = 0;
   setup.errors.loss_share = 0;
   const auto shots = find_shots(setup, 1, kShots, 2);
@@ -115,6 +115,7 @@ TEST_CASE("A whole game counts as its referee does, and plays for as long as it 
   CHECK(game.shots > 0);
   CHECK(game.saves + game.goals <= game.shots + 1);  // a goal can come of no shot
   CHECK_FALSE(game.bound_percent());
+  CHECK_FALSE(game.causes);
   const SaveFigures again = play_game(setup, 3, seconds);
   CHECK(again.shots == game.shots);
   CHECK(again.saves == game.saves);

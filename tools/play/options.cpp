@@ -55,6 +55,11 @@ void add_options(CLI::App& app, PlayOptions& options) {
                   ->needs(shots)
                   ->excludes(source)
                   ->excludes(sweep);
+  app.add_flag("--predictions", options.predictions,
+               "also score how well the crossings are predicted, by the time to go")
+      ->needs(shots)
+      ->excludes(sweep)
+      ->excludes(fit);
   app.add_option("--log", options.log, "only say what happened in this log of a game")
       ->excludes(seconds)
       ->excludes(shots)

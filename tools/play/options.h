@@ -17,6 +17,7 @@ struct PlayOptions {
   std::string sweep;
   std::filesystem::path log;
   std::filesystem::path calibration = "config/calibration";
+  bool predictions = false;
   bool fits_errors = false;
   std::filesystem::path json;
   std::filesystem::path plots;

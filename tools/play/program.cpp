@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "tools/command_line/flush_stdout.h"
+#include "tools/play/crossing_predictions.h"
 #include "tools/play/error_model_check.h"
 #include "tools/play/logged_game.h"
 #include "tools/play/plots.h"
@@ -59,7 +60,14 @@ SaveFigures figures_of(const PlayOptions& options, int jobs) {
     return play_game(setup, options.seed, options.seconds > 0 ? options.seconds : kGameSeconds);
   }
   const PlaySetup single = for_single_shots(setup);
-  return measure_saves(single, find_shots(single, options.seed, options.shots, jobs), jobs);
+  const auto shots = find_shots(single, options.seed, options.shots, jobs);
+  const SaveFigures figures = measure_saves(single, shots, jobs);
+  if (options.predictions) {
+    const PredictionReport report = score_predictions(single, shots, jobs);
+    print(report);
+    if (!options.plots.empty()) write_plot(report, options.plots);
+  }
+  return figures;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -12,6 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
 Json to_json(const SaveFigures& f) {
   const Interval interval = wilson_interval(f.saves, f.shots);
   Json json;
@@ -21,12 +24,12 @@ Json to_json(const SaveFigures& f) {
   json["save_percent"] = f.shots > 0 ? Json(f.save_percent()) : Json(nullptr);
   json["save_ci_low"] = 100 * interval.low;
   json["save_ci_high"] = 100 * interval.high;
-  json["bound_percent"] = f.bound_percent() ? Json(*f.bound_percent()) : Json(nullptr);
-  json["waiting_percent"] = f.waiting_percent() ? Json(*f.waiting_percent()) : Json(nullptr);
-  json["mean_shot_speed_m_s"] =
-      f.shots > 0 ? Json(f.sum_speed_m_s / static_cast<double>(f.shots)) : Json(nullptr);
+  json["bound_percent"] = or_null(f.bound_percent());
+  json["waiting_percent"] = or_null(f.waiting_percent());
+  json["mean_shot_speed_m_s"] = or_null(f.mean_speed_m_s());
   for (std::size_t i = 0; i < kGoalCauses; ++i) {
-    json["goals_" + std::string(to_string(static_cast<GoalCause>(i)))] = f.causes[i];
+    json["goals_" + std::string(to_string(static_cast<GoalCause>(i)))] =
+        f.causes ? Json((*f.causes)[i]) : Json(nullptr);
   }
   json["game_shots"] = f.believed_shots;
   json["game_saves"] = f.believed_saves;
@@ -68,20 +71,19 @@ void print(const SaveFigures& f) {
   both("saves", f.saves, f.believed_saves);
   both("goals against the robot", f.goals, f.believed_goals);
   std::printf("  %-44s %s\n", "saved", percent_of(f.saves, f.shots).c_str());
-  if (f.reachable) {
+  if (f.reachable && f.causes) {
     std::printf("  %-44s %s\n", "an arm that knew the crossing at the hit",
                 percent_of(*f.reachable, f.shots).c_str());
     std::printf("  %-44s %s\n", "a mallet that never leaves the middle",
                 percent_of(f.waiting.value_or(0), f.shots).c_str());
     if (f.goals > 0) std::printf("  why they went in:\n");
     for (std::size_t i = 0; i < kGoalCauses; ++i) {
-      if (f.causes[i] == 0) continue;
+      if ((*f.causes)[i] == 0) continue;
       std::string name(to_string(static_cast<GoalCause>(i)));
       for (char& letter : name) letter = letter == '_' ? ' ' : letter;
-      row(("  " + name).c_str(), f.causes[i]);
+      row(("  " + name).c_str(), (*f.causes)[i]);
     }
-    std::printf("  %-44s %6.2f m/s\n", "mean speed of the shots",
-                f.shots > 0 ? f.sum_speed_m_s / static_cast<double>(f.shots) : 0);
+    std::printf("  %-44s %6.2f m/s\n", "mean speed of the shots", f.mean_speed_m_s().value_or(0));
   }
   std::printf("  %-44s %6.1f s, %.1f times as fast as real time\n", "played", f.played_s,
               f.speed_x());

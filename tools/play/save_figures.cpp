@@ -20,10 +20,11 @@ void SaveFigures::add(const ShotFacts& facts, const ShotOutcome& outcome) {
   ++shots;
   if (outcome.end == ShotOutcome::End::kSaved) ++saves;
   if (outcome.end == ShotOutcome::End::kGoal) ++goals;
-  if (outcome.cause) ++causes[static_cast<std::size_t>(*outcome.cause)];
+  if (!causes) causes.emplace();
+  if (outcome.cause) ++(*causes)[static_cast<std::size_t>(*outcome.cause)];
   reachable = reachable.value_or(0) + (facts.is_reachable ? 1 : 0);
   waiting = waiting.value_or(0) + (facts.hits_waiting_mallet ? 1 : 0);
-  sum_speed_m_s += facts.speed_m_s;
+  sum_speed_m_s = sum_speed_m_s.value_or(0) + facts.speed_m_s;
   believed_shots += outcome.belief.shots;
   believed_saves += outcome.belief.saves;
   believed_goals += outcome.belief.goals_against;

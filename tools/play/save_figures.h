@@ -23,8 +23,9 @@ struct SaveFigures {
   std::int64_t goals = 0;
   std::optional<std::int64_t> reachable;  ///< Shots that the best arm would save.
   std::optional<std::int64_t> waiting;    ///< Shots that one that waits in the middle saves.
-  std::array<std::int64_t, kGoalCauses> causes{};
-  double sum_speed_m_s = 0;  ///< Of the shots.
+  /// Of the goals. As all that is missing, only known of single shots.
+  std::optional<std::array<std::int64_t, kGoalCauses>> causes;
+  std::optional<double> sum_speed_m_s;  ///< Of the shots.
   /// The game as the bridge saw it.
   std::int64_t believed_shots = 0;
   std::int64_t believed_saves = 0;
@@ -40,6 +41,10 @@ struct SaveFigures {
   }
   std::optional<double> waiting_percent() const {
     return waiting ? std::optional(percent(*waiting)) : std::nullopt;
+  }
+  std::optional<double> mean_speed_m_s() const {
+    return sum_speed_m_s && shots > 0 ? std::optional(*sum_speed_m_s / static_cast<double>(shots))
+                                      : std::nullopt;
   }
   double speed_x() const { return took_s > 0 ? played_s / took_s : 0; }
 

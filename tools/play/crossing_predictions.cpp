@@ -1,0 +1,108 @@
+#include "tools/play/crossing_predictions.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "common/plot/chart.h"
+#include "common/runtime/parallel.h"
+#include "tools/play/closed_loop.h"
+
+namespace puck {
+namespace {
+
+struct Moment {
+  Timestamp t;
+  std::optional<Intercept> predicted;
+};
+
+std::optional<Intercept> intercept_of(const puck_trajectory_t& message) {
+  if (!message.crosses) return std::nullopt;
+  return Intercept{message.line_x_m,           message.crossing_y_m,     message.crossing_in_s,
+                   message.crossing_speed_m_s, message.crossing_bounces, message.crossing_sigma_y_m,
+                   message.crossing_sigma_t_s};
+}
+
+std::vector<Moment> watch_predictions(const PlaySetup& setup, const ShotFacts& facts) {
+  std::vector<Moment> moments;
+  ClosedLoop loop(setup, facts.seed);
+  loop.on_trajectory([&](const puck_trajectory_t& message) {
+    const Timestamp t{message.sensor_us};
+    if (t > facts.hit && t < facts.crossing) moments.push_back({t, intercept_of(message)});
+  });
+  while (loop.now() < facts.crossing) loop.step();
+  return moments;
+}
+
+void print_bins(const char* name, const std::array<PredictionBin, PredictionReport::kBins>& bins) {
+  for (const PredictionBin& bin : bins) {
+    if (bin.predictions == 0) continue;
+    std::printf("  %-9s %4.1f to %.1f s  %8lld  %9.1f %9.1f  %9.1f %9.1f  %6.0f %6.0f\n", name,
+                bin.from_s, bin.to_s, static_cast<long long>(bin.predictions), 1e3 * bin.median_m,
+                1e3 * bin.p90_m, 1e3 * bin.median_s, 1e3 * bin.p90_s, bin.within_1_sigma_percent,
+                bin.within_2_sigma_percent);
+  }
+}
+
+using Value = double PredictionBin::*;
+
+std::vector<Chart::Point> curve(const std::array<PredictionBin, PredictionReport::kBins>& bins,
+                                Value value) {
+  std::vector<Chart::Point> points;
+  for (const PredictionBin& bin : bins) {
+    if (bin.predictions > 0) points.push_back({(bin.from_s + bin.to_s) / 2, 1e3 * (bin.*value)});
+  }
+  return points;
+}
+
+}  // namespace
+
+PredictionReport score_predictions(const PlaySetup& setup, const std::vector<ShotFacts>& shots,
+                                   int jobs) {
+  std::vector<std::vector<Moment>> moments(shots.size());
+  run_in_parallel(jobs, shots.size(),
+                  [&](std::size_t i) { moments[i] = watch_predictions(setup, shots[i]); });
+  PredictionScore score;
+  // One after the other, as if they had been played so.
+  constexpr std::int64_t kApartUs = 100'000'000;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const std::int64_t begin_us = kApartUs * static_cast<std::int64_t>(i);
+    score.interrupted(shots[i].hit + begin_us);
+    for (const Moment& moment : moments[i]) score.add(moment.t + begin_us, moment.predicted);
+    score.crossed(shots[i].crossing + begin_us, shots[i].crossing_y_m);
+  }
+  return score.report();
+}
+
+void print(const PredictionReport& report) {
+  std::printf("predictions of %lld crossings, by the time to go:\n",
+              static_cast<long long>(report.crossings));
+  std::printf("  %-24s %10s  %9s %9s  %9s %9s  %6s %6s\n", "", "number", "p50, mm", "p90, mm",
+              "p50, ms", "p90, ms", "1s, %", "2s, %");
+  print_bins("direct", report.direct);
+  print_bins("bounced", report.bounced);
+}
+
+void write_plot(const PredictionReport& report, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  double largest = 0;
+  for (const auto* bins : {&report.direct, &report.bounced}) {
+    for (const PredictionBin& bin : *bins) largest = std::max(largest, 1e3 * bin.p90_m);
+  }
+  Chart chart("error of the predicted crossing",
+              {.label = "time to go, s", .to = PredictionReport::kBins * PredictionReport::kBinS},
+              axis_from_zero("error, mm", largest));
+  const auto draw = [&](const std::string& name, const auto& bins, std::size_t ink) {
+    chart.line(curve(bins, &PredictionBin::median_m), series_ink(ink));
+    chart.legend(name + ", median", series_ink(ink));
+    chart.line(curve(bins, &PredictionBin::p90_m), series_ink(ink), 1);
+    chart.legend("90 % (thin)", series_ink(ink));
+  };
+  draw("direct", report.direct, 0);
+  draw("by a rail", report.bounced, 1);
+  chart.save(folder / "prediction.png");
+}
+
+}  // namespace puck
