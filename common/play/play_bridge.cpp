@@ -54,7 +54,7 @@ PlayBridge::PlayBridge(const PlayBridgeParams& params, const Homography& table_f
       gate_(params.gate, table),
       motion_(table, params.motion),
       filter_(motion_, params.filter),
-      trust_({params.probation_us, params.gate.max_speed_m_s}),
+      probation_({params.probation_us, params.gate.max_speed_m_s}),
       predictor_(motion_, params.intercept),
       strategy_(params.strategy, table),
       game_(motion_),
@@ -76,7 +76,7 @@ void PlayBridge::follow_session(const puck_estimate_t& estimate, const HostNow& 
   if (goes_on) return;
   // Another camera's time, or the camera's time begins anew.
   filter_.reset();
-  trust_.forget();
+  probation_.forget();
   game_.forget_time();
   basis_.reset();
 }
@@ -108,10 +108,10 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
 
   const MeasurementUse use = filter_.update(measurement);
   const std::optional<PuckTrack> track = filter_.at(newest_sensor_);
-  trust_.take(measurement, use, track);
+  probation_.take(measurement, use, track);
   if (use == MeasurementUse::kOutlier) ++outliers_;
   if (use == MeasurementUse::kLate) ++frozen_;
-  if (!trust_.is_trusted()) ++untrusted_;
+  if (!probation_.is_trusted()) ++untrusted_;
   if (!is_good(use)) return;
   basis_ =
       Basis{estimate.session, estimate.seq, newest_sensor_,
@@ -177,7 +177,7 @@ Timestamp PlayBridge::sensor_now(const HostNow& now) const {
 }
 
 std::optional<PuckTrack> PlayBridge::live_track(const HostNow& now) const {
-  if (!tracked_ || !basis_ || !trust_.is_trusted()) return std::nullopt;
+  if (!tracked_ || !basis_ || !probation_.is_trusted()) return std::nullopt;
   if (now.monotonic_us - basis_->received_us > params_.gate.max_age_us) return std::nullopt;
   return filter_.at(sensor_now(now));
 }

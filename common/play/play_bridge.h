@@ -11,7 +11,7 @@
 #include "common/play/estimate_gate.h"
 #include "common/play/game_observer.h"
 #include "common/play/strategy.h"
-#include "common/play/track_trust.h"
+#include "common/play/track_probation.h"
 #include "common/table/head_track.h"
 #include "common/table/homography.h"
 #include "common/table/intercept_predictor.h"
@@ -24,7 +24,8 @@ namespace puck {
 
 struct PlayBridgeParams {
   EstimateGateParams gate;
-  std::int64_t probation_us = TrackTrustParams{}.probation_us;  ///< As TrackTrustParams has it.
+  std::int64_t probation_us =
+      TrackProbationParams{}.probation_us;  ///< As TrackProbationParams has it.
   PuckMotionParams motion;
   MotionFilterParams filter;
   InterceptParams intercept;
@@ -71,7 +72,7 @@ class PlayBridge {
   std::int64_t other_commander(std::int64_t own_session, const HostNow& now) const;
 
   const EstimateGate& gate() const { return gate_; }
-  const TrackTrust& trust() const { return trust_; }
+  const TrackProbation& probation() const { return probation_; }
   /// Good estimates that did not move the arm: on which nothing new rests, since the sensor's time
   /// stood still under them, and those of a track that is not trusted.
   std::int64_t frozen() const { return frozen_; }
@@ -103,7 +104,7 @@ class PlayBridge {
   EstimateGate gate_;
   PuckMotion motion_;
   MotionFilter filter_;
-  TrackTrust trust_;
+  TrackProbation probation_;
   InterceptPredictor predictor_;
   Strategy strategy_;
   GameObserver game_;

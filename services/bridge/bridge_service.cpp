@@ -132,14 +132,14 @@ BridgeService::Standing BridgeService::standing() const {
   if (const std::int64_t other = bridge_.other_commander(context_.bus.session(), now)) {
     return {ServiceState::kDegraded, "the arm obeys another run, session " + std::to_string(other)};
   }
-  switch (bridge_.trust().doubt()) {
-    case TrackTrust::Doubt::kContradicts:
+  switch (bridge_.probation().doubt()) {
+    case TrackProbation::Doubt::kContradicts:
       return {ServiceState::kDegraded,
               "the track is not trusted: its velocity is not that of its positions"};
-    case TrackTrust::Doubt::kScattered:
+    case TrackProbation::Doubt::kScattered:
       return {ServiceState::kDegraded, "the track is not trusted: it leaps to and fro"};
-    case TrackTrust::Doubt::kNew:
-    case TrackTrust::Doubt::kNone:
+    case TrackProbation::Doubt::kNew:
+    case TrackProbation::Doubt::kNone:
       break;
   }
   return {ServiceState::kRunning, {}};
@@ -186,8 +186,8 @@ void BridgeService::report(StatusReport& report) const {
       {"track_jumps", bridge_.jumps()},
       {"estimates_frozen", bridge_.frozen()},
       {"estimates_untrusted", bridge_.untrusted()},
-      {"track_leaps", bridge_.trust().leaps()},
-      {"track_contradictions", bridge_.trust().contradictions()},
+      {"track_leaps", bridge_.probation().leaps()},
+      {"track_contradictions", bridge_.probation().contradictions()},
       {"commands_sent", bridge_.commands()},
       {"shots", bridge_.game().shots},
       {"saves", bridge_.game().saves},

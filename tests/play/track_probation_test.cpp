@@ -1,4 +1,4 @@
-#include "common/play/track_trust.h"
+#include "common/play/track_probation.h"
 
 #include <cmath>
 #include <functional>
@@ -57,7 +57,7 @@ TEST_CASE("A hit is no new track: the arm is commanded on at once") {
   puck.state.velocity = {-8, 0.5};
   // Less the time in which a hit looks like outliers.
   CHECK(commands_of(bench, puck, 40) >= 8);
-  CHECK(bench.bridge.trust().leaps() == 0);
+  CHECK(bench.bridge.probation().leaps() == 0);
   const double at_line_y_m = puck.state.position.y_m + 0.5 / 8 * (puck.state.position.x_m - 0.2325);
   CHECK(bench.command->target_m == doctest::Approx(at_line_y_m).epsilon(0.1));
 }
@@ -68,7 +68,7 @@ TEST_CASE("A track that leaps as no puck can has to earn trust again, and is cou
   commands_of(bench, puck, 50);
   puck.state.position.y_m = -0.3;
   // The old track coasts until the filter gives it up; then comes the probation of the new one.
-  while (bench.bridge.trust().leaps() == 0 && commands_of(bench, puck, 1) < 50) {
+  while (bench.bridge.probation().leaps() == 0 && commands_of(bench, puck, 1) < 50) {
     REQUIRE(puck.state.position.x_m > 1.3);
   }
   CHECK(commands_of(bench, puck, 14) == 0);
@@ -102,8 +102,8 @@ TEST_CASE("A velocity that is not that of the positions ends the commands, until
   };
   commands_of(bench, puck, 40, reverse);
   CHECK(commands_of(bench, puck, 100, reverse) == 0);
-  CHECK(bench.bridge.trust().contradictions() == 1);
-  CHECK(bench.bridge.trust().doubt() == TrackTrust::Doubt::kContradicts);
+  CHECK(bench.bridge.probation().contradictions() == 1);
+  CHECK(bench.bridge.probation().doubt() == TrackProbation::Doubt::kContradicts);
   CHECK(commands_of(bench, puck, 40) > 0);
 }
 

@@ -9,7 +9,7 @@
 
 namespace puck {
 
-struct TrackTrustParams {
+struct TrackProbationParams {
   /// A track that begins, comes out of the blue or contradicted itself has to hold for so long
   /// before the arm moves by it, µs. A hit begins no new track.
   std::int64_t probation_us = 15'000;
@@ -19,7 +19,7 @@ struct TrackTrustParams {
 /// Whether the arm may move by a track: a tracker can be sure of itself and wrong. Judges what a
 /// single estimate does not show: leaps, two pucks by turns, and a velocity that is not that of the
 /// positions. A track that is wrong and moves like a puck nobody can tell. One thread.
-class TrackTrust {
+class TrackProbation {
  public:
   enum class Doubt : std::uint8_t {
     kNone,
@@ -29,7 +29,7 @@ class TrackTrust {
   };
 
   /// Throws std::invalid_argument that names the key when a value is out of its range.
-  explicit TrackTrust(const TrackTrustParams& params);
+  explicit TrackProbation(const TrackProbationParams& params);
 
   /// A measurement, what the filter did with it, and the filter's track then.
   void take(const TableMeasurement& measurement, MeasurementUse use,
@@ -48,7 +48,7 @@ class TrackTrust {
   void follow_scatter(Timestamp t, bool is_outlier);
   void follow_velocity(const TableMeasurement& measurement, const PuckTrack& track);
 
-  TrackTrustParams params_;
+  TrackProbationParams params_;
   std::optional<Timestamp> newest_;  // of all measurements
   std::optional<TableMeasurement> newest_good_;
   Timestamp began_;  // the probation
@@ -61,6 +61,6 @@ class TrackTrust {
 };
 
 /// `new`, `scattered`, …
-const char* to_string(TrackTrust::Doubt doubt);
+const char* to_string(TrackProbation::Doubt doubt);
 
 }  // namespace puck

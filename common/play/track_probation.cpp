@@ -1,4 +1,4 @@
-#include "common/play/track_trust.h"
+#include "common/play/track_probation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,35 +29,35 @@ double distance(const TablePoint& a, const TablePoint& b) {
 
 }  // namespace
 
-const char* to_string(TrackTrust::Doubt doubt) {
+const char* to_string(TrackProbation::Doubt doubt) {
   switch (doubt) {
-    case TrackTrust::Doubt::kNone:
+    case TrackProbation::Doubt::kNone:
       return "none";
-    case TrackTrust::Doubt::kNew:
+    case TrackProbation::Doubt::kNew:
       return "new";
-    case TrackTrust::Doubt::kScattered:
+    case TrackProbation::Doubt::kScattered:
       return "scattered";
-    case TrackTrust::Doubt::kContradicts:
+    case TrackProbation::Doubt::kContradicts:
       return "contradicts";
   }
   return "unknown";
 }
 
-TrackTrust::TrackTrust(const TrackTrustParams& params) : params_(params) {
+TrackProbation::TrackProbation(const TrackProbationParams& params) : params_(params) {
   if (params_.probation_us < 0 || params_.probation_us > 1'000'000) {
     throw std::invalid_argument("bridge.probation_ms must be between 0 and 1000, got " +
                                 std::to_string(params_.probation_us / 1000));
   }
 }
 
-void TrackTrust::forget() {
+void TrackProbation::forget() {
   newest_.reset();
   newest_good_.reset();
   contradicts_since_.reset();
   contradicts_ = false;
 }
 
-TrackTrust::Doubt TrackTrust::doubt() const {
+TrackProbation::Doubt TrackProbation::doubt() const {
   if (!newest_good_ || newest_good_->t - began_ < params_.probation_us) return Doubt::kNew;
   if (contradicts_) return Doubt::kContradicts;
   if (is_scattered_) return Doubt::kScattered;
@@ -65,7 +65,7 @@ TrackTrust::Doubt TrackTrust::doubt() const {
 }
 
 // Whether a track that begins anew can be the same puck after a hit.
-bool TrackTrust::continues(const TableMeasurement& start) const {
+bool TrackProbation::continues(const TableMeasurement& start) const {
   if (!newest_good_) return false;
   const std::int64_t gap_us = start.t - newest_good_->t;
   if (gap_us > kGapUs) return false;
@@ -73,7 +73,7 @@ bool TrackTrust::continues(const TableMeasurement& start) const {
   return distance(start.position, newest_good_->position) <= reach_m;
 }
 
-void TrackTrust::follow_scatter(Timestamp t, bool is_outlier) {
+void TrackProbation::follow_scatter(Timestamp t, bool is_outlier) {
   // The first of them after a gap stands for no more than itself.
   const std::int64_t since_us = newest_ ? t - *newest_ : kLongestStepUs;
   const auto elapsed_us =
@@ -84,7 +84,7 @@ void TrackTrust::follow_scatter(Timestamp t, bool is_outlier) {
   if (outlier_share_ < kGathered) is_scattered_ = false;
 }
 
-void TrackTrust::follow_velocity(const TableMeasurement& measurement, const PuckTrack& track) {
+void TrackProbation::follow_velocity(const TableMeasurement& measurement, const PuckTrack& track) {
   const TableVelocity& said = measurement.velocity;
   const TableVelocity& found = track.state.velocity;
   // Exactly nothing: a tracker that gives no velocity.
@@ -105,8 +105,8 @@ void TrackTrust::follow_velocity(const TableMeasurement& measurement, const Puck
   ++contradictions_;
 }
 
-void TrackTrust::take(const TableMeasurement& measurement, MeasurementUse use,
-                      const std::optional<PuckTrack>& track) {
+void TrackProbation::take(const TableMeasurement& measurement, MeasurementUse use,
+                          const std::optional<PuckTrack>& track) {
   if (use == MeasurementUse::kLate || use == MeasurementUse::kRejected) return;
   follow_scatter(measurement.t, use == MeasurementUse::kOutlier);
   newest_ = measurement.t;
