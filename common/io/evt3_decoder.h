@@ -8,6 +8,7 @@
 #include "common/events/event.h"
 #include "common/io/event_decoder.h"
 #include "common/io/event_sink.h"
+#include "common/io/evt3_run.h"
 #include "common/io/sensor_clock.h"
 #include "common/io/word_assembler.h"
 
@@ -29,7 +30,6 @@ class Evt3Decoder final : public EventDecoder {
   const EventCounters& counters() const override { return sink_.counters(); }
 
  private:
-  static constexpr std::size_t kMostInVector = 12;
   static constexpr std::size_t kRunEvents = 1024;
 
   std::size_t take_run(std::span<const std::byte> bytes);
@@ -48,7 +48,7 @@ class Evt3Decoder final : public EventDecoder {
   int vector_base_ = -1;  // −1: not known yet.
   bool vector_brighter_ = false;
 
-  std::array<Event, kRunEvents + kMostInVector> run_{};
+  std::array<Event, kRunEvents + Evt3Run::kMostAtOnce> run_{};
 };
 
 }  // namespace puck

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/io/io_fixtures.h"
+#include "tests/support/simd_targets.h"
 
 namespace puck {
 namespace {
@@ -205,7 +206,9 @@ std::vector<std::uint16_t> random_words(std::mt19937& random, unsigned oddities)
   return words;
 }
 
-TEST_CASE("EVT3 words in runs give the events and counts that they give one by one") {
+TEST_CASE(
+    "on every instruction set EVT3 words in runs give the events and counts that they give one by "
+    "one") {
   std::mt19937 random(5);
   for (const unsigned oddities : {0U, 2U, 20U, 300U}) {
     for (int round = 0; round < 10; ++round) {
@@ -218,14 +221,17 @@ TEST_CASE("EVT3 words in runs give the events and counts that they give one by o
         // A word that comes in two pieces cannot be part of a run.
         const auto expected = decode_all(one_by_one, bytes, 1);
         REQUIRE(!expected.empty());
-        for (const std::size_t piece :
-             {std::size_t{2}, std::size_t{7}, 64 + random() % 500, bytes.size()}) {
-          for (const std::size_t max_events : {13, 100, 1 << 20}) {
-            Evt3Decoder decoder(sensor);
-            REQUIRE(decode_all(decoder, bytes, piece, max_events) == expected);
-            REQUIRE(decoder.counters() == one_by_one.counters());
+        with_each_simd_target([&](const std::string& target) {
+          CAPTURE(target);
+          for (const std::size_t piece :
+               {std::size_t{2}, std::size_t{7}, 64 + random() % 500, bytes.size()}) {
+            for (const std::size_t max_events : {13, 100, 1 << 20}) {
+              Evt3Decoder decoder(sensor);
+              REQUIRE(decode_all(decoder, bytes, piece, max_events) == expected);
+              REQUIRE(decoder.counters() == one_by_one.counters());
+            }
           }
-        }
+        });
       }
     }
   }

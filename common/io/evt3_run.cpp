@@ -1,0 +1,275 @@
+#include "common/io/evt3_run.h"
+
+#include <bit>
+#include <cstring>
+#include <utility>
+
+// Everything up to the end of the namespace is compiled once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "common/io/evt3_run.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#ifndef PUCK_COMMON_IO_EVT3_RUN_ONCE
+#define PUCK_COMMON_IO_EVT3_RUN_ONCE
+namespace puck {
+namespace {
+
+constexpr int kWordsAtOnce = 8;
+
+/// For a look-up of bytes in eight words.
+using Lookup = std::array<std::uint8_t, 2 * kWordsAtOnce>;
+/// Looks up nothing.
+constexpr std::uint8_t kNowhere = 0x80;
+
+struct alignas(16) Lookups {
+  std::array<Lookup, 256> newest{};  ///< Of the words in a mask, the last one up to each place.
+  std::array<Lookup, 256> packed{};  ///< The words in a mask, one behind the other.
+};
+
+constexpr Lookups make_lookups() {
+  Lookups all;
+  for (std::size_t mask = 0; mask < 256; ++mask) {
+    std::uint8_t newest = kNowhere;
+    std::size_t packed = 0;
+    for (std::size_t word = 0; word < kWordsAtOnce; ++word) {
+      const auto first_byte = static_cast<std::uint8_t>(2 * word);
+      if ((mask >> word & 1U) != 0) {
+        newest = first_byte;
+        all.packed[mask][packed++] = first_byte;
+        all.packed[mask][packed++] = static_cast<std::uint8_t>(first_byte + 1);
+      }
+      all.newest[mask][2 * word] = newest;
+      all.newest[mask][2 * word + 1] =
+          newest == kNowhere ? kNowhere : static_cast<std::uint8_t>(newest + 1);
+    }
+  }
+  return all;
+}
+constexpr Lookups kLookups = make_lookups();
+
+/// Four bits of a vector's mask: how many are set, and where, as steps from the first.
+struct Steps {
+  std::uint32_t count = 0;
+  std::array<std::uint64_t, 4> bits{};  // The rest of them 0.
+};
+
+constexpr std::array<Steps, 16> make_steps() {
+  std::array<Steps, 16> all{};
+  for (std::uint32_t mask = 0; mask < 16; ++mask) {
+    for (std::uint32_t x = 0; x < 4; ++x) {
+      if ((mask >> x & 1U) != 0) all[mask].bits[all[mask].count++] = event_bits(x, 0, 0, 0);
+    }
+  }
+  return all;
+}
+constexpr std::array<Steps, 16> kSteps = make_steps();
+
+inline void store(std::uint64_t bits, Event* out) {
+  std::memcpy(static_cast<void*>(out), &bits, sizeof bits);
+}
+
+/// Writes the events of a vector, of which `first` would be the first; returns the end of them.
+/// Always writes four at a time, so that no branch depends on the mask: up to 12 places are
+/// touched.
+inline Event* put_vector(std::uint64_t first, std::uint32_t mask, Event* out) {
+  for (std::uint32_t x = 0; x < 12; x += 4) {
+    const Steps& steps = kSteps[mask >> x & 0xfU];
+    const std::uint64_t first_of_four = first + event_bits(x, 0, 0, 0);
+    for (std::size_t i = 0; i < 4; ++i) store(first_of_four + steps.bits[i], out + i);
+    out += steps.count;
+  }
+  return out;
+}
+
+}  // namespace
+
+inline bool Evt3Run::take() {
+  const std::uint32_t word = load_word<std::uint16_t>(next);
+  const std::uint32_t x = word & kCoordinate;
+  const std::uint32_t y = row & kCoordinate;
+  switch (static_cast<Evt3Type>(word >> 12)) {
+    case Evt3Type::kRow:
+      row = word;
+      break;
+    case Evt3Type::kColumn:
+      if (x >= width || y >= height) return false;
+      store(time() + event_bits(x, y, word >> kFlagBit & 1U, 0), out++);
+      break;
+    case Evt3Type::kVectorBase:
+      base = word;
+      break;
+    case Evt3Type::kVector12:
+      if (!take_vector(word, 12)) return false;
+      break;
+    case Evt3Type::kVector8:
+      if (!take_vector(word, 8)) return false;
+      break;
+    case Evt3Type::kTimeLow: {
+      const std::uint32_t old_low_us = std::exchange(low_us, word & kPayload);
+      next += kWordBytes;
+      // What an older time does to the events behind it is not for here, nor one that lies too far
+      // from the packet's start for an event.
+      return low_us >= old_low_us && offset_us + low_us <= kLongestOffsetUs;
+    }
+    default:
+      return false;
+  }
+  next += kWordBytes;
+  return true;
+}
+
+inline bool Evt3Run::take_vector(std::uint32_t word, std::uint32_t vector_width) {
+  const std::uint32_t x = base & kCoordinate;
+  const std::uint32_t y = row & kCoordinate;
+  // The base is left within the bits of a coordinate.
+  const std::uint32_t behind = x + vector_width;
+  if (behind > width || behind > kCoordinate || y >= height) return false;
+  out = put_vector(time() + event_bits(x, y, base >> kFlagBit & 1U, 0),
+                   word & ((1U << vector_width) - 1), out);
+  base += vector_width;
+  return true;
+}
+
+}  // namespace puck
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace puck::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET != HWY_SCALAR && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+using Words = hn::Full128<std::uint16_t>;
+using SignedWords = hn::RebindToSigned<Words>;
+using Bytes = hn::Repartition<std::uint8_t, Words>;
+using SignedBytes = hn::RebindToSigned<Bytes>;
+using Pairs = hn::Repartition<std::uint32_t, Words>;
+using WordVector = hn::Vec<Words>;
+
+template <typename Mask>
+HWY_INLINE std::uint32_t bits_of(Mask mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(Words(), mask, bits);
+  return bits[0];
+}
+
+HWY_INLINE WordVector look_up(WordVector words, const Lookup& lookup) {
+  const Bytes tag;
+  return hn::BitCast(
+      Words(), hn::TableLookupBytesOr0(hn::BitCast(tag, words), hn::LoadU(tag, lookup.data())));
+}
+
+// All bits of the words for which nothing is looked up.
+HWY_INLINE WordVector left_out(const Lookup& lookup) {
+  const auto indices = hn::BitCast(SignedBytes(), hn::LoadU(Bytes(), lookup.data()));
+  return hn::BitCast(Words(), hn::BroadcastSignBit(indices));
+}
+
+// The last of the next words that is in the mask, if there is one.
+HWY_INLINE void keep_newest(const std::byte* next, std::uint32_t mask, std::uint32_t& newest) {
+  const int last = std::bit_width(mask | 1U) - 1;
+  const std::uint32_t word = load_word<std::uint16_t>(next + last * Evt3Run::kWordBytes);
+  newest = mask != 0 ? word : newest;
+}
+
+// Eight events of which each is the lower half of 64 bits.
+HWY_INLINE void put_events(WordVector x, WordVector y, std::uint32_t offset_us, Event* out) {
+  const auto offset = hn::Set(Pairs(), offset_us);
+  const auto put = [&](hn::Vec<Pairs> places, Event* to) HWY_ATTR {
+    auto* words = reinterpret_cast<std::uint8_t*>(to);
+    hn::StoreU(hn::BitCast(Bytes(), hn::InterleaveLower(Pairs(), places, offset)), Bytes(), words);
+    hn::StoreU(hn::BitCast(Bytes(), hn::InterleaveUpper(Pairs(), places, offset)), Bytes(),
+               words + 16);
+  };
+  put(hn::BitCast(Pairs(), hn::InterleaveLower(Words(), x, y)), out);
+  put(hn::BitCast(Pairs(), hn::InterleaveUpper(Words(), x, y)), out + 4);
+}
+
+// Takes the rows, columns and bases among the next eight words that come before any other; false
+// where the run ends, at an event outside the sensor. How many it takes follows from the types
+// alone, since nothing goes on before that is known.
+HWY_INLINE bool take_eight(Evt3Run& run) {
+  const Words tag;
+  const auto word = hn::LoadU(tag, reinterpret_cast<const std::uint16_t*>(run.next));
+  const auto type = hn::ShiftRight<12>(word);
+  const auto of_type = [&](Evt3Type wanted) HWY_ATTR {
+    return bits_of(hn::Eq(type, hn::Set(tag, static_cast<std::uint16_t>(wanted))));
+  };
+  std::uint32_t rows = of_type(Evt3Type::kRow);
+  std::uint32_t columns = of_type(Evt3Type::kColumn);
+  std::uint32_t bases = of_type(Evt3Type::kVectorBase);
+  const int count = std::countr_one(rows | columns | bases);
+
+  const auto coordinate = hn::Set(tag, static_cast<std::uint16_t>(Evt3Run::kCoordinate));
+  const Lookup& newest_row = kLookups.newest[rows];
+  const auto before =
+      hn::And(left_out(newest_row), hn::Set(tag, static_cast<std::uint16_t>(run.row)));
+  const auto y = hn::And(hn::Or(look_up(word, newest_row), before), coordinate);
+  const auto x = hn::And(word, coordinate);
+  const auto beyond = [](WordVector place, std::uint32_t size) HWY_ATTR {
+    const SignedWords whole;
+    return hn::Gt(hn::BitCast(whole, place), hn::Set(whole, static_cast<std::int16_t>(size - 1)));
+  };
+  const std::uint32_t outside =
+      columns & ((1U << count) - 1) &
+      bits_of(hn::RebindMask(tag, hn::Or(beyond(x, run.width), beyond(y, run.height))));
+  if (HWY_UNLIKELY(outside != 0)) {
+    while (run.take()) {
+    }
+    return false;
+  }
+
+  const std::uint32_t taken = (1U << count) - 1;
+  rows &= taken;
+  columns &= taken;
+  bases &= taken;
+  const auto polarity = hn::ShiftLeft<15 - Evt3Run::kFlagBit>(
+      hn::And(word, hn::Set(tag, std::uint16_t{1U << Evt3Run::kFlagBit})));
+  const Lookup& packed = kLookups.packed[columns];
+  put_events(look_up(x, packed), look_up(hn::Or(y, polarity), packed),
+             static_cast<std::uint32_t>(run.time() >> 32), run.out);
+  run.out += std::popcount(columns);
+  keep_newest(run.next, rows, run.row);
+  keep_newest(run.next, bases, run.base);
+  run.next += count * Evt3Run::kWordBytes;
+  return true;
+}
+
+// The same, and the words of other types behind them. False where the run ends.
+HWY_INLINE bool take_eight_and_others(Evt3Run& run) {
+  if (!take_eight(run)) return false;
+  while (run.next != run.end && run.out < run.full && !run.is_next_quiet()) {
+    if (!run.take()) return false;
+  }
+  return true;
+}
+#endif
+
+void take_words(Evt3Run& run) {
+#if HWY_TARGET != HWY_SCALAR && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+  Evt3Run local = run;
+  constexpr std::ptrdiff_t kBytes = kWordsAtOnce * Evt3Run::kWordBytes;
+  bool goes_on = true;
+  while (goes_on && local.end - local.next >= kBytes && local.out < local.full) {
+    goes_on = take_eight_and_others(local);
+  }
+  run = local;
+  if (!goes_on) return;
+#endif
+  while (run.next != run.end && run.out < run.full && run.take()) {
+  }
+}
+
+}  // namespace puck::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace puck {
+
+HWY_EXPORT(take_words);
+
+void take_evt3_words(Evt3Run& run) { HWY_DYNAMIC_DISPATCH(take_words)(run); }
+
+}  // namespace puck
+#endif
