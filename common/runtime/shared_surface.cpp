@@ -78,8 +78,10 @@ void SharedSurface::wait(std::chrono::microseconds timeout) {
 }
 
 void SharedSurface::wake() {
-  const std::lock_guard lock(sleep_mutex_);
-  wake_requested_ = true;
+  {
+    const std::lock_guard lock(sleep_mutex_);
+    wake_requested_ = true;
+  }
   woken_.notify_one();
 }
 
@@ -109,8 +111,9 @@ void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
 
 void SharedSurface::report_news() {
   if (news_.exchange(true, std::memory_order_acq_rel)) return;
-  // The lock makes sure that a sleeper either sees the news before it sleeps or hears the call.
-  const std::lock_guard lock(sleep_mutex_);
+  // The lock makes sure that a sleeper either sees the news before it sleeps or hears the call. Who
+  // is woken needs it too, so it is let go of first.
+  { const std::lock_guard lock(sleep_mutex_); }
   woken_.notify_one();
 }
 
