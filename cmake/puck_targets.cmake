@@ -3,6 +3,11 @@
 find_program(PUCK_CCACHE ccache)
 if(PUCK_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${PUCK_CCACHE})
+  if(PUCK_PRECOMPILE)
+    # Without these ccache keeps nothing that was compiled with a precompiled header.
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${PUCK_CCACHE})
+  endif()
 endif()
 
 # Sanitizer builds: enough optimisation to be quick, enough symbols to read a report.
@@ -28,10 +33,6 @@ if(PUCK_SANITIZE)
   target_compile_options(puck_options INTERFACE -fsanitize=${PUCK_SANITIZE}
                                                 -fno-sanitize-recover=all)
   target_link_options(puck_options INTERFACE -fsanitize=${PUCK_SANITIZE})
-  # GCC's flow analysis loses its way in instrumented code.
-  target_compile_options(puck_options INTERFACE ${puck_no_flow_analysis})
-endif()
-if(PUCK_FUZZ)
   # The library's own checks of indices, which no sanitizer makes within a vector's capacity.
   target_compile_definitions(puck_options INTERFACE _GLIBCXX_ASSERTIONS)
 endif()
@@ -39,9 +40,36 @@ endif()
 # What runs once or is a test is not worth the minutes that optimising it takes. With little
 # optimisation GCC's flow analysis loses its way.
 set(puck_quick_options -O1 ${puck_no_flow_analysis})
-if(PUCK_SANITIZE)
-  set(puck_quick_options -O0)
+
+# Half the time of a build goes into reading the standard library again for each file. With
+# PUCK_PRECOMPILE it is read once for all targets, and once more with doctest for the tests.
+if(PUCK_PRECOMPILE)
+  set(puck_common_headers
+    <algorithm> <array> <atomic> <bit> <charconv> <chrono> <cmath> <condition_variable> <cstdint>
+    <cstdio> <cstdlib> <cstring> <exception> <filesystem> <fstream> <functional> <limits> <map>
+    <memory> <mutex> <numbers> <optional> <random> <set> <span> <sstream> <stdexcept> <stop_token>
+    <string> <string_view> <system_error> <thread> <utility> <variant> <vector>)
+  # Precompiled headers belong to a target, and a target has a source.
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
+  add_library(puck_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(puck_precompiled PRIVATE puck_options)
+  target_precompile_headers(puck_precompiled PRIVATE ${puck_common_headers})
+  # With its time in it, no two are the same to ccache.
+  target_compile_options(puck_options INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
+  find_package(doctest REQUIRED)
+  add_library(puck_precompiled_tests OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(puck_precompiled_tests PRIVATE puck_options doctest::doctest)
+  target_precompile_headers(puck_precompiled_tests PRIVATE ${puck_common_headers}
+                                                          <doctest/doctest.h>)
 endif()
+
+# puck_precompile(<target> <headers>): compiles it with those of puck_precompiled or
+# puck_precompiled_tests.
+function(puck_precompile name headers)
+  if(PUCK_PRECOMPILE)
+    target_precompile_headers(${name} REUSE_FROM ${headers})
+  endif()
+endfunction()
 
 # puck_compile_quickly(<source>...): sources of the current folder that need not be fast.
 function(puck_compile_quickly)
@@ -56,6 +84,7 @@ function(puck_library name)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(sources)
     add_library(${name} STATIC ${sources})
+    puck_precompile(${name} puck_precompiled)
     target_link_libraries(${name} PUBLIC puck_options ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
   else()
     add_library(${name} INTERFACE)
@@ -71,6 +100,7 @@ add_custom_target(puck_programs)
 function(puck_program name)
   cmake_parse_arguments(arg "" "" "LINKS" ${ARGN})
   add_executable(${name} main.cpp)
+  puck_precompile(${name} puck_precompiled)
   puck_compile_quickly(main.cpp)
   target_link_libraries(${name} PRIVATE puck_options ${arg_LINKS})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
@@ -98,9 +128,8 @@ function(puck_test name)
     set(left_out "--source-file-exclude=${patterns}")
   endif()
   add_executable(${name} ${sources})
-  if(NOT PUCK_SANITIZE)
-    target_compile_options(${name} PRIVATE ${puck_quick_options})
-  endif()
+  puck_precompile(${name} puck_precompiled_tests)
+  target_compile_options(${name} PRIVATE ${puck_quick_options})
   target_link_libraries(${name} PRIVATE puck_options puck_test_main ${arg_LINKS})
   add_test(NAME ${name} COMMAND ${name} ${left_out})
   set(labels ${arg_LABELS})

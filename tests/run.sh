@@ -38,7 +38,7 @@ tools/install-deps.sh
 build release
 if [ "$what" = unit ] || [ "$what" = all ]; then
   run release unit
-  build asan puck_unit_tests
+  build asan puck_unit_tests puck_fuzzers
   run asan unit
   build tsan puck_thread_tests
   run tsan threads

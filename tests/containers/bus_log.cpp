@@ -72,9 +72,9 @@ std::vector<ServiceRun> runs_of(const BusLog& log, const std::string& service) {
   std::vector<ServiceRun> runs;
   for (const auto& [at_us, status] : log.statuses) {
     if (status.service != service) continue;
-    const auto known = std::find_if(runs.begin(), runs.end(), [&](const ServiceRun& run) {
-      return run.session == status.session;
-    });
+    const auto known = std::find_if(
+        runs.begin(), runs.end(),
+        [session = status.session](const ServiceRun& run) { return run.session == session; });
     if (known != runs.end()) {
       known->last = status;
     } else {

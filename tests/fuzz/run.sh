@@ -5,8 +5,8 @@
 #
 # Without options: the corpus and a minute of smoke in all, as tests/run.sh does it. --minutes: so
 # long for each of the fuzzers named (fuzz_messages, …), else for each of them all; what they learn
-# stays in build/fuzz/corpus. Exit status 1 when something was found; the input is then in
-# build/fuzz/findings.
+# stays in build/asan/corpus. Exit status 1 when something was found; the input is then in
+# build/asan/findings.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -22,10 +22,11 @@ if [ $# -gt 0 ]; then
   shift 2
 fi
 
-cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz -j "$(nproc)" --target puck_fuzzers -- --quiet
+cores=$(nproc)
+cmake --preset asan >/dev/null
+cmake --build --preset asan -j "$cores" --target puck_fuzzers -- --quiet
 
-build=build/fuzz
+build=build/asan
 fuzzers=("$@")
 if [ ${#fuzzers[@]} -eq 0 ]; then
   for program in "$build"/bin/fuzz_*; do fuzzers+=("$(basename "$program")"); done
@@ -36,29 +37,47 @@ done
 seconds=$((minutes > 0 ? 60 * minutes : 60 / ${#fuzzers[@]}))
 
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+stop_all() {
+  local running
+  running=$(jobs -rp)
+  [ -z "$running" ] || kill $running
+  wait
+  rm -rf "$scratch"
+}
+trap stop_all EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
 mkdir -p "$build/findings"
 "$build/bin/puck-fuzz-seeds" . "$scratch/seeds"
 
-fuzz() { # FUZZER LOG
+fuzz() { # FUZZER; takes the place of the shell that calls it
   local learned=$scratch/learned/$1
   [ "$minutes" -eq 0 ] || learned=$build/corpus/$1
   mkdir -p "$learned"
   local known=("$scratch/seeds/$1")
   [ ! -d "tests/fuzz/corpus/$1" ] || known+=("tests/fuzz/corpus/$1")
   # A small quarantine: inputs come and go by the thousand in a second.
-  ASAN_OPTIONS=quarantine_size_mb=16 nice "$build/bin/$1" -max_total_time="$seconds" \
+  ASAN_OPTIONS=quarantine_size_mb=16 exec nice "$build/bin/$1" -max_total_time="$seconds" \
     -max_len=4096 -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=128 -print_final_stats=1 \
-    -artifact_prefix="$build/findings/$1-" "$learned" "${known[@]}" >"$2" 2>&1
+    -artifact_prefix="$build/findings/$1-" "$learned" "${known[@]}" >"$scratch/$1.log" 2>&1
 }
+
+processes=()
+# As many at once as there are cores.
+for fuzzer in "${fuzzers[@]}"; do
+  while [ "$(jobs -rp | wc -l)" -ge "$cores" ]; do sleep 0.1; done
+  fuzz "$fuzzer" &
+  processes+=($!)
+done
 
 printf '%-22s %12s %10s %10s  %s\n' fuzzer inputs inputs/s coverage findings
 total=0
 failed=0
-for fuzzer in "${fuzzers[@]}"; do
+for i in "${!fuzzers[@]}"; do
+  fuzzer=${fuzzers[$i]}
   log=$scratch/$fuzzer.log
   found=none
-  fuzz "$fuzzer" "$log" || {
+  wait "${processes[$i]}" || {
     found=$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)
     found=${found:-failed}
     failed=1

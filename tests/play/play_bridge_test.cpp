@@ -256,12 +256,12 @@ TEST_CASE("Commands end at once with a newest estimate that cannot be trusted") 
       {"no covariance", [](auto& e) { e.covariance[0] = -1; }},
       {"impossible time", [](auto& e) { e.sensor_us = std::numeric_limits<std::int64_t>::max(); }},
   };
-  for (const auto& [name, spoil] : spoils) {
-    CAPTURE(name);
+  for (const auto& spoiled : spoils) {
+    CAPTURE(spoiled.first);
     BridgeBench bench = following();
     CHECK(commands_next(bench));
     puck_estimate_t estimate = bench.estimate({{1.4, 0.1}, {-1, 0.1}});
-    spoil(estimate);
+    spoiled.second(estimate);
     bench.bridge.hear(estimate, bench.now, bench.sender);
     CHECK_FALSE(commands_next(bench));
   }

@@ -8,7 +8,9 @@
 namespace puck {
 TEST_CASE("the blur equals OpenCV's GaussianBlur to the bit, at the borders and when tiny") {
   GaussianBlur blur;
-  for (const auto& [width, height] : {std::pair{640, 40}, {37, 21}, {5, 5}, {3, 9}, {2, 2}}) {
+  for (const auto& size : {std::pair{640, 40}, {37, 21}, {5, 5}, {3, 9}, {2, 2}}) {
+    const int width = size.first;
+    const int height = size.second;
     CAPTURE(width);
     CAPTURE(height);
     Image<std::uint8_t> source = test::noise(width, height, 11);

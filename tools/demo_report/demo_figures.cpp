@@ -80,9 +80,9 @@ void compare(const std::vector<puck_estimate_t>& recorded, const GameLog& replay
 
 BusFigures sum_up_bus(const GameLog& game) {
   BusFigures sum;
-  for (const auto& [service, counters] : game.counters) {
+  for (const auto& service : game.counters) {
     const auto add = [&](std::int64_t& to, const char* name) {
-      to += game.counter(service, name).value_or(0);
+      to += game.counter(service.first, name).value_or(0);
     };
     add(sum.received, "messages_received");
     add(sum.lost, "messages_lost");

@@ -83,7 +83,8 @@ void read_port_users(Facts& facts) {
     if (socket.port == facts.url.port && hears_the_group) inodes.insert(socket.inode);
   }
   facts.sockets_at_port = static_cast<int>(inodes.size());
-  for (const auto& [inode, program] : find_programs(inodes)) {
+  for (const auto& found : find_programs(inodes)) {
+    const auto& program = found.second;
     const auto known = std::find_if(facts.port_users.begin(), facts.port_users.end(),
                                     [&](const auto& user) { return user.program == program; });
     if (known != facts.port_users.end()) {

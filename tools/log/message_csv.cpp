@@ -12,7 +12,7 @@ bool has_one_cell(const WireField& field) {
   return !field.count_field.empty() || field.fixed_count == 1;
 }
 
-std::string quoted(std::string_view cell) {
+std::string csv_quoted(std::string_view cell) {
   if (cell.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(cell);
   std::string text = "\"";
   for (const char c : cell) {
@@ -55,7 +55,7 @@ class LineWriter {
  private:
   void finish_cell() {
     const bool is_text = layout_.fields[field_].kind == WireKind::kString;
-    line_.append(",").append(is_text ? quoted(cell_) : cell_);
+    line_.append(",").append(is_text ? csv_quoted(cell_) : cell_);
     cell_.clear();
   }
   void finish_field() {
