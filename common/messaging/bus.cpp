@@ -165,8 +165,7 @@ class Bus::Impl {
     Receipt receipt{message.utime, message.monotonic_us, bytes.size(), message.sender,
                     Arrival::kNewest};
     if (raw_handler_) {
-      const auto failure =
-          failure_of([&] { raw_handler_(std::string(message.channel), bytes, receipt); });
+      const auto failure = failure_of([&] { raw_handler_(message.channel, bytes, receipt); });
       if (failure && line != nullptr) count_handler_failure(*line, *failure);
     }
     if (line == nullptr || line->handlers.empty() || !take(*line, bytes, receipt)) return;

@@ -79,10 +79,10 @@ class Bus {
                 });
   }
 
-  using RawHandler = std::function<void(const std::string& channel,
+  using RawHandler = std::function<void(std::string_view channel,
                                         std::span<const std::uint8_t> bytes, const Receipt&)>;
   /// Every message on every channel under the prefix, unchecked and with arrival kNewest: for
-  /// logging.
+  /// logging. The views live as long as the call.
   void subscribe_all(RawHandler handler);
 
   /// Fills in utime, session and seq, and the lengths of arrays, and sends. False, and counted,

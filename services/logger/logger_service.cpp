@@ -23,7 +23,7 @@ LoggerService::LoggerService(const LoggerParams& params, ServiceContext& context
       not_queued_(context.bus.prefix()),
       thread_(static_cast<std::size_t>(params.queue_bytes),
               [this](std::span<std::uint8_t> records) { return files_.write(records); }) {
-  context_.bus.subscribe_all([this](const std::string& channel, std::span<const std::uint8_t> bytes,
+  context_.bus.subscribe_all([this](std::string_view channel, std::span<const std::uint8_t> bytes,
                                     const Receipt& receipt) { receive(channel, bytes, receipt); });
 }
 
@@ -66,7 +66,7 @@ void LoggerService::report(StatusReport& report) const {
   not_written.report("messages_not_written", report);
 }
 
-void LoggerService::receive(const std::string& channel, std::span<const std::uint8_t> bytes,
+void LoggerService::receive(std::string_view channel, std::span<const std::uint8_t> bytes,
                             const Receipt& receipt) {
   if (channel == events_channel_) account_for_events(bytes);
   if (thread_.push(channel, receipt.utime, bytes)) return;

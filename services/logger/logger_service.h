@@ -37,7 +37,7 @@ class LoggerService : public Service {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void receive(const std::string& channel, std::span<const std::uint8_t> bytes,
+  void receive(std::string_view channel, std::span<const std::uint8_t> bytes,
                const Receipt& receipt);
   void account_for_events(std::span<const std::uint8_t> bytes);
   std::optional<std::string> find_trouble() const;

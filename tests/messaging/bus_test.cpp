@@ -315,7 +315,7 @@ TEST_CASE("a message of several datagrams is refused unless it is allowed") {
   std::size_t heard_strict = 0;
   std::size_t heard_generous = 0;
   const auto count_into = [](std::size_t& heard) {
-    return [&heard](const std::string&, std::span<const std::uint8_t> bytes, const Receipt&) {
+    return [&heard](std::string_view, std::span<const std::uint8_t> bytes, const Receipt&) {
       heard += bytes.size();
     };
   };
@@ -363,8 +363,8 @@ TEST_CASE("a subscriber to everything hears every channel of its prefix as bytes
   std::vector<std::string> channels;
   std::size_t bytes_heard = 0;
   bus.subscribe_all(
-      [&](const std::string& channel, std::span<const std::uint8_t> bytes, const Receipt& receipt) {
-        channels.push_back(channel);
+      [&](std::string_view channel, std::span<const std::uint8_t> bytes, const Receipt& receipt) {
+        channels.emplace_back(channel);
         bytes_heard += bytes.size();
         CHECK(receipt.bytes == bytes.size());
       });

@@ -141,7 +141,7 @@ TEST_CASE("a bus with a key hears only what is sealed with it, and names the res
   std::size_t raw_bytes = 0;
   with_key.subscribe<head_state_t>(
       [&](const head_state_t& head, const Receipt&) { heard.push_back(head.yaw_deg); });
-  with_key.subscribe_all([&](const std::string&, std::span<const std::uint8_t> bytes,
+  with_key.subscribe_all([&](std::string_view, std::span<const std::uint8_t> bytes,
                              const Receipt&) { raw_bytes += bytes.size(); });
   int heard_plain = 0;
   plain.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { ++heard_plain; });

@@ -21,7 +21,7 @@ class Listener {
  public:
   Listener(const BusParams& params, const SpyParams& spy)
       : bus_(params), model_(params.prefix, spy, host_monotonic_us()) {
-    bus_.subscribe_all([this](const std::string& channel, std::span<const std::uint8_t> bytes,
+    bus_.subscribe_all([this](std::string_view channel, std::span<const std::uint8_t> bytes,
                               const Receipt& receipt) { model_.hear(channel, bytes, receipt); });
     starter_ = std::jthread([this](const std::stop_token& stop) { start(stop); });
   }

@@ -9,14 +9,14 @@ namespace {
 
 // Beyond our own; more are counted together, for names are free and memory is not.
 constexpr std::size_t kMaxChannels = kAllChannels.size() + 32;
-constexpr const char* kMoreNames = "(more names)";
+constexpr std::string_view kMoreNames = "(more names)";
 
 }  // namespace
 
 SpyModel::SpyModel(std::string prefix, const SpyParams& params, std::int64_t start_us)
     : prefix_(std::move(prefix)), params_(params), start_us_(start_us), services_(params) {}
 
-void SpyModel::hear(const std::string& channel, std::span<const std::uint8_t> bytes,
+void SpyModel::hear(std::string_view channel, std::span<const std::uint8_t> bytes,
                     const Receipt& receipt) {
   ++messages_;
   ChannelAccount& account = account_of(channel, receipt.monotonic_us);
@@ -33,11 +33,11 @@ void SpyModel::set_unauthenticated(Channel channel, std::int64_t messages, const
   }
 }
 
-ChannelAccount& SpyModel::account_of(const std::string& channel, std::int64_t now_us) {
+ChannelAccount& SpyModel::account_of(std::string_view channel, std::int64_t now_us) {
   const auto known = accounts_.find(channel);
   if (known != accounts_.end()) return known->second;
   const auto type = find_channel(channel, prefix_);
-  const std::string& name = type || accounts_.size() < kMaxChannels ? channel : kMoreNames;
+  const std::string name(type || accounts_.size() < kMaxChannels ? channel : kMoreNames);
   const std::int64_t window_us = std::min(params_.rate_window_us, now_us - start_us_);
   return accounts_.try_emplace(name, name, type, params_, now_us - window_us).first->second;
 }

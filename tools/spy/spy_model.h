@@ -20,8 +20,7 @@ class SpyModel {
   /// Times are CLOCK_MONOTONIC, µs.
   SpyModel(std::string prefix, const SpyParams& params, std::int64_t start_us);
 
-  void hear(const std::string& channel, std::span<const std::uint8_t> bytes,
-            const Receipt& receipt);
+  void hear(std::string_view channel, std::span<const std::uint8_t> bytes, const Receipt& receipt);
 
   /// What was dropped of a channel of ours before it could be heard, in all, for want of our key;
   /// and why.
@@ -32,7 +31,7 @@ class SpyModel {
   Snapshot snapshot(std::int64_t now_us);
 
  private:
-  ChannelAccount& account_of(const std::string& channel, std::int64_t now_us);
+  ChannelAccount& account_of(std::string_view channel, std::int64_t now_us);
 
   std::string prefix_;
   SpyParams params_;
