@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <limits>
+#include <system_error>
 #include <tuple>
 #include <vector>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include "common/messaging/log_format.h"
@@ -80,22 +79,19 @@ QuotaResult remove_oldest_logs(const LogNames& names, std::int64_t bytes) {
     result.bytes_left += log.bytes;
     logs.push_back(std::move(log));
   }
+  if (error) result.problem = "cannot read " + names.folder().string() + ": " + error.message();
   std::sort(logs.begin(), logs.end());
   for (const OldLog& log : logs) {
     if (result.bytes_left <= bytes) break;
-    if (unlink(log.path.c_str()) != 0) continue;
+    if (unlink(log.path.c_str()) != 0) {
+      result.problem =
+          "cannot remove " + log.path.string() + ": " + std::generic_category().message(errno);
+      continue;
+    }
     ++result.files_removed;
     result.bytes_left -= log.bytes;
   }
   return result;
-}
-
-std::int64_t free_bytes(const std::filesystem::path& folder) {
-  struct statvfs disk {};
-  if (statvfs(folder.c_str(), &disk) != 0) return 0;
-  const std::uint64_t most = std::numeric_limits<std::int64_t>::max();
-  return static_cast<std::int64_t>(
-      std::min<std::uint64_t>(most, std::uint64_t{disk.f_bavail} * disk.f_frsize));
 }
 
 }  // namespace puck

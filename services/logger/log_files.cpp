@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -70,6 +71,7 @@ void LogFiles::begin_rotated_file() {
   progress_.path = path;
   ++progress_.files;
   progress_.files_removed += quota.files_removed;
+  progress_.quota_problem = quota.problem;
 }
 
 std::size_t LogFiles::write(std::span<std::uint8_t> records) {
@@ -139,7 +141,13 @@ std::optional<std::string> LogFiles::obstacle(std::size_t bytes) {
   if (Clock::now() < next_try_) return progress().problem;
   if (!writer_) return "no file is open";
   if (params_.min_free_bytes == 0) return std::nullopt;
-  if (free_bytes(folder_) - static_cast<std::int64_t>(bytes) < params_.min_free_bytes) {
+  std::error_code error;
+  const std::uintmax_t available = std::filesystem::space(folder_, error).available;
+  if (error) {
+    next_try_ = Clock::now() + kRetry;
+    return "cannot tell how much is free in " + folder_.string() + ": " + error.message();
+  }
+  if (available < static_cast<std::uintmax_t>(params_.min_free_bytes) + bytes) {
     next_try_ = Clock::now() + kRetry;
     return "less than logger.min_free_bytes = " + std::to_string(params_.min_free_bytes) +
            " is free in " + folder_.string();

@@ -26,6 +26,7 @@ struct LogProgress {
   std::int64_t files = 0;     ///< Begun.
   std::int64_t files_removed = 0;
   std::optional<std::string> problem;  ///< Why nothing is written now.
+  std::string quota_problem;           ///< Why the quota is not kept, else empty.
 };
 
 /// The files of a log: one, or, when it rotates, one after the other, of which the oldest go when

@@ -92,13 +92,17 @@ void LoggerService::account_for_events(std::span<const std::uint8_t> bytes) {
 
 /// What is wrong with the log as it is now.
 std::optional<std::string> LoggerService::find_trouble() const {
-  if (const auto problem = files_.progress().problem) return "nothing is written: " + *problem;
+  const LogProgress progress = files_.progress();
+  if (progress.problem) return "nothing is written: " + *progress.problem;
   if (Clock::now() < queue_was_full_until_) {
     return "the disk is too slow: logger.queue_bytes were full, and messages are missing";
   }
   if (const std::string problem = sync_.problem(); !problem.empty()) return problem;
   if (sync_.lag() > kLongestLag) {
     return "the disk is slow: what was written 1 s ago is not on it yet";
+  }
+  if (!progress.quota_problem.empty()) {
+    return "logger.quota_bytes is not kept: " + progress.quota_problem;
   }
   return std::nullopt;
 }

@@ -1,6 +1,9 @@
 #include "services/logger/log_files.h"
 
+#include <cstdlib>
+
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include "services/logger/disk_quota.h"
 #include "tests/support/small_disk.h"
@@ -47,6 +50,27 @@ std::vector<std::string> names_in(const TemporaryFolder& folder) {
   std::sort(names.begin(), names.end());
   return names;
 }
+
+/// While it lives, this program may read the folder but not change it; root becomes nobody for
+/// that.
+class NobodysRights {
+ public:
+  explicit NobodysRights(const std::filesystem::path& folder) : folder_(folder) {
+    std::filesystem::permissions(folder_, std::filesystem::perms(0555));
+    std::filesystem::permissions(folder_.parent_path(), std::filesystem::perms(0755));
+    REQUIRE((!was_root_ || seteuid(kNobody) == 0));
+  }
+  ~NobodysRights() {
+    if (was_root_ && seteuid(0) != 0) std::abort();
+    std::filesystem::permissions(folder_, std::filesystem::perms(0755));
+  }
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+
+  std::filesystem::path folder_;
+  bool was_root_ = geteuid() == 0;
+};
 
 LoggerParams params_for(const std::filesystem::path& path) {
   return {.path = path, .min_free_bytes = 0};
@@ -158,6 +182,26 @@ TEST_CASE("the quota spares a file that another logger writes") {
   other.reset();
   CHECK(remove_oldest_logs(names, 0).files_removed == 1);
   CHECK(names_in(folder).empty());
+}
+
+TEST_CASE("the quota tells of a file that it cannot remove, and of a folder it cannot read") {
+  const TemporaryFolder folder;
+  const std::filesystem::path logs = folder / "logs";
+  std::filesystem::create_directory(logs);
+  const LogNames names("a.lcm", logs / "a.lcm");
+  LogWriter(logs / "a.000000.lcm").write("PUCK_A", 1, std::vector<std::uint8_t>(1000));
+  {
+    const NobodysRights rights(logs);
+    const QuotaResult result = remove_oldest_logs(names, 0);
+    CHECK(result.files_removed == 0);
+    CHECK(result.bytes_left > 1000);
+    CHECK(result.problem ==
+          "cannot remove " + (logs / "a.000000.lcm").string() + ": Permission denied");
+  }
+  CHECK(remove_oldest_logs(names, 0).problem.empty());
+  std::filesystem::remove_all(logs);
+  CHECK(remove_oldest_logs(names, 0).problem ==
+        "cannot read " + logs.string() + ": No such file or directory");
 }
 
 TEST_CASE("the log stops for good at its largest size, over all its files, and counts the rest") {
