@@ -13,6 +13,7 @@
 #include "common/messaging/bus_settings.h"
 #include "common/messaging/host_time.h"
 #include "services/arm/operator_command.h"
+#include "tests/support/environment.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/skewed_machine.h"
 #include "tests/support/test_url.h"
@@ -235,9 +236,7 @@ TEST_CASE("The loop keeps its pace while messages come, and says how late its st
 }
 
 TEST_CASE("config/arm.toml holds every key with its default") {
-  const char* source = std::getenv("PUCK_SOURCE_DIR");
-  REQUIRE(source != nullptr);
-  Config from_file = Config::from_file(std::string(source) + "/config/arm.toml");
+  Config from_file = Config::from_file(source_folder() / "config/arm.toml");
   Config defaults;
   ArmService::read_params(from_file);
   ArmService::read_params(defaults);

@@ -13,6 +13,7 @@
 
 #include "common/messaging/bus_settings.h"
 #include "common/messaging/host_time.h"
+#include "tests/support/environment.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/test_camera.h"
 
@@ -90,12 +91,10 @@ TEST_CASE("Bridge settings that cannot be are refused by name, a missing table b
 }
 
 TEST_CASE("config/bridge.toml holds every key with its default") {
-  const char* source = std::getenv("PUCK_SOURCE_DIR");
-  REQUIRE(source != nullptr);
   const std::filesystem::path table =
       std::filesystem::temp_directory_path() / ("puck_bridge_" + std::to_string(getpid()));
   write_table_file(table, {test_camera(), {}}, "test");
-  Config from_file = Config::from_file(std::string(source) + "/config/bridge.toml");
+  Config from_file = Config::from_file(source_folder() / "config/bridge.toml");
   Config defaults;
   from_file.override_with("bridge.table=" + table.string());
   defaults.override_with("bridge.table=" + table.string());

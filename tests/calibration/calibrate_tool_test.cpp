@@ -12,6 +12,7 @@
 
 #include "common/io/table_file.h"
 #include "common/simulation/simulated_table.h"
+#include "tests/support/environment.h"
 
 namespace puck {
 namespace {
@@ -41,10 +42,8 @@ class Tool {
   // Output and errors land in the file `said`.
   int run(const std::string& arguments) const { return run("puck-calibrate", arguments); }
   int run(const std::string& program, const std::string& arguments) const {
-    const char* bin = std::getenv("PUCK_BIN_DIR");
-    REQUIRE_MESSAGE(bin != nullptr, "PUCK_BIN_DIR must be set");
-    const std::string command = "cd '" + folder_.string() + "' && '" + bin + "/" + program + "' " +
-                                arguments + " > said 2>&1";
+    const std::string command = "cd '" + folder_.string() + "' && '" + program_path(program) +
+                                "' " + arguments + " > said 2>&1";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }

@@ -12,21 +12,16 @@
 #include "services/camera/camera_settings.h"
 #include "tests/camera/camera_fixtures.h"
 #include "tests/support/child_process.h"
+#include "tests/support/environment.h"
 
 namespace puck {
 namespace {
 
 // On a bus that nobody else hears. What stdin has to say is in the file `input`.
 Finished run_camera(std::vector<std::string> arguments, const std::filesystem::path& input = {}) {
-  const std::string program = std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-camera";
+  const std::string program = program_path("puck-camera");
   arguments.insert(arguments.begin(), {program, "--lcm-url", "memq://"});
   return run_program(arguments, {.input = input});
-}
-
-bool is_skipped() {
-  if (std::getenv("PUCK_BIN_DIR") != nullptr) return false;
-  MESSAGE("skipped: PUCK_BIN_DIR does not tell where puck-camera is");
-  return true;
 }
 
 void check_refused(const std::vector<std::string>& arguments, const std::string& part) {
@@ -38,7 +33,6 @@ void check_refused(const std::vector<std::string>& arguments, const std::string&
 }
 
 TEST_CASE("the camera refuses bad input with exit code 1 and a line that says what is wrong") {
-  if (is_skipped()) return;
   const CameraFolder folder;
   std::ofstream(folder / "a.png") << "\x89PNG\r\n\x1a\n";
   std::ofstream(folder / "a.toml") << "[camera]\nsauce = \"file\"\n";
@@ -57,7 +51,6 @@ TEST_CASE("the camera refuses bad input with exit code 1 and a line that says wh
 }
 
 TEST_CASE("a recording piped in is published to its end, which ends the camera") {
-  if (is_skipped()) return;
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(5000, 0, 10));
   const Finished finished = run_camera({"--set", "camera.source=stdin"}, folder / "a.raw");
@@ -66,12 +59,7 @@ TEST_CASE("a recording piped in is published to its end, which ends the camera")
 }
 
 TEST_CASE("config/camera.toml shows every key with its default") {
-  const char* source = std::getenv("PUCK_SOURCE_DIR");
-  if (source == nullptr) {
-    MESSAGE("skipped: PUCK_SOURCE_DIR does not tell where config/ is");
-    return;
-  }
-  const auto path = std::filesystem::path(source) / "config" / "camera.toml";
+  const auto path = source_folder() / "config" / "camera.toml";
   Config shipped = Config::from_file(path);
   Config defaults;
   read_camera_settings(shipped);

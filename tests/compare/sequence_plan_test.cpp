@@ -1,7 +1,6 @@
 #include "tools/compare/sequence_plan.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include "common/io/config.h"
+#include "tests/support/environment.h"
 
 namespace puck {
 namespace {
@@ -83,8 +83,7 @@ TEST_CASE("all presets run everywhere, the particle filter where it is affordabl
 }
 
 TEST_CASE("every scene file is there and can be read") {
-  const std::filesystem::path scenes =
-      std::filesystem::path(std::getenv("PUCK_SOURCE_DIR")) / "tools/compare/scenes";
+  const std::filesystem::path scenes = source_folder() / "tools/compare/scenes";
   for (const SequenceSet& set : sequence_sets()) {
     if (set.scene.empty()) continue;
     CAPTURE(set.scene);

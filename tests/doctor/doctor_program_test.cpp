@@ -9,6 +9,7 @@
 
 #include "tests/doctor/other_machine.h"
 #include "tests/support/child_process.h"
+#include "tests/support/environment.h"
 #include "tests/support/network_namespace.h"
 #include "tests/support/temporary_folder.h"
 
@@ -51,7 +52,7 @@ struct Diagnosis {
 };
 
 Finished run_doctor(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-doctor");
+  arguments.insert(arguments.begin(), program_path("puck-doctor"));
   return run_program(arguments);
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -9,6 +8,8 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+
+#include "tests/support/environment.h"
 
 namespace puck {
 namespace {
@@ -21,7 +22,7 @@ struct Include {
   std::string target;  // what stands between the quotes or brackets
 };
 
-fs::path source_dir() { return std::getenv("PUCK_SOURCE_DIR"); }
+fs::path source_dir() { return source_folder(); }
 
 std::vector<Include> includes_below(const fs::path& folder) {
   const std::regex include_line(R"(^\s*#\s*include\s*[<"]([^">]+)[">])");

@@ -1,7 +1,6 @@
 // The real puck-log on logs that are whole, damaged, or none at all.
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <random>
 #include <sstream>
 #include <string>
@@ -13,6 +12,7 @@
 #include "common/messaging/event_packing.h"
 #include "common/messaging/log_file.h"
 #include "tests/support/child_process.h"
+#include "tests/support/environment.h"
 #include "tests/support/random_message.h"
 #include "tests/support/temporary_folder.h"
 
@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::json;
 
 Finished puck_log(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-log");
+  arguments.insert(arguments.begin(), program_path("puck-log"));
   return run_program(arguments);
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("verify finds nothing wrong with a whole log of every type") {
 TEST_CASE("a report that cannot be written is not said to be fine") {
   const TemporaryFolder folder;
   write_known_log(folder / "a.lcm");
-  const std::string program = std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-log";
+  const std::string program = program_path("puck-log");
   for (const char* command : {"info", "verify"}) {
     CAPTURE(command);
     ChildProcess to_full_disk({program, command, folder / "a.lcm"}, {.output = "/dev/full"});

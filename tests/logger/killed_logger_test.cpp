@@ -1,6 +1,5 @@
 // The real puck-logger, killed while it writes.
 #include <csignal>
-#include <cstdlib>
 #include <random>
 #include <thread>
 
@@ -11,6 +10,7 @@
 #include "common/messaging/message_codec.h"
 #include "tests/support/child_process.h"
 #include "tests/support/crowd_publisher.h"
+#include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_url.h"
 
@@ -57,8 +57,8 @@ TEST_CASE("a logger that is killed leaves all that it said it wrote, in a log th
   for (int kill = 0; kill < 3; ++kill) {
     const std::string url = private_lcm_url(2 * kill);
     const std::string path = folder / ("a" + std::to_string(kill) + ".lcm");
-    ChildProcess logger({std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-logger", "--lcm-url",
-                         url, "--set", "logger.path=" + path, "--log-level", "error"});
+    ChildProcess logger({program_path("puck-logger"), "--lcm-url", url, "--set",
+                         "logger.path=" + path, "--log-level", "error"});
     Bus bus({.url = url});
     std::int64_t said = -1;
     bus.subscribe<service_status_t>([&](const service_status_t& status, const Receipt&) {

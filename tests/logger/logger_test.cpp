@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <thread>
@@ -12,6 +11,7 @@
 #include "common/messaging/status_check.h"
 #include "services/logger/logger_service.h"
 #include "tests/support/child_process.h"
+#include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_url.h"
 
@@ -186,8 +186,7 @@ TEST_CASE("the logger reads its settings and refuses those that make no sense") 
 }
 
 TEST_CASE("the commented settings file holds every key with its default") {
-  Config config = Config::from_file(std::filesystem::path(std::getenv("PUCK_SOURCE_DIR")) /
-                                    "config/logger.toml");
+  Config config = Config::from_file(source_folder() / "config/logger.toml");
   const BusParams bus = read_bus_params(config);
   const LoggerParams params = LoggerService::read_params(config);
   CHECK_NOTHROW(config.reject_unknown());
@@ -215,9 +214,8 @@ TEST_CASE("puck-logger logs what lcm-logplayer plays again, and stops at once on
   const std::string live = private_lcm_url(0);
   const std::string replayed = private_lcm_url(1);
   {
-    ChildProcess logger({std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-logger", "--lcm-url",
-                         live, "--prefix", "LEFT", "--set", "logger.path=" + path, "--log-level",
-                         "error"});
+    ChildProcess logger({program_path("puck-logger"), "--lcm-url", live, "--prefix", "LEFT",
+                         "--set", "logger.path=" + path, "--log-level", "error"});
     REQUIRE(check_service({.url = live, .prefix = "LEFT"}, "puck-logger", milliseconds(10000), {})
                 .healthy);
     Bus camera({.url = live, .prefix = "LEFT"});

@@ -1,6 +1,5 @@
 #include "common/messaging/wire_layout.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -8,14 +7,13 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/support/environment.h"
 #include "tests/support/random_message.h"
 
 namespace puck {
 namespace {
 
-std::filesystem::path lcmtypes() {
-  return std::filesystem::path(std::getenv("PUCK_SOURCE_DIR")) / "lcmtypes";
-}
+std::filesystem::path lcmtypes() { return source_folder() / "lcmtypes"; }
 
 std::string kind_name(WireKind kind) {
   switch (kind) {

@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -7,6 +6,7 @@
 
 #include "common/io/config.h"
 #include "common/simulation/visit_parameters.h"
+#include "tests/support/environment.h"
 
 namespace puck {
 namespace {
@@ -38,12 +38,7 @@ class DefaultsChecker {
 }  // namespace
 
 TEST_CASE("config/scene.toml holds every key with its default, and no other") {
-  const char* source = std::getenv("PUCK_SOURCE_DIR");
-  if (source == nullptr) {
-    MESSAGE("skipped: PUCK_SOURCE_DIR is not set");
-    return;
-  }
-  DefaultsChecker checker(Config::from_file(std::string(source) + "/config/scene.toml"));
+  DefaultsChecker checker(Config::from_file(source_folder() / "config/scene.toml"));
   SimulationParams params;
   visit_parameters(checker, params);
   checker.finish();

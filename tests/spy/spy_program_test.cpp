@@ -14,6 +14,7 @@
 #include "common/messaging/bus.h"
 #include "tests/spy/spy_bench.h"
 #include "tests/support/child_process.h"
+#include "tests/support/environment.h"
 #include "tests/support/test_url.h"
 
 namespace puck {
@@ -25,7 +26,7 @@ using std::chrono::milliseconds;
 constexpr const char* kFullScreen = "\x1b[?1049h";
 constexpr const char* kFullScreenOver = "\x1b[?1049l";
 
-std::string spy_path() { return std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-spy"; }
+std::string spy_path() { return program_path("puck-spy"); }
 
 /// A camera that publishes until the test ends.
 class Camera {
@@ -147,7 +148,7 @@ TEST_CASE("puck-spy names the others that it heard where it heard none of ours")
 }
 
 TEST_CASE("puck-spy takes the bus from any service's settings, and refuses what it cannot use") {
-  const std::string config = std::string(std::getenv("PUCK_SOURCE_DIR")) + "/config/tracker.toml";
+  const std::string config = source_folder() / "config/tracker.toml";
   const Finished spy = run_program({spy_path(), "--config", config, "--lcm-url", private_lcm_url(1),
                                     "--once", "--seconds", "0.2"});
   CHECK(spy.exit_code == 1);

@@ -1,27 +1,12 @@
 #include "tests/system/system_bench.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <random>
 #include <stdexcept>
 #include <thread>
 
 namespace puck {
-namespace {
-
-std::string required_environment(const char* name) {
-  const char* value = std::getenv(name);
-  if (value == nullptr) throw std::runtime_error(std::string(name) + " must be set");
-  return value;
-}
-
-}  // namespace
-
-std::filesystem::path source_folder() { return required_environment("PUCK_SOURCE_DIR"); }
-
-std::string program(const std::string& name) {
-  return required_environment("PUCK_BIN_DIR") + "/" + name;
-}
+std::string program(const std::string& name) { return program_path(name); }
 
 std::string new_lcm_url() {
   std::random_device random;

@@ -12,14 +12,13 @@
 #include "common/messaging/bus.h"
 #include "common/messaging/single_publisher.h"
 #include "tests/support/child_process.h"
+#include "tests/support/environment.h"
 
 namespace puck {
 
 inline const std::vector<std::string> kServices{"puck-camera", "puck-tracker", "puck-bridge",
                                                 "puck-arm", "puck-logger"};
 
-/// Root of the source tree; where programs are started, as their settings name files from there.
-std::filesystem::path source_folder();
 /// Path of one of our programs.
 std::string program(const std::string& name);
 /// A bus on this host, on another port at every call.

@@ -1,6 +1,5 @@
 // The paper's comparison, smaller: puck-compare with everything that it runs.
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/child_process.h"
+#include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 
 namespace puck {
@@ -32,11 +32,9 @@ const std::vector<std::string> kSets{"still",
                                      "leaves-image",
                                      "second-puck"};
 
-std::filesystem::path source_folder() { return std::getenv("PUCK_SOURCE_DIR"); }
-
 // Returns what it told of its progress.
 std::string compare(const TemporaryFolder& folder) {
-  const std::vector<std::string> command{std::string(std::getenv("PUCK_BIN_DIR")) + "/puck-compare",
+  const std::vector<std::string> command{program_path("puck-compare"),
                                          "--sequences",
                                          "1",
                                          "--seconds",

@@ -1,17 +1,17 @@
 #include "services/tracker/tracker_params.h"
 
-#include <cstdlib>
 #include <string>
 
 #include <doctest/doctest.h>
 
 #include "common/messaging/bus_settings.h"
 #include "common/vision/presets.h"
+#include "tests/support/environment.h"
 
 namespace puck {
 
 TEST_CASE("config/tracker.toml shows every key with its default") {
-  const std::string file = std::string(std::getenv("PUCK_SOURCE_DIR")) + "/config/tracker.toml";
+  const std::string file = source_folder() / "config/tracker.toml";
   Config config = Config::from_file(file);
   read_bus_params(config);
   // The size model's path is relative to the project's root, which a test may not run in.

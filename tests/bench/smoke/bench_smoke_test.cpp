@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -7,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/child_process.h"
+#include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 
 namespace puck {
@@ -14,9 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string program(const char* name) {
-  return (std::filesystem::path(std::getenv("PUCK_BIN_DIR")) / name).string();
-}
+std::string program(const char* name) { return program_path(name); }
 
 Finished run_benchmarks(const std::string& filter, const std::filesystem::path& out) {
   return run_program({program("puck-bench"), "--benchmark_filter=" + filter,

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace puck {
+
+inline std::string required_environment(const char* name) {
+  const char* value = std::getenv(name);
+  if (value == nullptr) throw std::runtime_error(std::string(name) + " must be set, as ctest does");
+  return value;
+}
+
+/// Where the project's own files are.
+inline std::filesystem::path source_folder() { return required_environment("PUCK_SOURCE_DIR"); }
+
+/// A program of this build.
+inline std::string program_path(const std::string& name) {
+  return required_environment("PUCK_BIN_DIR") + "/" + name;
+}
+
+}  // namespace puck
