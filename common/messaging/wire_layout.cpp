@@ -20,8 +20,10 @@ constexpr std::int64_t kMaxCounters = 256;
 constexpr std::int64_t kMaxLatencies = 64;
 constexpr std::int64_t kMaxPongs = 64;
 
-constexpr WireField whole8(std::string_view name, std::int64_t max) {
-  return {name, WireKind::kInt8, 0, max, {}, 1};
+/// 0 is the first of them.
+constexpr WireField one_of(std::string_view name, std::span<const std::string_view> meanings) {
+  const auto max = static_cast<std::int64_t>(meanings.size()) - 1;
+  return {name, WireKind::kInt8, 0, max, {}, 1, meanings};
 }
 constexpr WireField whole32(std::string_view name, std::int64_t min, std::int64_t max) {
   return {name, WireKind::kInt32, min, max, {}, 1};
@@ -52,6 +54,17 @@ constexpr WireField array_of(WireField element, int fixed_count) {
 constexpr WireField any_int64(std::string_view name) {
   return {name, WireKind::kInt64, std::numeric_limits<std::int64_t>::min(), kMostInt64, {}, 1};
 }
+
+// As the constants in lcmtypes are called.
+constexpr std::array<std::string_view, 3> kTrackStates{"searching", "tracking", "lost"};
+constexpr std::array<std::string_view, 3> kValidities{"none", "coasting", "tracked"};
+constexpr std::array<std::string_view, 4> kArmModes{"follow", "hold", "stop", "reset"};
+constexpr std::array<std::string_view, 5> kArmStates{"idle", "moving", "holding", "stopped",
+                                                     "fault"};
+constexpr std::array<std::string_view, 6> kGamePhases{"waiting", "rally",      "shot at robot",
+                                                      "goal",    "puck stuck", "puck out of view"};
+constexpr std::array<std::string_view, 5> kServiceStates{"starting", "running", "waiting",
+                                                         "degraded", "stopping"};
 
 constexpr WireField kUtime = amount("utime");
 constexpr WireField kSession{"session", WireKind::kInt64, 1, kMostInt64, {}, 1};
@@ -88,7 +101,7 @@ constexpr std::array kPuckEstimate{
     amount("tracking_started_utime"),
     amount("backlog_us"),
     amount("backlog_events"),
-    whole8("state", 2),
+    one_of("state", kTrackStates),
     whole32("flags", 0, 31),
     real("x_px"),
     real("y_px"),
@@ -122,7 +135,7 @@ constexpr std::array kPuckTrajectory{
     reference("estimate_session"),
     amount("estimate_seq"),
     amount("sensor_us"),
-    whole8("validity", 2),
+    one_of("validity", kValidities),
     truth_value("head_known"),
     real("x_m"),
     real("y_m"),
@@ -147,7 +160,7 @@ constexpr std::array kArmCommand{
     kUtime,
     kSession,
     kSeq,
-    whole8("mode", 3),
+    one_of("mode", kArmModes),
     truth_value("from_operator"),
     real("target_m"),
     real("target_normalised"),
@@ -162,7 +175,7 @@ constexpr std::array kArmState{
     kUtime,
     kSession,
     kSeq,
-    whole8("state", 4),
+    one_of("state", kArmStates),
     text("reason"),
     whole32("faults", 0, kMostInt32),
     text("back_end"),
@@ -189,7 +202,7 @@ constexpr std::array kGameState{
     kSession,
     kSeq,
     amount("sensor_us"),
-    whole8("phase", 5),
+    one_of("phase", kGamePhases),
     amount("phase_since_us"),
     whole32("goals_for", 0, kMostInt32),
     whole32("goals_against", 0, kMostInt32),
@@ -241,7 +254,7 @@ constexpr std::array kServiceStatus{
     text("host"),
     whole32("pid", 0, kMostInt32),
     text("version"),
-    whole8("state", 4),
+    one_of("state", kServiceStates),
     text("state_text"),
     amount("uptime_us"),
     whole32("counter_count", 0, kMaxCounters),

@@ -26,6 +26,7 @@ struct WireField {
   std::int64_t max = 0;
   std::string_view count_field{};  ///< Of an array: the int32 field before it that has its length.
   int fixed_count = 1;             ///< Of an array of fixed length.
+  std::span<const std::string_view> meanings{};  ///< What the values from 0 on are called, if so.
 };
 
 /// Encoded, one value; of a string the least: its length and its NUL.

@@ -1,5 +1,7 @@
 #include "common/messaging/wire_layout.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -59,6 +61,27 @@ std::vector<std::string> declarations_in(const std::filesystem::path& file) {
   return found;
 }
 
+/// The field's constants in an .lcm file in their order: `const int8_t STATE_SHOT_AT = 0;` is
+/// "shot at" of field "state".
+std::vector<std::string> meanings_in(const std::filesystem::path& file, std::string field) {
+  std::transform(field.begin(), field.end(), field.begin(), ::toupper);
+  std::vector<std::string> found;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line);
+    std::string keyword, kind, name, equals;
+    std::size_t value = 0;
+    words >> keyword >> kind >> name >> equals >> value;
+    if (keyword != "const" || kind != "int8_t" || !name.starts_with(field + "_")) continue;
+    CHECK(value == found.size());
+    name.erase(0, field.size() + 1);
+    std::transform(name.begin(), name.end(), name.begin(), ::tolower);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    found.push_back(name);
+  }
+  return found;
+}
+
 }  // namespace
 
 TEST_CASE("every type in lcmtypes has the layout that its file declares") {
@@ -75,6 +98,21 @@ TEST_CASE("every type in lcmtypes has the layout that its file declares") {
     for (const WireField& field : layout.fields) fields.push_back(declaration(field));
     CHECK(fields == declarations_in(lcmtypes() / (std::string(layout.type) + ".lcm")));
   }
+}
+
+TEST_CASE("the values of a state, mode or phase are called as in lcmtypes") {
+  int named = 0;
+  for (const Channel channel : kAllChannels) {
+    const WireLayout& layout = wire_layout(channel);
+    CAPTURE(layout.type);
+    for (const WireField& field : layout.fields) {
+      const auto meanings =
+          meanings_in(lcmtypes() / (std::string(layout.type) + ".lcm"), std::string(field.name));
+      CHECK(std::vector<std::string>(field.meanings.begin(), field.meanings.end()) == meanings);
+      if (!meanings.empty()) ++named;
+    }
+  }
+  CHECK(named == 6);
 }
 
 TEST_CASE("every layout is of the type that its channel carries") {

@@ -194,6 +194,16 @@ TEST_CASE("a channel is shown with its publishers and its newest message, live; 
   CHECK_FALSE(has(view.draw({80, 12}), "yaw_deg"));
 }
 
+TEST_CASE("states, modes and phases are shown by their names") {
+  SpyBench spy;
+  puck_estimate_t estimate{};
+  estimate.state = puck_estimate_t::STATE_LOST;
+  spy.hear(estimate, 7, 0, 1000);
+  SpyView view = view_on(spy.model.snapshot(2000));
+  view.press(SpyKey::kShow);
+  CHECK(has(view.draw({80, 60}), "state                    lost"));
+}
+
 TEST_CASE("what is longer than the screen scrolls to its last line and no further") {
   SpyView view = view_on(game());
   view.press(SpyKey::kDown);

@@ -1,9 +1,11 @@
 #include "tools/spy/message_lines.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "common/messaging/event_packing.h"
 #include "common/messaging/message_fields.h"
+#include "common/messaging/wire_layout.h"
 #include "tools/spy/short_text.h"
 
 namespace puck {
@@ -61,6 +63,17 @@ void add_events(std::vector<std::string>& lines, std::span<const std::uint8_t> b
   }
 }
 
+/// What a number means, where it has a name.
+std::string meaning_of(Channel channel, std::string_view name, std::string_view value) {
+  const auto fields = wire_layout(channel).fields;
+  const auto field = std::find_if(fields.begin(), fields.end(),
+                                  [&](const WireField& known) { return known.name == name; });
+  std::size_t place = 0;
+  std::from_chars(value.data(), value.data() + value.size(), place);
+  if (field == fields.end() || place >= field->meanings.size()) return std::string(value);
+  return std::string(field->meanings[place]);
+}
+
 }  // namespace
 
 void add_field(std::vector<std::string>& lines, const std::string& name, std::string value,
@@ -84,7 +97,7 @@ std::vector<std::string> message_lines(Channel channel, std::span<const std::uin
         array.flush();
         // Shown as what they mean instead.
         if (channel == Channel::kEvents && name == "data") return;
-        add_field(lines, std::string(name), std::string(value), width);
+        add_field(lines, std::string(name), meaning_of(channel, name, value), width);
       });
   array.flush();
   if (channel == Channel::kEvents) add_events(lines, bytes);
