@@ -46,13 +46,17 @@ void print_bins(const char* name, const std::array<PredictionBin, PredictionRepo
   }
 }
 
+// Of fewer, the share of 90 % says nothing.
+constexpr std::int64_t kFewest = 20;
+
 using Value = double PredictionBin::*;
 
 std::vector<Chart::Point> curve(const std::array<PredictionBin, PredictionReport::kBins>& bins,
                                 Value value) {
   std::vector<Chart::Point> points;
   for (const PredictionBin& bin : bins) {
-    if (bin.predictions > 0) points.push_back({(bin.from_s + bin.to_s) / 2, 1e3 * (bin.*value)});
+    if (bin.predictions >= kFewest)
+      points.push_back({(bin.from_s + bin.to_s) / 2, 1e3 * (bin.*value)});
   }
   return points;
 }

@@ -22,7 +22,8 @@ Axis axis_of(const Sweep& sweep) {
     largest = std::max(largest, point.value);
   }
   if (sweep.is_logarithmic) return logarithmic_axis(sweep.axis, smallest, largest);
-  return {.label = sweep.axis, .from = 0, .to = 1.04 * largest};
+  const double spare = 0.03 * largest;
+  return {.label = sweep.axis, .from = -spare, .to = largest + spare};
 }
 
 std::vector<std::string> curves_of(const Sweep& sweep) {
@@ -70,12 +71,14 @@ void write_plot(const Sweep& sweep, const std::filesystem::path& folder) {
   if (sweep.points.empty()) return;
   std::filesystem::create_directories(folder);
   const Axis axis = axis_of(sweep);
+  const std::vector<std::string> curves = curves_of(sweep);
+  constexpr std::size_t kFewCurves = 4;
   Chart chart("shots saved, %, with 95 % intervals", axis,
-              {.label = "saved, %", .to = kMostPercent}, {.width_px = 1000, .height_px = 560});
+              {.label = "saved, %", .to = kMostPercent},
+              {.width_px = curves.size() > kFewCurves ? 1400 : 1000, .height_px = 560});
   draw_limits(sweep, chart);
   chart.legend("best arm", kBlack);
   chart.legend("waits in the middle", kGrey);
-  const std::vector<std::string> curves = curves_of(sweep);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const double shift = kApart * (static_cast<double>(i) - static_cast<double>(curves.size()) / 2);
     draw_curve(sweep, axis, curves[i], shift, series_ink(i), chart);

@@ -16,9 +16,8 @@ struct Curve {
 
 Curve puck_curve(PlaySetup setup, std::int64_t more_us = 0) {
   setup.link.latency_us += more_us;
-  std::string name = "PUCK, 1 kHz";
-  if (more_us > 0) name += ", " + std::to_string(more_us / 1000) + " ms later";
-  return {name, setup};
+  if (more_us == 0) return {"PUCK", setup};
+  return {"PUCK +" + std::to_string(more_us / 1000) + " ms", setup};
 }
 
 Curve frame_curve(PlaySetup setup, int rate_hz) {
@@ -64,18 +63,18 @@ PlannedSweep plan_sweep(const std::string& name, const PlaySetup& around, double
   } else if (name == "rate") {
     plan.axis = "estimates a second, Hz";
     plan.is_logarithmic = true;
-    std::vector<Curve> curves{puck_curve(setup), puck_curve(setup, 4'000),
-                              puck_curve(setup, 20'000), puck_curve(setup, 50'000)};
-    for (Curve& curve : curves) curve.name.replace(curve.name.find(", 1 kHz"), 7, "");
-    add_points(plan, curves, {10, 20, 30, 60, 120, 200, 500, 1000, 2500, 5000},
+    add_points(plan,
+               {puck_curve(setup), puck_curve(setup, 4'000), puck_curve(setup, 20'000),
+                puck_curve(setup, 50'000)},
+               {10, 20, 30, 60, 120, 200, 500, 1000, 2500, 5000},
                [](PlaySetup& s, double hz) { s.link.rate_hz = hz; });
   } else if (name == "loss") {
     plan.axis = "estimates lost, %";
     std::vector<Curve> curves{puck_curve(setup), puck_curve(setup), puck_curve(setup),
                               frame_curve(setup, 60)};
-    curves[1].name += ", bursts of 20 ms";
+    curves[1].name += ", 20 ms bursts";
     curves[1].setup.link.burst_us = 20'000;
-    curves[2].name += ", bursts of 100 ms";
+    curves[2].name += ", 100 ms bursts";
     curves[2].setup.link.burst_us = 100'000;
     add_points(plan, curves, {0, 10, 25, 50, 75, 90, 99},
                [](PlaySetup& s, double percent) { s.link.loss_percent = percent; });
