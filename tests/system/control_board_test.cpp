@@ -1,0 +1,79 @@
+// The robot plays with a control board behind puck-arm, as with a real one, and stands still when
+// the board fails.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/io/joint_table_file.h"
+#include "common/motion/joint_table.h"
+#include "tests/support/test_board.h"
+#include "tests/system/running_game.h"
+
+namespace puck {
+namespace {
+
+const std::string kJointTable = "config/calibration/simulated_arm.toml";
+
+// Puts the joints where they are when the mallet is in the middle of the line.
+void move_to_the_middle(TestBoard& board) {
+  const JointTable table(read_joint_table_file(source_folder() / kJointTable));
+  std::array<double, JointTable::kMostJoints> deg{};
+  table.at(0, deg);
+  for (std::size_t joint = 0; joint < table.size(); ++joint) board.move_joint(joint, deg[joint]);
+}
+
+std::vector<std::string> settings_for(const TestBoard& board) {
+  return {"arm.back_end=yarp", "arm.yarp.port=" + std::to_string(board.port()),
+          "arm.joint_table=" + kJointTable, "arm.allow_unauthenticated=true"};
+}
+
+bool moves(RunningGame& game) {
+  game.take_arm_span_m();
+  return game.until([&, span_m = 0.0]() mutable {
+    game.listen(std::chrono::milliseconds(100));
+    span_m = std::max(span_m, game.take_arm_span_m());
+    return span_m > 0.02;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("A control board plays, stands still at fault when it fails, and plays after a reset") {
+  TestBoard board;
+  move_to_the_middle(board);
+  RunningGame game(new_lcm_url());
+  for (const char* name : {"puck-tracker", "puck-bridge"}) game.start(name);
+  game.start("puck-arm", settings_for(board));
+  game.start("puck-camera");
+  REQUIRE(game.until([&] { return game.plays(); }));
+  CHECK(game.arm()->back_end == "yarp");
+  CHECK(moves(game));
+  CHECK(board.set_points() > 100);
+  CHECK(board.unreadable() == 0);
+  for (const std::string& mode : board.modes()) CHECK(mode == "posd");
+
+  board.set_trouble(BoardTrouble::kStateFrozen);
+  REQUIRE(game.until([&] { return game.arm()->state == arm_state_t::STATE_FAULT; }));
+  CHECK(game.arm()->reason.find("stamp") != std::string::npos);
+  game.listen(std::chrono::milliseconds(100));
+  const std::int64_t sent = board.set_points();
+  game.listen(std::chrono::milliseconds(500));
+  CHECK(board.set_points() == sent);
+
+  // It is the operator who says that it may go on, not the board.
+  board.set_trouble(BoardTrouble::kNone);
+  REQUIRE(game.until([&] { return game.counter("puck-arm", "board_connections") > 1; }));
+  game.listen(std::chrono::milliseconds(200));
+  CHECK(game.arm()->state == arm_state_t::STATE_FAULT);
+  const std::vector<std::string> reset = {program("puck-arm"), "--lcm-url", game.url(), "--reset"};
+  CHECK(run_program(reset, {.folder = source_folder()}).exit_code == 0);
+  REQUIRE(game.until([&] { return game.arm()->state != arm_state_t::STATE_FAULT; }));
+  CHECK(moves(game));
+  CHECK(board.set_points() > sent);
+}
+
+}  // namespace puck
