@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "common/vision/contour_track.h"
@@ -45,8 +46,11 @@ class Challenger {
   /// Notes whether it convinces at this decision; since when it does without a break, µs, 0 if not.
   std::int64_t convincing_for_us(bool convinces, std::int64_t time_us);
 
+  /// A later search found it again.
+  void note_found(double search_score) { search_score_ = std::max(search_score_, search_score); }
+
   Kind kind() const { return kind_; }
-  /// SearchCandidate::score, of what the search found.
+  /// The highest SearchCandidate::score, of what the search found.
   double search_score() const { return search_score_; }
   /// Whether it is of the other opinion on the puck's side wall than the calibration.
   bool has_other_wall() const { return has_other_wall_; }

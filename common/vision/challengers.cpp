@@ -88,7 +88,8 @@ void Challengers::add_found(const SearchResult& result, const std::optional<Pixe
                             const ContourContext& context, std::int64_t time_us) {
   for (const SearchCandidate& candidate : result.candidates) {
     if (main && distance_px(candidate.position, *main) < kSame_px) continue;
-    if (is_known(candidate.position) || refuted_.contains(candidate.position, time_us)) continue;
+    if (note_known(candidate)) continue;
+    if (refuted_.contains(candidate.position, candidate.score, time_us)) continue;
     if (candidate.score > kEvidentScore) make_room();
     const double calibrated = context.contour.calibrated_wall_share();
     ContourFilter::Start start;
@@ -101,10 +102,17 @@ void Challengers::add_found(const SearchResult& result, const std::optional<Pixe
   }
 }
 
-bool Challengers::is_known(Pixel position) const {
-  return std::any_of(challengers_.begin(), challengers_.end(), [&](const Challenger& challenger) {
-    return is_found(challenger) && distance_px(position, position_of(challenger)) < 2 * kSame_px;
-  });
+bool Challengers::note_known(const SearchCandidate& candidate) {
+  bool is_known = false;
+  for (Challenger& challenger : challengers_) {
+    if (!is_found(challenger) ||
+        distance_px(candidate.position, position_of(challenger)) >= 2 * kSame_px) {
+      continue;
+    }
+    challenger.note_found(candidate.score);
+    is_known = true;
+  }
+  return is_known;
 }
 
 // What is evident must not wait until others have been tried.
@@ -149,9 +157,13 @@ const Challenger* Challengers::first(std::int64_t searched_us, std::int64_t time
 void Challengers::dismiss_hopeless(std::int64_t time_us) {
   std::erase_if(challengers_, [&](const Challenger& challenger) {
     const bool is_over = is_found(challenger) && is_hopeless(challenger, time_us);
-    if (is_over) refuted_.add(position_of(challenger), time_us);
+    if (is_over) refuted_.add(position_of(challenger), challenger.search_score(), time_us);
     return is_over;
   });
+}
+
+void Challengers::dismiss_born() {
+  std::erase_if(challengers_, [](const Challenger& challenger) { return !is_found(challenger); });
 }
 
 void Challengers::dismiss_idle(const ContourFilter& main, std::int64_t time_us) {

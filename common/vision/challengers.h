@@ -26,7 +26,7 @@ class Challengers {
            std::int64_t time_us, double wall_share, double search_score = 0);
 
   /// Adds what a search found and is neither the main track, nor known, nor refuted of late: once
-  /// for each opinion on the puck's side wall.
+  /// for each opinion on the puck's side wall. What is known is noted to have been found again.
   void add_found(const SearchResult& result, const std::optional<Pixel>& main,
                  const ContourContext& context, std::int64_t time_us);
 
@@ -42,12 +42,14 @@ class Challengers {
   /// Gives up those that are too old, or have become the same as the main track.
   void dismiss_idle(const ContourFilter& main, std::int64_t time_us);
   void clear() { challengers_.clear(); }
+  /// Gives up those that were born of the main track.
+  void dismiss_born();
 
   std::vector<Challenger>::const_iterator begin() const { return challengers_.begin(); }
   std::vector<Challenger>::const_iterator end() const { return challengers_.end(); }
 
  private:
-  bool is_known(Pixel position) const;
+  bool note_known(const SearchCandidate& candidate);
   void make_room();
 
   std::vector<Challenger> challengers_;

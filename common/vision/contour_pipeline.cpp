@@ -104,6 +104,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
                         .is_proven = trust_.is_proven(),
                         .is_resting = standing_.is_resting(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
+                        .is_faint = context_.signature.is_faint(),
                         .since_good_us = trust_.since_good_us(time_us),
                         .since_sound_us = trust_.since_sound_us(time_us)};
   if (const Challenger* successor = challengers_.successor(defence, time_us)) {
@@ -133,7 +134,13 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
     witness_.put(challenger.track().filter().position(), time_us);
   }
   main_ = challenger.track();
-  challengers_.clear();
+  // What the search found may be the puck all the same, while twins of a wrong track go on
+  // succeeding one another.
+  if (kind == Challenger::Kind::kSearch) {
+    challengers_.clear();
+  } else {
+    challengers_.dismiss_born();
+  }
 }
 
 void ContourPipeline::plan_search(std::int64_t time_us) {

@@ -175,6 +175,10 @@ void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourCo
   filter_.predict(time_us, true);
   filter_.restart(start);
   follow_contour(context);
+  // Of a puck of good contrast what little goes on around it keeps it from being taken to rest.
+  if (!context.signature.is_faint()) return;
+  evidence_ = {};
+  quality_ = shape_quality_ = strength_ = 0;
 }
 
 // A disc of one tone has one sign where it advances and the other one where it recedes.

@@ -48,7 +48,8 @@ class ContourTrack {
   /// stray events from moving it.
   void park();
 
-  /// Puts the track at rest somewhere, keeping its evidence.
+  /// Puts the track at rest somewhere. What speaks for a faint puck is of where it has been
+  /// before, and does not count any more.
   void stop_at(Pixel position, std::int64_t time_us, const ContourContext& context);
 
   const ContourFilter& filter() const { return filter_; }

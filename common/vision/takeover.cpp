@@ -90,9 +90,14 @@ bool succeeds_nearby(const Claim& claim, const Defence& main) {
   return looks.strength > 1.3 * main.looks.strength && claim.leads;
 }
 
+bool outruns_rest(const Claim& claim, const Defence& main) {
+  return main.is_faint && moves_by_itself(claim) && claim.looks.quality > 0.85 &&
+         claim.looks.strength > 40;
+}
+
 bool is_convincing(const Claim& claim, const Defence& main) {
   // Whatever makes events is stronger than a puck at rest, a mallet as well.
-  if (main.is_resting && main.is_proven) return is_evident(claim);
+  if (main.is_resting && main.is_proven) return is_evident(claim) || outruns_rest(claim, main);
   return outshines(claim, main) || outmoves(claim, main) || unmasks(claim, main) ||
          displaces_stranger(claim, main) || succeeds_nearby(claim, main);
 }

@@ -32,6 +32,7 @@ struct Defence {
   bool is_proven = false;           ///< TrackTrust's.
   bool is_resting = false;          ///< TrackStanding's.
   bool is_witnessed = false;        ///< WitnessCheck vouches for it.
+  bool is_faint = false;            ///< PuckSignature's.
   std::int64_t since_good_us = 0;   ///< TrackTrust's.
   std::int64_t since_sound_us = 0;  ///< TrackTrust's.
 };
@@ -57,7 +58,12 @@ bool displaces_stranger(const Claim& claim, const Defence& main);
 /// must look.
 bool succeeds_nearby(const Claim& claim, const Defence& main);
 
-/// Any of these five; against a puck at rest, which makes no events, that it is evident.
+/// It moves as a puck does, beyond doubt; the main track is taken to rest, and the puck is so faint
+/// that it is never evident.
+bool outruns_rest(const Claim& claim, const Defence& main);
+
+/// Any of the first five; against a puck at rest, which makes no events, that it is evident or
+/// outruns it.
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident nor

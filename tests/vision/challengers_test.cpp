@@ -74,6 +74,36 @@ TEST_CASE("What no event speaks for is refuted, and not tried again for a while"
   CHECK(test::count(challengers) == 3);
 }
 
+TEST_CASE("What looks clearly better than what was refuted there is tried at once") {
+  Challengers challengers;
+  find(challengers, {{{300, 200}, 0.5}});
+  challengers.dismiss_hopeless(10'001);
+  find(challengers, {{{300, 200}, 0.55}}, 20'000);
+  CHECK(test::count(challengers) == 0);
+  find(challengers, {{{300, 200}, 0.7}}, 20'000);
+  CHECK(test::count(challengers) == 2);
+}
+
+TEST_CASE("What is found again has the highest of its scores") {
+  Challengers challengers;
+  find(challengers, {{{300, 200}, 0.5}});
+  find(challengers, {{{301, 200}, 0.7}});
+  find(challengers, {{{300, 200}, 0.6}});
+  REQUIRE(test::count(challengers) == 2);
+  for (const Challenger& challenger : challengers) CHECK(challenger.search_score() == 0.7);
+}
+
+TEST_CASE("Those born of the main track go with it, those that were found stay") {
+  Challengers challengers;
+  find(challengers, {{{300, 200}, 0.5}});
+  challengers.add(Kind::kTwin, kContext, kStart, 0, 0);
+  challengers.add(Kind::kWitness, kContext, kStart, 0, 0);
+  challengers.add(Kind::kWall, kContext, kStart, 0, 0);
+  challengers.dismiss_born();
+  REQUIRE(test::count(challengers) == 2);
+  CHECK(challengers.begin()->kind() == Kind::kSearch);
+}
+
 TEST_CASE("What is evident takes the place of the least likely") {
   Challengers challengers;
   for (int i = 0; i < 18; ++i) find(challengers, {{{20.0 + 20 * i, 100}, 0.3 + 0.01 * i}});

@@ -39,6 +39,15 @@ TEST_CASE("A fast puck that falls silent for more than 3 ms has stopped where it
   CHECK(distance_px(followed.track.filter().position(), followed.place) < 0.5);
 }
 
+TEST_CASE("What spoke for a faint puck before it stopped does not count any more") {
+  Followed followed;
+  REQUIRE(followed.track.is_good());
+  REQUIRE(followed.context.signature.is_faint());
+  REQUIRE(followed.stops(4'000));
+  CHECK(followed.track.looks().near_events == 0);
+  CHECK_FALSE(followed.track.is_good());
+}
+
 TEST_CASE("A puck that something covers has not stopped") {
   Followed followed;
   for (int i = 0; i < 5'000; ++i) {

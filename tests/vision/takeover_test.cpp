@@ -87,6 +87,26 @@ TEST_CASE("A puck at rest gives way to what is evident only, however weak it loo
   CHECK(is_convincing(mallet, main));
 }
 
+TEST_CASE("A faint puck, which is never evident, outruns where it was taken to rest") {
+  Defence main{.is_proven = true, .is_resting = true, .is_faint = true};
+  Claim claim = kMoving;
+  claim.looks.quality = 0.86;
+  claim.looks.strength = 41;
+  CHECK(outruns_rest(claim, main));
+  CHECK(is_convincing(claim, main));
+  claim.looks.strength = 40;
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks.strength = 41;
+  claim.looks.quality = 0.85;
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks.quality = 0.86;
+  claim.looks.speed_px_s = 300;
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks.speed_px_s = 301;
+  main.is_faint = false;
+  CHECK_FALSE(is_convincing(claim, main));
+}
+
 TEST_CASE("What moves by itself takes over from what never has") {
   Defence main = kStrongMain;
   main.looks.quality = 0.85;
