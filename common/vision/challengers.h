@@ -16,9 +16,13 @@ class Challengers {
  public:
   Challengers();
 
-  /// Hands an event that was worth `main_worth` to the main track to each of them.
+  /// Hands an event that was worth `main_worth` to the main track to each of them. What the search
+  /// found must prove itself without what stands still.
   void take(const ContourEvent& event, double main_worth, const ContourContext& context) {
-    for (Challenger& challenger : challengers_) challenger.take(event, main_worth, context);
+    for (Challenger& challenger : challengers_) {
+      if (event.still && challenger.kind() == Challenger::Kind::kSearch) continue;
+      challenger.take(event, main_worth, context);
+    }
   }
 
   /// Adds one, unless there are enough of its kind.

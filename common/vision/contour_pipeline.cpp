@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/vision/candidate_order.h"
 #include "common/vision/honest_covariance.h"
 #include "common/vision/stopping.h"
 #include "common/vision/takeover.h"
@@ -13,6 +14,8 @@ namespace {
 constexpr std::int64_t kBlindAfter_us = 40'000;
 // What is known of the puck's events is learned from a track of this quality.
 constexpr double kLearnable = 0.7;
+// How far around the puck events may be its own.
+constexpr int kPuckMargin_px = 6;
 
 }  // namespace
 
@@ -27,7 +30,9 @@ ContourPipeline::ContourPipeline(SensorSize sensor, const ContourPipelineParams&
       history_(sensor),
       standing_(sensor, params.coast_us),
       search_plan_(sensor, detection_region),
-      events_needed_(Region::all_of(sensor)) {
+      background_(sensor),
+      events_needed_(Region::all_of(sensor)),
+      near_(events_needed_) {
   context_.filter.follows_size = params.ingredients.size_state;
 }
 
@@ -43,9 +48,19 @@ void ContourPipeline::take_event(const Event& event, std::int64_t time_us) {
   now_us_ = std::max(now_us_, time_us);
   const bool first = history_.is_first(event, time_us);
   if (first) search_plan_.take(event.x, event.y);
+  if (watches_background_ && !puck_.contains(event.x, event.y)) {
+    background_.take(event.x, event.y);
+  }
+  if (!near_.contains(event.x, event.y)) return;
+  const ContourEvent seen{time_us,
+                          static_cast<double>(event.x),
+                          static_cast<double>(event.y),
+                          event.polarity != 0,
+                          first,
+                          background_.is_still(event.x, event.y)};
+  // A puck of good contrast has so many events that it would only lose by leaving some out.
+  if (seen.still && context_.signature.is_faint()) return;
   if (main_) witness_.take(event.x, event.y);
-  const ContourEvent seen{time_us, static_cast<double>(event.x), static_cast<double>(event.y),
-                          event.polarity != 0, first};
   const double worth = main_ ? main_->take(seen, context_) : 0;
   challengers_.take(seen, worth, context_);
 }
@@ -58,6 +73,7 @@ void ContourPipeline::decide_before(std::int64_t time_us) {
 
 void ContourPipeline::decide(std::int64_t time_us) {
   now_us_ = std::max(now_us_, time_us);
+  if (watches_background_) background_.decide(time_us);
   if (main_) {
     judge_main(time_us);
     stop_if_silent(*main_, context_, time_us);
@@ -74,7 +90,8 @@ void ContourPipeline::decide(std::int64_t time_us) {
   }
   if (main_) {
     const TrackLooks looks = main_->looks();
-    standing_.judge(looks, witness_.agrees(looks.position, context_), trust_, time_us);
+    standing_.judge(looks, witness_.agrees(looks.position, context_), background_.is_known(),
+                    trust_, time_us);
   }
   plan_search(time_us);
   plan_events(time_us);
@@ -160,10 +177,22 @@ void ContourPipeline::plan_search(std::int64_t time_us) {
 void ContourPipeline::plan_events(std::int64_t time_us) {
   const Region image = Region::all_of(sensor_);
   const bool awaits = standing_.state() == TrackState::kLost && search_plan_.is_still(time_us);
-  if (!main_ || awaits) {
-    events_needed_ = image;
-    return;
+  // A puck of good contrast is found without it.
+  watches_background_ = context_.ingredients.background &&
+                        (!main_ || !context_.is_trusted || context_.signature.is_faint());
+  if (!watches_background_) background_.forget();
+  near_ = !main_ || awaits ? image : region_of_tracks();
+  events_needed_ = watches_background_ ? image : near_;
+  puck_ = {};
+  if (main_ && main_->is_good()) {
+    const Pixel position = main_->filter().position();
+    const PuckSize size = context_.contour.size_at(position);
+    puck_ = Region::around(position, static_cast<int>(size.width), static_cast<int>(size.height))
+                .inflated(kPuckMargin_px);
   }
+}
+
+Region ContourPipeline::region_of_tracks() const {
   double left = witness_.position().x, right = left;
   double top = witness_.position().y, bottom = top;
   double width = context_.contour.size_at(witness_.position()).width;
@@ -178,16 +207,18 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
   include(*main_);
   for (const Challenger& challenger : challengers_) include(challenger.track());
   const int margin = static_cast<int>(1.2 * width + 30);
-  events_needed_ = Region{static_cast<int>(left), static_cast<int>(top),
-                          static_cast<int>(right - left) + 1, static_cast<int>(bottom - top) + 1}
-                       .inflated(margin)
-                       .intersect(image);
+  return Region{static_cast<int>(left), static_cast<int>(top), static_cast<int>(right - left) + 1,
+                static_cast<int>(bottom - top) + 1}
+      .inflated(margin)
+      .intersect(Region::all_of(sensor_));
 }
 
 void ContourPipeline::take(const SearchResult& result) {
   search_plan_.note_answer();
   const auto main = main_ ? std::optional(main_->filter().position()) : std::nullopt;
-  challengers_.add_found(result, main, context_, now_us_);
+  found_ = result;
+  put_still_last(found_.candidates, background_, context_.contour);
+  challengers_.add_found(found_, main, context_, now_us_);
 }
 
 PuckEstimate ContourPipeline::step(const SurfaceSnapshot& snapshot) {

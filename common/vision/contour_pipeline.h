@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "common/events/sensor_size.h"
+#include "common/vision/background.h"
 #include "common/vision/challengers.h"
 #include "common/vision/contour_calibration.h"
 #include "common/vision/contour_track.h"
@@ -56,6 +57,7 @@ class ContourPipeline final : public TrackingPipeline {
   void enthrone(const Challenger& challenger, std::int64_t time_us);
   void plan_search(std::int64_t time_us);
   void plan_events(std::int64_t time_us);
+  Region region_of_tracks() const;
 
   SensorSize sensor_;
   ContourPipelineParams params_;
@@ -69,10 +71,15 @@ class ContourPipeline final : public TrackingPipeline {
   Twins twins_;
   Challengers challengers_;
   SearchPlan search_plan_;
+  SearchResult found_;
+  Background background_;
 
   std::int64_t now_us_ = 0;
   std::int64_t decided_us_ = 0;
   Region events_needed_;
+  Region near_;  // what the tracks take of it
+  bool watches_background_ = false;
+  Region puck_;  // whose events are not the background's
 };
 
 }  // namespace puck

@@ -18,6 +18,7 @@ struct ContourEvent {
   double y = 0;
   bool on = false;
   bool first = false;  ///< Its pixel has not fired with this sign of late.
+  bool still = false;  ///< It is of something that stands still while the head turns.
 };
 
 /// What is the same for all contour tracks of a tracker.

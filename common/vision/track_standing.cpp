@@ -13,13 +13,13 @@ constexpr std::int64_t kLeaving_us = 10'000;
 
 }  // namespace
 
-void TrackStanding::judge(const TrackLooks& main, bool witness_agrees, const TrackTrust& trust,
-                          std::int64_t time_us) {
+void TrackStanding::judge(const TrackLooks& main, bool witness_agrees, bool head_turns,
+                          const TrackTrust& trust, std::int64_t time_us) {
   const Pixel nearest_in_image{std::clamp(main.position.x, 0.0, sensor_.width - 1.0),
                                std::clamp(main.position.y, 0.0, sensor_.height - 1.0)};
   const bool in_image = main.position == nearest_in_image;
-  is_resting_ =
-      main.is_quiet() && trust.may_rest() && main.speed_px_s < kSlow_px_s && witness_agrees;
+  is_resting_ = main.is_quiet() && !head_turns && trust.may_rest() &&
+                main.speed_px_s < kSlow_px_s && witness_agrees;
   if (!is_resting_) moved_us_ = time_us;
   // Beside a hand or a mallet the track looks poor. That the blob agrees, and that the ring still
   // has more events than its surroundings explain, says that it is right all the same.

@@ -104,6 +104,18 @@ TEST_CASE("Those born of the main track go with it, those that were found stay")
   CHECK(challengers.begin()->kind() == Kind::kSearch);
 }
 
+TEST_CASE("What stands still speaks for nothing that was found") {
+  Challengers challengers;
+  find(challengers, {{{300, 200}, 0.5}});
+  test::MovingContour puck(kContext.contour, {300, 200}, {700, 200});
+  for (ContourEvent event : puck.events(0, 5'000)) {
+    event.still = true;
+    challengers.take(event, 0, kContext);
+  }
+  challengers.decide(5'000, kContext);
+  CHECK(challengers.begin()->track().looks().near_events == 0);
+}
+
 TEST_CASE("What is evident takes the place of the least likely") {
   Challengers challengers;
   for (int i = 0; i < 18; ++i) find(challengers, {{{20.0 + 20 * i, 100}, 0.3 + 0.01 * i}});

@@ -20,33 +20,41 @@ TrackTrust sound() {
 
 TEST_CASE("A track that has rested for more than 200 ms without a break has settled") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, sound(), 100'000);
-  standing.judge(kSilent, true, sound(), 100'500);
+  standing.judge(kGood, true, false, sound(), 100'000);
+  standing.judge(kSilent, true, false, sound(), 100'500);
   CHECK(standing.is_resting());
   CHECK_FALSE(standing.has_settled(300'000));
   CHECK(standing.has_settled(300'001));
-  standing.judge(kGood, true, sound(), 300'500);
+  standing.judge(kGood, true, false, sound(), 300'500);
   CHECK_FALSE(standing.has_settled(300'500));
+}
+
+TEST_CASE("While the head turns nothing rests, since what does makes events") {
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kGood, true, true, sound(), 100'000);
+  standing.judge(kSilent, true, true, sound(), 150'001);
+  CHECK_FALSE(standing.is_resting());
+  CHECK(standing.state() == TrackState::kLost);
 }
 
 TEST_CASE("A track without support is believed for as long as it may coast") {
   TrackStanding standing(kSensor, 50'000);
   CHECK(standing.state() == TrackState::kSearching);
-  standing.judge(kGood, true, sound(), 100'000);
+  standing.judge(kGood, true, false, sound(), 100'000);
   CHECK(standing.state() == TrackState::kTracking);
-  standing.judge(kSilent, false, sound(), 150'000);
+  standing.judge(kSilent, false, false, sound(), 150'000);
   CHECK(standing.state() == TrackState::kTracking);
-  standing.judge(kSilent, false, sound(), 150'001);
+  standing.judge(kSilent, false, false, sound(), 150'001);
   CHECK(standing.state() == TrackState::kLost);
   CHECK_FALSE(standing.left_image().has_value());
 }
 
 TEST_CASE("A slow, quiet puck that the witness sees, too, rests for ever") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, sound(), 100'000);
+  standing.judge(kGood, true, false, sound(), 100'000);
   CHECK_FALSE(standing.is_resting());
   for (std::int64_t t = 101'000; t < 400'000; t += 1'000) {
-    standing.judge(kSilent, true, sound(), t);
+    standing.judge(kSilent, true, false, sound(), t);
   }
   CHECK(standing.is_resting());
   CHECK(standing.state() == TrackState::kTracking);
@@ -55,13 +63,13 @@ TEST_CASE("A slow, quiet puck that the witness sees, too, rests for ever") {
 TEST_CASE(
     "What has never been sound does not rest, nor what is fast or has the witness against it") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kSilent, true, TrackTrust(), 100'000);
+  standing.judge(kSilent, true, false, TrackTrust(), 100'000);
   CHECK_FALSE(standing.is_resting());
-  standing.judge(kSilent, false, sound(), 100'000);
+  standing.judge(kSilent, false, false, sound(), 100'000);
   CHECK_FALSE(standing.is_resting());
   TrackLooks fast = kSilent;
   fast.speed_px_s = 60;
-  standing.judge(fast, true, sound(), 100'000);
+  standing.judge(fast, true, false, sound(), 100'000);
   CHECK_FALSE(standing.is_resting());
 }
 
@@ -74,8 +82,8 @@ TEST_CASE("A poor track that is trusted is held as long as the blob and its ring
   const auto state_after = [&](const TrackLooks& looks, bool witness_agrees,
                                const TrackTrust& trust) {
     TrackStanding standing(kSensor, 50'000);
-    standing.judge(kGood, true, trusted, 100'000);
-    standing.judge(looks, witness_agrees, trust, 200'000);
+    standing.judge(kGood, true, false, trusted, 100'000);
+    standing.judge(looks, witness_agrees, false, trust, 200'000);
     return standing.state();
   };
   CHECK(state_after(poor, true, trusted) == TrackState::kTracking);
@@ -87,7 +95,7 @@ TEST_CASE("A poor track that is trusted is held as long as the blob and its ring
 
 TEST_CASE("A lost track is not found again by resting") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kSilent, true, sound(), 200'000);
+  standing.judge(kSilent, true, false, sound(), 200'000);
   CHECK(standing.is_resting());
   CHECK(standing.state() == TrackState::kLost);
 }
@@ -96,23 +104,23 @@ TEST_CASE("What was found weakly is not followed before it has been sound") {
   TrackTrust trust;
   trust.note_found(true, 100'000);
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, trust, 100'000);
+  standing.judge(kGood, true, false, trust, 100'000);
   CHECK(standing.state() == TrackState::kLost);
   trust.judge(kGood, false, 120'001, 500);
-  standing.judge(kGood, true, trust, 120'001);
+  standing.judge(kGood, true, false, trust, 120'001);
   CHECK(standing.state() == TrackState::kTracking);
 }
 
 TEST_CASE("A puck outside the image has left after 10 ms, at the nearest pixel, until it is back") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, sound(), 100'000);
-  standing.judge(kOutside, true, sound(), 110'000);
+  standing.judge(kGood, true, false, sound(), 100'000);
+  standing.judge(kOutside, true, false, sound(), 110'000);
   CHECK(standing.state() == TrackState::kTracking);
-  standing.judge(kOutside, true, sound(), 110'001);
+  standing.judge(kOutside, true, false, sound(), 110'001);
   CHECK(standing.state() == TrackState::kLost);
   REQUIRE(standing.left_image().has_value());
   CHECK(*standing.left_image() == Pixel{639, 200});
-  standing.judge(kGood, true, sound(), 120'000);
+  standing.judge(kGood, true, false, sound(), 120'000);
   CHECK(standing.state() == TrackState::kTracking);
   CHECK_FALSE(standing.left_image().has_value());
 }

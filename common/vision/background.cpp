@@ -1,0 +1,130 @@
+#include "common/vision/background.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kPeriod_us = 1'000;
+// That of an ordinary lens, in widths of the sensor.
+constexpr double kFocal_widths = 1.1;
+// A place with so many events half counts as one that stands still.
+constexpr double kHalf = 60;
+constexpr int kIterations = 2;
+// How stiffly the turn keeps to its prediction, in squared slopes of the fit; and how much of what
+// the fit has found changes the prediction.
+constexpr double kStiffness = 4;
+constexpr double kSpeedGain = 0.04;
+// Events on the map in so many cells of the image, each so many of late: the scene moves as one.
+constexpr double kActivityMemory_us = 50'000;
+constexpr double kActive = 5;
+constexpr int kLeastActiveCells = 10;
+
+using Steps = CameraTurn::Steps;
+
+// Solves a·x = b for a symmetric positive a.
+Steps solved(std::array<Steps, 3> a, Steps b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t row = i + 1; row < 3; ++row) {
+      const double factor = a[row][i] / a[i][i];
+      for (std::size_t k = i; k < 3; ++k) a[row][k] -= factor * a[i][k];
+      b[row] -= factor * b[i];
+    }
+  }
+  for (std::size_t i = 3; i-- > 0;) {
+    for (std::size_t k = i + 1; k < 3; ++k) b[i] -= a[i][k] * b[k];
+    b[i] /= a[i][i];
+  }
+  return b;
+}
+
+}  // namespace
+
+Background::Background(SensorSize sensor)
+    : sensor_(sensor),
+      map_(sensor),
+      turn_({(sensor.width - 1) / 2.0, (sensor.height - 1) / 2.0}, kFocal_widths * sensor.width) {
+  taken_.reserve(kMostEvents);
+}
+
+void Background::forget() {
+  if (is_empty_) return;
+  map_.clear();
+  speed_ = {};
+  activity_ = {};
+  taken_.clear();
+  is_known_ = false;
+  is_empty_ = true;
+}
+
+void Background::decide(std::int64_t time_us) {
+  const std::int64_t passed_us = time_us - aligned_us_;
+  if (passed_us < kPeriod_us) return;
+  aligned_us_ = time_us;
+  is_empty_ = false;
+  align();
+  note_activity(passed_us);
+  map_.advance(time_us);
+  for (const Pixel& event : taken_) map_.add(turn_.then_of(event));
+  taken_.clear();
+  stride_ = 1 + seen_ / kMostEvents;
+  seen_ = 0;
+}
+
+// Gauss-Newton on how far the events are from lying on the map, (half / (level + half))².
+void Background::align() {
+  turn_.turn(speed_);
+  for (int i = 0; i < kIterations; ++i) {
+    std::array<Steps, 3> squares{{{kStiffness, 0, 0}, {0, kStiffness, 0}, {0, 0, kStiffness}}};
+    Steps towards{};
+    for (const Pixel& event : taken_) {
+      const Pixel then = turn_.then_of(event);
+      const FadingMap::Sample sample = map_.sample(then);
+      if (!(sample.level > 0)) continue;
+      const double residual = kHalf / (sample.level + kHalf);
+      const double slope = -residual / (sample.level + kHalf);
+      const CameraTurn::Slopes slopes = turn_.slopes_at(then);
+      Steps steps;
+      for (std::size_t k = 0; k < 3; ++k) {
+        steps[k] = slope * (sample.slope_x * slopes.x[k] + sample.slope_y * slopes.y[k]);
+      }
+      for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t k = 0; k < 3; ++k) squares[row][k] += steps[row] * steps[k];
+        towards[row] -= steps[row] * residual;
+      }
+    }
+    const Steps found = solved(squares, towards);
+    turn_.turn(found);
+    for (std::size_t k = 0; k < 3; ++k) speed_[k] += kSpeedGain * found[k];
+  }
+}
+
+void Background::note_activity(std::int64_t passed_us) {
+  const double keep = std::exp(-static_cast<double>(passed_us) / kActivityMemory_us);
+  for (double& cell : activity_) cell *= keep;
+  for (const Pixel& event : taken_) {
+    if (map_.level(turn_.then_of(event)) <= kStill) continue;
+    const int column = static_cast<int>(event.x) * kColumns / sensor_.width;
+    const int row = static_cast<int>(event.y) * kRows / sensor_.height;
+    activity_[static_cast<std::size_t>(row * kColumns + column)] += 1;
+  }
+  is_known_ = std::count_if(activity_.begin(), activity_.end(),
+                            [](double cell) { return cell > kActive; }) >= kLeastActiveCells;
+}
+
+double Background::still_share(const ContourRing& ring, Pixel centre) const {
+  if (!is_known_) return 0;
+  constexpr int kPlaces = 32;
+  int still = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kPlaces;
+    const double dy = ring.semi_y * std::sin(angle);
+    const double dx = ring.semi_x * std::cos(angle) + ring.shear * dy;
+    if (is_still(centre.x + dx, centre.y + dy - ring.rise)) ++still;
+  }
+  return static_cast<double>(still) / kPlaces;
+}
+
+}  // namespace puck

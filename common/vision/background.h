@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/events/sensor_size.h"
+#include "common/vision/camera_turn.h"
+#include "common/vision/fading_map.h"
+#include "common/vision/pixel.h"
+#include "common/vision/puck_contour.h"
+
+namespace puck {
+
+/// Tells events of what stands still in the world, while the head turns, from those of what moves.
+/// Keeps a map of where events have been and, each millisecond, finds the turn of the camera by
+/// which the new ones fit it best. What lies on the map stands still. The same events give the same
+/// answers, to the bit.
+class Background {
+ public:
+  explicit Background(SensorSize sensor);
+
+  /// Takes an event of anywhere in the image, but not of the puck's. Of too many it takes some.
+  void take(double x, double y) {
+    if (seen_++ % stride_ == 0 && taken_.size() < kMostEvents) taken_.push_back({x, y});
+  }
+
+  /// To be called at each decision.
+  void decide(std::int64_t time_us);
+
+  /// To be called before a time in which it is not told of events.
+  void forget();
+
+  /// The map is of a scene that moves as one. Otherwise nothing is known to stand still: with a
+  /// still camera only a hand might have drawn it.
+  bool is_known() const { return is_known_; }
+
+  /// Whether an event here is of something that stands still.
+  bool is_still(double x, double y) const {
+    return is_known_ && map_.level(turn_.then_of({x, y})) > kStill;
+  }
+
+  /// Share of a ring, 0 to 1, on which whatever is seen stands still.
+  double still_share(const ContourRing& ring, Pixel centre) const;
+
+ private:
+  // So many events say where the camera looks.
+  static constexpr std::size_t kMostEvents = 1'000;
+  // Of an edge that passes once, and leaves a few events at each pixel, there is less.
+  static constexpr double kStill = 15;
+  static constexpr int kColumns = 8;
+  static constexpr int kRows = 6;
+
+  void align();
+  void note_activity(std::int64_t passed_us);
+
+  SensorSize sensor_;
+  FadingMap map_;
+  CameraTurn turn_;
+  CameraTurn::Steps speed_{};  // a period
+  std::vector<Pixel> taken_;
+  std::uint64_t seen_ = 0;  // in this period
+  std::uint64_t stride_ = 1;
+  std::int64_t aligned_us_ = 0;
+  std::array<double, static_cast<std::size_t>(kColumns* kRows)> activity_{};
+  bool is_known_ = false;
+  bool is_empty_ = true;
+};
+
+}  // namespace puck

@@ -1,0 +1,71 @@
+#include "common/vision/fading_map.h"
+
+#include <algorithm>
+
+namespace puck {
+namespace {
+
+constexpr double kMemory_us = 1'500'000;
+// The unit is brought back to 1 before floats run out, which a few seconds are far from.
+constexpr double kSmallestUnit = 1e-6;
+
+}  // namespace
+
+FadingMap::FadingMap(SensorSize sensor)
+    : margin_x_(sensor.width / 4),
+      margin_y_(sensor.height / 4),
+      map_(sensor.width + 2 * margin_x_, sensor.height + 2 * margin_y_) {}
+
+void FadingMap::clear() {
+  for (int y = 0; y < map_.height(); ++y) std::fill_n(map_.row(y), map_.width(), 0.0F);
+}
+
+void FadingMap::advance(std::int64_t time_us) {
+  unit_ *= std::exp(-static_cast<double>(time_us - time_us_) / kMemory_us);
+  time_us_ = time_us;
+  if (unit_ > kSmallestUnit) return;
+  for (int y = 0; y < map_.height(); ++y) {
+    float* row = map_.row(y);
+    for (int x = 0; x < map_.width(); ++x) row[x] *= static_cast<float>(unit_);
+  }
+  unit_ = 1;
+}
+
+void FadingMap::add(Pixel place) {
+  const int x = static_cast<int>(std::lround(place.x)) + margin_x_;
+  const int y = static_cast<int>(std::lround(place.y)) + margin_y_;
+  if (!contains(x, y)) return;
+  const auto peak = static_cast<float>(1 / unit_);
+  for (int dy = -1; dy <= 1; ++dy) {
+    float* row = map_.row(y + dy) + x;
+    const float here = dy == 0 ? peak : peak / 2;
+    row[-1] += here / 2;
+    row[0] += here;
+    row[1] += here / 2;
+  }
+}
+
+FadingMap::Sample FadingMap::sample(Pixel place) const {
+  const double from_left = place.x + margin_x_;
+  const double from_top = place.y + margin_y_;
+  const int x = static_cast<int>(std::floor(from_left));
+  const int y = static_cast<int>(std::floor(from_top));
+  if (!contains(x, y)) return {};
+  const double fx = from_left - x;
+  const double fy = from_top - y;
+  const float* above = map_.row(y) + x;
+  const float* below = map_.row(y + 1) + x;
+  const double top = above[0] + fx * (above[1] - above[0]);
+  const double bottom = below[0] + fx * (below[1] - below[0]);
+  return {unit_ * (top + fy * (bottom - top)),
+          unit_ * ((1 - fy) * (above[1] - above[0]) + fy * (below[1] - below[0])),
+          unit_ * (bottom - top)};
+}
+
+double FadingMap::level(Pixel place) const {
+  const int x = static_cast<int>(std::lround(place.x)) + margin_x_;
+  const int y = static_cast<int>(std::lround(place.y)) + margin_y_;
+  return contains(x, y) ? unit_ * map_(x, y) : 0;
+}
+
+}  // namespace puck

@@ -1,0 +1,74 @@
+#include "common/vision/background.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/vision/turning_scene.h"
+
+namespace puck {
+namespace {
+
+using test::still_share_of_marks;
+using test::TurningScene;
+
+TEST_CASE("What stands still is known as such through a whole sway of the head") {
+  Background background(TurningScene::kSensor);
+  TurningScene scene;
+  scene.show(background, 300);
+  for (int i = 0; i < 9; ++i) {
+    scene.show(background, 200);
+    REQUIRE(background.is_known());
+    CHECK(still_share_of_marks(background, scene.time_us()) > 0.9);
+    CHECK_FALSE(background.is_still(140 + TurningScene::sway_px(scene.time_us()), 105));
+  }
+}
+
+TEST_CASE("What passes once does not become part of what stands still") {
+  Background background(TurningScene::kSensor);
+  TurningScene scene;
+  scene.show(background, 300);
+  // An edge of one event a pixel, at 1 px a millisecond, where there is no mark.
+  for (int i = 0; i < 60; ++i) {
+    for (int y = 95; y < 115; ++y) background.take(110 + i, y);
+    scene.show(background, 1);
+  }
+  REQUIRE(background.is_known());
+  CHECK_FALSE(background.is_still(150, 105));
+}
+
+TEST_CASE("Of a hand alone nothing is known") {
+  Background background(TurningScene::kSensor);
+  for (int i = 1; i <= 500; ++i) {
+    for (int n = 0; n < 100; ++n) background.take(100 + n % 10, 200 + n / 2);
+    background.decide(i * 1'000);
+  }
+  CHECK_FALSE(background.is_known());
+  CHECK_FALSE(background.is_still(105, 220));
+}
+
+TEST_CASE("What was forgotten has to be seen again") {
+  Background background(TurningScene::kSensor);
+  TurningScene scene;
+  scene.show(background, 300);
+  REQUIRE(background.is_known());
+  background.forget();
+  CHECK_FALSE(background.is_known());
+  CHECK(still_share_of_marks(background, scene.time_us()) == 0);
+  scene.show(background, 300);
+  CHECK(background.is_known());
+}
+
+TEST_CASE("Of too many events some are taken, which say as much") {
+  Background background(TurningScene::kSensor);
+  for (int i = 1; i <= 300; ++i) {
+    for (int n = 0; n < 20'000; ++n) {
+      const Pixel at = TurningScene::place(n % 25, n, i * 1'000);
+      background.take(std::round(at.x), std::round(at.y));
+    }
+    background.decide(i * 1'000);
+  }
+  REQUIRE(background.is_known());
+  CHECK(still_share_of_marks(background, 300'000) > 0.9);
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,38 @@
+#include "common/vision/candidate_order.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/vision/turning_scene.h"
+
+namespace puck {
+namespace {
+
+using test::TurningScene;
+
+// Its ring is of the marks' own size.
+constexpr PuckSizeModel kSizeModel{30, 0, 0, 30, 0, 0};
+
+TEST_CASE("What lies on the background comes last, in the same order otherwise") {
+  Background background(TurningScene::kSensor);
+  const PuckContour contour(TurningScene::kSensor, kSizeModel, {0, 0, 0}, true);
+  TurningScene scene;
+  scene.show(background, 300);
+  const double sway_px = TurningScene::sway_px(scene.time_us());
+  const SearchCandidate mark{{80 + sway_px, 60}, 0.9};
+  const SearchCandidate other_mark{{200 + sway_px, 150}, 0.8};
+  const SearchCandidate free{{140 + sway_px, 105}, 0.5};
+  const SearchCandidate other_free{{260 + sway_px, 105}, 0.4};
+  std::vector<SearchCandidate> candidates{mark, other_mark, free, other_free};
+  put_still_last(candidates, background, contour);
+  CHECK(candidates[0].score == free.score);
+  CHECK(candidates[1].score == other_free.score);
+  CHECK(candidates[2].score == mark.score);
+  CHECK(candidates[3].score == other_mark.score);
+
+  candidates = {mark, free};
+  put_still_last(candidates, Background(TurningScene::kSensor), contour);
+  CHECK(candidates[0].score == mark.score);
+}
+
+}  // namespace
+}  // namespace puck
