@@ -37,7 +37,7 @@ std::string text_of(double value) {
   return {text.data(), result.ptr};
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongestQuote = 60;
   return '"' + std::string(text.substr(0, kLongestQuote)) + '"';
 }
@@ -85,12 +85,12 @@ double parse_value(const std::filesystem::path& path, std::size_t line, const Cs
   if (result.ec != std::errc{} || result.ptr != text.data() + text.size() ||
       !std::isfinite(value)) {
     throw_csv_error(path, line,
-                    std::string(column.name) + " must be a number, got " + quoted(text));
+                    std::string(column.name) + " must be a number, got " + in_quotes(text));
   }
   if (value < column.lowest || value > column.highest) {
     throw_csv_error(path, line,
                     std::string(column.name) + " must be from " + text_of(column.lowest) + " to " +
-                        text_of(column.highest) + ", got " + quoted(text));
+                        text_of(column.highest) + ", got " + in_quotes(text));
   }
   return value;
 }

@@ -2,7 +2,7 @@
 
 namespace puck {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMost = 80;
   std::string result = "\"";
   for (const char c : text.substr(0, kMost)) result += c >= 0x20 && c < 0x7f ? c : '?';

@@ -14,6 +14,6 @@ class BoardError : public std::runtime_error {
 };
 
 /// In double quotes and harmless, shortened if it is long.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace puck

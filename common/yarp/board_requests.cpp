@@ -48,7 +48,7 @@ void BoardRequests::begin_modes() {
 std::optional<std::vector<std::string>> BoardRequests::modes_now(std::size_t axes) {
   const auto line = connection_.receive_now();
   if (!line) return std::nullopt;
-  if (!asked_at_) throw BoardError("it sent " + quoted(*line) + " without being asked");
+  if (!asked_at_) throw BoardError("it sent " + in_quotes(*line) + " without being asked");
   note_answer();
   return BoardAnswer(kGetModes, *line).vocabs("cmds", axes);
 }
@@ -76,8 +76,8 @@ BoardAnswer BoardRequests::ask(const std::string& request, const Waiter& waiter,
     return {request, line};
   } catch (const BoardError& error) {
     const std::string what = error.what();
-    const bool names_it = what.find(quoted(request)) != std::string::npos;
-    throw BoardError(names_it ? what : what + ", asked " + quoted(request));
+    const bool names_it = what.find(in_quotes(request)) != std::string::npos;
+    throw BoardError(names_it ? what : what + ", asked " + in_quotes(request));
   }
 }
 

@@ -113,7 +113,7 @@ void BoardSession::check_joints() {
       throw BoardError("there is no " + which + " of arm.yarp.joints among its " +
                        std::to_string(axes_));
     }
-    names_.push_back(which + " " + quoted(requests_.name(joint)));
+    names_.push_back(which + " " + in_quotes(requests_.name(joint)));
     const JointRange range = requests_.range(joint);
     const JointRange ours{params_.lowest_deg[i], params_.highest_deg[i]};
     if (ours.lowest_deg < range.lowest_deg || ours.highest_deg > range.highest_deg) {
@@ -145,7 +145,7 @@ std::string BoardSession::wrong_mode(const std::vector<std::string>& modes) cons
   for (std::size_t i = 0; i < params_.joints.size(); ++i) {
     const std::string& mode = modes[static_cast<std::size_t>(params_.joints[i])];
     if (mode == kDirect) continue;
-    return names_[i] + " is in mode " + quoted(mode) + ", not in " + quoted(kDirect);
+    return names_[i] + " is in mode " + in_quotes(mode) + ", not in " + in_quotes(kDirect);
   }
   return {};
 }

@@ -51,7 +51,7 @@ BoardStamp parse_envelope(std::string_view text) {
   std::string_view rest = is_data ? text.substr(1) : text;
   if (!is_data || !take_number(rest, stamp.count) || !take_number(rest, stamp.time_s) ||
       !rest.empty() || !std::isfinite(stamp.time_s)) {
-    throw BoardError("it sent the envelope " + quoted(text));
+    throw BoardError("it sent the envelope " + in_quotes(text));
   }
   return stamp;
 }

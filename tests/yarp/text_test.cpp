@@ -114,8 +114,8 @@ TEST_CASE("a registration of another port or at no address is refused") {
 }
 
 TEST_CASE("what a board sends cannot steer a terminal by way of an error") {
-  CHECK(quoted("a\x1b[31m\n\xff") == "\"a?[31m??\"");
-  CHECK(quoted(std::string(100, 'x')).size() < 90);
+  CHECK(in_quotes("a\x1b[31m\n\xff") == "\"a?[31m??\"");
+  CHECK(in_quotes(std::string(100, 'x')).size() < 90);
 }
 
 }  // namespace puck
