@@ -13,16 +13,13 @@
 
 #include "common/control/arm_controller.h"
 #include "tests/control/arm_bench.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/test_camera.h"
 
 namespace puck {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kSteps = 10'000;
-#else
-constexpr int kSteps = 1'000'000;
-#endif
+constexpr int kSteps = kIsSanitized ? 10'000 : 1'000'000;
 
 // Makes what the arm may meet on the bus: good messages and every kind of bad one, in bursts of
 // good and bad times so that the arm moves as well as it is disturbed.

@@ -8,16 +8,14 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/support/sanitizers.h"
+
 namespace puck {
 namespace {
 
 constexpr MotionLimits kArm{-0.3, 0.3, 1.5, 20, 2000};
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kTargets = 10'000;
-#else
-constexpr int kTargets = 1'000'000;
-#endif
+constexpr int kTargets = kIsSanitized ? 10'000 : 1'000'000;
 
 // The shortest time for a move from rest to rest within the limits, from the textbook's four cases.
 double shortest_s(double distance, const MotionLimits& limits) {

@@ -7,15 +7,12 @@
 #include <doctest/doctest.h>
 
 #include "tests/play/bridge_bench.h"
+#include "tests/support/sanitizers.h"
 
 namespace puck {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kSteps = 20'000;
-#else
-constexpr int kSteps = 500'000;
-#endif
+constexpr int kSteps = kIsSanitized ? 20'000 : 500'000;
 constexpr std::int64_t kMaxAgeUs = 100'000;
 
 // Spoils estimates in every way that a bridge must see through, or survive.

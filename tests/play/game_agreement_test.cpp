@@ -4,15 +4,12 @@
 #include <doctest/doctest.h>
 
 #include "tests/play/play_loop.h"
+#include "tests/support/sanitizers.h"
 
 namespace puck {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kGames = 1;
-#else
-constexpr int kGames = 5;
-#endif
+constexpr int kGames = kIsSanitized ? 1 : 5;
 constexpr double kSeconds = 40;
 
 struct Disagreement {

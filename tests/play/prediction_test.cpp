@@ -5,15 +5,12 @@
 #include <doctest/doctest.h>
 
 #include "tests/play/prediction_run.h"
+#include "tests/support/sanitizers.h"
 
 namespace puck {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr double kSeconds = 20;
-#else
-constexpr double kSeconds = 120;
-#endif
+constexpr double kSeconds = kIsSanitized ? 20 : 120;
 
 std::string table_of(const char* what, const std::array<PredictionBin, 10>& bins) {
   std::string text = std::string("\n") + what +

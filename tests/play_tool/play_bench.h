@@ -3,15 +3,12 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "tests/support/sanitizers.h"
 #include "tools/play/shot_series.h"
 
 namespace puck {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr int kShots = 5;
-#else
-inline constexpr int kShots = 25;
-#endif
+inline constexpr int kShots = kIsSanitized ? 5 : 25;
 
 /// Single shots as fast as the opponent can, on the project's own calibration.
 inline PlaySetup fast_shots() {

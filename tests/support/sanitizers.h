@@ -1,0 +1,16 @@
+#pragma once
+
+namespace puck {
+
+/// Whether AddressSanitizer or ThreadSanitizer watches this build: what tries much then tries less.
+/// GCC says so by macros, Clang by features.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kIsSanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool kIsSanitized =
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool kIsSanitized = false;
+#endif
+
+}  // namespace puck
