@@ -1,18 +1,19 @@
 #include "services/arm/yarp_settings.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
 
 #include <doctest/doctest.h>
 
+#include "tests/support/environment.h"
+
 namespace puck {
 namespace {
 
 // The section of the board in config/arm.toml.
 std::string yarp_section() {
-  std::ifstream file(std::string(std::getenv("PUCK_SOURCE_DIR")) + "/config/arm.toml");
+  std::ifstream file(source_folder() / "config/arm.toml");
   std::string section;
   bool is_in_it = false;
   for (std::string line; std::getline(file, line);) {

@@ -103,10 +103,8 @@ TEST_CASE("puck-calibrate table writes a homography and prints its residuals") {
 }
 
 std::string shipped(const std::string& name) {
-  const char* source = std::getenv("PUCK_SOURCE_DIR");
-  REQUIRE_MESSAGE(source != nullptr, "PUCK_SOURCE_DIR must be set");
   std::ostringstream text;
-  text << std::ifstream(fs::path(source) / "config/calibration" / name).rdbuf();
+  text << std::ifstream(source_folder() / "config/calibration" / name).rdbuf();
   return text.str();
 }
 

@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <fstream>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "common/io/joint_pairs_file.h"
 #include "common/io/joint_table_file.h"
 #include "common/motion/simulated_joints.h"
+#include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 
 namespace puck {
@@ -41,10 +41,8 @@ TEST_CASE("A joint table that was written is read back to the bit") {
 }
 
 TEST_CASE("The simulated arm's joint table is the one that is built in") {
-  const char* source = std::getenv("PUCK_SOURCE_DIR");
-  REQUIRE(source != nullptr);
   const JointTableParams params =
-      read_joint_table_file(std::string(source) + "/config/calibration/simulated_arm.toml");
+      read_joint_table_file(source_folder() / "config/calibration/simulated_arm.toml");
   CHECK(joint_table_text(params, "") == joint_table_text(simulated_joints(), ""));
 }
 

@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -7,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/child_process.h"
+#include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 
 namespace puck {
@@ -14,14 +14,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::filesystem::path kSource = std::getenv("PUCK_SOURCE_DIR");
 const std::vector<std::string> kKeys{"shots",        "saves",   "save_percent", "save_ci_low",
                                      "save_ci_high", "speed_x", "goals",        "bound_percent"};
 
 Finished play(std::vector<std::string> arguments) {
-  const std::filesystem::path bin = std::getenv("PUCK_BIN_DIR");
-  arguments.insert(arguments.begin(), bin / "puck-play");
-  return run_program(arguments, {.folder = kSource});
+  arguments.insert(arguments.begin(), program_path("puck-play"));
+  return run_program(arguments, {.folder = source_folder()});
 }
 
 TEST_CASE("puck-play writes the figures that scripts rely on") {
