@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tests/support/board_posture.h"
 #include "tests/support/test_board.h"
 
 namespace {
@@ -20,10 +21,11 @@ void print(const puck::TestBoard& board) {
   std::fflush(stdout);
 }
 
-void run(const puck::TestBoardParams& params, const std::string& trouble, double after_s,
-         double for_s) {
+void run(const puck::TestBoardParams& params, const std::string& joint_table,
+         const std::string& trouble, double after_s, double for_s) {
   using Clock = std::chrono::steady_clock;
   puck::TestBoard board(params);
+  if (!joint_table.empty()) puck::move_to_the_middle(board, joint_table);
   std::printf("board %s/%s of %zu joints, name server on 127.0.0.1:%d\n", params.robot.c_str(),
               params.part.c_str(), params.axes, board.port());
   const auto begin = Clock::now();
@@ -49,6 +51,7 @@ void run(const puck::TestBoardParams& params, const std::string& trouble, double
 int main(int argc, char** argv) {
   puck::TestBoardParams params;
   params.port = 10000;
+  std::string joint_table;
   std::string trouble = "none";
   double after_s = 5;
   double for_s = 0;
@@ -62,6 +65,9 @@ int main(int argc, char** argv) {
   app.add_option("--lowest", params.lowest_deg, "Limit of all joints, deg")->capture_default_str();
   app.add_option("--highest", params.highest_deg, "Limit of all joints, deg")
       ->capture_default_str();
+  app.add_option("--joint-table", joint_table,
+                 "File that arm.joint_table names: begin with its mallet in the middle of the line")
+      ->check(CLI::ExistingFile);
   app.add_option("--period", params.period_ms, "Of its encoders, ms")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -74,7 +80,7 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, [](int) { stopped = 1; });
   std::signal(SIGTERM, [](int) { stopped = 1; });
   try {
-    run(params, trouble, after_s, for_s);
+    run(params, joint_table, trouble, after_s, for_s);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "puck-test-board: %s\n", error.what());
     return 1;

@@ -1,15 +1,13 @@
 // The robot plays with a control board behind puck-arm, as with a real one, and stands still when
 // the board fails.
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
-#include "common/io/joint_table_file.h"
-#include "common/motion/joint_table.h"
+#include "tests/support/board_posture.h"
 #include "tests/support/test_board.h"
 #include "tests/system/running_game.h"
 
@@ -17,14 +15,6 @@ namespace puck {
 namespace {
 
 const std::string kJointTable = "config/calibration/simulated_arm.toml";
-
-// Puts the joints where they are when the mallet is in the middle of the line.
-void move_to_the_middle(TestBoard& board) {
-  const JointTable table(read_joint_table_file(source_folder() / kJointTable));
-  std::array<double, JointTable::kMostJoints> deg{};
-  table.at(0, deg);
-  for (std::size_t joint = 0; joint < table.size(); ++joint) board.move_joint(joint, deg[joint]);
-}
 
 std::vector<std::string> settings_for(const TestBoard& board) {
   return {"arm.back_end=yarp", "arm.yarp.port=" + std::to_string(board.port()),
@@ -44,7 +34,7 @@ bool moves(RunningGame& game) {
 
 TEST_CASE("A control board plays, stands still at fault when it fails, and plays after a reset") {
   TestBoard board;
-  move_to_the_middle(board);
+  move_to_the_middle(board, source_folder() / kJointTable);
   RunningGame game(new_lcm_url());
   for (const char* name : {"puck-tracker", "puck-bridge"}) game.start(name);
   game.start("puck-arm", settings_for(board));
