@@ -144,11 +144,11 @@ void JerkLimitedMotion::add(double duration_s, double jerk) {
   if (duration_s > 0) segments_[count_++] = {duration_s, mirror_ * jerk};
 }
 
-// From one velocity to another, from and to an acceleration of zero; but for its first `already_s`,
-// which are over, or, when negative, with so much more at its beginning.
-void JerkLimitedMotion::add_change(double from, double to, double already_s) {
-  const double change = std::abs(to - from);
-  const double jerk = to < from ? -limits_.jerk : limits_.jerk;
+// A change of the velocity, from and to an acceleration of zero, that begins with `jerk`; but for
+// its first `already_s`, which are over, or, when negative, with so much more at its beginning:
+// then even a change by nothing begins with it.
+void JerkLimitedMotion::add_change(double jerk, double change, double already_s) {
+  change = std::max(0.0, change);
   const double peak = peak_acceleration(change);
   add(peak / limits_.jerk - already_s, jerk);
   if (peak >= limits_.acceleration) add(change / peak - peak / limits_.jerk, 0);
@@ -194,15 +194,15 @@ void JerkLimitedMotion::plan_up(double v, double a, double d) {
   const double least = std::max(0.0, v + a * std::abs(a) / (2 * jerk));
   const double most = std::max(least, limits_.velocity);
   const double peak = root_between(least, most, missed);
-  add_change(from, peak, -up_s);
+  add_change(jerk, peak - from, -up_s);
   if (peak >= limits_.velocity) add(-missed(peak) / peak, 0);
-  add_change(peak, 0, 0);
+  add_change(-jerk, peak, 0);
 }
 
 double JerkLimitedMotion::plan_rest(double v, double a) {
   const double down_s = a / limits_.jerk;
   const double from = v + a * a / (2 * limits_.jerk);
-  add_change(from, 0, -down_s);
+  add_change(-limits_.jerk, from, -down_s);
   return down_s * (v + limits_.jerk * down_s * down_s / 3) + change_distance(from, 0);
 }
 
@@ -230,10 +230,10 @@ void JerkLimitedMotion::plan_back(double v, double a, double d) {
     return at + change_distance(from, peak) + change_distance(peak, 0) - d;
   };
   const double peak = root_between(-limits_.velocity, 0, missed);
-  add_change(from, peak, -down_s);
+  add_change(-jerk, from - peak, -down_s);
   // Too far even at the highest velocity: it cruises there.
   if (peak <= -limits_.velocity) add(missed(peak) / limits_.velocity, 0);
-  add_change(peak, 0, 0);
+  add_change(jerk, -peak, 0);
 }
 
 }  // namespace puck

@@ -83,7 +83,7 @@ class JerkLimitedMotion {
   void plan_ease(double velocity, double acceleration, double distance);
   void plan_back(double velocity, double acceleration, double distance);
   void add(double duration_s, double jerk);
-  void add_change(double from, double to, double already_s);
+  void add_change(double jerk, double change, double already_s);
   double peak_acceleration(double change) const;
   double change_time(double change) const;
   double change_distance(double from, double to) const;

@@ -226,6 +226,27 @@ TEST_CASE("No other motion with the jerk at its limits arrives sooner") {
   CHECK(tried > 2000);
 }
 
+TEST_CASE("A hold in the last of braking goes on braking, to either side") {
+  // In numbers that are exact: 1/8 s before its end the motion brakes by 1 at a speed of 1/16,
+  // which is let go to nothing.
+  constexpr MotionLimits kExact{-4, 4, 0.5, 1024, 8};
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    JerkLimitedMotion motion(kExact, 0);
+    motion.set_target(side);
+    motion.step(motion.time_left_s() - 0.125);
+    REQUIRE(motion.state().velocity == side * 0.0625);
+    REQUIRE(motion.state().acceleration == -side);
+    motion.hold();
+    CHECK(motion.time_left_s() == doctest::Approx(0.125));
+    motion.step(0.0625);
+    CHECK(motion.state().acceleration == doctest::Approx(-side / 2));
+    motion.step(0.0625);
+    CHECK(motion.state().position == doctest::Approx(side));
+    CHECK(motion.is_at_rest());
+  }
+}
+
 TEST_CASE("Over random targets and holds every limit is kept at every step") {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> place(-0.33, 0.33);
