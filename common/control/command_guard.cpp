@@ -99,12 +99,13 @@ CommandRefusal CommandGuard::judge_reset(const arm_command_t& command, const Hos
   if (!command.from_operator) return CommandRefusal::kNotOperator;
   const CommandRefusal refusal = judge_clock_and_arm(command, now, sender);
   if (refusal != CommandRefusal::kNone) return refusal;
-  // An operator's command is sent several times. A run of it resets once, so that its repetitions
-  // cannot undo a stop that comes in between.
-  if (last_reset_session_ == command.session) {
+  // An operator's command is sent several times, and there may be several operators. Each run
+  // resets once, so that its repetitions cannot undo a stop that comes in between.
+  if (std::find(used_resets_.begin(), used_resets_.end(), command.session) != used_resets_.end()) {
     return latch_ == Latch::kNone ? CommandRefusal::kNone : CommandRefusal::kReplayed;
   }
-  last_reset_session_ = command.session;
+  used_resets_[next_used_reset_] = command.session;
+  next_used_reset_ = (next_used_reset_ + 1) % used_resets_.size();
   latch_ = Latch::kNone;
   latch_reason_.clear();
   current_.reset();

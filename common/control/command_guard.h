@@ -92,7 +92,8 @@ class CommandGuard {
   bool was_ever_commanded_ = false;
   Latch latch_ = Latch::kNone;
   std::string latch_reason_;
-  std::optional<std::int64_t> last_reset_session_;
+  std::array<std::int64_t, 16> used_resets_{};  // sessions of the newest that released: a ring
+  std::size_t next_used_reset_ = 0;
   std::int64_t accepted_ = 0;
   std::int32_t faults_ = 0;
   std::array<std::int64_t, kCommandRefusals> refused_{};

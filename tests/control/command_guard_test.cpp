@@ -216,6 +216,26 @@ TEST_CASE("The repetitions of a reset cannot undo a stop that came in between") 
   CHECK(bench.guard.latch() == CommandGuard::Latch::kStopped);
 }
 
+TEST_CASE("Two operators who reset by turns undo one stop each, and not one that comes later") {
+  GuardBench bench;
+  arm_command_t stop = bench.command(0);
+  stop.mode = arm_command_t::MODE_STOP;
+  arm_command_t reset = bench.command(0);
+  reset.mode = arm_command_t::MODE_RESET;
+  reset.from_operator = true;
+  for (const std::int64_t operator_session : {5, 6}) {
+    reset.session = operator_session;
+    bench.hear(stop);
+    CHECK(bench.hear(reset) == CommandRefusal::kNone);
+  }
+  bench.hear(stop);
+  for (const std::int64_t operator_session : {5, 6, 5}) {
+    reset.session = operator_session;
+    CHECK(bench.hear(reset) == CommandRefusal::kReplayed);
+    CHECK(bench.guard.latch() == CommandGuard::Latch::kStopped);
+  }
+}
+
 TEST_CASE("A fault latches until a reset and outlasts a stop") {
   GuardBench bench;
   bench.guard.fault("encoder silent");
