@@ -87,7 +87,11 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
   const std::optional<TableView> view = view_of({estimate.sensor_us});
   const EstimateVerdict verdict =
       gate_.judge(estimate, now, sender, view ? &*view : nullptr, measurement);
-  if (verdict == EstimateVerdict::kBelated) filter_.update(measurement);
+  // One of another camera's time, or of events that come after the newest's, would not be of the
+  // past, and all that follows would be late.
+  const bool is_of_past =
+      estimate.events_session == events_session_ && estimate.sensor_us < newest_sensor_.us;
+  if (verdict == EstimateVerdict::kBelated && is_of_past) filter_.update(measurement);
   if (!is_news(verdict)) return;
   is_blind_ = !view;
   tracked_ = verdict == EstimateVerdict::kGood;

@@ -419,6 +419,31 @@ TEST_CASE("An estimate that was overtaken is used at its own time, and the track
   CHECK(swapped.covariance[10] == in_order.covariance[10]);
 }
 
+TEST_CASE("An overtaken estimate of another sensor's time, or of events to come, changes nothing") {
+  for (const bool is_other_sensor : {true, false}) {
+    CAPTURE(is_other_sensor);
+    BridgeBench bench;
+    const PuckMotion motion(TableGeometry{});
+    PuckTrack puck = puck_at(1.5, 0.1, -0.2, 0);
+    bench.play(motion, puck, 100);
+    puck_estimate_t overtaken = bench.estimate(puck.state);
+    bench.play(motion, puck, 1);
+    if (is_other_sensor) {
+      overtaken.events_session = 2;
+      overtaken.sensor_us -= 10'000;
+    } else {
+      overtaken.sensor_us += 3'000'000;
+    }
+    bench.bridge.hear(overtaken, bench.now, bench.sender);
+    CHECK(bench.bridge.gate().count(EstimateVerdict::kBelated) == 1);
+    bench.commands = 0;
+    bench.play(motion, puck, 200);
+    CHECK(bench.commands >= 50);
+    CHECK(bench.bridge.frozen() == 0);
+    CHECK(bench.bridge.jumps() == 0);
+  }
+}
+
 TEST_CASE("GAME is sent every 100 ms and on a change") {
   BridgeBench bench;
   bench.take();
