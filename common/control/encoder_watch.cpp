@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace puck {
+namespace {
+
+// No joint turns that far; squares of these, and differences within a microsecond, are far from any
+// overflow.
+constexpr double kMostTurnedDeg = 1e6;
+
+}  // namespace
 
 const char* EncoderWatch::look(const std::optional<JointReading>& reading) {
   if (!reading) return nullptr;
@@ -12,6 +19,10 @@ const char* EncoderWatch::look(const std::optional<JointReading>& reading) {
   const auto is_finite = [](double angle) { return std::isfinite(angle); };
   if (!std::all_of(deg.deg().begin(), deg.deg().end(), is_finite)) {
     return "an encoder's angle is not finite";
+  }
+  const auto can_be = [](double angle) { return std::abs(angle) <= kMostTurnedDeg; };
+  if (!std::all_of(deg.deg().begin(), deg.deg().end(), can_be)) {
+    return "an encoder's angle cannot be";
   }
   if (!newest_) {
     place_ = table_.place_of(deg.deg());

@@ -21,7 +21,7 @@ class EncoderWatch {
   void restart() { newest_.reset(); }
 
   /// What the back end gives now, which may be the same as before, or nothing. Says what is wrong
-  /// with it: other joints than the table's, or an angle that is not finite.
+  /// with it: other joints than the table's, or an angle that is not finite or cannot be.
   const char* look(const std::optional<JointReading>& reading);
 
   bool has_reading() const { return newest_.has_value(); }

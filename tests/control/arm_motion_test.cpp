@@ -177,6 +177,7 @@ TEST_CASE("Encoders that are no numbers, or of other joints, are a fault and mov
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [bad, why] :
        {std::pair{JointAngles(std::array<double, 7>{0, 0, nan, 0, 0, 0, 0}), "not finite"},
+        std::pair{JointAngles(std::array<double, 7>{1e308, -1e308, 0, 0, 0, 0, 0}), "cannot be"},
         std::pair{JointAngles(std::array<double, 3>{0, 0, 0}), "not those of the joint table"}}) {
     ScriptedArm arm(0);
     arm.bench.play(200, 0.05);
