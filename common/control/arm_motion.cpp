@@ -78,10 +78,9 @@ const char* ArmMotion::note() const {
   return "";
 }
 
-void ArmMotion::restart() {
-  phase_ = Phase::kWaiting;
-  is_silenced_ = false;
-  encoders_.restart();
+bool ArmMotion::set_points_rest() const {
+  if (phase_ == Phase::kWaiting || is_silenced_) return true;
+  return phase_ == Phase::kApproach ? approach_.is_at_rest() : line_.is_at_rest();
 }
 
 void ArmMotion::rest() {
@@ -167,6 +166,14 @@ JointAngles ArmMotion::next_set_point(std::optional<double> target_m, double dt_
 
 std::string ArmMotion::step(ArmBackEnd& back_end, std::optional<double> target_m,
                             std::int64_t monotonic_us, double dt_s) {
+  if (wants_restart_) {
+    target_m.reset();
+    if (set_points_rest()) {
+      phase_ = Phase::kWaiting;
+      wants_restart_ = is_silenced_ = false;
+      encoders_.restart();
+    }
+  }
   std::string wrong = trouble(back_end, monotonic_us);
   if (!wrong.empty()) target_m.reset();
   if (phase_ == Phase::kWaiting || is_silenced_) return wrong;

@@ -48,8 +48,9 @@ class ArmMotion {
   std::string step(ArmBackEnd& back_end, std::optional<double> target_m, std::int64_t monotonic_us,
                    double dt_s);
 
-  /// Begins anew at what the encoders say next.
-  void restart();
+  /// Begins anew at what the encoders say next; but first the set-points come to rest, should they
+  /// still be on the move.
+  void restart() { wants_restart_ = true; }
   /// No set-points were sent for so long that the arm has come to rest at the last one.
   void rest();
 
@@ -68,6 +69,7 @@ class ArmMotion {
 
   std::string trouble(ArmBackEnd& back_end, std::int64_t monotonic_us);
   std::string begin();
+  bool set_points_rest() const;
   JointAngles next_set_point(std::optional<double> target_m, double dt_s);
   JerkLimitedMotion approach_over(double distance_deg) const;
 
@@ -77,6 +79,7 @@ class ArmMotion {
   JointGuard guard_;
   Phase phase_ = Phase::kWaiting;
   bool is_silenced_ = false;  // until it is restarted
+  bool wants_restart_ = false;
   JerkLimitedMotion line_;
   // Straight through the joints, from where they were to the line; in deg of the joint that has
   // furthest to go.

@@ -152,6 +152,29 @@ TEST_CASE("A joint that does not follow is a fault: the set-points come to rest,
   CHECK(arm.bench.arm.position_m() == doctest::Approx(0.3));
 }
 
+TEST_CASE(
+    "A reset while the set-points still brake lets them come to rest before they begin anew") {
+  ScriptedArm arm(-0.3);
+  arm.bench.play(200, 0.3);
+  REQUIRE(arm.bench.arm.motion().line().state().velocity > 1);
+  // For a moment an encoder is wrong.
+  (*arm.script.at)[2] += 11;
+  arm.bench.play(1, 0.3);
+  REQUIRE(arm.is_faulty());
+  arm.bench.operate(arm_command_t::MODE_RESET);
+  arm.bench.play(10, 0.3);
+  CHECK(!arm.is_faulty());
+  CHECK(!arm.bench.stands());
+  arm.bench.play(600, 0.3);
+  CHECK(arm.bench.arm.position_m() == doctest::Approx(0.3));
+  // 1.5 m/s are 73 deg/s of joint 0: nowhere does it change by more than its 3500 deg/s^2 allow.
+  for (std::size_t i = 2; i < arm.script.sent.size(); ++i) {
+    const double change =
+        arm.script.sent[i][0] - 2 * arm.script.sent[i - 1][0] + arm.script.sent[i - 2][0];
+    REQUIRE(std::abs(change) <= 3500 * 0.001 * 0.001 * (1 + 1e-6));
+  }
+}
+
 TEST_CASE("Encoders that fall silent, or whose stamp stands still, are a fault after 100 ms") {
   for (const bool stamp_stands : {false, true}) {
     CAPTURE(stamp_stands);
