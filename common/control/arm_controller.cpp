@@ -52,12 +52,13 @@ void ArmController::hear(const puck_estimate_t& estimate, const HostNow& now,
   const TrackWatch::Verdict verdict = track_.hear(estimate, now, sender);
   ++estimates_[static_cast<std::size_t>(verdict)];
   if (params_.mode != ArmMode::kFollow || verdict != TrackWatch::Verdict::kUsed) return;
+  // A puck that was not seen for a moment is still where it can have come to.
   const puck_estimate_t* track = track_.alive(now.monotonic_us);
-  if (track == nullptr) return jumps_.lose();
+  if (track == nullptr) return;
   const std::optional<TablePoint> point = place_of(*track);
   if (!point) {
     ++off_table_;
-    return jumps_.lose();
+    return;
   }
   jumps_.see(*point, track->sensor_us, now.monotonic_us);
 }

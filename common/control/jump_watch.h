@@ -20,9 +20,6 @@ class JumpWatch {
   explicit JumpWatch(const JumpWatchParams& params) : params_(params) {}
 
   void see(const TablePoint& place, std::int64_t sensor_us, std::int64_t monotonic_us);
-  /// The puck is not seen: wherever it is seen next is no jump.
-  void lose() { last_.reset(); }
-
   /// Nothing has jumped for a while.
   bool is_believed(std::int64_t monotonic_us) const {
     return !jumped_us_ || monotonic_us - *jumped_us_ >= params_.believed_after_us;

@@ -71,6 +71,29 @@ TEST_CASE("A puck and its mirror image by turns move nothing") {
   CHECK(bench.arm.jumped_estimates() > 190);
 }
 
+TEST_CASE("Nor does it help a mirror image that the puck is lost, or off the table, in between") {
+  for (const bool is_lost : {true, false}) {
+    CAPTURE(is_lost);
+    FollowBench bench;
+    for (int i = 0; i < 200; ++i) bench.see(TablePoint{1, 0.1});
+    const double before_m = bench.arm.motion().line().state().position;
+    for (int i = 0; i < 1000; ++i) {
+      if (i % 10 != 0) {
+        bench.see(TablePoint{1, i % 20 < 10 ? -0.1 : 0.1});
+      } else if (is_lost) {
+        puck_estimate_t lost = bench.estimate();
+        lost.state = puck_estimate_t::STATE_LOST;
+        bench.arm.hear(lost, bench.now, bench.sender);
+        bench.run(1);
+      } else {
+        bench.see(TablePoint{1, 0.9});
+      }
+    }
+    CHECK(bench.arm.motion().line().state().position == doctest::Approx(before_m).epsilon(0.05));
+    CHECK(bench.arm.jumped_estimates() > 90);
+  }
+}
+
 TEST_CASE("Pucks off the table, or nowhere, are counted and move nothing") {
   FollowBench bench;
   for (int i = 0; i < 100; ++i) bench.see(TablePoint{1, 0.9});
