@@ -14,6 +14,8 @@ namespace {
 
 // Slower than this, and its set-point at rest, the arm counts as holding.
 constexpr double kStillMS = 0.005;
+// Which latch, and why, its guard knows; and a reset may come before the next step.
+constexpr const char* kLatched = "not reset yet";
 
 CommandGuardParams guard_params(const ArmControllerParams& params) {
   CommandGuardParams guard = params.guard;
@@ -121,7 +123,7 @@ ArmController::Order ArmController::decide_to_follow(const puck_estimate_t* trac
 ArmController::Order ArmController::decide(const HostNow& now) const {
   if (guard_.latch() != CommandGuard::Latch::kNone) {
     Order order;
-    order.reason = guard_.latch_reason();
+    order.reason = kLatched;
     return order;
   }
   const puck_estimate_t* track = track_.alive(now.monotonic_us);
@@ -157,7 +159,7 @@ void ArmController::step(const HostNow& now, double dt_s) {
   guard_.fault(wrong);
   was_faulty_ = true;
   order_ = {};
-  order_.reason = guard_.latch_reason();
+  order_.reason = kLatched;
 }
 
 arm_state_t ArmController::state() const {

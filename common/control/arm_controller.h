@@ -90,7 +90,7 @@ class ArmController {
   // What the arm is to do now, and what that rests on.
   struct Order {
     std::optional<double> target_m;  // nothing: stand still
-    std::string_view reason;         // why it stands still: outlives a step
+    std::string_view reason;         // why it stands still: a literal
     std::int64_t command_session = 0;
     std::int64_t command_seq = 0;
     std::int64_t estimate_session = 0;

@@ -182,6 +182,17 @@ TEST_CASE("A stop brakes, stays through good commands, and ends with an operator
   CHECK(bench.arm.position_m() == doctest::Approx(-0.3).epsilon(0.01));
 }
 
+TEST_CASE("Between a reset and the next step the arm says what is so, and nothing of the latch") {
+  ArmBench bench;
+  bench.operate(arm_command_t::MODE_STOP);
+  bench.run(1);
+  CHECK(bench.arm.state().reason == "stopped by an operator");
+  bench.operate(arm_command_t::MODE_RESET);
+  CHECK(bench.arm.state().reason == "not reset yet");
+  bench.run(1);
+  CHECK(bench.arm.state().reason == "nothing asked yet");
+}
+
 TEST_CASE("The time from an estimate's publication to the set-point it led to is measured") {
   ArmBench bench;
   bench.arm.hear(bench.estimate(), bench.now, bench.sender);
