@@ -151,19 +151,23 @@ TEST_CASE("Sensor time that runs ahead of the clock, or to and fro, is never tru
 }
 
 TEST_CASE("An estimate of events to come, or one that is sure of nothing, is implausible") {
-  const std::vector<std::pair<const char*, std::function<void(puck_estimate_t&)>>> spoils{
+  struct Spoil {
+    const char* name;
+    std::function<void(puck_estimate_t&)> spoil;
+  };
+  const std::vector<Spoil> spoils{
       {"events to come", [](auto& e) { e.event_utime += 200'000; }},
       {"the last of all times",
        [](auto& e) { e.event_utime = std::numeric_limits<std::int64_t>::max(); }},
       {"unsure of the place", [](auto& e) { e.covariance[0] = 1e9; }},
       {"beyond numbers", [](auto& e) { e.covariance[5] = 1e308; }},
   };
-  for (const auto& [name, spoil] : spoils) {
-    CAPTURE(name);
+  for (const Spoil& spoilt : spoils) {
+    CAPTURE(spoilt.name);
     BridgeBench bench;
     PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
     commands_of(bench, puck, 50);
-    CHECK(commands_of(bench, puck, 100, [&](puck_estimate_t& e, int) { spoil(e); }) == 0);
+    CHECK(commands_of(bench, puck, 100, [&](puck_estimate_t& e, int) { spoilt.spoil(e); }) == 0);
     CHECK(bench.bridge.gate().count(EstimateVerdict::kImplausible) == 100);
   }
 }
