@@ -93,6 +93,7 @@ TEST_CASE("An arm without limits that hears at once saves nearly all, and the bo
   setup.arm.arm = {.max_speed_m_s = 20, .max_acceleration_m_s2 = 1000, .max_jerk_m_s3 = 1e6};
   setup.link.latency_us = 0;
   setup.errors.loss_share = 0;
+  setup.errors.notice_us = 0;
   const auto shots = find_shots(setup, 1, kShots, 2);
   for (const ShotFacts& facts : shots) CHECK(facts.is_reachable);
   CHECK(saves_of(play_shots(setup, shots, 2)) >= kShots - 1 - kShots / 20);
