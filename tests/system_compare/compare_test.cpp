@@ -71,14 +71,14 @@ TEST_CASE("the comparison runs every tracker on every set, and a second time fro
     }
   }
   CHECK(json["sets"]["moving"]["contestants"]["particle-filter"]["mean_px"].is_number());
-  for (const auto& [contestant, runs] : json.at("latency").items()) {
-    CAPTURE(contestant);
-    CHECK(runs.at(0).at("latency_p50_us").is_number());
+  for (const auto& contestant : json.at("latency").items()) {
+    CAPTURE(contestant.key());
+    CHECK(contestant.value().at(0).at("latency_p50_us").is_number());
   }
   REQUIRE(json.at("ablation").size() > 3);
-  for (const auto& [ingredient, sets] : json["ablation"].items()) {
-    CAPTURE(ingredient);
-    CHECK(sets.size() == 4);
+  for (const auto& ingredient : json["ablation"].items()) {
+    CAPTURE(ingredient.key());
+    CHECK(ingredient.value().size() == 4);
   }
 
   // What a look at any two seconds shows: ours is finer than the blob and never loses an easy puck.
