@@ -34,6 +34,11 @@ struct StatusLatency {
 struct StatusReport {
   std::vector<std::pair<std::string, std::int64_t>> counters;  ///< Since the start.
   std::vector<StatusLatency> latencies;
+
+  /// Of what is rare: STATUS of a healthy service shall fit one frame.
+  void add_unless_zero(const std::string& name, std::int64_t value) {
+    if (value != 0) counters.emplace_back(name, value);
+  }
 };
 
 /// Publishes the STATUS of a service every 100 ms and at once when its state changes, and answers

@@ -168,21 +168,21 @@ void ArmService::report(StatusReport& report) const {
       {"commands_accepted", controller_.guard().accepted()},
       {"commands_refused", controller_.guard().refused()},
       {"estimates_used", controller_.estimates(Verdict::kUsed)},
-      {"estimates_late", controller_.estimates(Verdict::kLate)},
-      {"estimates_of_others", controller_.estimates(Verdict::kOtherPublisher)},
-      {"estimates_wrong_clock", controller_.estimates(Verdict::kClock)},
-      {"estimates_clock_unknown", controller_.estimates(Verdict::kClockUnknown)},
-      {"estimates_malformed", controller_.estimates(Verdict::kMalformed)},
-      {"estimates_frozen", controller_.frozen_estimates()},
-      {"estimates_off_table", controller_.off_table_estimates()},
-      {"estimates_jumped", controller_.jumped_estimates()},
       {"faults", controller_.guard().faults()},
-      {"pauses", pauses_},
-      {"time_skipped_us", time_skipped_us_},
   };
+  report.add_unless_zero("estimates_late", controller_.estimates(Verdict::kLate));
+  report.add_unless_zero("estimates_of_others", controller_.estimates(Verdict::kOtherPublisher));
+  report.add_unless_zero("estimates_wrong_clock", controller_.estimates(Verdict::kClock));
+  report.add_unless_zero("estimates_clock_unknown", controller_.estimates(Verdict::kClockUnknown));
+  report.add_unless_zero("estimates_malformed", controller_.estimates(Verdict::kMalformed));
+  report.add_unless_zero("estimates_frozen", controller_.frozen_estimates());
+  report.add_unless_zero("estimates_off_table", controller_.off_table_estimates());
+  report.add_unless_zero("estimates_jumped", controller_.jumped_estimates());
+  report.add_unless_zero("pauses", pauses_);
+  report.add_unless_zero("time_skipped_us", time_skipped_us_);
   for (const CommandRefusal refusal : kRefusals) {
-    report.counters.emplace_back(std::string("refused_") + to_string(refusal),
-                                 controller_.guard().refused(refusal));
+    report.add_unless_zero(std::string("refused_") + to_string(refusal),
+                           controller_.guard().refused(refusal));
   }
   for (auto& counter : controller_.back_end().counters(host_monotonic_us())) {
     report.counters.push_back(std::move(counter));

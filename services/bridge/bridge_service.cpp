@@ -184,18 +184,18 @@ void BridgeService::report(StatusReport& report) const {
       {"estimates_outliers", bridge_.outliers()},
       {"track_hits", bridge_.hits()},
       {"track_jumps", bridge_.jumps()},
-      {"estimates_frozen", bridge_.frozen()},
       {"estimates_untrusted", bridge_.untrusted()},
-      {"track_leaps", bridge_.probation().leaps()},
-      {"track_contradictions", bridge_.probation().contradictions()},
       {"commands_sent", bridge_.commands()},
       {"shots", bridge_.game().shots},
       {"saves", bridge_.game().saves},
       {"goals_against", bridge_.game().goals_against},
   };
+  report.add_unless_zero("estimates_frozen", bridge_.frozen());
+  report.add_unless_zero("track_leaps", bridge_.probation().leaps());
+  report.add_unless_zero("track_contradictions", bridge_.probation().contradictions());
   for (const EstimateVerdict verdict : kSuspicious) {
-    report.counters.emplace_back(std::string("estimates_") + to_string(verdict),
-                                 bridge_.gate().count(verdict));
+    report.add_unless_zero(std::string("estimates_") + to_string(verdict),
+                           bridge_.gate().count(verdict));
   }
   const LatencySummary latency = estimate_to_command_.summary();
   report.latencies = {

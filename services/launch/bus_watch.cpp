@@ -68,21 +68,17 @@ void BusWatch::report(StatusReport& report) const {
   const auto add = [&](const char* name, std::int64_t value) {
     report.counters.emplace_back(name, value);
   };
-  // STATUS of a healthy service shall fit one frame.
-  const auto add_unless_zero = [&](const char* name, std::int64_t value) {
-    if (value != 0) add(name, value);
-  };
   add("messages_received", sum.arrivals.received);
   add("messages_lost", sum.arrivals.lost);
   add("messages_late", sum.arrivals.late);
   add("messages_rejected", sum.rejected);
   add("handler_failures", sum.handler_failures);
   add("publish_failures", sum.publish_failures);
-  add_unless_zero("messages_duplicate", sum.arrivals.duplicates);
-  add_unless_zero("messages_oversize", sum.oversize);
-  add_unless_zero("messages_unauthenticated", sum.unauthenticated);
-  add_unless_zero("messages_foreign", network.foreign);
-  add_unless_zero("network_rejoined", network.rejoined);
+  report.add_unless_zero("messages_duplicate", sum.arrivals.duplicates);
+  report.add_unless_zero("messages_oversize", sum.oversize);
+  report.add_unless_zero("messages_unauthenticated", sum.unauthenticated);
+  report.add_unless_zero("messages_foreign", network.foreign);
+  report.add_unless_zero("network_rejoined", network.rejoined);
 }
 
 void BusWatch::report_channel(Channel channel, const ChannelCounters& counters,

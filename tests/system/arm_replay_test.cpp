@@ -64,7 +64,7 @@ TEST_CASE(
   game.start("puck-tracker");
   game.start("puck-bridge");
   REQUIRE(game.until([&] {
-    return game.counter("puck-arm", "refused_clock_unknown") >= 0 &&
+    return game.counter("puck-arm", "commands_refused") >= 0 &&
            game.state_text("puck-tracker").find("for events") != std::string::npos;
   }));
   game.listen(std::chrono::seconds(1));

@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include "common/messaging/event_packing.h"
+#include "common/messaging/message_codec.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/system/system_bench.h"
 
@@ -23,6 +25,29 @@ std::vector<std::string> settings_for(const std::string& service, const Temporar
 }
 
 }  // namespace
+
+TEST_CASE("the STATUS of each service fits one frame in a game") {
+  const TemporaryFolder folder;
+  const std::string url = new_lcm_url();
+  BusListener bus(url);
+  std::vector<std::unique_ptr<ChildProcess>> services;
+  for (const std::string& service : kServices) {
+    std::vector<std::string> settings;
+    if (service == "puck-logger") settings = settings_for(service, folder);
+    services.push_back(
+        std::unique_ptr<ChildProcess>(new ChildProcess(start_service(service, url, settings))));
+  }
+  REQUIRE(bus.hears(kServices));
+  REQUIRE(bus.until([&] { return bus.counter("puck-arm", "commands_accepted") > 50; }));
+  std::vector<std::uint8_t> bytes;
+  for (const std::string& service : kServices) {
+    service_status_t status = *bus.status(service);
+    encode(status, bytes);
+    const std::size_t header = 8 + std::string("ABCDEFGHIJKLMNOP_PUCK_STATUS").size() + 1;
+    std::printf("STATUS of %s: %zu bytes\n", service.c_str(), header + bytes.size());
+    CHECK_MESSAGE(header + bytes.size() <= EventPackerParams::kOneFrame, service);
+  }
+}
 
 TEST_CASE("--check says 1 for a service that does not run") {
   const std::string url = new_lcm_url();
