@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <system_error>
 
 #include "common/messaging/event_packing.h"
 #include "common/messaging/message_fields.h"
@@ -69,8 +70,11 @@ std::string meaning_of(Channel channel, std::string_view name, std::string_view 
   const auto field = std::find_if(fields.begin(), fields.end(),
                                   [&](const WireField& known) { return known.name == name; });
   std::size_t place = 0;
-  std::from_chars(value.data(), value.data() + value.size(), place);
-  if (field == fields.end() || place >= field->meanings.size()) return std::string(value);
+  const bool is_whole =
+      std::from_chars(value.data(), value.data() + value.size(), place).ec == std::errc();
+  if (!is_whole || field == fields.end() || place >= field->meanings.size()) {
+    return std::string(value);
+  }
   return std::string(field->meanings[place]);
 }
 
