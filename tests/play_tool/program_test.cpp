@@ -64,6 +64,8 @@ TEST_CASE("puck-play refuses what it cannot do") {
   CHECK(play({"--shots", "0"}).exit_code == 2);
   CHECK(play({"--shots", "3", "--seconds", "3"}).exit_code == 2);
   CHECK(play({"--sweep", "size"}).exit_code == 2);
+  CHECK(play({"--shots", "1", "--moving"}).exit_code == 2);
+  CHECK(play({"--shots", "1", "--moving", "--source", "truth"}).exit_code == 2);
   CHECK(play({"--max-speed", "nan"}).exit_code == 2);
   const Finished no_log = play({"--log", "/nowhere/game.lcm"});
   CHECK(no_log.exit_code == 1);

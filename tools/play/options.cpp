@@ -43,7 +43,8 @@ void add_options(CLI::App& app, PlayOptions& options) {
       ->check(number_range(1, 2000))
       ->excludes(source)
       ->excludes(sweep);
-  app.add_flag("--moving", options.moving, "the camera's head turns; with events")->needs(source);
+  app.add_flag("--moving", options.moving, "the camera's head turns; with --source events")
+      ->needs(source);
   app.add_option("--seed", options.seed, "the same seed plays the same game, to the bit")
       ->check(number_range(0, 100'000))
       ->capture_default_str();
@@ -55,21 +56,29 @@ void add_options(CLI::App& app, PlayOptions& options) {
                   ->needs(shots)
                   ->excludes(source)
                   ->excludes(sweep);
-  app.add_flag("--predictions", options.predictions,
-               "also score how well the crossings are predicted, by the time to go")
-      ->needs(shots)
-      ->excludes(sweep)
-      ->excludes(fit);
+  auto* predictions =
+      app.add_flag("--predictions", options.predictions,
+                   "also score how well the crossings are predicted, by the time to go")
+          ->needs(shots)
+          ->excludes(sweep)
+          ->excludes(fit);
   app.add_option("--log", options.log, "only say what happened in this log of a game")
       ->excludes(seconds)
       ->excludes(shots)
       ->excludes(sweep)
-      ->excludes(fit);
+      ->excludes(fit)
+      ->excludes(predictions);
   app.add_option("--calibration", options.calibration,
                  "folder with simulated_size.toml and simulated_table.toml")
       ->capture_default_str();
   app.add_option("--json", options.json, "write the figures here");
   app.add_option("--plots", options.plots, "write plots into this folder");
+  app.callback([&options] {
+    if (options.moving && options.source != "events") {
+      throw CLI::ValidationError(
+          "--moving needs --source events: the truth is seen by a camera at rest");
+    }
+  });
 }
 
 }  // namespace puck

@@ -10,9 +10,9 @@ namespace puck {
 
 /// What the command line says.
 struct PlayOptions {
-  double seconds = 0;
-  int shots = 0;
-  double max_speed_m_s = 0;
+  double seconds = 0;        ///< Of a whole game; 0: not told.
+  int shots = 0;             ///< 0: not told.
+  double max_speed_m_s = 0;  ///< 0: not told.
   std::string source = "truth";
   std::string sweep;
   std::filesystem::path log;
@@ -23,12 +23,12 @@ struct PlayOptions {
   std::filesystem::path plots;
   std::int64_t seed = 1;
   bool moving = false;
-  int jobs = 0;
+  int jobs = 0;  ///< 0: one a core.
   double latency_ms = 1;
   double rate_hz = 1000;
   double loss_percent = 0;
   double burst_ms = 0;
-  double frames_hz = 0;
+  double frames_hz = 0;  ///< 0: PUCK instead of a camera.
 };
 
 /// `options` must outlive the parsing.

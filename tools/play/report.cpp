@@ -94,9 +94,9 @@ void write_json(const SaveFigures& figures, const std::filesystem::path& path) {
 }
 
 void print(const Sweep& sweep) {
-  std::printf("  %-28s %10s %6s   %s\n", "curve", sweep.axis.c_str(), "bound %", "saved");
+  std::printf("  %-28s %22s %8s    %s\n", "curve", sweep.axis.c_str(), "bound %", "saved");
   for (const SweepPoint& point : sweep.points) {
-    std::printf("  %-28s %10g %6.1f    %s\n", point.curve.c_str(), point.value,
+    std::printf("  %-28s %22g %8.1f    %s\n", point.curve.c_str(), point.value,
                 point.figures.bound_percent().value_or(0),
                 percent_of(point.figures.saves, point.figures.shots).c_str());
   }

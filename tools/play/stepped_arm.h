@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "common/control/arm_controller.h"
+#include "common/events/timestamp.h"
 #include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 
