@@ -34,6 +34,20 @@ constexpr std::array<const char*, 3> kCameraKeys{"camera.focal_px", "camera.prin
                                                  "camera.principal_y_px"};
 constexpr const char* kPivotKey = "camera.pivot_m";
 
+struct Constant {
+  const char* key = nullptr;
+  double MotionConstants::*member = nullptr;
+  double highest = 1;
+};
+
+constexpr std::array<Constant, 3> kConstants{{
+    {"motion.damping_per_s", &MotionConstants::damping_per_s, 100},
+    {"motion.rail_restitution", &MotionConstants::rail_restitution},
+    {"motion.rail_grip", &MotionConstants::rail_grip},
+}};
+
+std::string_view last_part(std::string_view key) { return key.substr(key.find('.') + 1); }
+
 std::optional<PinholeCamera> read_camera(Config& config) {
   const auto is_set = [&](const char* key) { return config.has(key); };
   if (!config.has(kPivotKey) && std::none_of(kCameraKeys.begin(), kCameraKeys.end(), is_set)) {
@@ -48,6 +62,17 @@ std::optional<PinholeCamera> read_camera(Config& config) {
   config.read(kCameraKeys[2], camera.principal_point.y, -100'000, 100'000);
   config.read(kPivotKey, camera.pivot_m, -kLongest, kLongest);
   return camera;
+}
+
+std::optional<MotionConstants> read_motion(Config& config) {
+  const auto is_set = [&](const Constant& constant) { return config.has(constant.key); };
+  if (std::none_of(kConstants.begin(), kConstants.end(), is_set)) return std::nullopt;
+  MotionConstants motion;
+  for (const Constant& constant : kConstants) {
+    if (!is_set(constant)) config.fail(constant.key, "is missing: [motion] needs it");
+    config.read(constant.key, motion.*constant.member, 0, constant.highest);
+  }
+  return motion;
 }
 
 template <std::size_t N>
@@ -87,8 +112,10 @@ TableCalibration read_table_file(const std::filesystem::path& path) {
   const std::optional<PinholeCamera> camera = read_camera(config);
   config.reject_unknown_in("table");
   config.reject_unknown_in("camera");
+  const std::optional<MotionConstants> motion = read_motion(config);
+  config.reject_unknown_in("motion");
   try {
-    return {Homography(coefficients), geometry, camera};
+    return {Homography(coefficients), geometry, camera, motion};
   } catch (const std::invalid_argument& error) {
     config.fail(kHomographyKey, std::string("cannot be used: ") + error.what());
   }
@@ -101,11 +128,24 @@ std::string table_text(const TableCalibration& calibration, std::string_view pro
       "plane in which\n# the puck's centre moves.\ntable_from_image = " +
       toml_list(calibration.table_from_image.table_from_image()) + "\n";
   for (const Length& length : kLengths) {
-    const std::string_view key(length.key);
-    text += std::string(key.substr(key.find('.') + 1)) + " = " +
+    text += std::string(last_part(length.key)) + " = " +
             toml_number(calibration.geometry.*length.member) + "\n";
   }
   if (calibration.camera) text += camera_text(*calibration.camera);
+  if (calibration.motion) text += motion_text(*calibration.motion, {});
+  return text;
+}
+
+std::string motion_text(const MotionConstants& motion, std::string_view provenance) {
+  std::string text = toml_comment(provenance) +
+                     "# How the puck glides and bounces: the part of its speed that it loses a "
+                     "second, 1/s, and the\n"
+                     "# parts of the speed across and along a rail that it keeps in a bounce.\n"
+                     "[motion]\n";
+  for (const Constant& constant : kConstants) {
+    text +=
+        std::string(last_part(constant.key)) + " = " + toml_number(motion.*constant.member) + "\n";
+  }
   return text;
 }
 

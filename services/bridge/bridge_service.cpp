@@ -57,6 +57,7 @@ BridgeServiceParams BridgeService::read_params(Config& config) {
   config.read("bridge.table", table_file);
   BridgeServiceParams params{read_table_file(table_file), {}};
   PlayBridgeParams& play = params.play;
+  if (params.table.motion) play.motion = with_constants(play.motion, *params.table.motion);
   config.read("bridge.command_hz", play.command_hz, 20, 1000);
   play.valid_for_us = read_ms(config, "bridge.valid_for_ms", play.valid_for_us, 1, 100);
   config.read("bridge.max_trajectory_hz", play.max_trajectory_hz, 1, 10'000);

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -90,11 +92,43 @@ TEST_CASE("Bridge settings that cannot be are refused by name, a missing table b
   std::filesystem::remove(table);
 }
 
+// The file with those keys set that it leaves to the table.
+std::string bridge_toml_in_full() {
+  std::ostringstream text;
+  text << std::ifstream(source_folder() / "config/bridge.toml").rdbuf();
+  const std::regex left_to_the_table("(^|\n)# (\\w+ = [0-9.]+)(?=\n)");
+  return std::regex_replace(text.str(), left_to_the_table, "$1$2");
+}
+
+TEST_CASE(
+    "How the puck moves is as the bridge's file says, else as the table's, else as elsewhere") {
+  const std::filesystem::path table =
+      std::filesystem::temp_directory_path() / ("puck_moves_" + std::to_string(getpid()));
+  const auto motion_with = [&](const std::string& assignment) {
+    Config config = Config::from_file(source_folder() / "config/bridge.toml");
+    config.override_with("bridge.table=" + table.string());
+    if (!assignment.empty()) config.override_with(assignment);
+    return BridgeService::read_params(config).play.motion;
+  };
+  write_table_file(table, {test_camera(), {}}, "test");
+  CHECK(motion_with("").damping_per_s == PuckMotionParams{}.damping_per_s);
+  CHECK(motion_with("").rail_grip == PuckMotionParams{}.rail_grip);
+  write_table_file(table, {test_camera(), {}, std::nullopt, MotionConstants{0.1, 0.9, 0.95}},
+                   "test");
+  CHECK(motion_with("").damping_per_s == 0.1);
+  CHECK(motion_with("").rail_restitution == 0.9);
+  CHECK(motion_with("").rail_grip == 0.95);
+  CHECK(motion_with("").bounce_spread == PuckMotionParams{}.bounce_spread);
+  CHECK(motion_with("motion.rail_grip=0.7").rail_grip == 0.7);
+  CHECK(motion_with("motion.rail_grip=0.7").rail_restitution == 0.9);
+  std::filesystem::remove(table);
+}
+
 TEST_CASE("config/bridge.toml holds every key with its default") {
   const std::filesystem::path table =
       std::filesystem::temp_directory_path() / ("puck_bridge_" + std::to_string(getpid()));
   write_table_file(table, {test_camera(), {}}, "test");
-  Config from_file = Config::from_file(source_folder() / "config/bridge.toml");
+  Config from_file = Config::from_text(bridge_toml_in_full(), "bridge.toml");
   Config defaults;
   from_file.override_with("bridge.table=" + table.string());
   defaults.override_with("bridge.table=" + table.string());

@@ -132,6 +132,32 @@ TEST_CASE("a table's camera reads back as it was written; half a camera is refus
   CHECK(contains(refusal(whole + "pivot = [0, 0, 0]\n"), "half.toml:7"));
 }
 
+TEST_CASE("how the puck moves on a table reads back as it was written; a part of it is refused") {
+  const TemporaryFolder folder;
+  const TableCalibration calibration{Homography({0.003, 0, -0.9, 0, 0.004, 0.1, 0, 0.0005, 1}),
+                                     {},
+                                     std::nullopt,
+                                     MotionConstants{0.21, 0.83, 0.92}};
+  write_table_file(folder / "table.toml", calibration, "measured");
+  const TableCalibration again = read_table_file(folder / "table.toml");
+  REQUIRE(again.motion);
+  CHECK(again.motion->damping_per_s == 0.21);
+  CHECK(again.motion->rail_restitution == 0.83);
+  CHECK(again.motion->rail_grip == 0.92);
+
+  const std::string table = "[table]\ntable_from_image = [1, 0, 0, 0, 1, 0, 0, 0, 1]\n";
+  const auto refusal = [&](const std::string& motion) {
+    const auto path = folder.write("part.toml", table + "[motion]\n" + motion);
+    return message_of<ConfigError>([&] { read_table_file(path); });
+  };
+  CHECK(contains(refusal("rail_grip = 0.9\n"), "motion.damping_per_s is missing"));
+  const std::string whole = "damping_per_s = 0.2\nrail_restitution = 0.8\nrail_grip = 0.9\n";
+  CHECK(refusal(whole).empty());
+  CHECK(contains(refusal(whole + "bounce_spread = 0.1\n"), "part.toml:7"));
+  CHECK(contains(refusal("damping_per_s = 0.2\nrail_restitution = 1.1\nrail_grip = 0.9\n"),
+                 "part.toml:5: motion.rail_restitution must be a number from 0 to 1"));
+}
+
 TEST_CASE("a table file whose homography is missing, short or singular is refused") {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& text) {

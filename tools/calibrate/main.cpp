@@ -10,6 +10,7 @@
 #include "tools/calibrate/arm_command.h"
 #include "tools/calibrate/hot_pixels_command.h"
 #include "tools/calibrate/lag_command.h"
+#include "tools/calibrate/motion_command.h"
 #include "tools/calibrate/size_command.h"
 #include "tools/calibrate/table_command.h"
 
@@ -124,7 +125,16 @@ int run(int argc, char** argv) {
                    "table")
       ->required();
 
-  for (CLI::App* command : {size_app, table_app, lag_app, hot_app, arm_app}) {
+  MotionCommand motion;
+  CLI::App* motion_app = app.add_subcommand("motion", "How the puck glides and bounces on a table");
+  motion_app
+      ->add_option("track", input,
+                   "log of a game; or, when it ends in .csv: t_us,x_m,y_m on the table, or "
+                   "t_us,x,y in the image")
+      ->required();
+  motion_app->add_option("--table", motion.table, "TOML made by puck-calibrate table")->required();
+
+  for (CLI::App* command : {size_app, table_app, lag_app, hot_app, arm_app, motion_app}) {
     command->add_option("--output", output, "TOML file to write")->required();
   }
   try {
@@ -149,6 +159,10 @@ int run(int argc, char** argv) {
       hot.recording = input;
       hot.output = output;
       calibrate_hot_pixels(hot, typed);
+    } else if (motion_app->parsed()) {
+      motion.track = input;
+      motion.output = output;
+      calibrate_motion(motion, typed);
     } else if (arm_app->parsed()) {
       arm.pairs = input;
       arm.output = output;

@@ -13,6 +13,9 @@ PlaySetup default_setup(const std::filesystem::path& calibration) {
   const std::filesystem::path size_file = calibration / "simulated_size.toml";
   PlaySetup setup;
   setup.table = read_table_file(calibration / "simulated_table.toml");
+  if (setup.table.motion) {
+    setup.bridge.motion = with_constants(setup.bridge.motion, *setup.table.motion);
+  }
   setup.tracker = preset_params(Preset::kDefault);
   setup.tracker.contour.calibration =
       read_contour_calibration(size_file).value_or(ContourCalibration{});

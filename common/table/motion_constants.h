@@ -1,0 +1,23 @@
+#pragma once
+
+#include "common/table/puck_motion.h"
+
+namespace puck {
+
+/// What one table and its puck make of the puck's motion; see PuckMotionParams.
+struct MotionConstants {
+  double damping_per_s = 0;
+  double rail_restitution = 0;
+  double rail_grip = 0;
+};
+
+/// The parameters with a table's own constants.
+constexpr PuckMotionParams with_constants(PuckMotionParams params,
+                                          const MotionConstants& constants) {
+  params.damping_per_s = constants.damping_per_s;
+  params.rail_restitution = constants.rail_restitution;
+  params.rail_grip = constants.rail_grip;
+  return params;
+}
+
+}  // namespace puck
