@@ -18,6 +18,8 @@ constexpr std::size_t kFewestBounced = 12;
 constexpr int kMostRounds = 60;
 // A flight that is off by so many times what flights like it are off by is none.
 constexpr double kFarOff = 4;
+// Places that are more exact than this are no reason to be choosier.
+constexpr double kLeastUsualM = 5e-5;
 constexpr double kMostOpen = 0.05;
 constexpr double kMostOpenDamping = 0.1;
 constexpr double kHighestDamping = 5;
@@ -157,8 +159,7 @@ class Fitter {
       if (rms[i].empty()) continue;
       const auto middle = rms[i].begin() + static_cast<std::ptrdiff_t>(rms[i].size() / 2);
       std::nth_element(rms[i].begin(), middle, rms[i].end());
-      // Places without any error at all have rounding errors.
-      usual[i] = std::max(*middle, 1e-9);
+      usual[i] = std::max(*middle, kLeastUsualM);
     }
     return usual;
   }

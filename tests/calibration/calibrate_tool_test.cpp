@@ -1,17 +1,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 
 #include "common/io/table_file.h"
+#include "common/messaging/log_file.h"
+#include "common/messaging/message_codec.h"
+#include "common/simulation/physics_params.h"
 #include "common/simulation/simulated_table.h"
+#include "puck/head_state_t.hpp"
+#include "puck/puck_estimate_t.hpp"
+#include "tests/calibration/flown_game.h"
 #include "tests/support/environment.h"
 
 namespace puck {
@@ -159,6 +167,93 @@ TEST_CASE("The simulated table's calibration is what its own command makes, and 
   REQUIRE(calibration.camera);
   CHECK(calibration.camera->focal_px == doctest::Approx(simulated.camera().focal_px).epsilon(1e-4));
   CHECK(calibration.camera->principal_point == simulated.camera().principal_point);
+  REQUIRE(calibration.motion);
+  const PhysicsParams physics;
+  CHECK(std::abs(calibration.motion->damping_per_s - physics.damping_1_s) < 0.001);
+  CHECK(std::abs(calibration.motion->rail_restitution - physics.rail_normal_keep) < 0.001);
+  CHECK(std::abs(calibration.motion->rail_grip - physics.rail_tangential_keep) < 0.001);
+}
+
+// A log with an estimate for each place, as the shipped table's camera sees it.
+void write_log(const fs::path& path, const std::vector<TrackPoint>& track,
+               const TableCalibration& table, double yaw_deg) {
+  LogWriter log(path);
+  std::vector<std::uint8_t> bytes;
+  head_state_t head{};
+  head.session = 1;
+  head.yaw_deg = yaw_deg;
+  encode(head, bytes);
+  log.write("PUCK_HEAD", 1, bytes);
+  puck_estimate_t estimate{};
+  estimate.session = 1;
+  estimate.state = puck_estimate_t::STATE_TRACKING;
+  estimate.flags = puck_estimate_t::FLAG_POSITION;
+  for (const TrackPoint& point : track) {
+    const auto seen = table.table_from_image.to_image(point.position);
+    REQUIRE(seen);
+    estimate.sensor_us = point.t.us;
+    estimate.x_px = seen->x;
+    estimate.y_px = seen->y;
+    encode(estimate, bytes);
+    log.write("PUCK_ESTIMATE", 1, bytes);
+    ++estimate.seq;
+  }
+}
+
+TEST_CASE("puck-calibrate motion fits a log, and an export, and replaces what the table had") {
+  const Tool tool;
+  const std::string table = shipped("simulated_table.toml");
+  tool.write("table.toml", table);
+  const TableCalibration calibration = read_table_file(tool.path("table.toml"));
+  FlownGame game;
+  game.seconds = 45;
+  const std::vector<TrackPoint> track = game.track();
+  std::ostringstream rows;
+  rows.precision(17);
+  rows << "received_utime,sensor_us,validity,x_m,y_m\n";
+  for (const TrackPoint& point : track) {
+    rows << "0," << point.t.us << ",2," << point.position.x_m << ',' << point.position.y_m << '\n';
+    rows << "0," << point.t.us + 1 << ",1,0.5,0.5\n";
+  }
+  tool.write("track.csv", rows.str());
+  write_log(tool.path("game.lcmlog"), track, calibration, 0);
+
+  REQUIRE(tool.run("motion track.csv --table table.toml --output from_csv.toml") == 0);
+  CHECK(contains(tool.read("said"), "\nrail_restitution "));
+  CHECK(contains(tool.read("said"), " bounces\n"));
+  REQUIRE(tool.run("motion game.lcmlog --table table.toml --output table.toml") == 0);
+  const std::string written = tool.read("table.toml");
+  CHECK(contains(written, "# puck-calibrate motion game.lcmlog --table table.toml"));
+  CHECK(written.find("[motion]") == written.rfind("[motion]"));
+  CHECK(written.starts_with(table.substr(0, table.find("# From two minutes"))));
+  const auto from_csv = read_table_file(tool.path("from_csv.toml")).motion;
+  const auto from_log = read_table_file(tool.path("table.toml")).motion;
+  REQUIRE(from_csv);
+  REQUIRE(from_log);
+  CHECK(from_log->damping_per_s == doctest::Approx(from_csv->damping_per_s).epsilon(1e-3));
+  CHECK(from_log->rail_restitution == doctest::Approx(from_csv->rail_restitution).epsilon(1e-3));
+  CHECK(from_log->rail_grip == doctest::Approx(from_csv->rail_grip).epsilon(1e-3));
+  CHECK(std::abs(from_log->rail_restitution - PhysicsParams{}.rail_normal_keep) < 0.005);
+}
+
+TEST_CASE(
+    "puck-calibrate motion refuses a head that turns, columns it does not know, and no puck") {
+  const Tool tool;
+  tool.write("table.toml", shipped("simulated_table.toml"));
+  const TableCalibration calibration = read_table_file(tool.path("table.toml"));
+  write_log(tool.path("turns.lcmlog"), {}, calibration, 20);
+  CHECK(tool.run("motion turns.lcmlog --table table.toml --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "turns.lcmlog: the head turns in it"));
+  write_log(tool.path("empty.lcmlog"), {}, calibration, 0);
+  CHECK(tool.run("motion empty.lcmlog --table table.toml --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "empty.lcmlog: there is no ESTIMATE of a puck"));
+  tool.write("a.csv", "t_us,u,v\n0,1,2\n");
+  CHECK(tool.run("motion a.csv --table table.toml --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "a.csv:1: the header must name x_m and y_m"));
+  tool.write("short.csv", "t_us,x_m,y_m\n0,1,0\n1000,1,0\n");
+  CHECK(tool.run("motion short.csv --table table.toml --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "short.csv: there are no flights"));
+  CHECK(tool.read("no.toml").empty());
 }
 
 TEST_CASE("puck-calibrate refuses degenerate input with one line that names the file") {
