@@ -15,10 +15,11 @@ namespace puck {
 struct MotionFilterParams {
   /// For what the tracker does not know of, and what no number of measurements averages out: the
   /// calibration and the puck's height, m.
-  double position_sigma_m = 0.0005;
+  double position_sigma_m = 0.0004;
   /// Measurements closer in time than this share their errors, so that a tracker at a higher rate
-  /// is not trusted more, µs. The simulated game's have a correlation time of 8 ms: twice that.
-  std::int64_t error_memory_us = 15'000;
+  /// is not trusted more, µs. In the simulated game errors last for some 8 ms, but are smaller
+  /// than PUCK says: with this the predictions of crossings are as sure as they are good.
+  std::int64_t error_memory_us = 3'000;
   /// Of the velocity, when a track begins: a tracker needs some ms itself to follow a hit.
   double initial_speed_sigma_m_s = 5.0;
   /// Measurements further off than so many standard deviations are outliers.

@@ -14,8 +14,9 @@ struct PuckMotionParams {
   double rail_grip = 0.84;         ///< Part of the speed along a rail that a bounce keeps.
   /// Standard deviation that the velocity gains in one second of gliding, m/s. Larger follows
   /// what the model does not know sooner; smaller predicts more steadily.
-  double velocity_noise_m_s = 0.05;
-  /// Standard deviation of the velocity after a bounce, as a part of the speed before it.
+  double velocity_noise_m_s = 0.01;
+  /// Standard deviation of the velocity after a bounce, as a part of the speed before it. The
+  /// default is for a table whose constants are not known: they differ by as much between tables.
   double bounce_spread = 0.1;
 };
 

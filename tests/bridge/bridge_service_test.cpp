@@ -113,12 +113,14 @@ TEST_CASE(
   write_table_file(table, {test_camera(), {}}, "test");
   CHECK(motion_with("").damping_per_s == PuckMotionParams{}.damping_per_s);
   CHECK(motion_with("").rail_grip == PuckMotionParams{}.rail_grip);
+  CHECK(motion_with("").bounce_spread == PuckMotionParams{}.bounce_spread);
   write_table_file(table, {test_camera(), {}, std::nullopt, MotionConstants{0.1, 0.9, 0.95}},
                    "test");
   CHECK(motion_with("").damping_per_s == 0.1);
   CHECK(motion_with("").rail_restitution == 0.9);
   CHECK(motion_with("").rail_grip == 0.95);
-  CHECK(motion_with("").bounce_spread == PuckMotionParams{}.bounce_spread);
+  CHECK(motion_with("").bounce_spread == kFittedBounceSpread);
+  CHECK(motion_with("motion.bounce_spread=0.2").bounce_spread == 0.2);
   CHECK(motion_with("motion.rail_grip=0.7").rail_grip == 0.7);
   CHECK(motion_with("motion.rail_grip=0.7").rail_restitution == 0.9);
   std::filesystem::remove(table);

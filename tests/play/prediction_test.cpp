@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/table/motion_constants.h"
 #include "tests/play/prediction_run.h"
 #include "tests/support/sanitizers.h"
 
@@ -49,9 +50,9 @@ void check_honest(const std::array<PredictionBin, 10>& bins) {
 
 TEST_CASE("Shots are predicted to millimetres with the table's own constants, and honestly") {
   PredictionRun run = shots();
-  run.motion.damping_per_s = run.world.physics.damping_1_s;
-  run.motion.rail_restitution = run.world.physics.rail_normal_keep;
-  run.motion.rail_grip = run.world.physics.rail_tangential_keep;
+  const PhysicsParams& physics = run.world.physics;
+  run.motion = with_constants(
+      {}, {physics.damping_1_s, physics.rail_normal_keep, physics.rail_tangential_keep});
   const PredictionRun::Result result = run.play();
   MESSAGE(table_of("fitted constants, direct", result.report.direct));
   MESSAGE(table_of("fitted constants, bounced", result.report.bounced));
