@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-constexpr int kGames = kIsSanitized ? 1 : 5;
+constexpr int kGames = kIsSanitized ? 3 : 5;
 constexpr double kSeconds = 40;
 
 struct Disagreement {
