@@ -111,7 +111,8 @@ void TrackProbation::take(const TableMeasurement& measurement, MeasurementUse us
   follow_scatter(measurement.t, use == MeasurementUse::kOutlier);
   newest_ = measurement.t;
   if (use == MeasurementUse::kOutlier) return;
-  if (use != MeasurementUse::kUsed && !continues(measurement)) {
+  const bool goes_on = use == MeasurementUse::kUsed || use == MeasurementUse::kHit;
+  if (!goes_on && !continues(measurement)) {
     if (newest_good_ && measurement.t - newest_good_->t <= kGapUs) ++leaps_;
     began_ = measurement.t;
     contradicts_since_.reset();

@@ -54,6 +54,7 @@ void MotionFilter::reset() {
   before_.jumps = current().jumps;
   before_.newest.reset();
   before_.doubt.reset();
+  before_.trail.clear();
   before_.newest_seen = {};
   count_ = 0;
 }
@@ -105,6 +106,7 @@ MeasurementUse MotionFilter::filter(Belief& belief, const TableMeasurement& m) c
     belief.track = begun(m, noise_of(m, 1));
     belief.newest = m.t;
     belief.doubt.reset();
+    belief.trail.clear();
     return MeasurementUse::kStarted;
   }
   const double shared =
@@ -118,6 +120,7 @@ MeasurementUse MotionFilter::filter(Belief& belief, const TableMeasurement& m) c
   belief.track = m.resting ? at_rest(track) : track;
   belief.newest = m.t;
   belief.doubt.reset();
+  belief.trail.add(m.t, belief.track.state);
   return MeasurementUse::kUsed;
 }
 
@@ -134,12 +137,19 @@ MeasurementUse MotionFilter::follow_doubt(Belief& belief, const TableMeasurement
     doubt = Doubt{begun(m, noise_of(m, 1)), m.t, m.t,
                   distance_m(belief.track.state.position, m.position) <= reach_m};
   }
-  const std::int64_t needed_us = doubt->is_near ? params_.hit_after_us : params_.jump_after_us;
-  if (m.t - doubt->since < needed_us) return MeasurementUse::kOutlier;
-  const MeasurementUse use = doubt->is_near ? MeasurementUse::kHit : MeasurementUse::kJumped;
-  ++(doubt->is_near ? belief.hits : belief.jumps);
+  const std::int64_t lasted_us = m.t - doubt->since;
+  if (lasted_us < std::min(params_.hit_after_us, params_.jump_after_us)) {
+    return MeasurementUse::kOutlier;
+  }
+  const bool is_hit = doubt->is_near || belief.trail.leads_to(m.t, doubt->track.state);
+  if (lasted_us < (is_hit ? params_.hit_after_us : params_.jump_after_us)) {
+    return MeasurementUse::kOutlier;
+  }
+  const MeasurementUse use = is_hit ? MeasurementUse::kHit : MeasurementUse::kJumped;
+  ++(is_hit ? belief.hits : belief.jumps);
   belief.track = m.resting ? at_rest(doubt->track) : doubt->track;
   belief.newest = m.t;
+  if (!is_hit) belief.trail.clear();
   doubt.reset();
   return use;
 }

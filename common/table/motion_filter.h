@@ -9,6 +9,7 @@
 #include "common/table/kalman_step.h"
 #include "common/table/puck_motion.h"
 #include "common/table/puck_track.h"
+#include "common/table/puck_trail.h"
 
 namespace puck {
 
@@ -87,6 +88,7 @@ class MotionFilter {
     std::optional<Timestamp> newest;  ///< Of the good ones.
     Timestamp newest_seen;            ///< Of all.
     std::optional<Doubt> doubt;
+    PuckTrail trail;
     std::int64_t hits = 0;
     std::int64_t jumps = 0;
   };

@@ -62,6 +62,20 @@ TEST_CASE("A hit is no new track: the arm is commanded on at once") {
   CHECK(bench.command->target_m == doctest::Approx(at_line_y_m).epsilon(0.1));
 }
 
+TEST_CASE("A shot whose hit the tracker missed for the mallet moves the arm at once") {
+  BridgeBench bench;
+  PuckTrack puck = puck_at(1.4, -0.2, 0, 0);
+  commands_of(bench, puck, 50);
+  const auto at_mallet = [&](puck_estimate_t& estimate, int ms) {
+    move_to(estimate, {1.4 + 0.005 * ms, -0.2});
+  };
+  commands_of(bench, puck, 16, at_mallet);
+  puck.state = {{1.37, -0.197}, {-10, 1}};
+  CHECK(commands_of(bench, puck, 20) >= 4);
+  CHECK(bench.bridge.probation().leaps() == 0);
+  CHECK(bench.bridge.jumps() == 0);
+}
+
 TEST_CASE("A track that leaps as no puck can has to earn trust again, and is counted") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.5, 0.3, -1, 0);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -158,6 +159,56 @@ TEST_CASE("A puck that is suddenly elsewhere is believed only after 20 ms, and c
   CHECK(jumped_after_ms == 21);
   CHECK(filter.jumps() == 1);
   CHECK(filter.hits() == 0);
+}
+
+// The tracker slides off a puck at rest to the mallet that comes to hit it; what became of the
+// shot, of which the tracker says `place` 3 ms after the hit, and after how long.
+std::pair<MeasurementUse, int> after_straying(const TablePoint& place,
+                                              const TableVelocity& velocity) {
+  const PuckMotion motion(kTable);
+  MotionFilter filter(motion);
+  Timestamp t{1'000'000};
+  const auto see = [&](const TablePoint& at, const TableVelocity& moving) {
+    t = t + 1000;
+    return filter.update({t, at, {1e-6, 0, 0, 1e-6}, moving});
+  };
+  for (int i = 0; i < 100; ++i) see({1.4, -0.2}, {});
+  for (int i = 0; i < 16; ++i) see({1.4 + 0.005 * i, -0.2}, {5, 0});
+  REQUIRE(filter.at(t)->state.position.x_m > 1.45);
+  for (int i = 0; i < 40; ++i) {
+    const double ms = 0.001 * i;
+    const MeasurementUse use =
+        see({place.x_m + ms * velocity.x_m_s, place.y_m + ms * velocity.y_m_s}, velocity);
+    if (use != MeasurementUse::kOutlier) return {use, i};
+  }
+  return {MeasurementUse::kOutlier, 40};
+}
+
+TEST_CASE("A shot whose hit was missed for the mallet is followed like any other hit") {
+  for (const TableVelocity shot : {TableVelocity{-12, 0.9}, {-9, 8}, {-4, -1}}) {
+    CAPTURE(shot.x_m_s);
+    const TablePoint place{1.4 + 0.003 * shot.x_m_s, -0.2 + 0.003 * shot.y_m_s};
+    const auto [use, ms] = after_straying(place, shot);
+    CHECK(use == MeasurementUse::kHit);
+    CHECK(ms <= 3);
+  }
+}
+
+TEST_CASE("What leaps elsewhere, or moves as no hit there could have it move, is no missed hit") {
+  const std::pair<TablePoint, TableVelocity> leaps[] = {
+      {{1.2, 0.2}, {}},         // at rest
+      {{1.2, 0.2}, {0, -6}},    // past where the puck was
+      {{1.2, -0.2}, {4, 0}},    // towards there
+      {{0.6, -0.2}, {-12, 0}},  // too far away for so few ms
+      {{1.36, 0.2}, {-12, 0}},  // the mirror image
+  };
+  for (const auto& [place, velocity] : leaps) {
+    CAPTURE(place.x_m);
+    CAPTURE(place.y_m);
+    const auto [use, ms] = after_straying(place, velocity);
+    CHECK(use == MeasurementUse::kJumped);
+    CHECK(ms >= 20);
+  }
 }
 
 TEST_CASE("Outliers that do not agree with one another never begin a track") {
