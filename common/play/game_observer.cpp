@@ -26,7 +26,23 @@ constexpr double kBeforeGoalS = 0.15;
 
 }  // namespace
 
+// The goal that a puck is in whose centre is behind an end rail's line.
+GameObserver::Goal GameObserver::goal_around(const TablePoint& place) const {
+  const TableGeometry& table = motion_.table();
+  if (std::abs(place.y_m) > table.goal_width_m / 2) return Goal::kNone;
+  if (place.x_m < 0) return Goal::kRobots;
+  return place.x_m > table.length_m ? Goal::kOpponents : Goal::kNone;
+}
+
+// Whether it went into one: there it may come to rest, or seem to, before it is seen no more. One
+// that is first seen there is served.
+bool GameObserver::is_in_goal(const PuckTrack& track) const {
+  const Goal around = goal_around(track.state.position);
+  return around != Goal::kNone && around == outlook_.near;
+}
+
 GameObserver::Outlook GameObserver::look_ahead(const PuckTrack& track) const {
+  if (is_in_goal(track)) return {outlook_.near, true, true, 0};
   PuckTrack at = track;
   double elapsed_s = 0;
   for (int bounces = 0; bounces <= kMaxBounces && elapsed_s < kHorizonS; ++bounces) {
@@ -152,11 +168,16 @@ void GameObserver::follow_shot(Timestamp t, const PuckTrack& track) {
 
 void GameObserver::see(Timestamp t, const PuckTrack& track) {
   const auto& velocity = track.state.velocity;
-  if (belief_.phase == GamePhase::kGoal) end_rally();
+  const bool in_goal = is_in_goal(track);
+  if (belief_.phase == GamePhase::kGoal) {
+    // That one counts only once.
+    if (in_goal) return;
+    end_rally();
+  }
 
   follow_hits(t, track);
   outlook_ = look_ahead(track);
-  follow_shot(t, track);
+  if (!in_goal) follow_shot(t, track);
   last_seen_ = t;
   last_track_ = track;
   if (std::hypot(velocity.x_m_s, velocity.y_m_s) >= kSlowMS) {

@@ -38,8 +38,8 @@ struct GameBelief {
 
 /// Follows the game from the puck's track alone. As a referee has it, a shot is a hit of the
 /// opponent's that would enter the robot's goal, and a save is a shot that the robot's mallet hit
-/// and that then would not; a goal is a puck that vanishes on its way into one. Counts a shot once
-/// it has come into the robot's half and the prediction is sure of it. One thread.
+/// and that then would not; a goal is a puck that vanishes in one or on its way into it. Counts a
+/// shot once it has come into the robot's half and the prediction is sure of it. One thread.
 class GameObserver {
  public:
   explicit GameObserver(const PuckMotion& motion) : motion_(motion), hits_(motion) {}
@@ -66,6 +66,8 @@ class GameObserver {
   };
 
   Outlook look_ahead(const PuckTrack& track) const;
+  Goal goal_around(const TablePoint& place) const;
+  bool is_in_goal(const PuckTrack& track) const;
   double time_to_end(const PuckState& state) const;
   std::pair<double, double> beside_posts(double y_m, TableVelocity velocity) const;
   void follow_hits(Timestamp t, const PuckTrack& track);

@@ -100,6 +100,46 @@ TEST_CASE("A shot that grazes a goal post and goes in is no save") {
   CHECK(game.belief().saves == 0);
 }
 
+TEST_CASE("A puck that is still seen in the goal before it vanishes is one goal, and no save") {
+  for (const bool is_touched : {false, true}) {
+    CAPTURE(is_touched);
+    Game game;
+    game.put(1.8, 0, -4, 0);
+    game.glide(380);
+    if (is_touched) {
+      game.put(0.25, 0, -3, 0.1);
+      game.glide(80);
+    } else {
+      game.glide(60);
+    }
+    CHECK(game.belief().shots == 1);
+    game.put(-0.03, 0.05, 0, 0);
+    game.glide(10);
+    game.hide(100);
+    game.put(-0.02, 0.05, 0.4, 0);
+    game.glide(20);
+    game.hide(250);
+    CHECK(game.belief().phase == GamePhase::kGoal);
+    game.put(-0.02, 0.05, 0, 0);
+    game.glide(20);
+    game.hide(250);
+    CHECK(game.belief().goals_against == 1);
+    CHECK(game.belief().saves == 0);
+  }
+}
+
+TEST_CASE("A puck that is served out of a goal and lost there is no goal") {
+  for (const double x_m : {2.1, -0.04}) {
+    CAPTURE(x_m);
+    Game game;
+    game.put(x_m, 0, x_m > 0 ? -1.5 : 1.5, 0);
+    game.glide(15);
+    game.hide(250);
+    CHECK(game.belief().goals_for == 0);
+    CHECK(game.belief().goals_against == 0);
+  }
+}
+
 TEST_CASE("A soft hit that changes the way of a puck that comes anyway makes it a shot") {
   Game game;
   game.put(1.9, 0.4, -1.5, 0);
