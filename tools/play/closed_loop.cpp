@@ -8,7 +8,7 @@ ClosedLoop::ClosedLoop(const PlaySetup& setup, std::int64_t seed)
     : setup_(setup),
       court_(make_court(setup, seed)),
       link_(setup.link, seed),
-      bridge_(setup.bridge, setup.table.table_from_image, setup.table.geometry),
+      bridge_(setup.bridge, setup.table.table_from_image, setup.table.geometry, setup.table.camera),
       arm_(setup.arm) {
   if (setup.source == EstimateSource::kFrames) {
     frames_.emplace(setup.frames, setup.world.sensor_size, seed);
