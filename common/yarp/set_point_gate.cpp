@@ -17,7 +17,8 @@ std::string in_deg(double value) {
 
 std::string SetPointGate::refusal(const JointAngles& set_point, const JointAngles& encoders) {
   std::string why = why_not(set_point, encoders);
-  is_open_ = why.empty();
+  last_.reset();
+  if (why.empty()) last_ = set_point;
   return why;
 }
 
@@ -36,8 +37,13 @@ std::string SetPointGate::why_not(const JointAngles& set_point, const JointAngle
     if (deg < params_.lowest_deg[i] || deg > params_.highest_deg[i]) {
       return refuse(", " + in_deg(deg) + ", is outside its limits");
     }
-    if (!is_open_ && !(std::abs(deg - encoders[i]) <= params_.start_within_deg)) {
+    if (std::abs(deg - encoders[i]) <= params_.start_within_deg) continue;
+    if (!last_) {
       return refuse(", " + in_deg(deg) + ", does not begin at its encoder, " + in_deg(encoders[i]));
+    }
+    if (!(std::abs(deg - (*last_)[i]) <= params_.max_step_deg)) {
+      return refuse(", " + in_deg(deg) + ", is too far from the one before, " +
+                    in_deg((*last_)[i]) + ": were set-points held up?");
     }
   }
   return {};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <optional>
 #include <string>
 
 #include "common/control/joint_angles.h"
@@ -13,15 +13,18 @@ class SetPointGate {
  public:
   explicit SetPointGate(const YarpParams& params) : params_(params) {}
 
-  /// Why it must not go out: not of our joints, not finite, outside the limits; or, when it is the
-  /// first of all or since a refused one, too far from the encoders. Empty: it may.
+  /// Why it must not go out: not of our joints, not finite, outside the limits; when it is the
+  /// first of all, since a refused one or since a restart, too far from the encoders; else, too far
+  /// from both these and the set-point before it. Empty: it may.
   std::string refusal(const JointAngles& set_point, const JointAngles& encoders);
+  /// The next set-point has to begin at the encoders.
+  void restart() { last_.reset(); }
 
  private:
   std::string why_not(const JointAngles& set_point, const JointAngles& encoders) const;
 
   const YarpParams& params_;
-  bool is_open_ = false;
+  std::optional<JointAngles> last_;
 };
 
 }  // namespace puck

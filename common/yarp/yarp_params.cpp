@@ -74,6 +74,7 @@ void check(const YarpParams& params) {
   require_between(params.retry_ms, 10, 5000, "retry_ms");
   require_between(params.check_modes_ms, 10, 10'000, "check_modes_ms");
   require_between(params.start_within_deg, 0.1, 10, "start_within_deg");
+  require_between(params.max_step_deg, 0.1, 10, "max_step_deg");
 }
 
 }  // namespace puck

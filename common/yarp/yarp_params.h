@@ -30,6 +30,8 @@ struct YarpParams {
   int check_modes_ms = 100;
   /// The first set-point of a connection lies so near the encoders, deg.
   double start_within_deg = 2;
+  /// Each further one so near the one before, or as near the encoders as a first one, deg.
+  double max_step_deg = 5;
 
   /// `/icub/right_arm/state:o` for `state:o`.
   std::string port_name(std::string_view port_of_part) const {

@@ -27,6 +27,7 @@ YarpParams read_yarp_params(Config& config) {
   config.read("arm.yarp.retry_ms", params.retry_ms, 10, 5000);
   config.read("arm.yarp.check_modes_ms", params.check_modes_ms, 10, 10'000);
   config.read("arm.yarp.start_within_deg", params.start_within_deg, 0.1, 10);
+  config.read("arm.yarp.max_step_deg", params.max_step_deg, 0.1, 10);
   return params;
 }
 

@@ -38,13 +38,14 @@ TEST_CASE("config/arm.toml shows every key of the control board with its default
     CAPTURE(line);
     CHECK(shown.has(line.substr(0, line.find(' '))));
   }
-  CHECK(keys == 12);
+  CHECK(keys == 13);
 }
 
 TEST_CASE("settings of the control board are read") {
   Config config = Config::from_text(
       "[arm.yarp]\nhost = \"icub-head\"\nport = 10001\npart = \"left_arm\"\njoints = [0, 3]\n"
-      "start_within_deg = 0.5\n",
+      "start_within_deg = 0.5\n"
+      "max_step_deg = 0.25\n",
       "test");
   const YarpParams params = read_yarp_params(config);
   CHECK(params.host == "icub-head");
@@ -52,13 +53,14 @@ TEST_CASE("settings of the control board are read") {
   CHECK(params.port_name("rpc:i") == "/icub/left_arm/rpc:i");
   CHECK(params.joints == std::vector<int>{0, 3});
   CHECK(params.start_within_deg == 0.5);
+  CHECK(params.max_step_deg == 0.25);
 }
 
 TEST_CASE("settings of the control board that cannot be are refused by name") {
   for (const char* setting :
        {"port=0", "joints=[0.5]", "joints=[-1]", "joints=[64]", "silent_ms=39", "silent_ms=1001",
         "connect_timeout_ms=9", "answer_timeout_ms=9", "retry_ms=5001", "check_modes_ms=9",
-        "start_within_deg=11", "host=5"}) {
+        "start_within_deg=11", "max_step_deg=11", "host=5"}) {
     CAPTURE(setting);
     const std::string assignment = "arm.yarp." + std::string(setting);
     const std::string key = assignment.substr(0, assignment.find('='));

@@ -21,15 +21,33 @@ JointAngles deg(double first, double second) { return JointAngles(std::array{fir
 
 }  // namespace
 
-TEST_CASE("the first set-point begins at the encoders, the following go where the limits allow") {
+TEST_CASE("the first set-point begins at the encoders, the following at the one before or there") {
   const YarpParams params = two_joints();
   SetPointGate gate(params);
   const JointAngles encoders = deg(5, 40);
   CHECK(gate.refusal(deg(5, 42.5), encoders) ==
         "the set-point of joint 4, 42.5 deg, does not begin at its encoder, 40 deg");
   CHECK(gate.refusal(deg(5, 42), encoders).empty());
-  CHECK(gate.refusal(deg(-10, 90), encoders).empty());
-  CHECK(gate.refusal(deg(10, 0), encoders).empty());
+  CHECK(gate.refusal(deg(10, 47), encoders).empty());
+  CHECK(gate.refusal(deg(10, 52), encoders).empty());
+  // An arm that did not follow begins anew where it is.
+  CHECK(gate.refusal(deg(3, 38), encoders).empty());
+  CHECK(gate.refusal(deg(8, 43), encoders).empty());
+  CHECK(
+      gate.refusal(deg(8, 48.5), encoders) ==
+      "the set-point of joint 4, 48.5 deg, is too far from the one before, 43 deg: were set-points "
+      "held up?");
+  CHECK(gate.refusal(deg(8, 43), encoders) ==
+        "the set-point of joint 1, 8 deg, does not begin at its encoder, 5 deg");
+}
+
+TEST_CASE("a restart has the next set-point begin at the encoders") {
+  const YarpParams params = two_joints();
+  SetPointGate gate(params);
+  CHECK(gate.refusal(deg(5, 40), deg(5, 40)).empty());
+  CHECK(gate.refusal(deg(5, 43), deg(5, 40)).empty());
+  gate.restart();
+  CHECK(!gate.refusal(deg(5, 43), deg(5, 40)).empty());
 }
 
 TEST_CASE("nothing that is not finite, outside the limits or of other joints goes out") {
@@ -44,9 +62,9 @@ TEST_CASE("nothing that is not finite, outside the limits or of other joints goe
     CHECK(gate.refusal(encoders, encoders).empty());
     CHECK(!gate.refusal(wrong, encoders).empty());
     // And then it begins anew.
-    CHECK(!gate.refusal(deg(0, 40), encoders).empty());
+    CHECK(!gate.refusal(deg(1, 40), encoders).empty());
     CHECK(gate.refusal(encoders, encoders).empty());
-    CHECK(gate.refusal(deg(0, 40), encoders).empty());
+    CHECK(gate.refusal(deg(1, 40), encoders).empty());
   }
 }
 
@@ -95,6 +113,8 @@ TEST_CASE("settings of the board that cannot be are refused by name") {
   CHECK(refusal([](YarpParams& p) { p.silent_ms = 39; }).starts_with("arm.yarp.silent_ms "));
   CHECK(refusal([](YarpParams& p) { p.start_within_deg = 0; }) ==
         "arm.yarp.start_within_deg must be from 0.1 to 10, got 0");
+  CHECK(refusal([](YarpParams& p) { p.max_step_deg = 11; }) ==
+        "arm.yarp.max_step_deg must be from 0.1 to 10, got 11");
 }
 
 }  // namespace puck
