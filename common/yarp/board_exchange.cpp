@@ -65,6 +65,11 @@ void BoardExchange::lose_connection(const std::string& reason) {
   untold_ = reason;
 }
 
+std::optional<JointAngles> BoardExchange::newest_set_point() const {
+  const std::lock_guard lock(mutex_);
+  return set_point_;
+}
+
 std::optional<JointAngles> BoardExchange::take_set_point() {
   const std::lock_guard lock(mutex_);
   return std::exchange(set_point_, std::nullopt);

@@ -43,6 +43,8 @@ class BoardExchange {
   void begin_connection(const JointReading& first);
   void put_encoders(const JointReading& reading);
   void lose_connection(const std::string& reason);
+  /// The newest set-point that was not taken yet, left there.
+  std::optional<JointAngles> newest_set_point() const;
   /// The newest set-point; nothing: none since the last call.
   std::optional<JointAngles> take_set_point();
   void count_sent();

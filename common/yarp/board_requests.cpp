@@ -34,32 +34,38 @@ JointRange BoardRequests::range(int joint) {
   return {ends[0], ends[1]};
 }
 
-std::vector<std::string> BoardRequests::modes(std::size_t axes) {
-  return ask(kGetModes).vocabs("cmds", axes);
+void BoardRequests::begin_modes() { begin(kGetModes); }
+
+void BoardRequests::begin_set_mode(int joint, std::string_view mode) {
+  begin(mode_request(joint, mode));
 }
 
-void BoardRequests::set_mode(int joint, std::string_view mode) { ask(mode_request(joint, mode)); }
-
-void BoardRequests::begin_modes() {
+void BoardRequests::begin(const std::string& request) {
+  asked_ = request;
   asked_at_ = SteadyClock::now();
-  connection_.send(kGetModes, waiter_, late_at());
+  connection_.send(request, waiter_, late_at());
 }
 
-std::optional<std::vector<std::string>> BoardRequests::modes_now(std::size_t axes) {
+std::optional<BoardAnswer> BoardRequests::answer_now() {
   const auto line = connection_.receive_now();
   if (!line) return std::nullopt;
   if (!asked_at_) throw BoardError("it sent " + in_quotes(*line) + " without being asked");
   note_answer();
-  return BoardAnswer(kGetModes, *line).vocabs("cmds", axes);
+  return BoardAnswer(asked_, *line);
 }
 
-void BoardRequests::leave_in_mode(const std::vector<int>& joints, std::string_view mode,
-                                  const Waiter& waiter, Deadline deadline) {
+void BoardRequests::leave_mode(const std::vector<int>& joints, std::size_t axes,
+                               std::string_view from, std::string_view to, const Waiter& waiter,
+                               Deadline deadline) {
   if (asked_at_) {
     connection_.receive(waiter, deadline);
     note_answer();
   }
-  for (const int joint : joints) ask(mode_request(joint, mode), waiter, deadline);
+  const auto modes = ask(kGetModes, waiter, deadline).vocabs("cmds", axes);
+  for (const int joint : joints) {
+    if (modes[static_cast<std::size_t>(joint)] != from) continue;
+    ask(mode_request(joint, to), waiter, deadline);
+  }
 }
 
 BoardAnswer BoardRequests::ask(const std::string& request) {

@@ -28,27 +28,30 @@ class BoardRequests {
   int axes();
   std::string name(int joint);
   JointRange range(int joint);
-  std::vector<std::string> modes(std::size_t axes);
-  void set_mode(int joint, std::string_view mode);
 
-  // The modes again, without waiting.
+  // Without waiting for the answer.
 
   void begin_modes();
+  void begin_set_mode(int joint, std::string_view mode);
   bool is_waiting() const { return asked_at_.has_value(); }
   /// When the answer that is waited for is late.
   Deadline late_at() const { return *asked_at_ + patience_; }
+  /// What is waited for.
+  const std::string& asked() const { return asked_; }
   /// Nothing: it has not come yet.
-  std::optional<std::vector<std::string>> modes_now(std::size_t axes);
+  std::optional<BoardAnswer> answer_now();
 
   int descriptor() const { return connection_.descriptor(); }
   /// From the newest request to its answer.
   std::int64_t round_trip_us() const { return round_trip_us_; }
 
-  /// Puts the joints into a mode for good, by the deadline whatever is going on.
-  void leave_in_mode(const std::vector<int>& joints, std::string_view mode, const Waiter& waiter,
-                     Deadline deadline);
+  /// Puts those of the joints that are in mode `from` into mode `to` for good, by the deadline
+  /// whatever is going on.
+  void leave_mode(const std::vector<int>& joints, std::size_t axes, std::string_view from,
+                  std::string_view to, const Waiter& waiter, Deadline deadline);
 
  private:
+  void begin(const std::string& request);
   BoardAnswer ask(const std::string& request, const Waiter& waiter, Deadline deadline);
   BoardAnswer ask(const std::string& request);
   void note_answer();
@@ -56,6 +59,7 @@ class BoardRequests {
   const Waiter& waiter_;
   SteadyClock::duration patience_;
   TextConnection connection_;
+  std::string asked_;
   std::optional<SteadyClock::time_point> asked_at_;
   std::int64_t round_trip_us_ = 0;
 };

@@ -101,7 +101,6 @@ BoardSession::BoardSession(const YarpParams& params, const Ports& ports, const W
       gate_(params) {
   at_port(params_.port_name("rpc:i"), [&] { check_joints(); });
   at_port(params_.port_name("state:o"), [&] { begin_to_receive(); });
-  at_port(params_.port_name("rpc:i"), [&] { take_joints(); });
 }
 
 void BoardSession::check_joints() {
@@ -129,18 +128,6 @@ void BoardSession::begin_to_receive() {
   reading_ = take_state(state_.receive(waiter_, deadline));
 }
 
-void BoardSession::take_joints() {
-  for (const int joint : params_.joints) requests_.set_mode(joint, kDirect);
-  const Deadline deadline = SteadyClock::now() + kModesWithin;
-  while (true) {
-    const std::string wrong = wrong_mode(requests_.modes(axes_));
-    exchange_.put_round_trip(requests_.round_trip_us());
-    if (wrong.empty()) return;
-    if (SteadyClock::now() >= deadline) throw BoardError(wrong);
-    waiter_.rest_until(SteadyClock::now() + kModesAgain);
-  }
-}
-
 std::string BoardSession::wrong_mode(const std::vector<std::string>& modes) const {
   for (std::size_t i = 0; i < params_.joints.size(); ++i) {
     const std::string& mode = modes[static_cast<std::size_t>(params_.joints[i])];
@@ -156,14 +143,14 @@ void BoardSession::run() {
   exchange_.begin_connection(reading_);
   while (!waiter_.is_stopped()) {
     at_port(params_.port_name("state:o"), [&] { receive_encoders(); });
-    at_port(params_.port_name("command:i"), [&] { send_set_point(); });
+    // First the modes: no set-point goes out once they are known to be others.
     at_port(params_.port_name("rpc:i"), [&] { attend_requests(); });
+    at_port(params_.port_name("command:i"), [&] { send_set_point(); });
     wait_for_more();
   }
 }
 
-// What has piled up while the modes were changed is old by now; and a board whose stamp stands
-// still is not one to begin with.
+// What has piled up is old by now; and a board whose stamp stands still is not one to begin with.
 void BoardSession::wait_for_fresh_encoders() {
   const Deadline deadline = in(params_.answer_timeout_ms);
   while (const auto message = state_.receive_now()) {
@@ -186,10 +173,12 @@ void BoardSession::wait_for_fresh_encoders() {
 }
 
 void BoardSession::leave() {
+  if (hold_ == Hold::kNone) return;
   // The waiter of this session is stopped.
   Waker waker;
   const Waiter waiter({}, waker);
-  requests_.leave_in_mode(params_.joints, kPosition, waiter, SteadyClock::now() + kLeaveWithin);
+  requests_.leave_mode(params_.joints, axes_, kDirect, kPosition, waiter,
+                       SteadyClock::now() + kLeaveWithin);
 }
 
 void BoardSession::receive_encoders() {
@@ -231,35 +220,69 @@ void BoardSession::check_silence() const {
   if (now - stamp_moved_at_ > patience) throw BoardError("its stamp stands still" + for_ms);
 }
 
+// Encoders go on while the board changes the modes, and newer set-points replace the first: it is
+// the newest that has to begin at the encoders, at those that came once the joints were ours.
+void BoardSession::begin_to_take() {
+  const auto first = exchange_.newest_set_point();
+  if (!first) return;
+  const std::string refusal = gate_.refusal(*first, reading_.position);
+  gate_.restart();
+  if (!refusal.empty()) return exchange_.refuse_set_point(refusal);
+  hold_ = Hold::kTaking;
+  next_modes_at_ = SteadyClock::now();
+  taken_by_ = next_modes_at_ + kModesWithin;
+}
+
 void BoardSession::send_set_point() {
   command_.attend();
-  if (command_.is_free()) {
-    command_free_at_ = SteadyClock::now();
-    const auto set_point = exchange_.take_set_point();
-    if (!set_point) return;
-    const std::string refusal = gate_.refusal(*set_point, reading_.position);
-    if (!refusal.empty()) return exchange_.refuse_set_point(refusal);
-    command_.send(params_.joints.size() == axes_
-                      ? set_points_of_all(set_point->deg())
-                      : set_points_of_some(params_.joints, set_point->deg()));
-    exchange_.count_sent();
-  } else if (SteadyClock::now() - command_free_at_ > milliseconds(params_.silent_ms)) {
+  if (!command_.is_free()) {
+    if (SteadyClock::now() - command_free_at_ <= milliseconds(params_.silent_ms)) return;
     throw BoardError("it takes no set-points for " + std::to_string(params_.silent_ms) + " ms");
   }
+  command_free_at_ = SteadyClock::now();
+  if (hold_ == Hold::kNone) begin_to_take();
+  if (hold_ != Hold::kTaken || received_at_ <= taken_at_) return;
+  const auto set_point = exchange_.take_set_point();
+  if (!set_point) return;
+  const std::string refusal = gate_.refusal(*set_point, reading_.position);
+  if (!refusal.empty()) return exchange_.refuse_set_point(refusal);
+  command_.send(params_.joints.size() == axes_
+                    ? set_points_of_all(set_point->deg())
+                    : set_points_of_some(params_.joints, set_point->deg()));
+  exchange_.count_sent();
 }
 
 void BoardSession::attend_requests() {
-  if (const auto modes = requests_.modes_now(axes_)) {
+  if (const auto answer = requests_.answer_now()) {
     exchange_.put_round_trip(requests_.round_trip_us());
-    const std::string wrong = wrong_mode(*modes);
-    if (!wrong.empty()) throw BoardError(wrong);
+    heed(*answer);
   }
   const Deadline now = SteadyClock::now();
   if (requests_.is_waiting()) {
-    if (now > requests_.late_at()) throw BoardError("no answer in time, asked for the modes");
+    if (now <= requests_.late_at()) return;
+    throw BoardError("no answer in time, asked " + in_quotes(requests_.asked()));
+  }
+  if (hold_ == Hold::kNone) return;
+  if (joints_put_ < params_.joints.size()) {
+    requests_.begin_set_mode(params_.joints[joints_put_], kDirect);
   } else if (now >= next_modes_at_) {
-    next_modes_at_ = now + milliseconds(params_.check_modes_ms);
+    next_modes_at_ =
+        now + (hold_ == Hold::kTaken ? milliseconds(params_.check_modes_ms) : kModesAgain);
     requests_.begin_modes();
+  }
+}
+
+void BoardSession::heed(const BoardAnswer& answer) {
+  if (joints_put_ < params_.joints.size()) {
+    ++joints_put_;
+    return;
+  }
+  const std::string wrong = wrong_mode(answer.vocabs("cmds", axes_));
+  if (wrong.empty()) {
+    if (hold_ == Hold::kTaking) taken_at_ = SteadyClock::now();
+    hold_ = Hold::kTaken;
+  } else if (hold_ == Hold::kTaken || SteadyClock::now() >= taken_by_) {
+    throw BoardError(wrong);
   }
 }
 
@@ -270,7 +293,11 @@ void BoardSession::wait_for_more() const {
                            pollfd{command_.descriptor(), command_events, 0},
                            pollfd{requests_.descriptor(), POLLIN, 0}};
   Deadline next = std::min(received_at_, stamp_moved_at_) + patience;
-  next = std::min(next, requests_.is_waiting() ? requests_.late_at() : next_modes_at_);
+  if (requests_.is_waiting()) {
+    next = std::min(next, requests_.late_at());
+  } else if (hold_ != Hold::kNone) {
+    next = std::min(next, next_modes_at_);
+  }
   if (!command_.is_free()) next = std::min(next, command_free_at_ + patience);
   waiter_.wait(sockets, next);
 }

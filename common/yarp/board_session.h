@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,19 +20,23 @@ namespace puck {
 /// wrong. One thread.
 class BoardSession {
  public:
-  /// Connects, checks the joints and their limits, and puts them into the mode that takes
-  /// set-points. Throws BoardError with the port that it is about.
+  /// Connects, and checks the joints and their limits: it only reads. Throws BoardError with the
+  /// port that it is about.
   BoardSession(const YarpParams& params, const PortAddress& name_server, const Waiter& waiter,
                BoardExchange& exchange);
 
-  /// Hands encoders and set-points over until the waiter is stopped. Throws BoardError as soon as
-  /// the board cannot be trusted any more.
+  /// Hands encoders and set-points over until the waiter is stopped. The first set-point puts the
+  /// joints into the mode that takes set-points, since whoever gives one wants them to move; until
+  /// then an emergency stop, which is a change of modes, is left alone. Throws BoardError as soon
+  /// as the board cannot be trusted any more.
   void run();
 
-  /// Leaves the joints where they are, in mode `pos`, within 50 ms.
+  /// Leaves the joints that it has taken where they are, in mode `pos`, within 50 ms; not those
+  /// that something else has put into another mode since.
   void leave();
 
  private:
+  enum class Hold : std::uint8_t { kNone, kTaking, kTaken };
   struct Ports {
     PortAddress requests;
     PortAddress command;
@@ -41,14 +49,15 @@ class BoardSession {
 
   void check_joints();
   void begin_to_receive();
-  void take_joints();
   std::string wrong_mode(const std::vector<std::string>& modes) const;
 
   void wait_for_fresh_encoders();
   void receive_encoders();
   JointReading take_state(std::span<const std::uint8_t> message);
+  void begin_to_take();
   void send_set_point();
   void attend_requests();
+  void heed(const BoardAnswer& answer);
   void check_silence() const;
   void wait_for_more() const;
 
@@ -61,11 +70,15 @@ class BoardSession {
   SetPointGate gate_;
   std::size_t axes_ = 0;
   std::vector<std::string> names_;  // of the driven joints
+  Hold hold_ = Hold::kNone;         // on these
+  std::size_t joints_put_ = 0;  // into the mode that takes set-points, by what the board answered
   std::optional<BoardStamp> stamp_;
   Deadline received_at_;  // the newest encoders
   Deadline stamp_moved_at_;
   Deadline command_free_at_;  // last time that all set-points had gone out
   Deadline next_modes_at_;
+  Deadline taken_by_;
+  SteadyClock::time_point taken_at_;
   JointReading reading_;
 };
 

@@ -9,6 +9,7 @@
 #include <netdb.h>
 #include <netinet/in.h>
 
+#include "common/yarp/board_error.h"
 #include "common/yarp/board_session.h"
 
 namespace puck {
@@ -94,7 +95,11 @@ void YarpBackEnd::run(const std::stop_token& stop) {
 std::string YarpBackEnd::serve(const PortAddress& name_server, const Waiter& waiter) {
   try {
     BoardSession session(params_, name_server, waiter, exchange_);
-    session.run();
+    try {
+      session.run();
+    } catch (const BoardError&) {
+      if (!waiter.is_stopped()) throw;
+    }
     session.leave();
     return {};
   } catch (const std::exception& error) {

@@ -23,9 +23,14 @@ namespace puck {
 /// the set-point lies within `start_within_deg` of these: a controller begins anew at what
 /// reading() says, at rest. The same holds after a set-point that was refused.
 ///
-/// When it ends, it leaves the joints in mode `pos`: they stay stiff where they are, as in `posd`,
-/// but set-points of anybody that come late move nothing. The modes of before are not restored:
-/// they may have been slack, and the arm would fall.
+/// A connection only reads until the first set-point that is heard, and puts the joints into mode
+/// `posd` then: an emergency stop, which takes them out of it, lasts until a controller that was
+/// reset gives set-points again.
+///
+/// When it ends, it leaves the joints that its last connection took in mode `pos`: they stay stiff
+/// where they are, as in `posd`, but set-points of anybody that come late move nothing. The modes
+/// of before are not restored: they may have been slack, and the arm would fall. After a failure
+/// without set-points since, the modes are left as they are.
 class YarpBackEnd final : public ArmBackEnd {
  public:
   /// Looks up the name server's host. Throws std::invalid_argument that names the key when a value

@@ -180,6 +180,7 @@ class TestBoard::Ports {
   bool is_dead_ = false;
   std::int64_t set_points_ = 0;
   std::int64_t unreadable_ = 0;
+  std::int64_t mode_requests_ = 0;
   std::int64_t text_dropped_ = 0;
   std::list<Connection> connections_;
 
@@ -356,8 +357,7 @@ class TestBoard::Ports {
     if (what == "icmd") {
       std::string text = "[cmds] (";
       for (std::size_t i = 0; i < modes_.size(); ++i) {
-        const bool is_lost = i == 0 && has(BoardTrouble::kModeLost);
-        text += (i > 0 ? " [" : "[") + (is_lost ? std::string("hwf") : modes_[i]) + "]";
+        text += (i > 0 ? " [" : "[") + modes_[i] + "]";
       }
       return text + ")";
     }
@@ -373,10 +373,12 @@ class TestBoard::Ports {
   bool set(const std::string& what, std::istream& words) {
     std::string order;
     if (what == "icmd" && words >> order) {
+      ++mode_requests_;
       std::size_t joint = 0;
       std::string mode;
       if (order != "cmod" || !(words >> joint >> mode) || joint >= axes()) return false;
-      if (!has(BoardTrouble::kModesStay)) modes_[joint] = mode;
+      const bool is_lost = joint == 0 && has(BoardTrouble::kModeLost);
+      if (!has(BoardTrouble::kModesStay) && !is_lost) modes_[joint] = mode;
       return true;
     }
     std::size_t joint = 0;
@@ -452,11 +454,17 @@ int TestBoard::port() const { return ports_->names_port_; }
 void TestBoard::set_trouble(BoardTrouble trouble) {
   const std::lock_guard lock(ports_->mutex());
   ports_->trouble_ = trouble;
+  if (trouble == BoardTrouble::kModeLost) ports_->modes_[0] = "hwf";
 }
 
 void TestBoard::move_joint(std::size_t joint, double deg) {
   const std::lock_guard lock(ports_->mutex());
   ports_->encoders_.at(joint) = deg;
+}
+
+void TestBoard::put_into_mode(const std::string& mode) {
+  const std::lock_guard lock(ports_->mutex());
+  ports_->modes_.assign(ports_->modes_.size(), mode);
 }
 
 void TestBoard::die() {
@@ -492,6 +500,11 @@ std::int64_t TestBoard::set_points() const {
 std::int64_t TestBoard::unreadable() const {
   const std::lock_guard lock(ports_->mutex());
   return ports_->unreadable_;
+}
+
+std::int64_t TestBoard::mode_requests() const {
+  const std::lock_guard lock(ports_->mutex());
+  return ports_->mode_requests_;
 }
 
 std::int64_t TestBoard::text_dropped() const {

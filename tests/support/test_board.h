@@ -29,7 +29,7 @@ enum class BoardTrouble : std::uint8_t {
   kRequestsClose,    ///< or closes each connection.
   kAxesChange,       ///< There is one joint fewer than before,
   kModesStay,        ///< joints do not change their mode,
-  kModeLost,         ///< or fall out of it.
+  kModeLost,         ///< or joint 0 falls out of it, as in an emergency stop.
   kStateMute,        ///< Port state:o sends nothing,
   kStateGarbage,     ///< nonsense,
   kStateTruncated,   ///< a vector that ends early,
@@ -74,6 +74,8 @@ class TestBoard {
   void set_trouble(BoardTrouble trouble);
   /// A hand that moves a joint.
   void move_joint(std::size_t joint, double deg);
+  /// Somebody else who changes the mode of all joints.
+  void put_into_mode(const std::string& mode);
   /// Closes all of the board's connections and its ports, as a process that dies; and a new one.
   void die();
   void revive();
@@ -84,6 +86,8 @@ class TestBoard {
   /// Set-points in the binary carrier that it did, and that it could not read.
   std::int64_t set_points() const;
   std::int64_t unreadable() const;
+  /// Orders to change a joint's mode, done or not.
+  std::int64_t mode_requests() const;
   /// Lines of text that came to command:i.
   std::int64_t text_dropped() const;
   /// Now, of all ports.

@@ -55,15 +55,18 @@ TEST_CASE("A control board plays, stands still at fault when it fails, and plays
   CHECK(board.set_points() == sent);
 
   // It is the operator who says that it may go on, not the board.
+  const std::int64_t mode_requests = board.mode_requests();
   board.set_trouble(BoardTrouble::kNone);
   REQUIRE(game.until([&] { return game.counter("puck-arm", "board_connections") > 1; }));
   game.listen(std::chrono::milliseconds(200));
   CHECK(game.arm()->state == arm_state_t::STATE_FAULT);
+  CHECK(board.mode_requests() == mode_requests);
   const std::vector<std::string> reset = {program("puck-arm"), "--lcm-url", game.url(), "--reset"};
   CHECK(run_program(reset, {.folder = source_folder()}).exit_code == 0);
   REQUIRE(game.until([&] { return game.arm()->state != arm_state_t::STATE_FAULT; }));
   CHECK(moves(game));
   CHECK(board.set_points() > sent);
+  CHECK(board.mode_requests() > mode_requests);
 }
 
 }  // namespace puck

@@ -118,8 +118,8 @@ TEST_CASE("The back end finds the board, takes its joints and moves them") {
   Loop loop(params_for(board));
   REQUIRE(loop.is_connected());
   CHECK(loop.reading()->position[3] == 7);
-  CHECK(board.modes() == std::vector<std::string>(7, "posd"));
   CHECK(loop.moves_to(15));
+  CHECK(board.modes() == std::vector<std::string>(7, "posd"));
   CHECK(board.encoders() == std::vector<double>(7, 15));
   CHECK(loop.fault().empty());
   const YarpCounters counters = loop.counters();
@@ -227,7 +227,6 @@ TEST_CASE("A board that fails from the beginning is a fault with its reason, and
         Case{BoardTrouble::kRequestsDrip, "rpc:i: no answer in time"},
         Case{BoardTrouble::kRequestsClose, "rpc:i: "},
         Case{BoardTrouble::kStateFrozen, "state:o: its stamp stands still"},
-        Case{BoardTrouble::kModesStay, "is in mode \"pos\", not in \"posd\""},
         Case{BoardTrouble::kHelloWrong, "state:o: it does not answer in the binary carrier"},
         Case{BoardTrouble::kStateClose, "state:o: "},
         Case{BoardTrouble::kCommandClose, "command:i: "},
@@ -267,7 +266,7 @@ TEST_CASE("A board that fails in a game is a fault with its reason, and connecte
         Case{BoardTrouble::kCommandClose, "command:i: "},
         Case{BoardTrouble::kRequestsClose, "rpc:i: "},
         Case{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get icmd cmds\" with [fail]"},
-        Case{BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked for the modes"},
+        Case{BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get icmd cmds\""},
         Case{BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
         Case{BoardTrouble::kModeLost,
              "rpc:i: joint 0 \"joint0\" is in mode \"hwf\", not in \"posd\""}}) {
@@ -286,6 +285,90 @@ TEST_CASE("A board that fails in a game is a fault with its reason, and connecte
     CHECK(loop.moves_to(8));
     CHECK(loop.counters().failures > 0);
   }
+}
+
+TEST_CASE("A connection only reads until the first set-point, and one refused takes no joints") {
+  TestBoard board;
+  {
+    Loop loop(params_for(board));
+    REQUIRE(loop.is_connected());
+    const auto enough = loop.counters().encoders_received + 5;
+    CHECK(until([&] { return loop.counters().encoders_received > enough; }));
+    loop.command(all(2.5));
+    loop.fails_with("the set-point of joint 0, 2.5 deg, does not begin at its encoder, 0 deg");
+    CHECK(loop.counters().failures == 0);
+  }
+  CHECK(until([&] { return board.connections() == 0; }));
+  CHECK(board.mode_requests() == 0);
+}
+
+TEST_CASE("An emergency stop lasts until set-points are given again") {
+  TestBoard board;
+  {
+    Loop loop(params_for(board));
+    REQUIRE(loop.moves_to(5));
+    const std::int64_t requests = board.mode_requests();
+    CHECK(requests == 7);
+    board.set_trouble(BoardTrouble::kModeLost);
+    const auto stopped = board.modes();
+    loop.fails_with("is in mode \"hwf\", not in \"posd\"");
+    // The button is released: that alone moves no joint.
+    board.set_trouble(BoardTrouble::kNone);
+    REQUIRE(loop.is_connected());
+    const auto enough = loop.counters().encoders_received + 5;
+    CHECK(until([&] { return loop.counters().encoders_received > enough; }));
+    CHECK(loop.counters().failures == 1);
+    CHECK(board.modes() == stopped);
+    CHECK(board.mode_requests() == requests);
+    // What a controller does after a reset.
+    CHECK(loop.moves_to(8));
+    CHECK(board.modes() == std::vector<std::string>(7, "posd"));
+    CHECK(board.mode_requests() == requests + 7);
+    board.set_trouble(BoardTrouble::kModeLost);
+    loop.fails_with("is in mode \"hwf\", not in \"posd\"");
+    REQUIRE(loop.is_connected());
+  }
+  CHECK(until([&] { return board.connections() == 0; }));
+  CHECK(board.modes()[0] == "hwf");
+  CHECK(board.mode_requests() == 14);
+}
+
+TEST_CASE("Joints that do not change their mode are a fault, and never moved") {
+  TestBoard board;
+  board.set_trouble(BoardTrouble::kModesStay);
+  Loop loop(params_for(board));
+  REQUIRE(loop.is_connected());
+  loop.command(all(1));
+  loop.fails_with("is in mode \"pos\", not in \"posd\"");
+  CHECK(board.set_points() == 0);
+}
+
+TEST_CASE("Joints that move while they are taken are not sent back") {
+  TestBoard board;
+  board.set_trouble(BoardTrouble::kModesStay);
+  Loop loop(params_for(board));
+  REQUIRE(loop.is_connected());
+  loop.command(all(1));
+  REQUIRE(until([&] { return board.mode_requests() == 7; }));
+  // The first of them sags as its mode changes.
+  board.move_joint(0, 20);
+  REQUIRE(until([&] { return loop.reading() && loop.reading()->position[0] == 20; }));
+  board.set_trouble(BoardTrouble::kNone);
+  board.put_into_mode("posd");
+  loop.fails_with("the set-point of joint 0, 1 deg, does not begin at its encoder, 20 deg");
+  CHECK(board.set_points() == 0);
+}
+
+TEST_CASE("Set-points that were held up do not jump") {
+  TestBoard board;
+  Loop loop(params_for(board));
+  REQUIRE(loop.moves_to(5));
+  REQUIRE(loop.settles());
+  loop.command(all(10.5));
+  loop.fails_with("joint 0, 10.5 deg, is too far from the one before, 5 deg");
+  CHECK(board.encoders() == std::vector<double>(7, 5));
+  CHECK(loop.counters().connections == 1);
+  CHECK(loop.moves_to(8));
 }
 
 TEST_CASE(
@@ -383,11 +466,25 @@ TEST_CASE("An arm that ends leaves its joints where they are, in position mode")
   {
     Loop loop(params_for(board));
     REQUIRE(loop.moves_to(5));
+    CHECK(board.modes()[6] == "posd");
   }
-  auto modes = board.modes();
-  CHECK(modes == std::vector<std::string>(8, "pos"));
+  CHECK(board.modes() == std::vector<std::string>(8, "pos"));
   CHECK(board.encoders()[0] == 5);
   CHECK(until([&] { return board.connections() == 0; }));
+}
+
+TEST_CASE("An arm that ends does not undo an emergency stop that it has not noticed yet") {
+  TestBoard board;
+  {
+    YarpParams params = params_for(board);
+    params.check_modes_ms = 10'000;
+    Loop loop(params);
+    REQUIRE(loop.moves_to(5));
+    board.set_trouble(BoardTrouble::kModeLost);
+    board.set_trouble(BoardTrouble::kNone);
+  }
+  CHECK(board.modes()[0] == "hwf");
+  CHECK(board.modes()[1] == "pos");
 }
 
 TEST_CASE("A stop does not wait for a board, whatever it is asked for") {
@@ -398,8 +495,10 @@ TEST_CASE("A stop does not wait for a board, whatever it is asked for") {
     YarpParams params = params_for(board);
     params.answer_timeout_ms = params.connect_timeout_ms = kTooLongMs;
     auto loop = std::make_unique<Loop>(params);
-    if (trouble == BoardTrouble::kNone) {
+    if (trouble == BoardTrouble::kNone || trouble == BoardTrouble::kModesStay) {
       REQUIRE(loop->is_connected());
+      loop->command(all(0));
+      REQUIRE(until([&] { return board.mode_requests() == 7; }));
     } else {
       REQUIRE(until([&] { return board.connections() > 0; }));
     }
