@@ -202,10 +202,10 @@ TEST_CASE("What leaps elsewhere, or moves as no hit there could have it move, is
       {{0.6, -0.2}, {-12, 0}},  // too far away for so few ms
       {{1.36, 0.2}, {-12, 0}},  // the mirror image
   };
-  for (const auto& [place, velocity] : leaps) {
-    CAPTURE(place.x_m);
-    CAPTURE(place.y_m);
-    const auto [use, ms] = after_straying(place, velocity);
+  for (const auto& leap : leaps) {
+    CAPTURE(leap.first.x_m);
+    CAPTURE(leap.first.y_m);
+    const auto [use, ms] = after_straying(leap.first, leap.second);
     CHECK(use == MeasurementUse::kJumped);
     CHECK(ms >= 20);
   }
