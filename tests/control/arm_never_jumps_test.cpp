@@ -326,7 +326,7 @@ TEST_CASE("Whatever arrives, the arm keeps its limits and only brakes without co
     CHECK(verdict.bad == 0);
     // The test has to have met what it is about.
     CHECK(sum.moved > sum.steps / 100);
-    CHECK(sum.braked_without_leave > sum.steps / 5000);
+    CHECK(sum.braked_without_leave >= sum.steps / 5000);
     CHECK(verdict.most_jerk > 0.3);
   }
 }
