@@ -68,7 +68,7 @@ TEST_CASE(
            game.state_text("puck-tracker").find("for events") != std::string::npos;
   }));
   game.listen(std::chrono::seconds(1));
-  CHECK(span_while_played(game, log) == 0);
+  CHECK(span_while_played(game, log) < kStillM);
   const std::int64_t refused = game.counter("puck-arm", "commands_refused");
   CHECK(refused >= commands / 2);
   CHECK(game.counter("puck-tracker", "packets_not_live") > 100);
@@ -88,7 +88,7 @@ TEST_CASE(
     }));
     game.listen(std::chrono::seconds(1));
     game.take_tracked();
-    CHECK(span_while_played(game, log) == 0);
+    CHECK(span_while_played(game, log) < kStillM);
     // There was something to follow.
     CHECK(game.take_tracked() > 100);
     CHECK(game.counter("puck-arm", "estimates_used") > 100);

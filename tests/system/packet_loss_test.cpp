@@ -29,15 +29,16 @@ Json evaluate(const TemporaryFolder& folder, const std::string& percent, const s
   return Json::parse(read_text(folder / "a.json"));
 }
 
-double mean_px_over_seeds(const TemporaryFolder& folder, const std::string& percent) {
-  double sum_px = 0;
+double mean_over_seeds(const TemporaryFolder& folder, const std::string& percent, const char* key) {
+  double sum = 0;
   for (const char* seed : {"1", "2", "3"}) {
-    const double mean_px = evaluate(folder, percent, seed)["mean_px"];
-    sum_px += mean_px;
+    sum += evaluate(folder, percent, seed)[key].get<double>();
   }
-  return sum_px / 3;
+  return sum / 3;
 }
 
+// The mean of a few seconds hangs on the milliseconds after a single hit, which any change of the
+// events moves; so what is held to 10 % is the median, and that no more of the puck is lost.
 TEST_CASE("the loss of 1 % of the packets costs less than 10 % of accuracy, camera still or not") {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--seed", "1", "--seconds", "8"},
@@ -47,13 +48,15 @@ TEST_CASE("the loss of 1 % of the packets costs less than 10 % of accuracy, came
     arguments.insert(arguments.end(), options.begin(), options.end());
     run("puck-simulate", folder, arguments);
     const Json whole = evaluate(folder, "0", "1");
-    const double whole_px = whole["mean_px"];
-    const double one_px = mean_px_over_seeds(folder, "1");
-    const double five_px = mean_px_over_seeds(folder, "5");
-    MESSAGE("mean error, px: " << whole_px << ", without 1 % of the packets " << one_px
-                               << ", without 5 % " << five_px);
+    const double whole_px = whole["median_px"];
+    const double one_px = mean_over_seeds(folder, "1", "median_px");
+    MESSAGE("median error, px: " << whole_px << ", without 1 % of the packets " << one_px);
+    MESSAGE("mean error, px: " << whole["mean_px"].get<double>() << ", without 1 % "
+                               << mean_over_seeds(folder, "1", "mean_px") << ", without 5 % "
+                               << mean_over_seeds(folder, "5", "mean_px"));
     CHECK(whole["estimates"] > 2000);
     CHECK(one_px < 1.1 * whole_px);
+    CHECK(mean_over_seeds(folder, "1", "lost_percent") < whole["lost_percent"].get<double>() + 0.5);
     // As many as were asked for, the same by the same seed.
     Json some = evaluate(folder, "5", "1");
     const double left = some["events"].get<double>() / whole["events"].get<double>();

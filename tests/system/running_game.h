@@ -17,6 +17,9 @@
 
 namespace puck {
 
+/// An arm whose span of positions is below this stands still: what is left is rounding, m.
+inline constexpr double kStillM = 1e-6;
+
 /// The simulated game with the real programs, which a test may kill, freeze and start again, and
 /// what they say meanwhile. One thread.
 class RunningGame {

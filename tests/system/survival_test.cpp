@@ -47,7 +47,7 @@ bool stands_within(RunningGame& game, milliseconds time) {
     game.listen(milliseconds(500));
     game.take_arm_span_m();
     game.listen(milliseconds(1000));
-    if (game.take_arm_span_m() == 0) return true;
+    if (game.take_arm_span_m() < kStillM) return true;
   } while (Clock::now() < end);
   return false;
 }
