@@ -71,4 +71,21 @@ TruthRow from_message(const ground_truth_t& message) {
           message.visible};
 }
 
+head_state_t to_message(const HeadPose& pose, Timestamp at) {
+  head_state_t message{};
+  message.sensor_us = at.us;
+  message.yaw_deg = pose.yaw_deg;
+  message.pitch_deg = pose.pitch_deg;
+  message.roll_deg = pose.roll_deg;
+  message.yaw_deg_s = pose.yaw_deg_s;
+  message.pitch_deg_s = pose.pitch_deg_s;
+  message.roll_deg_s = pose.roll_deg_s;
+  return message;
+}
+
+HeadPose from_message(const head_state_t& message) {
+  return {message.yaw_deg,   message.pitch_deg,   message.roll_deg,
+          message.yaw_deg_s, message.pitch_deg_s, message.roll_deg_s};
+}
+
 }  // namespace puck

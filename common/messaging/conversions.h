@@ -1,9 +1,12 @@
 #pragma once
 
 #include "common/events/sensor_size.h"
+#include "common/events/timestamp.h"
+#include "common/table/head_pose.h"
 #include "common/vision/puck_estimate.h"
 #include "common/vision/truth_row.h"
 #include "puck/ground_truth_t.hpp"
+#include "puck/head_state_t.hpp"
 #include "puck/puck_estimate_t.hpp"
 
 namespace puck {
@@ -12,8 +15,12 @@ namespace puck {
 /// backlog and the loss counters are the tracker service's to fill in.
 puck_estimate_t to_message(const PuckEstimate& estimate, SensorSize sensor);
 
+/// Where the camera looked at `at`; all but the header.
+head_state_t to_message(const HeadPose& pose, Timestamp at);
+
 /// Of a message that a Bus delivered.
 PuckEstimate from_message(const puck_estimate_t& message);
 TruthRow from_message(const ground_truth_t& message);
+HeadPose from_message(const head_state_t& message);
 
 }  // namespace puck

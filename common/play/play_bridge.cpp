@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/messaging/conversions.h"
+
 namespace puck {
 namespace {
 
@@ -155,8 +157,7 @@ void PlayBridge::hear(const head_state_t& head, const HostNow& now) {
   }
   if (verdict == SinglePublisher::Verdict::kNewPublisher) head_.forget();
   hears_head_ = true;
-  const HeadPose pose{head.yaw_deg,   head.pitch_deg,   head.roll_deg,
-                      head.yaw_deg_s, head.pitch_deg_s, head.roll_deg_s};
+  const HeadPose pose = from_message(head);
   if (head.sensor_us >= 0 && head.sensor_us <= kLongestRunUs) {
     head_.add({head.sensor_us}, pose);
   } else if (head.sensor_us == kTimeUnknown && sensor_ahead_us_) {

@@ -1,5 +1,7 @@
 #include "services/camera/truth_messages.h"
 
+#include "common/messaging/conversions.h"
+
 namespace puck {
 
 ground_truth_t to_truth_message(const SimulatedTruth& truth, SensorSize sensor, bool rotated_180) {
@@ -23,17 +25,14 @@ ground_truth_t to_truth_message(const SimulatedTruth& truth, SensorSize sensor, 
 }
 
 head_state_t to_head_message(const SimulatedTruth& truth, bool rotated_180) {
-  // Half a turn about the optical axis swaps right with left and up with down.
-  const double sign = rotated_180 ? -1 : 1;
-  head_state_t message{};
-  message.sensor_us = truth.time.us;
-  message.yaw_deg = sign * truth.head.yaw_deg;
-  message.pitch_deg = sign * truth.head.pitch_deg;
-  message.roll_deg = truth.head.roll_deg;
-  message.yaw_deg_s = sign * truth.head.yaw_deg_s;
-  message.pitch_deg_s = sign * truth.head.pitch_deg_s;
-  message.roll_deg_s = truth.head.roll_deg_s;
-  return message;
+  HeadPose head = truth.head;
+  if (rotated_180) {
+    // Half a turn about the optical axis swaps right with left and up with down.
+    for (double* angle : {&head.yaw_deg, &head.pitch_deg, &head.yaw_deg_s, &head.pitch_deg_s}) {
+      *angle = -*angle;
+    }
+  }
+  return to_message(head, truth.time);
 }
 
 }  // namespace puck

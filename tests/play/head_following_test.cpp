@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/messaging/conversions.h"
 #include "common/table/table_camera.h"
 #include "tests/play/bridge_bench.h"
 
@@ -20,14 +21,10 @@ class TurningBench {
     return {static_cast<double>(sensor_us % 1'000'000) * 20e-6 - 3, 1, 0, 20, 0, 0};
   }
   void hear_head() {
-    const HeadPose pose = pose_at(bench.sensor_us());
-    head_state_t message{};
+    head_state_t message =
+        to_message(pose_at(bench.sensor_us()), {says_time ? bench.sensor_us() : -1});
     message.session = 5001;
     message.seq = next_seq_++;
-    message.sensor_us = says_time ? bench.sensor_us() : -1;
-    message.yaw_deg = pose.yaw_deg;
-    message.pitch_deg = pose.pitch_deg;
-    message.yaw_deg_s = pose.yaw_deg_s;
     bench.bridge.hear(message, bench.now);
   }
   puck_estimate_t estimate(const PuckState& puck) {

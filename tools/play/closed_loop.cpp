@@ -66,18 +66,10 @@ void ClosedLoop::deliver() {
 }
 
 void ClosedLoop::hear_head() {
-  const HeadPose& head = truth().head;
-  head_state_t message{};
+  head_state_t message = to_message(truth().head, now());
   message.utime = host_time_of(now()).utime;
   message.session = kCameraSession;
   message.seq = heads_++;
-  message.sensor_us = now().us;
-  message.yaw_deg = head.yaw_deg;
-  message.pitch_deg = head.pitch_deg;
-  message.roll_deg = head.roll_deg;
-  message.yaw_deg_s = head.yaw_deg_s;
-  message.pitch_deg_s = head.pitch_deg_s;
-  message.roll_deg_s = head.roll_deg_s;
   bridge_.hear(message, host_time_of(now()));
 }
 
