@@ -91,7 +91,7 @@ void TableGame::think_for_robot() {
   double target_m = 0;
   if (puck_ && puck_->velocity.x_m_s < kApproaching_m_s) {
     const TableGeometry& table = physics_.table();
-    const double meet_x_m = table.robot_line_x_m + table.puck_radius_m + table.mallet_radius_m;
+    const double meet_x_m = table.contact_line_x_m();
     DiscState ahead = *puck_;
     for (double t_s = 0; t_s < kLongest_s && ahead.position.x_m > meet_x_m; t_s += kLookAhead_s) {
       physics_.glide(ahead, kLookAhead_s);

@@ -17,6 +17,10 @@ struct TableGeometry {
   double robot_line_x_m = 0.15;     ///< The robot's mallet moves on x = this …
   double robot_line_half_m = 0.30;  ///< … with |y| up to this.
 
+  /// Where the rim of a puck that comes touches a robot's mallet that stands in its way: x of the
+  /// puck's centre.
+  double contact_line_x_m() const { return robot_line_x_m + puck_radius_m + mallet_radius_m; }
+
   /// Whether a point lies on the playing surface or at most `margin_m` beyond it.
   bool contains(const TablePoint& point, double margin_m) const {
     return point.x_m >= -margin_m && point.x_m <= length_m + margin_m &&

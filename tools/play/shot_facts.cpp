@@ -25,8 +25,7 @@ class Oracle {
  public:
   explicit Oracle(const PlaySetup& setup)
       : physics_(setup.world.table, setup.world.physics),
-        line_x_m_(setup.world.table.robot_line_x_m + setup.world.table.puck_radius_m +
-                  setup.world.table.mallet_radius_m),
+        line_x_m_(setup.world.table.contact_line_x_m()),
         arm_(setup.arm) {}
 
   /// Where and when a puck crosses the line if nobody touches it; false if it turns back before.
