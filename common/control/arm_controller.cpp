@@ -1,10 +1,8 @@
 #include "common/control/arm_controller.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,12 +21,6 @@ CommandGuardParams guard_params(const ArmControllerParams& params) {
   return guard;
 }
 
-JointAngles middle_of(const JointTable& table) {
-  std::array<double, JointAngles::kMost> deg{};
-  table.at(0, deg);
-  return JointAngles(std::span<const double>(deg).first(table.size()));
-}
-
 }  // namespace
 
 ArmController::ArmController(const ArmControllerParams& params, std::int64_t session,
@@ -44,7 +36,7 @@ ArmController::ArmController(const ArmControllerParams& params, std::int64_t ses
   }
   if (!back_end_) {
     back_end_ = std::make_unique<SimulatedBackEnd>(params.simulated, motion_.table(),
-                                                   middle_of(motion_.table()));
+                                                   joints_at(motion_.table(), 0));
   }
   order_.reason = "nothing asked yet";
 }

@@ -124,13 +124,11 @@ std::string ArmMotion::begin() {
            " deg, outside its limits: move it by hand";
   }
   line_.rest_at(encoders_.place().y_m);
-  approach_from_ = approach_to_ = set_point_ = at;
-  std::array<double, JointAngles::kMost> to{};
-  table_.at(line_.state().position, to);
+  approach_from_ = set_point_ = at;
+  approach_to_ = joints_at(table_, line_.state().position);
   approach_deg_ = 0;
   for (std::size_t k = 0; k < at.size(); ++k) {
-    approach_to_[k] = to[k];
-    approach_deg_ = std::max(approach_deg_, std::abs(to[k] - at[k]));
+    approach_deg_ = std::max(approach_deg_, std::abs(approach_to_[k] - at[k]));
   }
   phase_ = Phase::kOnLine;
   if (approach_deg_ > kOnLineDeg) {
@@ -158,10 +156,7 @@ JointAngles ArmMotion::next_set_point(std::optional<double> target_m, double dt_
   }
   if (!target_m || !line_.set_target(*target_m)) line_.hold();
   line_.step(dt_s);
-  std::array<double, JointAngles::kMost> deg{};
-  table_.at(line_.state().position, deg);
-  for (std::size_t k = 0; k < next.size(); ++k) next[k] = deg[k];
-  return next;
+  return joints_at(table_, line_.state().position);
 }
 
 std::string ArmMotion::step(ArmBackEnd& back_end, std::optional<double> target_m,

@@ -5,13 +5,15 @@
 #include <cstddef>
 #include <span>
 
+#include "common/motion/joint_table.h"
+
 namespace puck {
 
 /// The angles of the arm's joints, deg, in the order in which its control board numbers them. Keeps
 /// its elements within itself, so that the loop does not allocate.
 class JointAngles {
  public:
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMost = JointTable::kMostJoints;
 
   JointAngles() = default;
   /// At most `kMost` angles; further ones are left out.
@@ -28,5 +30,12 @@ class JointAngles {
   std::array<double, kMost> deg_{};
   std::size_t size_ = 0;
 };
+
+/// Of the table's joints with the mallet at a place of the line, which is clamped to it.
+inline JointAngles joints_at(const JointTable& table, double y_m) {
+  std::array<double, JointAngles::kMost> deg{};
+  table.at(y_m, deg);
+  return JointAngles(std::span<const double>(deg).first(table.size()));
+}
 
 }  // namespace puck

@@ -11,13 +11,14 @@
 #include <string>
 
 #include "common/io/csv_file.h"
+#include "common/motion/joint_table.h"
 
 namespace puck {
 namespace {
 
 constexpr double kMostM = 10;
 constexpr double kMostDeg = 720;
-constexpr std::size_t kMostJoints = 16;
+constexpr std::size_t kMostJoints = JointTable::kMostJoints;
 
 }  // namespace
 
