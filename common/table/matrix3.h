@@ -1,39 +1,18 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+
+#include "common/table/square_matrix.h"
 
 namespace puck {
 
 /// Three by three, row by row.
-using Matrix3 = std::array<double, 9>;
+using Matrix3 = SquareMatrix<3>;
 using Column3 = std::array<double, 3>;
-
-constexpr Matrix3 product(const Matrix3& a, const Matrix3& b) {
-  Matrix3 result{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        result[3 * row + column] += a[3 * row + k] * b[3 * k + column];
-      }
-    }
-  }
-  return result;
-}
 
 constexpr Column3 product(const Matrix3& a, const Column3& v) {
   return {a[0] * v[0] + a[1] * v[1] + a[2] * v[2], a[3] * v[0] + a[4] * v[1] + a[5] * v[2],
           a[6] * v[0] + a[7] * v[1] + a[8] * v[2]};
-}
-
-constexpr Matrix3 transposed(const Matrix3& a) {
-  return {a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8]};
-}
-
-constexpr Matrix3 sum(const Matrix3& a, const Matrix3& b) {
-  Matrix3 result = a;
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] += b[i];
-  return result;
 }
 
 constexpr Matrix3 scaled(Matrix3 a, double factor) {
