@@ -16,7 +16,7 @@
 # --sweep WHAT    how the share of saves falls as this grows, for PUCK and for others, with --shots
 #                 (default 200) at each point
 # --json FILE     write the figures there
-# --plots DIR     write plots there
+# --plots DIR     write plots there, of --shots or a --sweep
 #
 # --moving        the camera's head turns; in steps only with --source events
 #

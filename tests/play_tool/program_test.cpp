@@ -25,7 +25,8 @@ Finished play(std::vector<std::string> arguments) {
 TEST_CASE("puck-play writes the figures that scripts rely on") {
   const TemporaryFolder folder;
   const std::filesystem::path json = folder / "play.json";
-  const Finished run = play({"--shots", "4", "--max-speed", "8", "--json", json});
+  const Finished run =
+      play({"--shots", "4", "--max-speed", "8", "--json", json, "--plots", folder / "plots"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.errors);
   const Json figures = Json::parse(read_text(json));
   for (const std::string& key : kKeys) CHECK_MESSAGE(figures.contains(key), key);
@@ -34,6 +35,7 @@ TEST_CASE("puck-play writes the figures that scripts rely on") {
   CHECK(figures["save_ci_low"] < figures["save_percent"]);
   CHECK(figures["speed_x"] > 0);
   CHECK(run.output.find("shots at the robot's goal") != std::string::npos);
+  CHECK(std::filesystem::file_size(folder / "plots" / "shots.png") > 1000);
 }
 
 TEST_CASE("puck-play writes a sweep's points and its plot") {
@@ -67,6 +69,7 @@ TEST_CASE("puck-play refuses what it cannot do") {
   CHECK(play({"--shots", "1", "--moving"}).exit_code == 2);
   CHECK(play({"--shots", "1", "--moving", "--source", "truth"}).exit_code == 2);
   CHECK(play({"--max-speed", "nan"}).exit_code == 2);
+  CHECK(play({"--seconds", "2", "--plots", "plots"}).exit_code == 2);
   const Finished no_log = play({"--log", "/nowhere/game.lcm"});
   CHECK(no_log.exit_code == 1);
   CHECK(no_log.errors.find("/nowhere/game.lcm") != std::string::npos);

@@ -72,8 +72,13 @@ void add_options(CLI::App& app, PlayOptions& options) {
                  "folder with simulated_size.toml and simulated_table.toml")
       ->capture_default_str();
   app.add_option("--json", options.json, "write the figures here");
-  app.add_option("--plots", options.plots, "write plots into this folder");
+  app.add_option("--plots", options.plots, "write plots into this folder; of --shots or a --sweep")
+      ->excludes(fit);
   app.callback([&options] {
+    if (!options.plots.empty() && options.shots == 0 && options.sweep.empty()) {
+      throw CLI::ValidationError(
+          "--plots needs --shots or --sweep: of a whole game there is nothing to plot");
+    }
     if (options.moving && options.source != "events") {
       throw CLI::ValidationError(
           "--moving needs --source events: the truth is seen by a camera at rest");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,19 @@ void draw_curve(const Sweep& sweep, const Axis& axis, const std::string& name, d
   chart.line(line, ink);
 }
 
+// What is told apart of the shots, and how.
+struct Fate {
+  const char* name;
+  Ink ink;
+};
+
+Fate fate_of(const ShotOutcome& outcome) {
+  if (outcome.end == ShotOutcome::End::kSaved) return {"saved", series_ink(0)};
+  if (outcome.end == ShotOutcome::End::kUnjudged) return {"not judged", kGrey};
+  if (outcome.cause == GoalCause::kNotReachable) return {"goal that no arm saves", kBlack};
+  return {"goal", series_ink(1)};
+}
+
 }  // namespace
 
 void write_plot(const Sweep& sweep, const std::filesystem::path& folder) {
@@ -85,6 +99,28 @@ void write_plot(const Sweep& sweep, const std::filesystem::path& folder) {
     chart.legend(curves[i], series_ink(i));
   }
   chart.save(folder / ("saves_" + sweep.name + ".png"));
+}
+
+void write_plot(const std::vector<ShotFacts>& shots, const std::vector<ShotOutcome>& outcomes,
+                const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  double fastest_m_s = 0;
+  double widest_m = 0;
+  for (const ShotFacts& shot : shots) {
+    fastest_m_s = std::max(fastest_m_s, shot.speed_m_s);
+    widest_m = std::max(widest_m, std::abs(shot.crossing_y_m));
+  }
+  widest_m *= 1.1;
+  Chart chart("what became of the shots", axis_from_zero("speed after the hit, m/s", fastest_m_s),
+              {.label = "crosses at, m", .from = -widest_m, .to = widest_m},
+              {.width_px = 1000, .height_px = 560});
+  std::set<std::string> told;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const Fate fate = fate_of(outcomes[i]);
+    if (told.insert(fate.name).second) chart.legend(fate.name, fate.ink);
+    chart.mark({shots[i].speed_m_s, shots[i].crossing_y_m}, "", fate.ink);
+  }
+  chart.save(folder / "shots.png");
 }
 
 }  // namespace puck

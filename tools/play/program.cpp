@@ -61,13 +61,14 @@ SaveFigures figures_of(const PlayOptions& options, int jobs) {
   }
   const PlaySetup single = for_single_shots(setup);
   const auto shots = find_shots(single, options.seed, options.shots, jobs);
-  const SaveFigures figures = measure_saves(single, shots, jobs);
+  const ShotSeries series = play_series(single, shots, jobs);
+  if (!options.plots.empty()) write_plot(shots, series.outcomes, options.plots);
   if (options.predictions) {
     const PredictionReport report = score_predictions(single, shots, jobs);
     print(report);
     if (!options.plots.empty()) write_plot(report, options.plots);
   }
-  return figures;
+  return series.figures;
 }
 
 }  // namespace

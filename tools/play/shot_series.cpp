@@ -54,13 +54,17 @@ std::vector<ShotOutcome> play_shots(const PlaySetup& setup, const std::vector<Sh
   return outcomes;
 }
 
-SaveFigures measure_saves(const PlaySetup& setup, const std::vector<ShotFacts>& shots, int jobs) {
+ShotSeries play_series(const PlaySetup& setup, const std::vector<ShotFacts>& shots, int jobs) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::vector<ShotOutcome> outcomes = play_shots(setup, shots, jobs);
-  SaveFigures figures;
-  for (std::size_t i = 0; i < shots.size(); ++i) figures.add(shots[i], outcomes[i]);
-  figures.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return figures;
+  ShotSeries series{play_shots(setup, shots, jobs), {}};
+  for (std::size_t i = 0; i < shots.size(); ++i) series.figures.add(shots[i], series.outcomes[i]);
+  series.figures.took_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return series;
+}
+
+SaveFigures measure_saves(const PlaySetup& setup, const std::vector<ShotFacts>& shots, int jobs) {
+  return play_series(setup, shots, jobs).figures;
 }
 
 }  // namespace puck

@@ -22,7 +22,13 @@ std::vector<ShotFacts> find_shots(const PlaySetup& setup, std::int64_t seed, int
 std::vector<ShotOutcome> play_shots(const PlaySetup& setup, const std::vector<ShotFacts>& shots,
                                     int jobs);
 
-/// Both and what it took.
+struct ShotSeries {
+  std::vector<ShotOutcome> outcomes;  ///< Of shot i.
+  SaveFigures figures;                ///< What they come to, and what it took.
+};
+ShotSeries play_series(const PlaySetup& setup, const std::vector<ShotFacts>& shots, int jobs);
+
+/// The figures alone.
 SaveFigures measure_saves(const PlaySetup& setup, const std::vector<ShotFacts>& shots, int jobs);
 
 }  // namespace puck
