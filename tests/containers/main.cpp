@@ -1,6 +1,5 @@
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -12,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tests/containers/scenarios.h"
+#include "tools/command_line/run_tool.h"
 #include "tools/demo_report/game_log.h"
 
 namespace {
@@ -111,21 +111,13 @@ int main(int argc, char** argv) {
                  "after; may be repeated")
       ->type_name("SERVICE KB KB");
   app.add_option("--replay", options.replay, "for replay: log of the tracker fed from LOG");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  if (options.title.empty()) options.title = options.scenario;
-  try {
+  return puck::run_tool(app, argc, argv, "puck-container-verdict", [&] {
+    if (options.title.empty()) options.title = options.scenario;
     const GameRecord game = read_game(options);
     Verdict verdict;
     puck::judge_game(game, verdict);
     kJudges.at(options.scenario)(game, options, verdict);
     print_row(options, game, verdict);
     return verdict.passed() ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "puck-container-verdict: %s\n", error.what());
-    return 1;
-  }
+  });
 }

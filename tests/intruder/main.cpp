@@ -1,13 +1,13 @@
 // puck-intruder: sends what nobody should, to see what stands it. Only where no robot listens.
 #include <cinttypes>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "tests/intruder/attacks.h"
+#include "tools/command_line/run_tool.h"
 
 namespace {
 
@@ -69,15 +69,5 @@ int main(int argc, char** argv) {
   });
   app.add_option("--seed", options.seed, "of what is random")->capture_default_str();
   app.footer(attacks_in_words());
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return intrude(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "puck-intruder: %s\n", error.what());
-    return 1;
-  }
+  return puck::run_tool(app, argc, argv, "puck-intruder", [&] { return intrude(options); });
 }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <string>
 #include <thread>
@@ -9,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/command_line/number_range.h"
+#include "tools/command_line/run_tool.h"
 #include "tools/compare/charts.h"
 #include "tools/compare/experiment.h"
 #include "tools/compare/program.h"
@@ -75,16 +75,8 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
   app.add_flag("--keep", options.experiment.keep_recordings, "do not delete the recordings");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
+  return puck::run_tool(app, argc, argv, "puck-compare", [&] {
     puck::compare(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "puck-compare: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <optional>
 
 #include <CLI/CLI.hpp>
 
+#include "tools/command_line/run_tool.h"
 #include "tools/demo_report/demo_figures.h"
 #include "tools/demo_report/game_log.h"
 
@@ -44,15 +44,5 @@ int main(int argc, char** argv) {
   app.add_option("LOG", options.game, "of the game")->required();
   app.add_option("--replay", options.replay, "log of a tracker fed with the game's events");
   app.add_option("--json", options.json, "write the figures here");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return report(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "puck-demo-report: %s\n", error.what());
-    return 1;
-  }
+  return puck::run_tool(app, argc, argv, "puck-demo-report", [&] { return report(options); });
 }

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "common/io/pixel_mask_file.h"
 #include "common/io/size_model_file.h"
 #include "common/io/truth_file.h"
+#include "tools/command_line/run_tool.h"
 #include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/lossy_reader.h"
 #include "tools/evaluate/options.h"
@@ -157,15 +157,6 @@ int main(int argc, char** argv) {
   CLI::App app("Runs a tracker over a recording and says how accurate, quick or fast it is.");
   puck::EvaluateOptions options;
   puck::add_options(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return puck::evaluate(options) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "puck-evaluate: %s\n", error.what());
-    return 1;
-  }
+  return puck::run_tool(app, argc, argv, "puck-evaluate",
+                        [&] { return puck::evaluate(options) ? 0 : 1; });
 }
