@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <random>
 #include <string>
 #include <string_view>
 
@@ -15,6 +14,7 @@
 #include "tests/control/arm_bench.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/test_camera.h"
+#include "tests/support/wild_values.h"
 
 namespace puck {
 namespace {
@@ -23,42 +23,11 @@ constexpr int kSteps = kIsSanitized ? 10'000 : 1'000'000;
 
 // Makes what the arm may meet on the bus: good messages and every kind of bad one, in bursts of
 // good and bad times so that the arm moves as well as it is disturbed.
-class Mischief {
+class Mischief : public WildValues {
  public:
-  explicit Mischief(unsigned seed) : random_(seed) {}
+  using WildValues::WildValues;
 
-  bool chance(double probability) { return std::bernoulli_distribution(probability)(random_); }
-  int below(int limit) { return std::uniform_int_distribution<int>(0, limit - 1)(random_); }
-
-  double wild_number() {
-    switch (below(7)) {
-      case 0:
-        return std::numeric_limits<double>::quiet_NaN();
-      case 1:
-        return std::numeric_limits<double>::infinity();
-      case 2:
-        return -std::numeric_limits<double>::infinity();
-      case 3:
-        return 1e308;
-      case 4:
-        return std::numeric_limits<double>::denorm_min();
-      default:
-        return std::normal_distribution<double>(0, 0.5)(random_);
-    }
-  }
-  std::int64_t wild_integer() {
-    switch (below(5)) {
-      case 0:
-        return std::numeric_limits<std::int64_t>::max();
-      case 1:
-        return std::numeric_limits<std::int64_t>::min();
-      case 2:
-        return 0;
-      default:
-        return static_cast<std::int64_t>(random_());
-    }
-  }
-  double target() { return std::uniform_real_distribution<double>(-0.3, 0.3)(random_); }
+  double target() { return between(-0.3, 0.3); }
 
   void spoil(arm_command_t& command) {
     switch (below(12)) {
@@ -72,10 +41,10 @@ class Mischief {
         command.arm_session = wild_integer();
         break;
       case 3:
-        command.target_m = wild_number();
+        command.target_m = wild_number(1);
         break;
       case 4:
-        command.target_normalised = wild_number();
+        command.target_normalised = wild_number(1);
         break;
       case 5:
         command.valid_for_us = wild_integer();
@@ -87,7 +56,7 @@ class Mischief {
         command.seq -= below(50);
         break;
       case 8:
-        command.mode = static_cast<std::int8_t>(random_());
+        command.mode = static_cast<std::int8_t>(bits());
         break;
       case 9:
         command.estimate_session = wild_integer();
@@ -110,10 +79,10 @@ class Mischief {
         estimate.state = static_cast<std::int8_t>(below(4));
         break;
       case 2:
-        estimate.flags = static_cast<std::int32_t>(random_());
+        estimate.flags = static_cast<std::int32_t>(bits());
         break;
       case 3:
-        estimate.x_px = wild_number();
+        estimate.x_px = wild_number(1);
         break;
       case 4:
         estimate.session = wild_integer();
@@ -126,9 +95,6 @@ class Mischief {
         break;
     }
   }
-
- private:
-  std::mt19937_64 random_;
 };
 
 // Judges by rules of its own, looser than the arm's, whether anything at all speaks for moving.

@@ -1,13 +1,12 @@
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
-#include <random>
 
 #include <doctest/doctest.h>
 
 #include "tests/play/bridge_bench.h"
 #include "tests/support/sanitizers.h"
+#include "tests/support/wild_values.h"
 
 namespace puck {
 namespace {
@@ -16,53 +15,24 @@ constexpr int kSteps = kIsSanitized ? 20'000 : 500'000;
 constexpr std::int64_t kMaxAgeUs = 100'000;
 
 // Spoils estimates in every way that a bridge must see through, or survive.
-class Mischief {
+class Mischief : public WildValues {
  public:
-  explicit Mischief(unsigned seed) : random_(seed) {}
-
-  bool chance(double probability) { return std::bernoulli_distribution(probability)(random_); }
-  int below(int limit) { return std::uniform_int_distribution<int>(0, limit - 1)(random_); }
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  double wild_number() {
-    constexpr double kWild[] = {std::numeric_limits<double>::quiet_NaN(),
-                                std::numeric_limits<double>::infinity(),
-                                -std::numeric_limits<double>::infinity(),
-                                1e308,
-                                -1e18,
-                                std::numeric_limits<double>::denorm_min(),
-                                0};
-    const int which = below(9);
-    return which < 7 ? kWild[which] : between(-2000, 2000);
-  }
-  std::int64_t wild_integer() {
-    switch (below(4)) {
-      case 0:
-        return std::numeric_limits<std::int64_t>::max();
-      case 1:
-        return std::numeric_limits<std::int64_t>::min();
-      case 2:
-        return 0;
-      default:
-        return static_cast<std::int64_t>(random_());
-    }
-  }
+  using WildValues::WildValues;
 
   /// Whether the estimate must now be refused, whatever came before it.
   bool spoil(puck_estimate_t& e) {
     switch (below(14)) {
       case 0:
-        e.x_px = wild_number();
+        e.x_px = wild_number(2000);
         return !std::isfinite(e.x_px) || std::abs(e.x_px) > 1e6;
       case 1:
-        e.y_px = wild_number();
+        e.y_px = wild_number(2000);
         return !std::isfinite(e.y_px) || e.y_px < -100;
       case 2:
-        e.vx_px_s = wild_number();
+        e.vx_px_s = wild_number(2000);
         return !std::isfinite(e.vx_px_s) || std::abs(e.vx_px_s) > 1e6;
       case 3:
-        e.covariance[5 * below(4)] = wild_number();
+        e.covariance[5 * below(4)] = wild_number(2000);
         return std::isnan(e.covariance[0] + e.covariance[5] + e.covariance[10] + e.covariance[15]);
       case 4:
         e.covariance[1] = e.covariance[4] = 5;  // more than the variances allow
@@ -97,9 +67,6 @@ class Mischief {
         return false;
     }
   }
-
- private:
-  std::mt19937_64 random_;
 };
 
 struct Heard {
