@@ -110,6 +110,12 @@ class Loop {
   std::int64_t commands_ = 0;
 };
 
+// What the board does wrong, and how the fault that it must become begins.
+struct BoardFailure {
+  BoardTrouble trouble;
+  const char* reason;
+};
+
 }  // namespace
 
 TEST_CASE("The back end finds the board, takes its joints and moves them") {
@@ -190,16 +196,13 @@ TEST_CASE("An arm that stands still is no fault") {
 }
 
 TEST_CASE("Whatever the name server does, it is a fault with its reason, and mends itself") {
-  struct Case {
-    BoardTrouble trouble;
-    const char* reason;
-  };
-  for (const Case& each :
-       {Case{BoardTrouble::kNamesMute, "the name server: no answer in time"},
-        Case{BoardTrouble::kNamesUnknown,
-             "the name server: there is no port /icub/right_arm/rpc:i: is the robot running?"},
-        Case{BoardTrouble::kNamesGarbage, "the name server: it sent what is no text"},
-        Case{BoardTrouble::kNamesNoAddress, "which is no address"}}) {
+  for (const BoardFailure& each :
+       {BoardFailure{BoardTrouble::kNamesMute, "the name server: no answer in time"},
+        BoardFailure{
+            BoardTrouble::kNamesUnknown,
+            "the name server: there is no port /icub/right_arm/rpc:i: is the robot running?"},
+        BoardFailure{BoardTrouble::kNamesGarbage, "the name server: it sent what is no text"},
+        BoardFailure{BoardTrouble::kNamesNoAddress, "which is no address"}}) {
     CAPTURE(each.reason);
     TestBoard board;
     board.set_trouble(each.trouble);
@@ -214,28 +217,28 @@ TEST_CASE("Whatever the name server does, it is a fault with its reason, and men
 }
 
 TEST_CASE("A board that fails from the beginning is a fault with its reason, and never moved") {
-  struct Case {
-    BoardTrouble trouble;
-    const char* reason;
-  };
-  for (const Case& each :
-       {Case{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get axes\" with [fail]"},
-        Case{BoardTrouble::kRequestsNak, "rpc:i: it refused \"get axes\" with [nak]"},
-        Case{BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get axes\""},
-        Case{BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
-        Case{BoardTrouble::kRequestsEndless, "rpc:i: it sent a line without an end"},
-        Case{BoardTrouble::kRequestsDrip, "rpc:i: no answer in time"},
-        Case{BoardTrouble::kRequestsClose, "rpc:i: "},
-        Case{BoardTrouble::kStateFrozen, "state:o: its stamp stands still"},
-        Case{BoardTrouble::kHelloWrong, "state:o: it does not answer in the binary carrier"},
-        Case{BoardTrouble::kStateClose, "state:o: "},
-        Case{BoardTrouble::kCommandClose, "command:i: "},
-        Case{BoardTrouble::kStateMute, "state:o: no answer in time"},
-        Case{BoardTrouble::kStateNan, "state:o: the encoder of joint 6 is not a finite number"},
-        Case{BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of a size"},
-        Case{BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
-        Case{BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
-        Case{BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"}}) {
+  for (const BoardFailure& each :
+       {BoardFailure{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get axes\" with [fail]"},
+        BoardFailure{BoardTrouble::kRequestsNak, "rpc:i: it refused \"get axes\" with [nak]"},
+        BoardFailure{BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get axes\""},
+        BoardFailure{BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
+        BoardFailure{BoardTrouble::kRequestsEndless, "rpc:i: it sent a line without an end"},
+        BoardFailure{BoardTrouble::kRequestsDrip, "rpc:i: no answer in time"},
+        BoardFailure{BoardTrouble::kRequestsClose, "rpc:i: "},
+        BoardFailure{BoardTrouble::kStateFrozen, "state:o: its stamp stands still"},
+        BoardFailure{BoardTrouble::kHelloWrong,
+                     "state:o: it does not answer in the binary carrier"},
+        BoardFailure{BoardTrouble::kStateClose, "state:o: "},
+        BoardFailure{BoardTrouble::kCommandClose, "command:i: "},
+        BoardFailure{BoardTrouble::kStateMute, "state:o: no answer in time"},
+        BoardFailure{BoardTrouble::kStateNan,
+                     "state:o: the encoder of joint 6 is not a finite number"},
+        BoardFailure{BoardTrouble::kStateTruncated,
+                     "state:o: it sent a list of encoders of a size"},
+        BoardFailure{BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
+        BoardFailure{BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
+        BoardFailure{BoardTrouble::kStateStampless,
+                     "state:o: it sends encoders without a stamp"}}) {
     CAPTURE(each.reason);
     TestBoard board;
     board.set_trouble(each.trouble);
@@ -249,27 +252,28 @@ TEST_CASE("A board that fails from the beginning is a fault with its reason, and
 }
 
 TEST_CASE("A board that fails in a game is a fault with its reason, and connected to again") {
-  struct Case {
-    BoardTrouble trouble;
-    const char* reason;
-  };
-  for (const Case& each :
-       {Case{BoardTrouble::kStateMute, "state:o: no encoders for 150 ms"},
-        Case{BoardTrouble::kStateFrozen, "state:o: its stamp stands still for 150 ms"},
-        Case{BoardTrouble::kStateNan, "state:o: the encoder of joint 6 is not a finite number"},
-        Case{BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of a size"},
-        Case{BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
-        Case{BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
-        Case{BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"},
-        Case{BoardTrouble::kAxesChange, "state:o: it sent the encoders of 6 joints: there were 7"},
-        Case{BoardTrouble::kStateClose, "state:o: "},
-        Case{BoardTrouble::kCommandClose, "command:i: "},
-        Case{BoardTrouble::kRequestsClose, "rpc:i: "},
-        Case{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get icmd cmds\" with [fail]"},
-        Case{BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get icmd cmds\""},
-        Case{BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
-        Case{BoardTrouble::kModeLost,
-             "rpc:i: joint 0 \"joint0\" is in mode \"hwf\", not in \"posd\""}}) {
+  for (const BoardFailure& each :
+       {BoardFailure{BoardTrouble::kStateMute, "state:o: no encoders for 150 ms"},
+        BoardFailure{BoardTrouble::kStateFrozen, "state:o: its stamp stands still for 150 ms"},
+        BoardFailure{BoardTrouble::kStateNan,
+                     "state:o: the encoder of joint 6 is not a finite number"},
+        BoardFailure{BoardTrouble::kStateTruncated,
+                     "state:o: it sent a list of encoders of a size"},
+        BoardFailure{BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
+        BoardFailure{BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
+        BoardFailure{BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"},
+        BoardFailure{BoardTrouble::kAxesChange,
+                     "state:o: it sent the encoders of 6 joints: there were 7"},
+        BoardFailure{BoardTrouble::kStateClose, "state:o: "},
+        BoardFailure{BoardTrouble::kCommandClose, "command:i: "},
+        BoardFailure{BoardTrouble::kRequestsClose, "rpc:i: "},
+        BoardFailure{BoardTrouble::kRequestsFail,
+                     "rpc:i: it refused \"get icmd cmds\" with [fail]"},
+        BoardFailure{BoardTrouble::kRequestsMute,
+                     "rpc:i: no answer in time, asked \"get icmd cmds\""},
+        BoardFailure{BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
+        BoardFailure{BoardTrouble::kModeLost,
+                     "rpc:i: joint 0 \"joint0\" is in mode \"hwf\", not in \"posd\""}}) {
     CAPTURE(each.reason);
     TestBoard board;
     YarpParams params = params_for(board);
