@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "common/messaging/host_time.h"
+#include "common/recording/event_log_reader.h"
 #include "services/camera/live_source.h"
-#include "services/camera/log_reader.h"
 #include "services/camera/stream_source.h"
 #include "services/camera/tcp_source.h"
 #include "services/camera/truth_messages.h"
@@ -63,8 +63,9 @@ CameraService::CameraService(const CameraSettings& settings, ServiceContext& con
 std::unique_ptr<EventSource> CameraService::make_source() {
   if (settings_.source == "file") return std::make_unique<FileSource>(settings_.file);
   if (settings_.source == "log") {
-    return std::make_unique<FileSource>(settings_.file,
-                                        open_log(settings_.file.file, settings_.log_prefix));
+    return std::make_unique<FileSource>(
+        settings_.file,
+        open_event_log(settings_.file.file, settings_.log_prefix, EventLog::Sessions::kJoined));
   }
   if (settings_.source == "stdin") return std::make_unique<StdinSource>(settings_.file.options);
   if (settings_.source == "tcp") {

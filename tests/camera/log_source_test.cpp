@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "common/messaging/log_file.h"
+#include "common/recording/event_log_reader.h"
 #include "services/camera/file_source.h"
-#include "services/camera/log_reader.h"
 #include "tests/camera/camera_fixtures.h"
 #include "tests/camera/camera_run.h"
 #include "tests/support/event_log_writer.h"
@@ -14,6 +14,7 @@ namespace puck {
 namespace {
 
 constexpr SensorSize kSensor{64, 48};
+constexpr auto kJoined = EventLog::Sessions::kJoined;
 
 std::vector<SeenEvent> seen(const std::vector<EventPacket>& packets) {
   std::vector<SeenEvent> events;
@@ -93,7 +94,8 @@ TEST_CASE("a log of another prefix is played by that prefix, and not without it"
 TEST_CASE("a log is looped and stretched as a recording is") {
   const CameraFolder folder;
   write_log(folder / "a.lcm", {numbered_events(1000, 1000)});
-  FileSource looped({.file = folder / "a.lcm", .loop = true}, open_log(folder / "a.lcm", ""));
+  FileSource looped({.file = folder / "a.lcm", .loop = true},
+                    open_event_log(folder / "a.lcm", "", kJoined));
   EventSource::Chunk chunk;
   std::vector<SeenEvent> events;
   while (events.size() < 2500) {
@@ -103,7 +105,8 @@ TEST_CASE("a log is looped and stretched as a recording is") {
   for (std::size_t i = 0; i < 2500; ++i) {
     REQUIRE(events[i].t_us == 1000 + static_cast<std::int64_t>(i) * 10);
   }
-  FileSource slow({.file = folder / "a.lcm", .rate_mev_s = 0.01}, open_log(folder / "a.lcm", ""));
+  FileSource slow({.file = folder / "a.lcm", .rate_mev_s = 0.01},
+                  open_event_log(folder / "a.lcm", "", kJoined));
   events.clear();
   while (slow.next(chunk) == EventSource::Outcome::kEvents) append_seen(chunk.packet, events);
   REQUIRE(events.size() == 1000);
@@ -113,8 +116,8 @@ TEST_CASE("a log is looped and stretched as a recording is") {
 TEST_CASE("what is no log is refused, and so is a log without a name") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(10, 0, 1));
-  CHECK_THROWS_WITH_AS(open_log(folder / "a.raw", ""), doctest::Contains("is not an LCM log"),
-                       LogFileError);
+  CHECK_THROWS_WITH_AS(open_event_log(folder / "a.raw", "", kJoined),
+                       doctest::Contains("is not an LCM log"), LogFileError);
   CHECK_THROWS_WITH(
       CameraRun("[camera]\nsource = \"log\"\n"),
       doctest::Contains("camera.file must name a recording when camera.source is \"log\""));

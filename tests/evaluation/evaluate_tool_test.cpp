@@ -10,8 +10,8 @@
 #include "common/messaging/event_packing.h"
 #include "common/messaging/log_file.h"
 #include "common/messaging/message_codec.h"
+#include "common/recording/event_log_reader.h"
 #include "tests/support/temporary_folder.h"
-#include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/runs.h"
 #include "tools/evaluate/truth_cover.h"
 
@@ -110,7 +110,7 @@ TEST_CASE("a log's events are those of its first session, and the others are tol
       });
     }
   }
-  const auto events = open_event_log(path);
+  const auto events = open_event_log(path, "", EventLog::Sessions::kFirst);
   EventPacket packet;
   std::vector<std::int64_t> times;
   while (events->read(packet, 10)) times.push_back(packet.start.us);

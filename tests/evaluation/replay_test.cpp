@@ -9,11 +9,11 @@
 #include <doctest/doctest.h>
 
 #include "common/messaging/conversions.h"
+#include "common/recording/event_log_reader.h"
 #include "common/vision/surface_tracker.h"
 #include "tests/support/event_log_writer.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/vision/puck_picture.h"
-#include "tools/evaluate/log_recording.h"
 
 namespace puck {
 namespace {
@@ -82,7 +82,7 @@ void record(const std::filesystem::path& path, const Recording& recording) {
 ReplayComparison replay(const Recording& recording) {
   const TemporaryFolder folder;
   record(folder / "a.lcm", recording);
-  const auto events = open_event_log(folder / "a.lcm");
+  const auto events = open_event_log(folder / "a.lcm", "", EventLog::Sessions::kFirst);
   return run_replay(*events, folder / "a.lcm", "", setup(), [](const EvaluatedTick&) {}).comparison;
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("an estimate that the log does not have is told") {
 TEST_CASE("a log without estimates is refused") {
   const TemporaryFolder folder;
   record(folder / "a.lcm", {.packets = 2});
-  const auto events = open_event_log(folder / "a.lcm");
+  const auto events = open_event_log(folder / "a.lcm", "", EventLog::Sessions::kFirst);
   CHECK_THROWS_WITH(run_replay(*events, folder / "a.lcm", "", setup(), [](const EvaluatedTick&) {}),
                     doctest::Contains("a log without estimates that rest on its events"));
 }

@@ -77,6 +77,7 @@ const std::map<std::string, std::set<std::string>> kAllowed{
     {"runtime", {"events", "vision"}},
     {"io", {"events", "vision", "table", "motion"}},
     {"messaging", {"events", "vision", "table"}},
+    {"recording", {"events", "io", "messaging"}},
     {"play", {"events", "vision", "table", "messaging"}},
     {"control", {"events", "vision", "table", "motion", "runtime", "messaging"}},
     {"yarp", {"control"}},

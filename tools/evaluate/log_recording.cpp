@@ -12,36 +12,6 @@
 #include "common/messaging/message_codec.h"
 
 namespace puck {
-namespace {
-
-class EventLogReader final : public EventReader {
- public:
-  EventLogReader(const std::filesystem::path& path, const std::string& prefix)
-      : log_(path, prefix, EventLog::Sessions::kFirst) {}
-
-  SensorSize sensor_size() const override { return log_.sensor_size(); }
-
-  bool read(EventPacket& packet, std::size_t max_events) override {
-    const bool has_events = log_.read(packet, max_events);
-    counters_.events = log_.counters().events;
-    counters_.missing = log_.counters().events_missing;
-    return has_events;
-  }
-
-  void rewind() override {
-    log_.rewind();
-    counters_ = {};
-  }
-
-  const EventCounters& counters() const override { return counters_; }
-  std::vector<std::string> warnings() const override { return log_.problems(); }
-
- private:
-  EventLog log_;
-  EventCounters counters_;
-};
-
-}  // namespace
 
 bool is_lcm_log(const std::filesystem::path& path) {
   constexpr std::array<unsigned char, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
@@ -50,11 +20,6 @@ bool is_lcm_log(const std::filesystem::path& path) {
   if (!file.read(first.data(), first.size())) return false;
   return std::equal(kSync.begin(), kSync.end(), first.begin(),
                     [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
-}
-
-std::unique_ptr<EventReader> open_event_log(const std::filesystem::path& path,
-                                            const std::string& prefix) {
-  return std::make_unique<EventLogReader>(path, prefix);
 }
 
 std::int64_t session_of_event_log(const std::filesystem::path& path, const std::string& prefix) {

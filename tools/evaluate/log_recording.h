@@ -2,24 +2,15 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "common/io/event_reader.h"
 #include "common/vision/truth_row.h"
 
 namespace puck {
 
 /// Whether a file is a log of LCM, by its first bytes. False where there is no such file.
 bool is_lcm_log(const std::filesystem::path& path);
-
-/// The events that a log holds on the channel PUCK_EVENTS, in the order in which they were
-/// published; of its first publisher's run only. Packets of other runs, malformed ones and those
-/// that come too late are left out and counted. One packet at a time is read. `prefix`: that of the
-/// channels. Throws LogFileError when there are none.
-std::unique_ptr<EventReader> open_event_log(const std::filesystem::path& path,
-                                            const std::string& prefix = "");
 
 /// The run of the publisher whose events these are. Throws LogFileError.
 std::int64_t session_of_event_log(const std::filesystem::path& path, const std::string& prefix);

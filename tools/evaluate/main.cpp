@@ -17,6 +17,7 @@
 #include "common/io/pixel_mask_file.h"
 #include "common/io/size_model_file.h"
 #include "common/io/truth_file.h"
+#include "common/recording/event_log_reader.h"
 #include "tools/command_line/run_tool.h"
 #include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/lossy_reader.h"
@@ -81,7 +82,7 @@ bool evaluate(const EvaluateOptions& options) {
   if (options.replay && !is_log) {
     throw std::invalid_argument("--replay needs a log of LCM, with the estimates to compare with");
   }
-  auto events = is_log ? open_event_log(options.events, options.prefix)
+  auto events = is_log ? open_event_log(options.events, options.prefix, EventLog::Sessions::kFirst)
                        : open_event_file(options.events, options.file);
   if (!options.hot_pixel_mask.empty()) {
     events = std::make_unique<MaskedReader>(std::move(events),

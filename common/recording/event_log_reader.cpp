@@ -1,0 +1,44 @@
+#include "common/recording/event_log_reader.h"
+
+namespace puck {
+namespace {
+
+class EventLogReader final : public EventReader {
+ public:
+  EventLogReader(const std::filesystem::path& path, const std::string& prefix,
+                 EventLog::Sessions sessions)
+      : log_(path, prefix, sessions) {}
+
+  SensorSize sensor_size() const override { return log_.sensor_size(); }
+
+  bool read(EventPacket& packet, std::size_t max_events) override {
+    const bool has_events = log_.read(packet, max_events);
+    const EventLogCounters& counters = log_.counters();
+    counters_.events = counters.events;
+    counters_.missing = counters.events_missing + counters.events_dropped;
+    counters_.malformed_words = counters.packets_malformed;
+    return has_events;
+  }
+
+  void rewind() override {
+    log_.rewind();
+    counters_ = {};
+  }
+
+  const EventCounters& counters() const override { return counters_; }
+  std::vector<std::string> warnings() const override { return log_.problems(); }
+
+ private:
+  EventLog log_;
+  EventCounters counters_;
+};
+
+}  // namespace
+
+std::unique_ptr<EventReader> open_event_log(const std::filesystem::path& path,
+                                            const std::string& prefix,
+                                            EventLog::Sessions sessions) {
+  return std::make_unique<EventLogReader>(path, prefix, sessions);
+}
+
+}  // namespace puck
