@@ -45,6 +45,7 @@ class Bus::Impl {
         allow_fragments_(params.allow_fragments) {
     check_prefix(prefix_);
     if (!params.key_file.empty()) security_.emplace(params.key_file);
+    unknown_channels_.channel = "channels that are none of ours";
     for (const Channel channel : kAllChannels) {
       Line& line = line_of(channel);
       line.channel = channel;
@@ -108,6 +109,11 @@ class Bus::Impl {
     ChannelCounters counters = line.counters;
     counters.arrivals = line.account.counters();
     return counters;
+  }
+
+  ChannelCounters unknown_channels() const {
+    const std::lock_guard lock(counters_mutex_);
+    return unknown_channels_;
   }
 
   TransportCounters network_counters() const {
@@ -182,12 +188,12 @@ class Bus::Impl {
     if (!security_) return message.payload;
     std::string problem;
     const auto opened = security_->opener.open(message.channel, message.payload, problem);
-    if (!opened && line != nullptr) {
-      const std::lock_guard lock(counters_mutex_);
-      ++line->counters.unauthenticated;
-      line->counters.last_rejection = problem + ", from " + to_string(message.sender);
-    }
-    return opened;
+    if (opened) return opened;
+    const std::lock_guard lock(counters_mutex_);
+    ChannelCounters& counters = line != nullptr ? line->counters : unknown_channels_;
+    ++counters.unauthenticated;
+    counters.last_rejection = problem + ", from " + to_string(message.sender);
+    return std::nullopt;
   }
 
   /// Counts a message; whether it is a good one.
@@ -261,6 +267,7 @@ class Bus::Impl {
   mutable std::mutex counters_mutex_;
 
   std::array<Line, kAllChannels.size()> lines_;
+  ChannelCounters unknown_channels_;  // Guarded by counters_mutex_.
   RawHandler raw_handler_;
   std::optional<Security> security_;  // Nothing: no key.
   std::unique_ptr<Transport> transport_;
@@ -302,6 +309,7 @@ bool Bus::is_authenticated() const { return impl_->is_authenticated(); }
 std::size_t Bus::overhead_bytes() const { return impl_->is_authenticated() ? kSealBytes : 0; }
 
 ChannelCounters Bus::counters(Channel channel) const { return impl_->counters(channel); }
+ChannelCounters Bus::unknown_channels() const { return impl_->unknown_channels(); }
 
 TransportCounters Bus::network_counters() const { return impl_->network_counters(); }
 

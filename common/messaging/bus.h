@@ -119,6 +119,9 @@ class Bus {
   ChannelCounters counters() const {
     return counters(kChannelOf<Message>);
   }
+  /// Of messages on channels under the prefix that are none of ours: only those without the key
+  /// that is needed are counted. Safe from any thread.
+  ChannelCounters unknown_channels() const;
   /// Of what belongs to no channel of ours. Safe from any thread.
   TransportCounters network_counters() const;
 

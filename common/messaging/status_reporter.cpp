@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include <unistd.h>
 
+#include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
 
 namespace puck {
@@ -21,7 +23,14 @@ constexpr std::size_t kMaxPongs = 64;
 constexpr int kOftenHeard = 3;
 // As the rules for STATUS on the wire have it: one too many, and nobody hears the whole of it.
 constexpr std::size_t kMaxTextBytes = 255;
-constexpr std::size_t kMaxCounters = 256;
+// Among many, those who have waited longest are answered.
+constexpr std::ptrdiff_t kPongsAtOnce = 8;
+constexpr const char* kLeftOut = "counters_left_out";
+constexpr std::size_t kFrameBytes = EventPackerParams::kOneFrame;
+constexpr std::size_t kLcmHeaderBytes = 8;
+
+/// On the wire: the name's length, its end, and the value.
+std::size_t counter_bytes(std::string_view name) { return 4 + name.size() + 1 + 8; }
 
 std::string host_name() {
   std::array<char, 256> name{};
@@ -111,6 +120,7 @@ void StatusReporter::hear(const service_status_t& status, const Receipt& receipt
   if (!receipt.in_order() || status.session == bus_.session()) return;
   read_pongs(status, receipt);
   keep_pong({status.session, status.utime, receipt.utime, receipt.monotonic_us, 1});
+  for (const Listener& listener : listeners_) listener(status, receipt);
 }
 
 void StatusReporter::read_pongs(const service_status_t& status, const Receipt& receipt) {
@@ -125,9 +135,10 @@ void StatusReporter::keep_pong(const Pong& pong) {
   const auto known = std::find_if(pongs_.begin(), pongs_.end(),
                                   [&](const Pong& other) { return other.session == pong.session; });
   if (known != pongs_.end()) {
-    const int times_heard = std::min(known->times_heard + 1, kOftenHeard);
-    *known = pong;
-    known->times_heard = times_heard;
+    known->utime = pong.utime;
+    known->received_utime = pong.received_utime;
+    known->received_monotonic_us = pong.received_monotonic_us;
+    known->times_heard = std::min(known->times_heard + 1, kOftenHeard);
     return;
   }
   due_us_ = std::min(due_us_, soonest_us_);
@@ -159,12 +170,6 @@ void StatusReporter::publish(const Fill& fill) {
   message.state = static_cast<std::int8_t>(published_state());
   message.state_text = published_text();
   message.uptime_us = now_us - started_us_;
-  // Some names hold what others say of themselves, which may be as long as a text can be.
-  if (report.counters.size() > kMaxCounters) report.counters.resize(kMaxCounters);
-  for (auto& [name, value] : report.counters) {
-    message.counter_name.push_back(one_line(std::move(name)));
-    message.counter_value.push_back(value);
-  }
   for (StatusLatency& latency : report.latencies) {
     message.latency_name.push_back(std::move(latency.name));
     message.latency_p50_us.push_back(latency.p50_us);
@@ -173,6 +178,7 @@ void StatusReporter::publish(const Fill& fill) {
     message.latency_samples.push_back(latency.samples);
   }
   fill_pongs(message);
+  fill_counters(message, report);
   // Before the bus reads its clock: a round trip may come out too long, but never too short.
   const std::int64_t sent_us = host_monotonic_us();
   bus_.publish(message);
@@ -182,11 +188,45 @@ void StatusReporter::publish(const Fill& fill) {
 void StatusReporter::fill_pongs(service_status_t& message) {
   const std::int64_t oldest_us = host_monotonic_us() - kPongLife_us;
   std::erase_if(pongs_, [&](const Pong& pong) { return pong.received_monotonic_us < oldest_us; });
-  for (const Pong& pong : pongs_) {
+  // Whoever is heard often goes first, so that a flood of new runs keeps nobody waiting.
+  const auto end = pongs_.begin() + std::min(std::ssize(pongs_), kPongsAtOnce);
+  std::partial_sort(pongs_.begin(), end, pongs_.end(), [](const Pong& a, const Pong& b) {
+    return std::pair(a.times_heard < kOftenHeard, a.answered_us) <
+           std::pair(b.times_heard < kOftenHeard, b.answered_us);
+  });
+  std::for_each(pongs_.begin(), end, [&](Pong& pong) {
+    pong.answered_us = host_monotonic_us();
     message.pong_session.push_back(pong.session);
     message.pong_utime.push_back(pong.utime);
     message.pong_received_utime.push_back(pong.received_utime);
+  });
+}
+
+// A message of two frames is lost with either of them.
+void StatusReporter::fill_counters(service_status_t& message, StatusReport& report) const {
+  set_counts(message);
+  const std::size_t others =
+      kLcmHeaderBytes + channel_name(Channel::kStatus, bus_.prefix()).size() + 1 +
+      bus_.overhead_bytes() + static_cast<std::size_t>(message.getEncodedSize());
+  std::size_t room = kFrameBytes - std::min(kFrameBytes, others);
+  std::size_t wanted = 0;
+  for (auto& [name, value] : report.counters) {
+    name = one_line(std::move(name));
+    wanted += counter_bytes(name);
   }
+  if (wanted > room) room -= std::min(room, counter_bytes(kLeftOut));
+  const auto add = [&](std::string name, std::int64_t value) {
+    message.counter_name.push_back(std::move(name));
+    message.counter_value.push_back(value);
+  };
+  std::int64_t left_out = std::ssize(report.counters);
+  for (auto& [name, value] : report.counters) {
+    if (counter_bytes(name) > room) break;
+    room -= counter_bytes(name);
+    add(std::move(name), value);
+    --left_out;
+  }
+  if (left_out > 0) add(kLeftOut, left_out);
 }
 
 }  // namespace puck

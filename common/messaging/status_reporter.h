@@ -41,16 +41,23 @@ struct StatusReport {
   }
 };
 
-/// Publishes the STATUS of a service every 100 ms and at once when its state changes, and answers
-/// the statuses of others with pongs; those of a run that was not heard before within 20 ms, so
-/// that it soon knows our clock. From the pongs of others it knows theirs. The thread that calls
-/// the bus's handle() calls it: a service that hangs then falls silent, as it should.
+/// Publishes the STATUS of a service every 100 ms and at once when its state changes, each in one
+/// frame: counters that find no room in it are left out, the last ones first, and
+/// `counters_left_out` says how many. Answers the statuses of others with pongs; those of a run
+/// that was not heard before within 20 ms, so that it soon knows our clock. From the pongs of
+/// others it knows theirs. The thread that calls the bus's handle() calls it: a service that hangs
+/// then falls silent, as it should.
 class StatusReporter {
  public:
   using Fill = std::function<void(StatusReport&)>;
 
   /// `service`: puck-camera, puck-tracker, … Subscribes; so make it before the bus starts.
   StatusReporter(Bus& bus, std::string service);
+
+  using Listener = std::function<void(const service_status_t&, const Receipt&)>;
+  /// The STATUS of others as it comes, in order, goes to `listener`, too: it is decoded once. Only
+  /// before the bus starts.
+  void listen(Listener listener) { listeners_.push_back(std::move(listener)); }
 
   void set_state(ServiceState state, std::string text = {});
   ServiceState state() const { return state_; }
@@ -80,6 +87,7 @@ class StatusReporter {
     std::int64_t received_utime = 0;
     std::int64_t received_monotonic_us = 0;
     int times_heard = 0;
+    std::int64_t answered_us = 0;  // CLOCK_MONOTONIC; 0: not yet
   };
 
   void hear(const service_status_t& status, const Receipt& receipt);
@@ -89,6 +97,7 @@ class StatusReporter {
   std::string published_text() const;
   void publish(const Fill& fill);
   void fill_pongs(service_status_t& message);
+  void fill_counters(service_status_t& message, StatusReport& report) const;
 
   Bus& bus_;
   std::string service_;
@@ -101,6 +110,7 @@ class StatusReporter {
   ServiceState peers_state_ = ServiceState::kRunning;
   std::string peers_text_;
   bool changed_ = true;
+  std::vector<Listener> listeners_;
   std::vector<Pong> pongs_;
   ClockOffsets clocks_;
 };

@@ -9,13 +9,14 @@ void BusWatch::poll() {
 void BusWatch::look() {
   constexpr std::chrono::seconds kPeriod{1};
   due_ = std::chrono::steady_clock::now() + kPeriod;
-  for (const Channel channel : kAllChannels) look_at(channel);
+  for (const Channel channel : kAllChannels) {
+    look_at(bus_.counters(channel), seen_[static_cast<std::size_t>(channel)]);
+  }
+  look_at(bus_.unknown_channels(), unknown_seen_);
   look_at_network();
 }
 
-void BusWatch::look_at(Channel channel) {
-  const ChannelCounters now = bus_.counters(channel);
-  ChannelCounters& before = seen_[static_cast<std::size_t>(channel)];
+void BusWatch::look_at(const ChannelCounters& now, ChannelCounters& before) {
   const auto warn = [&](std::int64_t count, const char* what, const std::string& last) {
     if (count > 0)
       log_.warn("{}: {} {}{}{}", now.channel, count, what, last.empty() ? "" : ": ", last);
@@ -52,6 +53,7 @@ void BusWatch::report(StatusReport& report) const {
   const TransportCounters network = bus_.network_counters();
   ChannelCounters sum;
   sum.rejected = network.malformed;
+  sum.unauthenticated = bus_.unknown_channels().unauthenticated;
   for (const Channel channel : kAllChannels) {
     const ChannelCounters counters = bus_.counters(channel);
     sum.arrivals.received += counters.arrivals.received;
@@ -63,7 +65,6 @@ void BusWatch::report(StatusReport& report) const {
     sum.unauthenticated += counters.unauthenticated;
     sum.handler_failures += counters.handler_failures;
     sum.publish_failures += counters.publish_failures;
-    report_channel(channel, counters, report);
   }
   const auto add = [&](const char* name, std::int64_t value) {
     report.counters.emplace_back(name, value);
@@ -79,6 +80,9 @@ void BusWatch::report(StatusReport& report) const {
   report.add_unless_zero("messages_unauthenticated", sum.unauthenticated);
   report.add_unless_zero("messages_foreign", network.foreign);
   report.add_unless_zero("network_rejoined", network.rejoined);
+  for (const Channel channel : kAllChannels) {
+    report_channel(channel, bus_.counters(channel), report);
+  }
 }
 
 void BusWatch::report_channel(Channel channel, const ChannelCounters& counters,

@@ -22,7 +22,7 @@ class BusWatch {
   /// Looks now.
   void look();
 
-  /// Adds what came and how: messages_received, messages_lost, …, of all channels together, and of
+  /// Adds what came and how: messages_received, messages_lost, …, of all channels together, then of
   /// each single channel what is not zero: PUCK_EVENTS.received, and .publishers where it had more
   /// than one. messages_rejected holds those that are oversize, too. Those that are rare are left
   /// out while they are zero: messages_duplicate, messages_oversize, messages_unauthenticated,
@@ -30,7 +30,7 @@ class BusWatch {
   void report(StatusReport& report) const;
 
  private:
-  void look_at(Channel channel);
+  void look_at(const ChannelCounters& now, ChannelCounters& before);
   void look_at_network();
   static void report_channel(Channel channel, const ChannelCounters& counters,
                              StatusReport& report);
@@ -39,6 +39,7 @@ class BusWatch {
   spdlog::logger& log_;
   std::chrono::steady_clock::time_point due_;
   std::array<ChannelCounters, kAllChannels.size()> seen_;
+  ChannelCounters unknown_seen_;
   TransportCounters network_seen_;
 };
 

@@ -14,14 +14,11 @@ constexpr std::int64_t kLookPeriodUs = 20'000;
 
 }  // namespace
 
-PeerWatch::PeerWatch(Bus& bus, StatusReporter& status, spdlog::logger& log)
+PeerWatch::PeerWatch(StatusReporter& status, spdlog::logger& log)
     : status_(status), log_(log), book_(status.service()) {
-  const std::int64_t own_session = bus.session();
-  bus.subscribe<service_status_t>(
-      [this, own_session](const service_status_t& heard, const Receipt& receipt) {
-        if (heard.session == own_session || !receipt.in_order()) return;
-        book_.hear(heard, status_.clock_of(heard.session).has_value(), receipt.monotonic_us);
-      });
+  status.listen([this](const service_status_t& heard, const Receipt& receipt) {
+    book_.hear(heard, status_.clock_of(heard.session).has_value(), receipt.monotonic_us);
+  });
 }
 
 void PeerWatch::poll() {

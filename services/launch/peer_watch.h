@@ -6,7 +6,6 @@
 
 #include <spdlog/logger.h>
 
-#include "common/messaging/bus.h"
 #include "common/messaging/status_reporter.h"
 #include "services/launch/peer_book.h"
 
@@ -16,8 +15,8 @@ namespace puck {
 /// there twice; so that no service has to. It ends and refuses nothing. One thread.
 class PeerWatch {
  public:
-  /// Subscribes; so make it before the bus starts.
-  PeerWatch(Bus& bus, StatusReporter& status, spdlog::logger& log);
+  /// Listens to `status`; so make it before the bus starts.
+  PeerWatch(StatusReporter& status, spdlog::logger& log);
 
   /// The services that this one lives on: puck-camera, …
   void need(const std::vector<std::string>& services) { book_.need(services); }

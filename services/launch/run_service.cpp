@@ -68,7 +68,7 @@ int serve(const ServiceInfo& info, const CommandLine& line, const Config& config
   StatusReporter status(bus, info.name);
   RateLimitedLog limited_log(log);
   BusWatch bus_watch(bus, log);
-  PeerWatch peers(bus, status, log);
+  PeerWatch peers(status, log);
   ServiceContext context{bus, status, log, limited_log, bus_watch, peers};
   const std::unique_ptr<Service> service = make(context);
 
@@ -86,8 +86,8 @@ int serve(const ServiceInfo& info, const CommandLine& line, const Config& config
   }
   status.stop([&](StatusReport& report) {
     service->report(report);
-    bus_watch.report(report);
     peers.report(report);
+    bus_watch.report(report);
   });
   bus_watch.look();
   log.info("stopped");
@@ -100,8 +100,8 @@ void poll_status(ServiceContext& context, const Service& service) {
   context.peers.poll();
   context.status.poll([&](StatusReport& report) {
     service.report(report);
-    context.bus_watch.report(report);
     context.peers.report(report);
+    context.bus_watch.report(report);
   });
   context.bus_watch.poll();
 }

@@ -85,7 +85,7 @@ class CameraRun {
   StatusReporter status_{bus_, "puck-camera"};
   RateLimitedLog limited_log_{log_};
   BusWatch bus_watch_{bus_, log_};
-  PeerWatch peers_{bus_, status_, log_};
+  PeerWatch peers_{status_, log_};
   std::size_t stop_after_ = 0;
 };
 

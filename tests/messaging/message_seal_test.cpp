@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <doctest/doctest.h>
+#include <lcm/lcm.h>
 
 #include "common/messaging/bus.h"
 #include "tests/support/temporary_folder.h"
@@ -154,6 +155,14 @@ TEST_CASE("a bus with a key hears only what is sealed with it, and names the res
     head.yaw_deg = ++yaw_deg;
     REQUIRE(bus->publish(head));
   }
+  // On a channel that is none of ours, as whoever logs them all hears it.
+  lcm_t* const lcm = lcm_create(url.c_str());
+  REQUIRE(lcm != nullptr);
+  lcm_publish(lcm, "PUCK_UNKNOWN", "unsealed", 8);
+  lcm_destroy(lcm);
+  for (int i = 0; i < 100 && with_key.unknown_channels().unauthenticated == 0; ++i) {
+    with_key.handle(std::chrono::milliseconds(50));
+  }
   while (heard.empty()) REQUIRE(with_key.handle(std::chrono::milliseconds(5000)) > 0);
   CHECK(heard == std::vector<double>{3});
   CHECK(raw_bytes == static_cast<std::size_t>(head.getEncodedSize()));  // Logs hold it unsealed.
@@ -161,6 +170,8 @@ TEST_CASE("a bus with a key hears only what is sealed with it, and names the res
   CHECK(counters.unauthenticated == 2);
   CHECK(counters.rejected == 0);
   CHECK(counters.last_rejection.starts_with("is not sealed, and this service has a key, from "));
+  CHECK(with_key.unknown_channels().unauthenticated == 1);
+  CHECK(with_key.unknown_channels().last_rejection.starts_with("is not sealed"));
 
   while (heard_plain == 0) REQUIRE(plain.handle(std::chrono::milliseconds(5000)) > 0);
   CHECK(plain.counters<head_state_t>().rejected == 2);

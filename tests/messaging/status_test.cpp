@@ -1,5 +1,9 @@
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -9,6 +13,7 @@
 #include "common/messaging/status_check.h"
 #include "common/messaging/status_reporter.h"
 #include "tests/support/skewed_machine.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_url.h"
 
 namespace puck {
@@ -50,21 +55,60 @@ TEST_CASE("a status says who, how and what") {
   CHECK(status.latency_samples == std::vector<std::int64_t>{1000});
 }
 
-TEST_CASE("a status is heard however long the names in it are, and however many") {
-  Bus bus({.url = "memq://"});
+TEST_CASE(
+    "a status fits one frame however many counters there are, and says how many it left out") {
+  const TemporaryFolder folder;
+  const auto key = folder / "key";
+  std::ofstream(key) << std::string(32, 'k');
+  std::filesystem::permissions(key, std::filesystem::perms::owner_read);
+  Bus bus({.url = "memq://", .prefix = "ABCDEFGHIJKLMNOP", .key_file = key.string()});
   StatusReporter reporter(bus, "puck-tracker");
   std::vector<service_status_t> heard;
   bus.subscribe<service_status_t>(
       [&](const service_status_t& status, const Receipt&) { heard.push_back(status); });
   REQUIRE(bus.start({}, [](const std::string&) {}));
+  reporter.set_state(ServiceState::kDegraded, std::string(255, 's'));
   reporter.poll([](StatusReport& report) {
-    report.counters.assign(1000, {"clock_offset_us " + std::string(510, 'x'), 7});
+    report.counters = {{"first", 1}, {"second", 2}};
+    report.counters.resize(60, {std::string(30, 'x'), 7});
+    report.counters.resize(1000, {std::string(510, 'y'), 8});
+    report.latencies.assign(4, {"packet_to_estimate", 40, 200, 350, 1000});
   });
   bus.handle(milliseconds(100));
   REQUIRE(heard.size() == 1);
-  CHECK(heard[0].counter_name.size() == 256);
-  CHECK(heard[0].counter_name[0].size() == 255);
-  CHECK(bus.counters<service_status_t>().publish_failures == 0);
+  const service_status_t& status = heard.front();
+  const auto datagram = 8 + channel_name(Channel::kStatus, bus.prefix()).size() + 1 +
+                        bus.overhead_bytes() + static_cast<std::size_t>(status.getEncodedSize());
+  CHECK(datagram <= 1472);
+  CHECK(datagram > 1472 - 60);  // What there is room for is said.
+  CHECK(status.counter_name.front() == "first");
+  CHECK(status.counter_name.back() == "counters_left_out");
+  CHECK(status.counter_value.back() + std::ssize(status.counter_name) - 1 == 1000);
+}
+
+TEST_CASE("of many runs each is answered in its turn") {
+  const std::string url = private_lcm_url();
+  Bus bus({.url = url});
+  StatusReporter reporter(bus, "puck-tracker");
+  std::set<std::int64_t> answered;
+  std::size_t most = 0;
+  bus.subscribe<service_status_t>([&](const service_status_t& status, const Receipt&) {
+    if (status.session != bus.session()) return;
+    answered.insert(status.pong_session.begin(), status.pong_session.end());
+    most = std::max(most, status.pong_session.size());
+  });
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  std::vector<std::unique_ptr<SkewedMachine>> others;
+  for (std::int64_t session = 1; session <= 20; ++session) {
+    others.push_back(std::make_unique<SkewedMachine>(url, session, 0));
+  }
+  for (int i = 0; i < 1000 && answered.size() < others.size(); ++i) {
+    for (auto& other : others) other->serve();
+    bus.handle(milliseconds(5));
+    reporter.poll(no_details);
+  }
+  CHECK(answered.size() == others.size());
+  CHECK(most == 8);
 }
 
 TEST_CASE("a status is published at once on a change of state, else when 100 ms have passed") {

@@ -54,7 +54,7 @@ class ServiceBench {
   spdlog::logger log{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
   RateLimitedLog limited_log{log};
   BusWatch bus_watch{bus, log};
-  PeerWatch peers{bus, status, log};
+  PeerWatch peers{status, log};
   ServiceContext context{bus, status, log, limited_log, bus_watch, peers};
   std::unique_ptr<Service> service;
 

@@ -76,7 +76,7 @@ class RunningTracker {
   spdlog::logger log_{"test", std::make_shared<spdlog::sinks::null_sink_mt>()};
   RateLimitedLog limited_log_{log_};
   BusWatch bus_watch_{bus_, log_};
-  PeerWatch peers_{bus_, status_, log_};
+  PeerWatch peers_{status_, log_};
   ServiceContext context_{bus_, status_, log_, limited_log_, bus_watch_, peers_};
   EventPacker packer_{{.sensor = kSensor, .packet_bytes = 60000}};
   mutable std::mutex mutex_;

@@ -53,6 +53,7 @@ class Listener {
     }
     Snapshot snapshot = model_.snapshot(now_us);
     snapshot.network = bus_.network_counters();
+    snapshot.unknown_unauthenticated = bus_.unknown_channels().unauthenticated;
     return snapshot;
   }
   const LcmUrl& url() const { return bus_.url(); }

@@ -39,7 +39,8 @@ Screen help_page() {
   return screen;
 }
 
-Screen others_page(const TransportCounters& network, std::size_t width) {
+Screen others_page(const Snapshot& snapshot, std::size_t width) {
+  const TransportCounters& network = snapshot.network;
   Screen screen;
   for (std::string& line : foreign_table(network.foreign_traffic, width)) {
     screen.push_back({std::move(line)});
@@ -51,6 +52,7 @@ Screen others_page(const TransportCounters& network, std::size_t width) {
   };
   add("datagrams of others in all", network.foreign);
   add("for us, but no messages", network.malformed);
+  add("without our key on channels that are none of ours", snapshot.unknown_unauthenticated);
   add("came back to a network that had gone", network.rejoined);
   return screen;
 }

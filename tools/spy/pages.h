@@ -5,6 +5,7 @@
 
 #include "common/messaging/transport.h"
 #include "tools/spy/screen.h"
+#include "tools/spy/snapshot.h"
 
 namespace puck {
 
@@ -12,7 +13,7 @@ namespace puck {
 Screen help_page();
 
 /// What others send at this group and port.
-Screen others_page(const TransportCounters& network, std::size_t width);
+Screen others_page(const Snapshot& snapshot, std::size_t width);
 /// The same in a line.
 ScreenLine others_line(const TransportCounters& network);
 

@@ -71,6 +71,8 @@ struct Snapshot {
   std::vector<ServiceRow> services;  ///< By name, host and pid.
   std::int64_t messages = 0;         ///< On any channel, valid or not.
   TransportCounters network;         ///< What came from others at this group and port.
+  /// On channels that are none of ours, without our key.
+  std::int64_t unknown_unauthenticated = 0;
 };
 
 }  // namespace puck

@@ -145,7 +145,7 @@ Screen SpyView::body(ScreenSize size) const {
   const auto width = static_cast<std::size_t>(size.columns);
   if (page_ == Page::kHelp) return help_page();
   if (page_ == Page::kDetails) return details(width);
-  if (page_ == Page::kOthers) return others_page(shown_.network, width);
+  if (page_ == Page::kOthers) return others_page(shown_, width);
   if (shown_.messages == 0) return silence_page(notice_, shown_.network, width);
   const bool alone = shown_.network.foreign == 0;
   Screen screen = draw_overview(shown_, selected_, {size.columns, size.rows - (alone ? 0 : 1)});
