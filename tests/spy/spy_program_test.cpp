@@ -154,6 +154,16 @@ TEST_CASE("puck-spy takes the bus from any service's settings, and refuses what 
   CHECK(spy.exit_code == 1);
   CHECK(spy.errors.find("nothing was heard") != std::string::npos);
 
+  const Camera camera({.url = private_lcm_url(4), .prefix = "LEFT"});
+  const Finished set =
+      run_program({spy_path(), "--config", config, "--set", "lcm.url=" + private_lcm_url(4),
+                   "--set", "lcm.prefix=LEFT", "--once", "--seconds", "1"});
+  CHECK(set.exit_code == 0);
+  CHECK(set.output.find("LEFT_PUCK_EVENTS") != std::string::npos);
+  const Finished unknown = run_program({spy_path(), "--once", "--set", "lcm.prefx=LEFT"});
+  CHECK(unknown.exit_code == 1);
+  CHECK(unknown.errors.find("lcm.prefx") != std::string::npos);
+
   CHECK(run_program({spy_path(), "--json"}).exit_code == 2);
   CHECK(run_program({spy_path(), "--once", "--seconds", "nan"}).exit_code == 2);
   CHECK(run_program({spy_path(), "--once", "--lcm-url", "nonsense"}).exit_code == 1);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <sys/ioctl.h>
@@ -21,6 +22,7 @@ namespace {
 
 struct Options {
   std::string config_file;
+  std::vector<std::string> settings;
   std::optional<std::string> lcm_url;
   std::optional<std::string> prefix;
   bool once = false;
@@ -28,8 +30,18 @@ struct Options {
   bool json = false;
 };
 
+/// By themselves, so that one that nobody knows is told.
+void check_assignments(const Options& options) {
+  Config assignments;
+  for (const std::string& setting : options.settings) assignments.override_with(setting);
+  read_bus_params(assignments);
+  assignments.reject_unknown();
+}
+
 BusParams bus_params(const Options& options) {
+  check_assignments(options);
   Config config = options.config_file.empty() ? Config{} : Config::from_file(options.config_file);
+  for (const std::string& setting : options.settings) config.override_with(setting);
   BusParams params = read_bus_params(config);
   config.reject_unknown_in("lcm");
   if (options.lcm_url) params.url = *options.lcm_url;
@@ -79,6 +91,9 @@ int run(int argc, char** argv) {
   app.add_option("--config", options.config_file,
                  "The [lcm] settings of any service's TOML file; the rest of it is not heeded")
       ->type_name("FILE");
+  app.add_option("--set", options.settings, "One of these settings; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
   CLI::Option* once = app.add_flag(
       "--once", options.once, "Listen for a while and print it; exit code 1: nothing was heard");
   app.add_option("--seconds", options.seconds, "How long to listen with --once")
