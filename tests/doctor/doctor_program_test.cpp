@@ -1,6 +1,8 @@
 // The real program on networks that the tests make, break, and mend with the command that it says.
+#include <chrono>
 #include <cstdlib>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -67,6 +69,14 @@ Diagnosis diagnose(std::vector<std::string> arguments = {"--lcm-url", kUrl},
 }
 
 bool shell(const std::string& command) { return std::system(command.c_str()) == 0; }
+
+/// The kernel takes up to a second to notice that a cable was pulled or plugged in.
+void await_link(bool is_up) {
+  for (int i = 0; i < 300; ++i) {
+    if (shell("ip link show cable | grep -q 'state UP'") == is_up) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
 
 /// A cable to another machine, 10.9.8.1 to 10.9.8.2, but no route for the group yet.
 void plug_in() {
@@ -156,10 +166,12 @@ TEST_CASE("an interface without a link is told") {
   in_network_of_its_own([] {
     join_network();
     REQUIRE(ip("link set far_end down"));
+    await_link(false);
     const Diagnosis broken = diagnose();
     CHECK(broken.exit_code == 1);
     CHECK(broken.text("interface").find("no link") != std::string::npos);
     REQUIRE(ip("link set far_end up"));
+    await_link(true);
     check_well(diagnose());
   });
 }

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <string>
 
+#include "common/messaging/clock_offsets.h"
 #include "tools/doctor/traffic.h"
 
 namespace puck {
@@ -13,29 +13,32 @@ namespace puck {
 struct HostClock {
   std::string host;            ///< As its services call it.
   std::int64_t offset_us = 0;  ///< Its clock minus ours.
-  std::int64_t within_us = 0;  ///< Half the round trip: the true offset is no further off.
+  std::int64_t within_us = 0;  ///< The true offset is no further off.
 };
 
-/// Measures clocks by the pongs in the STATUS of others to STATUS of ours. Of every host the
-/// measurement with the shortest round trip counts. One thread.
+/// Measures clocks by the pongs in the STATUS of others to STATUS of ours. Of all runs on a host
+/// the one that is known best counts. One thread.
 class HostClocks {
  public:
   /// `session`: under which our pings go out.
   explicit HostClocks(std::int64_t session) : session_(session) {}
 
-  /// We published a STATUS with this `utime`.
-  void sent(std::int64_t utime);
-  void hear(const HeardService& service);
+  /// We published a STATUS that has this `utime`.
+  void sent(const HostNow& ping) { clocks_.ping(ping); }
+  void hear(const HeardService& service, std::int64_t heard_monotonic_us);
 
   /// By address.
-  const std::map<std::string, HostClock>& offsets() const { return offsets_; }
+  std::map<std::string, HostClock> offsets(const HostNow& now) const;
 
  private:
-  static constexpr std::size_t kMaxPings = 64;
+  struct Run {
+    std::string address;
+    std::string host;
+  };
 
   std::int64_t session_;
-  std::deque<std::int64_t> pings_;  // The newest; a pong to anything else is made up.
-  std::map<std::string, HostClock> offsets_;
+  ClockOffsets clocks_;
+  std::map<std::int64_t, Run> runs_;  // By session; as many as Traffic lets through.
 };
 
 }  // namespace puck

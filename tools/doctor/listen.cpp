@@ -45,7 +45,7 @@ class Listening {
     }
     const auto grace_end = Clock::now() + kGrace;
     while (test().came_back < test().sent && Clock::now() < grace_end) hear();
-    facts_.clock_offsets = clocks_.offsets();
+    facts_.clock_offsets = clocks_.offsets(host_now());
   }
 
  private:
@@ -57,7 +57,9 @@ class Listening {
     // Services with a key would count a STATUS without one, and warn. That they have one is known
     // when all had the time to speak.
     if (test().sent <= kSendsBeforeStatus || facts_.traffic.is_sealed()) return;
-    clocks_.sent(probe_.send_status(service_status_t::STATE_RUNNING));
+    // Before it is sent: a round trip may come out too long, but never too short.
+    const std::int64_t monotonic_us = host_monotonic_us();
+    clocks_.sent({probe_.send_status(service_status_t::STATE_RUNNING), monotonic_us});
     has_spoken_ = true;
   }
 
@@ -67,7 +69,10 @@ class Listening {
     if (probe_.is_self_test(datagram->bytes)) ++test().came_back;
     const Source& source = datagram->source;
     if (source.port == probe_.port() && facts_.is_own_address(source.address)) return;
-    if (const HeardService* service = facts_.traffic.add(*datagram)) clocks_.hear(*service);
+    const HeardService* service = facts_.traffic.add(*datagram);
+    if (service == nullptr) return;
+    const HostNow now = host_now();
+    clocks_.hear(*service, now.monotonic_us - (now.utime - service->heard_utime));
   }
 
   Facts& facts_;
