@@ -4,7 +4,7 @@
 #
 #   tests/bench/run.sh [--quick] [--json FILE]
 #
-# --quick      under two minutes instead of under fifteen: fewer streams and half widths, shorter
+# --quick      under three minutes instead of under fifteen: fewer streams and half widths, shorter
 # --json FILE  write the figures there (default build/bench/figures.json)
 #
 # Charts are written into build/bench. The first run takes longer: it builds, and simulates a game.

@@ -33,6 +33,23 @@ void print(const char* what, const std::optional<LatencySummary>& latency) {
               static_cast<long long>(latency->max_us), static_cast<long long>(latency->samples));
 }
 
+void print(const KeyCost& cost) {
+  std::printf("Key, at %.0f Mev/s in packets of %d bytes: %.1f %% of a core without",
+              cost.rate_mev_s, cost.packet_bytes, cost.plain.cpu_percent);
+  std::printf(", %.1f %% with, all services: %.1f %% more%s\n", cost.sealed.cpu_percent,
+              cost.percent(),
+              cost.plain.is_lossless && cost.sealed.is_lossless ? "" : "; EVENTS WERE LOST");
+}
+
+void print_network(const LiveFigures& f) {
+  if (f.network_transport.empty()) return;
+  std::printf("Camera to tracker over a cable, a packet a frame\n");
+  for (const TransportRun& run : f.network_transport) print(run);
+  std::printf("  highest rate with nothing lost: %.0f Mev/s\n",
+              highest_lossless_mev_s(f.network_transport));
+  print("packet to estimate", f.network_packet_to_estimate);
+}
+
 void print(const FloodRun& run) {
   std::printf("Flood: %.1f Mev/s sent, %.1f taken; %lld events skipped, %lld lost\n",
               run.sent_mev_s, run.taken_mev_s, static_cast<long long>(run.skipped),
@@ -58,6 +75,13 @@ Json to_json(const LiveFigures& f) {
   json["lcm_lossless_mev_s"] =
       has_transport ? Json(highest_lossless_mev_s(f.transport)) : Json(nullptr);
   json["lcm_lost"] = has_transport ? Json(f.transport.front().lost()) : Json(nullptr);
+  const bool has_network = !f.network_transport.empty();
+  json["network_lossless_mev_s"] =
+      has_network ? Json(highest_lossless_mev_s(f.network_transport)) : Json(nullptr);
+  json["network_lost"] = has_network ? Json(f.network_transport.front().lost()) : Json(nullptr);
+  add(json, "network_packet_to_estimate", f.network_packet_to_estimate);
+  json["key_cost_percent"] = f.key.empty() ? Json(nullptr) : Json(f.key.front().percent());
+  json["key_cost_frame_percent"] = f.key.empty() ? Json(nullptr) : Json(f.key.back().percent());
   json["estimate_rate_hz"] = or_null(f.estimate_rate_hz);
   json["estimate_rate_unlimited_hz"] = or_null(f.estimate_rate_unlimited_hz);
   add(json, "machine_wake", f.machine_wake);
@@ -78,6 +102,13 @@ bool TransportRun::is_lossless() const {
   return lost() == 0 && counted_by_tracker == 0 && sent_mev_s >= kAsFast * wanted_mev_s;
 }
 
+void KeyCost::Side::add(const TransportRun& run) {
+  double sum = 0;
+  for (const auto& [service, percent] : run.cpu) sum += percent;
+  if (cpu_percent == 0 || sum < cpu_percent) cpu_percent = sum;
+  is_lossless = is_lossless && run.is_lossless();
+}
+
 double highest_lossless_mev_s(const std::vector<TransportRun>& runs) {
   double highest = 0;
   for (const TransportRun& run : runs) {
@@ -94,6 +125,8 @@ void print(const LiveFigures& f) {
     std::printf("  highest rate with nothing lost: %.0f Mev/s\n",
                 highest_lossless_mev_s(f.transport));
   }
+  print_network(f);
+  for (const KeyCost& cost : f.key) print(cost);
   if (f.packet_to_estimate) {
     std::printf("At 1 Mev/s\n");
     print("machine: a wake-up", f.machine_wake);

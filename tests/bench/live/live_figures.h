@@ -28,6 +28,24 @@ struct TransportRun {
   bool is_lossless() const;
 };
 
+/// What sealing all messages with a key costs: percent of a core that all services take.
+struct KeyCost {
+  struct Side {
+    double cpu_percent = 0;  ///< Of the best run; 0: none yet.
+    bool is_lossless = true;
+
+    void add(const TransportRun& run);
+  };
+
+  double rate_mev_s = 0;
+  int packet_bytes = 0;
+  Side plain;
+  Side sealed;
+
+  /// How much more with a key than without.
+  double percent() const { return 100 * (sealed.cpu_percent / plain.cpu_percent - 1); }
+};
+
 /// The tracker under more events than it can take.
 struct FloodRun {
   double sent_mev_s = 0;
@@ -44,6 +62,9 @@ struct FloodRun {
 struct LiveFigures {
   std::string recording;  ///< Of the transport's runs.
   std::vector<TransportRun> transport;
+  std::vector<TransportRun> network_transport;  ///< With the camera on another machine.
+  std::optional<LatencySummary> network_packet_to_estimate;
+  std::vector<KeyCost> key;                          ///< Large packets, and those of one frame.
   std::optional<double> estimate_rate_hz;            ///< At the default limit.
   std::optional<double> estimate_rate_unlimited_hz;  ///< Without one.
   std::optional<LatencySummary>

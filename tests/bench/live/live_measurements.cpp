@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <fstream>
 #include <string>
 
 #include "tests/bench/live/machine_wake.h"
@@ -27,12 +28,21 @@ std::optional<LatencySummary> latency_of(const LiveListener& bus, const std::str
                         status->latency_max_us[i], status->latency_samples[i]};
 }
 
+std::string write_key(const std::filesystem::path& folder) {
+  const auto path = folder / "key";
+  std::ofstream(path) << std::string(32, 'k');
+  std::filesystem::permissions(path, std::filesystem::perms::owner_read);
+  return path.string();
+}
+
 }  // namespace
 
 TransportRun measure_transport(const LiveSetup& setup, const Recording& recording,
-                               double rate_mev_s, seconds time) {
+                               double rate_mev_s, seconds time, int packet_bytes) {
   LiveSystem system(setup);
-  system.start_camera(looped_at(recording, rate_mev_s));
+  std::vector<std::string> camera = looped_at(recording, rate_mev_s);
+  camera.push_back("camera.packet_bytes=" + std::to_string(packet_bytes));
+  system.start_camera(camera);
   TransportRun run{.wanted_mev_s = rate_mev_s};
   LiveListener& before = system.listener();
   before.listen(kNextStatus);
@@ -51,6 +61,38 @@ TransportRun measure_transport(const LiveSetup& setup, const Recording& recordin
   run.skipped = bus.counter("puck-tracker", "events_skipped");
   run.thinned = bus.counter("puck-tracker", "events_thinned");
   return run;
+}
+
+void measure_network(LiveSetup setup, const Recording& dense, const Recording& game,
+                     const std::vector<double>& rates_mev_s, seconds sustained, seconds brief,
+                     LiveFigures& figures) {
+  const TwoMachines machines;
+  setup.machines = &machines;
+  for (const double rate : rates_mev_s) {
+    const auto time = rate == rates_mev_s.front() ? sustained : brief;
+    figures.network_transport.push_back(measure_transport(setup, dense, rate, time));
+    if (!figures.network_transport.back().is_lossless()) break;
+  }
+  LiveSystem system(setup);
+  system.start_camera(looped_at(game, 1));
+  system.watch(2 * brief);
+  LiveListener& bus = system.listener();
+  bus.listen(kNextStatus);
+  figures.network_packet_to_estimate = latency_of(bus, "packet_to_estimate");
+}
+
+KeyCost measure_key(LiveSetup setup, const Recording& recording, double rate_mev_s,
+                    int packet_bytes, seconds time, int turns) {
+  const TemporaryFolder folder;
+  const std::string key = write_key(folder.path());
+  KeyCost cost{.rate_mev_s = rate_mev_s, .packet_bytes = packet_bytes};
+  for (int turn = 0; turn < turns; ++turn) {
+    for (KeyCost::Side* side : {&cost.plain, &cost.sealed}) {
+      setup.key_file = side == &cost.sealed ? key : "";
+      side->add(measure_transport(setup, recording, rate_mev_s, time, packet_bytes));
+    }
+  }
+  return cost;
 }
 
 void measure_latency(const LiveSetup& setup, const Recording& game, seconds time,

@@ -8,12 +8,28 @@
 
 namespace puck {
 
+inline constexpr int kSuitsTheBus = 0;
+
 /// Each starts the services, lets them run and stops them. They throw std::runtime_error when a
 /// service fails, Interrupted when the benchmark is stopped.
 
 /// The camera sends events at a steady mean rate; what arrives is counted at the end.
+/// `packet_bytes`: key camera.packet_bytes.
 TransportRun measure_transport(const LiveSetup& setup, const Recording& recording,
-                               double rate_mev_s, std::chrono::seconds time);
+                               double rate_mev_s, std::chrono::seconds time,
+                               int packet_bytes = kSuitsTheBus);
+
+/// The same, and at 1 Mev/s from packet to estimate, with the camera on another machine: at each of
+/// `rates_mev_s` until something is lost, the first for `sustained`, the others for `brief`. Throws
+/// NoNetwork.
+void measure_network(LiveSetup setup, const Recording& dense, const Recording& game,
+                     const std::vector<double>& rates_mev_s, std::chrono::seconds sustained,
+                     std::chrono::seconds brief, LiveFigures& figures);
+
+/// What sealing all messages with a key costs at this rate. `turns` times both without and with a
+/// key; the best run of each counts.
+KeyCost measure_key(LiveSetup setup, const Recording& recording, double rate_mev_s,
+                    int packet_bytes, std::chrono::seconds time, int turns);
 
 /// At 1 Mev/s: the tracker's latencies.
 void measure_latency(const LiveSetup& setup, const Recording& game, std::chrono::seconds time,

@@ -14,10 +14,11 @@ using std::chrono::seconds;
 
 constexpr seconds kAnswer{10};
 
-std::string private_url() {
+std::string private_url(const TwoMachines* machines) {
   std::random_device random;
   const int port = std::uniform_int_distribution(20'000, 60'000)(random);
-  return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
+  return "udpm://239.255.76.67:" + std::to_string(port) +
+         (machines == nullptr ? "?ttl=0" : "?ttl=1") + "&recv_buf_size=4194304";
 }
 
 std::string end_of(const std::string& text) {
@@ -28,7 +29,7 @@ std::string end_of(const std::string& text) {
 }  // namespace
 
 LiveSystem::LiveSystem(const LiveSetup& setup, const std::vector<std::string>& tracker)
-    : setup_(setup), url_(private_url()) {
+    : setup_(setup), url_(private_url(setup.machines)) {
   start("puck-logger", {"logger.path=" + (folder_ / "log.lcm").string()});
   start("puck-tracker", tracker);
   start("puck-bridge", {});
@@ -49,6 +50,11 @@ LiveSystem::~LiveSystem() {
 }
 
 void LiveSystem::start(const std::string& name, const std::vector<std::string>& settings) {
+  if (setup_.machines == nullptr || name != "puck-camera") return start_here(name, settings);
+  setup_.machines->on_second([&] { start_here(name, settings); });
+}
+
+void LiveSystem::start_here(const std::string& name, const std::vector<std::string>& settings) {
   const std::string config = "config/" + name.substr(name.find('-') + 1) + ".toml";
   std::vector<std::string> command{
       (setup_.bin / name).string(), "--config", config, "--lcm-url", url_, "--log-level", "warn"};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/bench/live/live_listener.h"
+#include "tests/bench/live/two_machines.h"
 #include "tests/support/child_process.h"
 #include "tests/support/process_usage.h"
 #include "tests/support/temporary_folder.h"
@@ -21,13 +22,16 @@ struct LiveSetup {
   std::filesystem::path source;  ///< Root of the project: their settings name files from there.
   std::string key_file{};        ///< Their lcm.key_file; empty: none.
   std::stop_token stop;
+  /// Where they run: the camera on the second, all others on the first, to which the calling thread
+  /// belongs. Nothing: all on this one.
+  const TwoMachines* machines = nullptr;
 };
 
 /// Percentages of a core by service.
 using CpuLoad = std::map<std::string, double>;
 
-/// The five services as processes, on a bus of their own on this machine, as long as this object
-/// lives. They run with their shipped settings and those given, KEY=VALUE. One thread.
+/// The five services as processes, on a bus of their own, as long as this object lives. They run
+/// with their shipped settings and those given, KEY=VALUE. One thread.
 class LiveSystem {
  public:
   /// Starts all but the camera and waits until they speak. Throws std::runtime_error, with the last
@@ -60,6 +64,7 @@ class LiveSystem {
   };
 
   void start(const std::string& name, const std::vector<std::string>& settings);
+  void start_here(const std::string& name, const std::vector<std::string>& settings);
   void await(const std::vector<std::string>& names);
   void check_alive();
   Watch begin_watch();

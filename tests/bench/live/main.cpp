@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/messaging/event_packing.h"
 #include "services/launch/stop_on_signal.h"
 #include "tests/bench/live/live_figures.h"
 #include "tests/bench/live/live_measurements.h"
@@ -39,15 +40,31 @@ void measure(const LiveSetup& setup, const Options& options) {
   LiveFigures figures;
   std::printf("simulating a game\n");
   const Recording game = simulate_game(setup, folder.path());
+  const Recording dense = dense_recording(options.recordings, game);
+  figures.recording = dense.name;
   if (options.wants("transport")) {
-    const Recording dense = dense_recording(options.recordings, game);
-    figures.recording = dense.name;
     for (const double rate : options.rates) {
       const auto time = rate == options.rates.front() ? sustained : brief;
       std::printf("transport at %.0f Mev/s for %lld s\n", rate,
                   static_cast<long long>(time.count()));
       figures.transport.push_back(measure_transport(setup, dense, rate, time));
       if (!figures.transport.back().is_lossless()) break;
+    }
+  }
+  if (options.wants("network")) {
+    std::printf("transport between two machines\n");
+    try {
+      const auto rates = options.quick ? std::vector{options.rates.front()} : options.rates;
+      measure_network(setup, dense, game, rates, sustained, brief, figures);
+    } catch (const NoNetwork& error) {
+      std::fprintf(stderr, "puck-bench-live: %s\n", error.what());
+    }
+  }
+  if (options.wants("key")) {
+    for (const int packet_bytes : {EventPackerParams::kMaxBytes, EventPackerParams::kOneFrame}) {
+      std::printf("cost of a key, packets of %d bytes\n", packet_bytes);
+      figures.key.push_back(measure_key(setup, dense, options.rates.front(), packet_bytes, brief,
+                                        options.quick ? 1 : 2));
     }
   }
   if (options.wants("latency")) {
@@ -90,8 +107,9 @@ int run(int argc, char** argv) {
                  "lost the next ones, briefly")
       ->delimiter(',')
       ->capture_default_str();
-  app.add_option("--only", options.only, "Parts to measure: transport, latency, still, flood")
-      ->check(CLI::IsMember({"transport", "latency", "still", "flood"}))
+  app.add_option("--only", options.only,
+                 "Parts to measure: transport, network, key, latency, still, flood")
+      ->check(CLI::IsMember({"transport", "network", "key", "latency", "still", "flood"}))
       ->delimiter(',');
   app.add_option("--source", options.source, "Root of the project, where config/ is")
       ->capture_default_str();

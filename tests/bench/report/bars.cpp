@@ -33,6 +33,8 @@ const std::vector<Bar> kBars{
     {"packet_decode_mev_s", "decoding of packets", kAtLeast, 500, std::nullopt},
     {"lcm_lossless_mev_s", "camera to estimate through LCM", kAtLeast, 10, 40},
     {"lcm_lost", "events lost on that way", kAtMost, 0, std::nullopt},
+    {"key_cost_percent", "a key, to the processor time of all", kAtMost, 15, std::nullopt},
+    {"key_cost_frame_percent", "the same, a packet a frame", kAtMost, 15, std::nullopt},
     {"estimate_rate_hz", "estimates, at the default limit", kAtLeast, 4900, std::nullopt},
     {"packet_to_estimate_p50_us", "packet to estimate, median", kAtMost, 50, std::nullopt},
     {"packet_to_estimate_p99_us", "packet to estimate, 99 %", kAtMost, 500, std::nullopt},
