@@ -160,7 +160,7 @@ arm_state_t ArmController::state() const {
   const bool is_latched = guard_.latch() != CommandGuard::Latch::kNone;
   if (is_latched) {
     state.reason = guard_.latch_reason();
-  } else if (order_.target_m || !motion_.encoders().has_reading()) {
+  } else if (order_.target_m || motion_.is_waiting()) {
     state.reason = motion_.note();
   } else {
     state.reason = order_.reason;

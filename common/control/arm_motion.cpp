@@ -69,7 +69,8 @@ JerkLimitedMotion ArmMotion::approach_over(double distance_deg) const {
 const char* ArmMotion::note() const {
   switch (phase_) {
     case Phase::kWaiting:
-      return "waiting for the encoders";
+      return encoders_.has_reading() ? "waiting for the encoders to agree"
+                                     : "waiting for the encoders";
     case Phase::kApproach:
       return "on its way to the line";
     case Phase::kOnLine:
@@ -101,10 +102,10 @@ std::string ArmMotion::trouble(ArmBackEnd& back_end, std::int64_t monotonic_us) 
   if (encoders_.age_us(monotonic_us) > params_.max_encoder_age_us) {
     // What is to begin anew waits for a fresh one.
     if (phase_ != Phase::kWaiting) return "encoders silent";
-    encoders_.restart();
+    forget_encoders();
     return {};
   }
-  if (phase_ == Phase::kWaiting) return begin();
+  if (phase_ == Phase::kWaiting) return start_.see(encoders_.newest()) ? begin() : std::string{};
   for (std::size_t k = 0; k < set_point_.size(); ++k) {
     if (std::abs(encoders_.deg()[k] - set_point_[k]) <= params_.max_tracking_error_deg) continue;
     return "joint " + std::to_string(k) + " does not follow: it is at " +
@@ -112,6 +113,11 @@ std::string ArmMotion::trouble(ArmBackEnd& back_end, std::int64_t monotonic_us) 
            std::to_string(set_point_[k]);
   }
   return {};
+}
+
+void ArmMotion::forget_encoders() {
+  encoders_.restart();
+  start_.restart();
 }
 
 // The set-point begins where the arm is.
@@ -123,6 +129,7 @@ std::string ArmMotion::begin() {
     return "joint " + std::to_string(k) + " stands at " + std::to_string(at[k]) +
            " deg, outside its limits: move it by hand";
   }
+  encoders_.find_place();
   line_.rest_at(encoders_.place().y_m);
   approach_from_ = set_point_ = at;
   approach_to_ = joints_at(table_, line_.state().position);
@@ -166,7 +173,7 @@ std::string ArmMotion::step(ArmBackEnd& back_end, std::optional<double> target_m
     if (set_points_rest()) {
       phase_ = Phase::kWaiting;
       wants_restart_ = is_silenced_ = false;
-      encoders_.restart();
+      forget_encoders();
     }
   }
   std::string wrong = trouble(back_end, monotonic_us);

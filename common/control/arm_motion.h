@@ -9,6 +9,7 @@
 #include "common/control/arm_back_end.h"
 #include "common/control/encoder_watch.h"
 #include "common/control/joint_guard.h"
+#include "common/control/steady_start.h"
 #include "common/motion/jerk_limited_motion.h"
 #include "common/motion/joint_table.h"
 #include "common/motion/simulated_joints.h"
@@ -29,8 +30,9 @@ struct ArmMotionParams {
 };
 
 /// Turns targets on the line into set-points of joints, and keeps them safe: begins where the
-/// encoders are, moves slowly to the line, then on it, never beyond any limit; looks at each
-/// set-point once more before it is sent, and at how the arm follows. One thread.
+/// encoders are, once several readings agree, moves slowly to the line, then on it, never beyond
+/// any limit; looks at each set-point once more before it is sent, and at how the arm follows. One
+/// thread.
 class ArmMotion {
  public:
   /// `line_half_m`: the mallet moves between plus and minus this. Throws std::invalid_argument that
@@ -54,6 +56,8 @@ class ArmMotion {
   /// No set-points were sent for so long that the arm has come to rest at the last one.
   void rest();
 
+  /// It does not know yet where the joints are: nothing is sent.
+  bool is_waiting() const { return phase_ == Phase::kWaiting; }
   bool is_on_line() const { return phase_ == Phase::kOnLine; }
   /// Why it goes nowhere yet, or is on its way to the line; empty: neither.
   const char* note() const;
@@ -69,6 +73,7 @@ class ArmMotion {
 
   std::string trouble(ArmBackEnd& back_end, std::int64_t monotonic_us);
   std::string begin();
+  void forget_encoders();
   bool set_points_rest() const;
   JointAngles next_set_point(std::optional<double> target_m, double dt_s);
   JerkLimitedMotion approach_over(double distance_deg) const;
@@ -76,6 +81,7 @@ class ArmMotion {
   ArmMotionParams params_;
   JointTable table_;
   EncoderWatch encoders_;
+  SteadyStart start_;
   JointGuard guard_;
   Phase phase_ = Phase::kWaiting;
   bool is_silenced_ = false;  // until it is restarted

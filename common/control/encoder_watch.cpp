@@ -25,10 +25,8 @@ const char* EncoderWatch::look(const std::optional<JointReading>& reading) {
     return "an encoder's angle cannot be";
   }
   if (!newest_) {
-    place_ = table_.place_of(deg.deg());
-    velocity_m_s_ = 0;
-    velocity_deg_s_.fill(0);
     newest_ = reading;
+    find_place();
     return nullptr;
   }
   if (reading->received_us <= newest_->received_us) return nullptr;
@@ -41,6 +39,12 @@ const char* EncoderWatch::look(const std::optional<JointReading>& reading) {
   }
   newest_ = reading;
   return nullptr;
+}
+
+void EncoderWatch::find_place() {
+  place_ = table_.place_of(newest_->position.deg());
+  velocity_m_s_ = 0;
+  velocity_deg_s_.fill(0);
 }
 
 }  // namespace puck

@@ -25,6 +25,10 @@ class EncoderWatch {
   const char* look(const std::optional<JointReading>& reading);
 
   bool has_reading() const { return newest_.has_value(); }
+  /// The newest; there must be one.
+  const JointReading& newest() const { return *newest_; }
+  /// Looks for its place everywhere on the line, since that before may have been wrong.
+  void find_place();
   /// Of the newest reading; there must be one.
   const JointAngles& deg() const { return newest_->position; }
   std::int64_t age_us(std::int64_t monotonic_us) const {

@@ -100,6 +100,7 @@ TEST_CASE("An estimate said again and again is no track, unless the puck rests")
 
 TEST_CASE("Estimates that are replayed, malformed or another tracker's give no live track") {
   ArmBench bench;
+  bench.run(SteadyStart::kReadings);
   puck_estimate_t old = bench.estimate();
   old.utime -= 300'000;
   bench.arm.hear(old, bench.now, bench.sender);
@@ -184,6 +185,7 @@ TEST_CASE("A stop brakes, stays through good commands, and ends with an operator
 
 TEST_CASE("Between a reset and the next step the arm says what is so, and nothing of the latch") {
   ArmBench bench;
+  bench.run(SteadyStart::kReadings);
   bench.operate(arm_command_t::MODE_STOP);
   bench.run(1);
   CHECK(bench.arm.state().reason == "stopped by an operator");

@@ -69,7 +69,7 @@ class ScriptedArm {
 TEST_CASE("The set-points begin where the encoders are, wherever on the line that is") {
   for (const double y_m : {-0.3, -0.17, 0.0, 0.3}) {
     ScriptedArm arm(y_m);
-    arm.bench.run(1);
+    arm.bench.run(SteadyStart::kReadings);
     REQUIRE(arm.script.sent.size() == 1);
     for (std::size_t k = 0; k < 7; ++k) {
       CHECK(arm.script.sent[0][k] == doctest::Approx(joints_at(y_m)[k]).epsilon(1e-9));
@@ -91,6 +91,42 @@ TEST_CASE("Without encoders nothing is sent, and the arm says what it waits for"
   arm.script.speaks = true;
   arm.bench.play(400, 0.1);
   CHECK(arm.bench.arm.position_m() == doctest::Approx(0.1));
+}
+
+TEST_CASE("One wrong reading at the start sets nothing in motion, wherever among the first it is") {
+  for (const int wrong_one : {0, 1, SteadyStart::kReadings - 1}) {
+    for (const double off_deg : {-6.0, 6.0, 300.0}) {
+      CAPTURE(wrong_one);
+      CAPTURE(off_deg);
+      ScriptedArm arm(0.1);
+      for (int i = 0; i < 2 * SteadyStart::kReadings; ++i) {
+        arm.script.at = joints_at(0.1);
+        if (i == wrong_one) (*arm.script.at)[0] += off_deg;
+        arm.bench.play(1, 0.1);
+      }
+      REQUIRE(!arm.is_faulty());
+      REQUIRE(!arm.script.sent.empty());
+      for (std::size_t k = 0; k < 7; ++k) {
+        CHECK(arm.script.sent[0][k] == doctest::Approx(joints_at(0.1)[k]).epsilon(1e-9));
+      }
+      CHECK(arm.bench.arm.position_m() == doctest::Approx(0.1));
+    }
+  }
+}
+
+TEST_CASE("A reading said again and again is one reading, and encoders that never agree are none") {
+  ScriptedArm arm(0.1);
+  arm.script.stamp_us = arm.bench.now.monotonic_us;
+  arm.bench.play(50, 0.1);
+  CHECK(arm.script.sent.empty());
+  CHECK(arm.reason() == "waiting for the encoders to agree");
+  arm.script.stamp_us.reset();
+  for (int i = 0; i < 50; ++i) {
+    arm.script.at = joints_at(i % 2 == 0 ? 0.1 : 0.12);
+    arm.bench.play(1, 0.1);
+  }
+  CHECK(arm.script.sent.empty());
+  CHECK(!arm.is_faulty());
 }
 
 TEST_CASE("An arm off the line moves to it slowly, only while it is asked to, and then plays") {
@@ -144,7 +180,7 @@ TEST_CASE("A joint that does not follow is a fault: the set-points come to rest,
   const JointAngles at = *arm.script.at;
   arm.script.sent.clear();
   arm.bench.operate(arm_command_t::MODE_RESET);
-  arm.bench.run(1);
+  arm.bench.run(SteadyStart::kReadings);
   REQUIRE(!arm.script.sent.empty());
   for (std::size_t k = 0; k < 7; ++k) CHECK(std::abs(arm.script.sent[0][k] - at[k]) < 0.01);
   CHECK(!arm.is_faulty());

@@ -39,6 +39,7 @@ class FollowBench : public ArmBench {
 
 TEST_CASE("Direct mode predicts nothing: its target is where the puck is seen, however it moves") {
   FollowBench bench;
+  bench.run(SteadyStart::kReadings);
   for (int i = 0; i < 200; ++i) {
     const double y_m = -0.2 + 0.002 * i;
     bench.see(TablePoint{1.5 - 0.005 * i, y_m});
