@@ -182,8 +182,8 @@ arm_state_t ArmController::state() const {
       state.joint_velocity_deg_s.push_back(motion_.encoders().joint_velocity_deg_s(k));
     }
   }
-  state.command_session = order_.command_session;
-  state.command_seq = order_.command_seq;
+  state.command_session = is_latched ? guard_.stop().session : order_.command_session;
+  state.command_seq = is_latched ? guard_.stop().seq : order_.command_seq;
   state.estimate_session = alive_session_;
   state.estimate_seq = alive_seq_;
   state.commands_refused = guard_.refused();

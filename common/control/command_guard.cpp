@@ -108,6 +108,7 @@ CommandRefusal CommandGuard::judge_reset(const arm_command_t& command, const Hos
   next_used_reset_ = (next_used_reset_ + 1) % used_resets_.size();
   latch_ = Latch::kNone;
   latch_reason_.clear();
+  stop_ = {};
   current_.reset();
   return CommandRefusal::kNone;
 }
@@ -117,6 +118,7 @@ CommandRefusal CommandGuard::judge(const arm_command_t& command, const HostNow& 
   // A stop always stops: from anyone, to any arm, however old.
   if (command.mode == arm_command_t::MODE_STOP) {
     current_.reset();
+    stop_ = {command.session, command.seq};
     if (latch_ == Latch::kNone) {
       latch_ = Latch::kStopped;
       latch_reason_ = command.from_operator ? "stopped by an operator" : "stopped by a command";

@@ -70,6 +70,12 @@ class CommandGuard {
   bool was_ever_commanded() const { return was_ever_commanded_; }
   Latch latch() const { return latch_; }
   const std::string& latch_reason() const { return latch_reason_; }
+  /// The newest stop since the last reset: that it was heard is what its sender wants to know.
+  struct Stop {
+    std::int64_t session = 0;  ///< 0: none.
+    std::int64_t seq = 0;
+  };
+  const Stop& stop() const { return stop_; }
 
   std::int64_t accepted() const { return accepted_; }
   std::int64_t refused(CommandRefusal refusal) const {
@@ -92,6 +98,7 @@ class CommandGuard {
   bool was_ever_commanded_ = false;
   Latch latch_ = Latch::kNone;
   std::string latch_reason_;
+  Stop stop_;
   std::array<std::int64_t, 16> used_resets_{};  // sessions of the newest that released: a ring
   std::size_t next_used_reset_ = 0;
   std::int64_t accepted_ = 0;

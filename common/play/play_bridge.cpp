@@ -193,6 +193,10 @@ bool PlayBridge::hears_arm(const HostNow& now) const {
 
 std::int64_t PlayBridge::other_commander(std::int64_t own_session, const HostNow& now) const {
   if (!hears_arm(now) || arm_->command_session == own_session) return 0;
+  // It obeys nobody: it names whoever stopped it.
+  if (arm_->state == arm_state_t::STATE_STOPPED || arm_->state == arm_state_t::STATE_FAULT) {
+    return 0;
+  }
   return now.monotonic_us - commander_since_us_ > kOtherCommanderUs ? arm_->command_session : 0;
 }
 

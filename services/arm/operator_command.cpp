@@ -5,11 +5,13 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "common/messaging/host_time.h"
 #include "common/messaging/status_reporter.h"
+#include "services/arm/addressed_arms.h"
 
 namespace puck {
 namespace {
@@ -19,17 +21,24 @@ constexpr std::int64_t kAtLeastUs = 200'000;
 constexpr std::int64_t kPeriodUs = 20'000;
 constexpr std::chrono::milliseconds kHandle{5};
 
-bool is_latched(const arm_state_t& state) {
-  return state.state == arm_state_t::STATE_STOPPED || state.state == arm_state_t::STATE_FAULT;
-}
-
-arm_command_t command_of(std::int8_t mode, const std::optional<arm_state_t>& arm) {
+void publish(Bus& bus, std::int8_t mode, std::int64_t arm_session) {
   arm_command_t command{};
   command.mode = mode;
   command.from_operator = 1;
   command.valid_for_us = kAtLeastUs / 2;
-  command.arm_session = arm ? arm->session : 0;
-  return command;
+  command.arm_session = arm_session;
+  bus.publish(command);
+}
+
+// Whether it went to anybody. A stop is for all, heard or not; a reset answers each arm.
+bool publish_to_all(Bus& bus, std::int8_t mode, const AddressedArms& arms) {
+  if (mode == arm_command_t::MODE_STOP) {
+    publish(bus, mode, 0);
+    return true;
+  }
+  const std::vector<std::int64_t> sessions = arms.sessions(host_now());
+  for (const std::int64_t session : sessions) publish(bus, mode, session);
+  return !sessions.empty();
 }
 
 }  // namespace
@@ -50,8 +59,10 @@ std::optional<int> OperatorCommand::run(const BusParams& params, std::stop_token
   Bus bus(params);
   // The arm has to know our clock before it believes that a reset is of now.
   StatusReporter status(bus, "puck-operator");
-  std::optional<arm_state_t> arm;
-  bus.subscribe<arm_state_t>([&](const arm_state_t& state, const Receipt&) { arm = state; });
+  AddressedArms arms(mode, bus.session());
+  bus.subscribe<arm_state_t>([&](const arm_state_t& state, const Receipt& at) {
+    arms.hear(state, {at.utime, at.monotonic_us}, status.clock_of(state.session));
+  });
   std::stop_source give_up;
   const std::stop_callback on_stop(stop, [&] { give_up.request_stop(); });
   const bool started = bus.start(give_up.get_token(), [&](const std::string& reason) {
@@ -67,21 +78,19 @@ std::optional<int> OperatorCommand::run(const BusParams& params, std::stop_token
     bus.handle(kHandle);
     status.poll([](StatusReport&) {});
     const std::int64_t now_us = host_monotonic_us();
-    if (now_us >= next_us && (stop_ || arm)) {
-      arm_command_t command = command_of(mode, arm);
-      bus.publish(command);
-      if (!first_sent_us) first_sent_us = now_us;
+    if (now_us >= next_us) {
       next_us = now_us + kPeriodUs;
+      if (publish_to_all(bus, mode, arms) && !first_sent_us) first_sent_us = now_us;
     }
     const bool sent_enough = first_sent_us && now_us - *first_sent_us >= kAtLeastUs;
-    if (sent_enough && arm && is_latched(*arm) == stop_) {
+    if (sent_enough && arms.confirm(host_now())) {
       std::printf("puck-arm: %s\n", word);
       return 0;
     }
     if (now_us - begin_us > kGiveUpUs) break;
   }
-  const std::string why = !arm ? "no ARM_STATE heard" : "the arm says: " + arm->reason;
-  std::fprintf(stderr, "puck-arm: not confirmed to be %s within 1 s: %s\n", word, why.c_str());
+  std::fprintf(stderr, "puck-arm: not confirmed to be %s within 1 s: %s\n", word,
+               arms.why_not(host_now()).c_str());
   return 1;
 }
 

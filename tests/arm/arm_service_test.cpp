@@ -1,11 +1,13 @@
 #include "services/arm/arm_service.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <mutex>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
@@ -170,6 +172,29 @@ TEST_CASE("puck-arm --stop latches a running arm and --reset releases it, both c
 
 TEST_CASE("puck-arm --stop and --reset fail when no arm confirms them") {
   const std::string url = private_lcm_url();
+  CHECK(operate("--stop", url) == 1);
+  CHECK(operate("--reset", url) == 1);
+}
+
+TEST_CASE("puck-arm --stop and --reset are not confirmed by what another arm, or a log, says") {
+  const std::string url = private_lcm_url();
+  // An arm that was stopped by somebody else and hears nobody, and one of a log that moves.
+  const std::jthread others([&](const std::stop_token& stop) {
+    SkewedMachine deaf(url, 4712, 0);
+    SkewedMachine log(url, 4713, 0);
+    log.answer(false);
+    while (!stop.stop_requested()) {
+      deaf.serve();
+      log.serve();
+      arm_state_t state{};
+      state.state = arm_state_t::STATE_STOPPED;
+      state.reason = "stopped by an operator";
+      deaf.publish(state);
+      state.state = arm_state_t::STATE_HOLDING;
+      log.publish(state, 60'000'000);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  });
   CHECK(operate("--stop", url) == 1);
   CHECK(operate("--reset", url) == 1);
 }

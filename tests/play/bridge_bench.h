@@ -54,8 +54,9 @@ class BridgeBench {
   }
 
   /// `command_session`: of whom it follows.
-  void see_arm(std::int64_t command_session = 0) {
+  void see_arm(std::int64_t command_session = 0, std::int8_t state = arm_state_t::STATE_IDLE) {
     arm_state_t message{};
+    message.state = state;
     message.utime = sender_utime();
     message.session = kArmSession;
     message.seq = next_arm_seq_++;

@@ -204,10 +204,11 @@ TEST_CASE("Of two trackers one is followed, the other is counted and moves nothi
 TEST_CASE("A bridge notices when the arm goes on following another one") {
   constexpr std::int64_t kOwn = 2001;
   BridgeBench bench;
-  const auto arm_follows = [&](std::int64_t session, int ms) {
+  const auto arm_follows = [&](std::int64_t session, int ms,
+                               std::int8_t state = arm_state_t::STATE_MOVING) {
     for (int i = 0; i < ms; ++i) {
       bench.pass(1000);
-      bench.see_arm(session);
+      bench.see_arm(session, state);
     }
     return bench.bridge.other_commander(kOwn, bench.now);
   };
@@ -216,6 +217,9 @@ TEST_CASE("A bridge notices when the arm goes on following another one") {
   CHECK(arm_follows(77, 400) == 0);
   CHECK(arm_follows(77, 200) == 77);
   CHECK(arm_follows(kOwn, 1) == 0);
+  // Whoever stopped it is not obeyed by it.
+  CHECK(arm_follows(78, 600) == 78);
+  CHECK(arm_follows(78, 600, arm_state_t::STATE_STOPPED) == 0);
 }
 
 }  // namespace

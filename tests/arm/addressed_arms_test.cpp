@@ -1,0 +1,80 @@
+#include "services/arm/addressed_arms.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kOperator = 77;
+constexpr std::int64_t kOther = 78;
+constexpr SenderClock kSameClock = ClockOffset{0, 100};
+
+struct Bench {
+  explicit Bench(std::int8_t mode) : arms(mode, kOperator) {}
+
+  void say(std::int64_t session, std::int8_t state, std::int64_t command_session,
+           const SenderClock& clock = kSameClock, std::int64_t age_us = 0) {
+    arm_state_t message{};
+    message.session = session;
+    message.utime = now.utime - age_us;
+    message.state = state;
+    message.command_session = command_session;
+    arms.hear(message, now, clock);
+  }
+
+  HostNow now{1'700'000'000'000'000, 5'000'000};
+  AddressedArms arms;
+};
+
+TEST_CASE("A stop is confirmed by nobody but the arms that heard it") {
+  Bench bench(arm_command_t::MODE_STOP);
+  CHECK(!bench.arms.confirm(bench.now));
+  // Stopped, but before, or by somebody else.
+  bench.say(1, arm_state_t::STATE_STOPPED, 0);
+  CHECK(!bench.arms.confirm(bench.now));
+  bench.say(1, arm_state_t::STATE_STOPPED, kOther);
+  CHECK(!bench.arms.confirm(bench.now));
+  // It heard the stop, and goes on.
+  bench.say(1, arm_state_t::STATE_MOVING, kOperator);
+  CHECK(!bench.arms.confirm(bench.now));
+  bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
+  CHECK(bench.arms.confirm(bench.now));
+  bench.say(1, arm_state_t::STATE_FAULT, kOperator);
+  CHECK(bench.arms.confirm(bench.now));
+}
+
+TEST_CASE("A second arm that did not stop keeps a stop from being confirmed, a log's does not") {
+  Bench bench(arm_command_t::MODE_STOP);
+  bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
+  bench.say(2, arm_state_t::STATE_MOVING, kOther, std::nullopt);
+  CHECK(bench.arms.confirm(bench.now));
+  bench.say(3, arm_state_t::STATE_MOVING, kOther, kSameClock, 300'000);
+  CHECK(bench.arms.confirm(bench.now));
+  bench.say(2, arm_state_t::STATE_MOVING, kOther);
+  CHECK(!bench.arms.confirm(bench.now));
+  CHECK(bench.arms.why_not(bench.now) == "the arm of session 2 says: that it moves");
+}
+
+TEST_CASE("What an arm said before it fell silent confirms nothing") {
+  Bench bench(arm_command_t::MODE_STOP);
+  bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
+  bench.now.monotonic_us += 250'001;
+  CHECK(!bench.arms.confirm(bench.now));
+}
+
+TEST_CASE("A reset answers each arm that is of now, and is confirmed once none is latched") {
+  Bench bench(arm_command_t::MODE_RESET);
+  bench.say(1, arm_state_t::STATE_HOLDING, 0, std::nullopt);
+  CHECK(!bench.arms.confirm(bench.now));
+  CHECK(bench.arms.sessions(bench.now).empty());
+  bench.say(2, arm_state_t::STATE_FAULT, 0);
+  bench.say(3, arm_state_t::STATE_STOPPED, kOther);
+  CHECK(bench.arms.sessions(bench.now) == std::vector<std::int64_t>{2, 3});
+  bench.say(2, arm_state_t::STATE_HOLDING, 0);
+  CHECK(!bench.arms.confirm(bench.now));
+  bench.say(3, arm_state_t::STATE_IDLE, 0);
+  CHECK(bench.arms.confirm(bench.now));
+}
+
+}  // namespace
+}  // namespace puck
