@@ -1,96 +1,129 @@
 #include "common/yarp/board_exchange.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace puck {
+namespace {
+
+void count(std::atomic<std::int64_t>& counter) { counter.fetch_add(1, std::memory_order_relaxed); }
+
+}  // namespace
 
 bool BoardExchange::give_set_point(const JointAngles& set_point) {
-  const std::lock_guard lock(mutex_);
-  if (!reading_ || !has_read_ || !untold_.empty()) {
-    ++counters_.set_points_unheard;
+  to_loop_.look();
+  const BoardWord& board = to_loop_.seen();
+  if (!board.reading || read_connection_ != board.connection || told_faults_ != board.faults) {
+    count(counts_.set_points_unheard);
     return false;
   }
-  if (set_point_) ++counters_.set_points_replaced;
-  set_point_ = set_point;
+  to_board_.next() = {set_point, board.connection, board.faults};
+  if (to_board_.publish()) count(counts_.set_points_replaced);
   return true;
 }
 
 std::optional<JointReading> BoardExchange::reading() {
-  const std::lock_guard lock(mutex_);
-  has_read_ = reading_.has_value();
-  return reading_;
+  to_loop_.look();
+  const BoardWord& board = to_loop_.seen();
+  read_connection_ = board.reading ? board.connection : 0;
+  return board.reading;
 }
 
 std::string BoardExchange::fault(std::int64_t monotonic_us) {
-  const std::lock_guard lock(mutex_);
-  std::string untold = std::exchange(untold_, {});
-  if (!untold.empty()) return untold;
-  if (!reading_) return why_none_;
+  to_loop_.look();
+  const BoardWord& board = to_loop_.seen();
+  if (told_faults_ != board.faults) {
+    told_faults_ = board.faults;
+    return board.newest_fault;
+  }
+  if (!board.reading) return board.why_none;
   // Should the board's thread itself hang.
-  const std::int64_t age_us = monotonic_us - reading_->received_us;
+  const std::int64_t age_us = monotonic_us - board.reading->received_us;
   if (age_us <= 2 * silent_us_) return {};
   return "no encoders for " + std::to_string(age_us / 1000) + " ms";
 }
 
 YarpCounters BoardExchange::counters(std::int64_t monotonic_us) const {
-  const std::lock_guard lock(mutex_);
-  YarpCounters counters = counters_;
-  if (reading_) counters.encoder_age_us = monotonic_us - reading_->received_us;
+  const auto now = [](const std::atomic<std::int64_t>& counter) {
+    return counter.load(std::memory_order_relaxed);
+  };
+  YarpCounters counters{now(counts_.connections),         now(counts_.failures),
+                        now(counts_.encoders_received),   now(counts_.set_points_sent),
+                        now(counts_.set_points_replaced), now(counts_.set_points_unheard),
+                        now(counts_.set_points_refused),  now(counts_.round_trip_us),
+                        now(counts_.round_trip_max_us),   std::nullopt};
+  const std::int64_t encoders_at_us = now(counts_.encoders_at_us);
+  if (encoders_at_us != kNever) counters.encoder_age_us = monotonic_us - encoders_at_us;
   return counters;
 }
 
+void BoardExchange::publish() {
+  counts_.encoders_at_us.store(word_.reading ? word_.reading->received_us : kNever,
+                               std::memory_order_relaxed);
+  to_loop_.next() = word_;
+  to_loop_.publish();
+}
+
 void BoardExchange::begin_connection(const JointReading& first) {
-  const std::lock_guard lock(mutex_);
-  ++counters_.connections;
-  ++counters_.encoders_received;
-  has_read_ = false;
-  reading_ = first;
-  set_point_.reset();
-  why_none_.clear();
+  count(counts_.connections);
+  count(counts_.encoders_received);
+  ++word_.connection;
+  word_.reading = first;
+  word_.why_none.clear();
+  publish();
 }
 
 void BoardExchange::put_encoders(const JointReading& reading) {
-  const std::lock_guard lock(mutex_);
-  ++counters_.encoders_received;
-  reading_ = reading;
+  count(counts_.encoders_received);
+  word_.reading = reading;
+  publish();
 }
 
 void BoardExchange::lose_connection(const std::string& reason) {
-  const std::lock_guard lock(mutex_);
-  ++counters_.failures;
-  reading_.reset();
-  set_point_.reset();
-  why_none_ = reason;
-  untold_ = reason;
+  count(counts_.failures);
+  word_.reading.reset();
+  word_.why_none = reason;
+  ++word_.faults;
+  word_.newest_fault = reason;
+  publish();
 }
 
-std::optional<JointAngles> BoardExchange::newest_set_point() const {
-  const std::lock_guard lock(mutex_);
-  return set_point_;
+// Only those that rest on all that there is to know by now: the loop may have given it before it
+// was told.
+void BoardExchange::look_for_set_point() {
+  if (to_board_.look()) {
+    if (waiting_) count(counts_.set_points_replaced);
+    waiting_ = to_board_.seen();
+  }
+  if (waiting_ && (!word_.reading || waiting_->connection != word_.connection ||
+                   waiting_->faults != word_.faults)) {
+    waiting_.reset();
+  }
+}
+
+std::optional<JointAngles> BoardExchange::newest_set_point() {
+  look_for_set_point();
+  return waiting_ ? std::optional(waiting_->set_point) : std::nullopt;
 }
 
 std::optional<JointAngles> BoardExchange::take_set_point() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(set_point_, std::nullopt);
+  const std::optional<JointAngles> taken = newest_set_point();
+  waiting_.reset();
+  return taken;
 }
 
-void BoardExchange::count_sent() {
-  const std::lock_guard lock(mutex_);
-  ++counters_.set_points_sent;
-}
+void BoardExchange::count_sent() { count(counts_.set_points_sent); }
 
 void BoardExchange::refuse_set_point(const std::string& reason) {
-  const std::lock_guard lock(mutex_);
-  ++counters_.set_points_refused;
-  set_point_.reset();
-  untold_ = reason;
+  count(counts_.set_points_refused);
+  ++word_.faults;
+  word_.newest_fault = reason;
+  publish();
 }
 
 void BoardExchange::put_round_trip(std::int64_t round_trip_us) {
-  const std::lock_guard lock(mutex_);
-  counters_.round_trip_us = round_trip_us;
-  counters_.round_trip_max_us = std::max(counters_.round_trip_max_us, round_trip_us);
+  counts_.round_trip_us.store(round_trip_us, std::memory_order_relaxed);
+  const std::int64_t most = counts_.round_trip_max_us.load(std::memory_order_relaxed);
+  counts_.round_trip_max_us.store(std::max(most, round_trip_us), std::memory_order_relaxed);
 }
 
 }  // namespace puck

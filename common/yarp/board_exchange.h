@@ -1,11 +1,12 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <string>
 
 #include "common/control/arm_back_end.h"
+#include "common/yarp/newest_value.h"
 
 namespace puck {
 
@@ -23,7 +24,8 @@ struct YarpCounters {
   std::optional<std::int64_t> encoder_age_us;  ///< Nothing: no connection.
 };
 
-/// Where the arm's loop and the thread that talks to its control board meet. Safe from any thread.
+/// Where the arm's loop and the thread that talks to its control board meet. Neither ever waits for
+/// the other: the loop is real-time, the network is not.
 class BoardExchange {
  public:
   explicit BoardExchange(std::int64_t silent_us) : silent_us_(silent_us) {}
@@ -36,7 +38,6 @@ class BoardExchange {
   std::optional<JointReading> reading();
   /// The loop is told of every fault, be it over by then or not.
   std::string fault(std::int64_t monotonic_us);
-  YarpCounters counters(std::int64_t monotonic_us) const;
 
   // For the board's thread.
 
@@ -44,22 +45,61 @@ class BoardExchange {
   void put_encoders(const JointReading& reading);
   void lose_connection(const std::string& reason);
   /// The newest set-point that was not taken yet, left there.
-  std::optional<JointAngles> newest_set_point() const;
+  std::optional<JointAngles> newest_set_point();
   /// The newest set-point; nothing: none since the last call.
   std::optional<JointAngles> take_set_point();
   void count_sent();
   void refuse_set_point(const std::string& reason);
   void put_round_trip(std::int64_t round_trip_us);
 
+  /// Safe from any thread. Each number for itself.
+  YarpCounters counters(std::int64_t monotonic_us) const;
+
  private:
+  // What the board's thread knows.
+  struct BoardWord {
+    std::int64_t connection = 0;          // its number
+    std::optional<JointReading> reading;  // while there is a connection
+    std::string why_none;                 // no connection
+    std::int64_t faults = 0;              // so far
+    std::string newest_fault;
+  };
+  // A set-point, and what the loop knew of the board when it gave it.
+  struct LoopWord {
+    JointAngles set_point;
+    std::int64_t connection = 0;
+    std::int64_t faults = 0;
+  };
+  // Relaxed: numbers that stand alone.
+  struct Counts {
+    std::atomic<std::int64_t> connections{0};
+    std::atomic<std::int64_t> failures{0};
+    std::atomic<std::int64_t> encoders_received{0};
+    std::atomic<std::int64_t> set_points_sent{0};
+    std::atomic<std::int64_t> set_points_replaced{0};
+    std::atomic<std::int64_t> set_points_unheard{0};
+    std::atomic<std::int64_t> set_points_refused{0};
+    std::atomic<std::int64_t> round_trip_us{0};
+    std::atomic<std::int64_t> round_trip_max_us{0};
+    std::atomic<std::int64_t> encoders_at_us{kNever};
+  };
+  static constexpr std::int64_t kNever = -1;
+
+  void publish();
+  void look_for_set_point();
+
   const std::int64_t silent_us_;
-  mutable std::mutex mutex_;
-  bool has_read_ = false;                // the loop, encoders of this connection
-  std::optional<JointReading> reading_;  // while there is a connection
-  std::optional<JointAngles> set_point_;
-  std::string why_none_;  // no connection
-  std::string untold_;    // a fault that the loop does not know of yet
-  YarpCounters counters_;
+  NewestValue<BoardWord> to_loop_;
+  NewestValue<LoopWord> to_board_;
+  Counts counts_;
+
+  // The loop's.
+  std::int64_t read_connection_ = 0;  // whose encoders it has; 0: none
+  std::int64_t told_faults_ = 0;
+
+  // The board thread's.
+  BoardWord word_;
+  std::optional<LoopWord> waiting_;
 };
 
 }  // namespace puck

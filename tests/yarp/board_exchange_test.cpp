@@ -64,7 +64,10 @@ TEST_CASE("a refused set-point is a fault, once") {
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
   exchange.reading();
+  // One that was given before the loop was told is dropped as well.
+  CHECK(exchange.give_set_point(at(1)));
   exchange.refuse_set_point("it is not finite");
+  CHECK(!exchange.take_set_point());
   CHECK(!exchange.give_set_point(at(1)));
   CHECK(exchange.fault(1000) == "it is not finite");
   CHECK(exchange.fault(1000).empty());
