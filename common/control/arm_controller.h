@@ -83,6 +83,7 @@ class ArmController {
 
   // What stood still or was not believed, so far.
   std::int64_t frozen_estimates() const { return track_.frozen(); }
+  std::int64_t sensor_clock_disagreements() const { return track_.clock_disagreements(); }
   std::int64_t jumped_estimates() const { return jumps_.jumps(); }  ///< In mode follow.
   std::int64_t off_table_estimates() const { return off_table_; }   ///< In mode follow.
 

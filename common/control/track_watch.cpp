@@ -5,6 +5,13 @@
 namespace puck {
 namespace {
 
+// No sensor runs for longer: 30 years.
+constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;
+
+bool rests(const puck_estimate_t& estimate) {
+  return (estimate.flags & puck_estimate_t::FLAG_RESTING) != 0;
+}
+
 bool tracks(const puck_estimate_t& estimate) {
   return estimate.state == puck_estimate_t::STATE_TRACKING &&
          (estimate.flags & puck_estimate_t::FLAG_POSITION) != 0 &&
@@ -27,6 +34,7 @@ TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const Host
   if (tracks(estimate) && !(std::isfinite(estimate.x_px) && std::isfinite(estimate.y_px))) {
     return Verdict::kMalformed;
   }
+  if (estimate.sensor_us < 0 || estimate.sensor_us > kLongestRunUs) return Verdict::kMalformed;
   switch (publisher_.hear(estimate.session, estimate.seq, now.monotonic_us)) {
     case SinglePublisher::Verdict::kLate:
       return Verdict::kLate;
@@ -34,15 +42,16 @@ TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const Host
       return Verdict::kOtherPublisher;
     case SinglePublisher::Verdict::kNewPublisher:
       newest_.reset();
+      sensor_clock_.restart();
       break;
     case SinglePublisher::Verdict::kAccepted:
       break;
   }
 
-  const bool rests = (estimate.flags & puck_estimate_t::FLAG_RESTING) != 0;
+  follow_sensor_clock(estimate, now.monotonic_us);
   const bool went_on = !newest_ || newest_->events_session != estimate.events_session ||
                        estimate.sensor_us > newest_->sensor_us;
-  if (rests || went_on) {
+  if (rests(estimate) || went_on) {
     went_on_us_ = now.monotonic_us;
   } else if (tracks(estimate)) {
     ++frozen_;
@@ -54,8 +63,18 @@ TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const Host
   return Verdict::kUsed;
 }
 
+void TrackWatch::follow_sensor_clock(const puck_estimate_t& estimate, std::int64_t monotonic_us) {
+  // A camera that begins anew all the time is none.
+  if (newest_ && newest_->events_session != estimate.events_session) {
+    sensor_clock_.doubt(params_.dead_man_us, monotonic_us);
+  }
+  if (estimate.event_utime == 0) return;
+  sensor_clock_.see(estimate.sensor_us, monotonic_us, tracks(estimate) && !rests(estimate));
+}
+
 const puck_estimate_t* TrackWatch::alive(std::int64_t monotonic_us) const {
-  if (!newest_ || !tracks(*newest_)) return nullptr;
+  if (!newest_ || !tracks(*newest_) || !sensor_clock_.is_believed(monotonic_us)) return nullptr;
+  if (params_.needs_event_time && newest_->event_utime == 0) return nullptr;
   if (monotonic_us - newest_heard_us_ > params_.dead_man_us) return nullptr;
   if (monotonic_us - went_on_us_ > params_.dead_man_us) return nullptr;
   return &*newest_;

@@ -75,6 +75,8 @@ ArmServiceParams read_arm_params(Config& config) {
     config.fail("arm.joint_table",
                 "is needed when arm.back_end is \"yarp\": what is built in is the simulated arm's");
   }
+  // A real arm is not moved by a camera whose time nobody can check.
+  controller.track.needs_event_time = params.back_end.name == "yarp";
   if (mode == "follow") {
     if (table_file.empty()) config.fail("arm.table", "is needed when arm.mode is \"follow\"");
     controller.mode = ArmMode::kFollow;

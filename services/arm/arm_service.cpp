@@ -176,6 +176,7 @@ void ArmService::report(StatusReport& report) const {
   report.add_unless_zero("estimates_clock_unknown", controller_.estimates(Verdict::kClockUnknown));
   report.add_unless_zero("estimates_malformed", controller_.estimates(Verdict::kMalformed));
   report.add_unless_zero("estimates_frozen", controller_.frozen_estimates());
+  report.add_unless_zero("sensor_clock_disagreements", controller_.sensor_clock_disagreements());
   report.add_unless_zero("estimates_off_table", controller_.off_table_estimates());
   report.add_unless_zero("estimates_jumped", controller_.jumped_estimates());
   report.add_unless_zero("pauses", pauses_);

@@ -47,6 +47,7 @@ class ArmBench {
     message.seq = next_estimate_seq_++;
     message.events_session = 1;
     message.sensor_us = now.monotonic_us;
+    message.event_utime = sender_utime();
     message.state = puck_estimate_t::STATE_TRACKING;
     message.flags = puck_estimate_t::FLAG_POSITION;
     message.flags |= puck_estimate_t::FLAG_LIVE;

@@ -91,7 +91,12 @@ class Mischief : public WildValues {
         estimate.seq = chance(0.2) ? wild_integer() : estimate.seq - below(50);
         break;
       default:
-        estimate.sensor_us = wild_integer();
+        // Seldom, since the arm stands still for seconds then.
+        if (chance(0.001)) {
+          estimate.sensor_us = wild_integer();
+        } else {
+          estimate.y_px = wild_number(1);
+        }
         break;
     }
   }
