@@ -59,7 +59,7 @@ class ContourFilter {
   /// been predicted to the event's time.
   void correct(double distance_px, double normal_x, double normal_y);
 
-  /// Keeps the uncertainty below these bounds.
+  /// Takes its velocity, and keeps the uncertainty below these bounds.
   void park(double sigma_px, double sigma_px_s);
 
   /// Puts the puck to rest at a place, with the uncertainty of a start.

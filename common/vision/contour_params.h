@@ -23,6 +23,7 @@ struct ContourIngredients {
   bool search = true;       ///< A doubtful track is challenged by the correlation near it.
   bool wide_search = true;  ///< … and, when it is bad, everywhere.
   bool stopping = true;     ///< A puck that falls silent is taken to have stopped.
+  bool settling = true;     ///< A puck whose events fade comes to rest where it was last clear.
   bool background = true;   ///< What stands still while the head turns counts less.
 };
 
@@ -32,7 +33,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 15> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 16> kContourIngredients{{
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
     {"lag", &ContourIngredients::lag},
@@ -47,6 +48,7 @@ inline constexpr std::array<ContourIngredient, 15> kContourIngredients{{
     {"search", &ContourIngredients::search},
     {"wide-search", &ContourIngredients::wide_search},
     {"stopping", &ContourIngredients::stopping},
+    {"settling", &ContourIngredients::settling},
     {"background", &ContourIngredients::background},
 }};
 

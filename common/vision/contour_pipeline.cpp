@@ -77,6 +77,10 @@ void ContourPipeline::decide(std::int64_t time_us) {
   if (main_) {
     judge_main(time_us);
     stop_if_silent(*main_, context_, time_us);
+    // What is at rest makes events, too, while the head turns.
+    if (!background_.is_known() && settling_.settle(*main_, context_, time_us)) {
+      witness_.put(main_->filter().position(), time_us);
+    }
     stop_beyond_image(*main_, context_, sensor_, now_us_);
     witness_.consult(*main_, context_, time_us, challengers_);
     twins_.bear_at_rest(*main_, context_, time_us, challengers_);

@@ -11,6 +11,7 @@
 #include "common/vision/event_history.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/search_plan.h"
+#include "common/vision/settling.h"
 #include "common/vision/track_standing.h"
 #include "common/vision/track_trust.h"
 #include "common/vision/tracking_pipeline.h"
@@ -67,6 +68,7 @@ class ContourPipeline final : public TrackingPipeline {
   std::optional<ContourTrack> main_;
   TrackTrust trust_;
   TrackStanding standing_;
+  Settling settling_;
   WitnessCheck witness_;
   Twins twins_;
   Challengers challengers_;

@@ -70,6 +70,9 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   const double distance = std::abs(offset.distance_px);
   if (offset.distance_px > RingEvidence::kReach_px) return 0;
 
+  // A hot pixel says nothing about a puck at rest, however often it fires.
+  const bool repeats = context.ingredients.settling && recent_pixels_.repeats(event.x, event.y);
+  if (repeats && is_parked_) return 0;
   const double sign = contrast_sign(context);
   const bool wrong_sign =
       context.ingredients.polarity && std::abs(sign) > kClearSign &&
@@ -84,6 +87,7 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   }
   if (!event.first && context.ingredients.first_events && context.signature.is_faint()) return 0;
 
+  if (repeats) evidence_.add_repeat();
   double worth = 0;
   if (distance > RingEvidence::kRing_px) {
     ++clutter_since_ring_;

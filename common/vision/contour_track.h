@@ -6,6 +6,7 @@
 #include "common/vision/contour_params.h"
 #include "common/vision/puck_contour.h"
 #include "common/vision/puck_signature.h"
+#include "common/vision/recent_pixels.h"
 #include "common/vision/ring_evidence.h"
 #include "common/vision/track_looks.h"
 
@@ -85,6 +86,7 @@ class ContourTrack {
   Pixel ring_made_at_;
   RingAreas areas_;
   RingEvidence evidence_;
+  RecentPixels recent_pixels_;
   double quality_ = 0;
   double shape_quality_ = 0;
   double strength_ = 0;

@@ -18,6 +18,7 @@ void RingEvidence::fade(double keep) {
   wrong_ *= keep;
   inside_ *= keep;
   outside_ *= keep;
+  repeats_ *= keep;
   for (double& sector : sectors_) sector *= keep;
 }
 

@@ -37,9 +37,11 @@ class RingEvidence {
   void add_wrong_sign() { wrong_ += 1; }
   void add_inside() { inside_ += 1; }
   void add_outside() { outside_ += 1; }
+  /// For an event that is counted besides: it is of the same pixel as another of late.
+  void add_repeat() { repeats_ += 1; }
 
   double ring_events() const { return ring_ + wrong_; }
-  double near_events() const { return ring_ + wrong_ + inside_ + outside_; }
+  double near_events() const { return ring_ + wrong_ + inside_ + outside_ - repeats_; }
 
   /// From −1 to 1: how far the ring stands out, less where it covers few directions.
   double quality(const RingAreas& areas) const;
@@ -57,6 +59,7 @@ class RingEvidence {
   double wrong_ = 0;
   double inside_ = 0;
   double outside_ = 0;
+  double repeats_ = 0;
   std::array<double, kContourSectors> sectors_{};
 };
 

@@ -1,5 +1,7 @@
 #include "common/vision/contour_track.h"
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "common/vision/challenger.h"
@@ -103,6 +105,19 @@ TEST_CASE("A twin at rest overtakes a track that missed a bounce, and only then"
   };
   CHECK(twin_leads({-2200, 0}));
   CHECK_FALSE(twin_leads({2500, 0}));
+}
+
+TEST_CASE("A hot pixel neither moves a puck at rest nor makes it look disturbed") {
+  const ContourContext all = test::contour_context();
+  ContourTrack track(all, {.position = {300, 200}}, 0, 0);
+  const ContourRing ring = all.contour.ring_at({300, 200}, 0);
+  for (std::int64_t t = 1'000; t <= 100'000; t += 1'000) {
+    track.take({t, 300 + std::floor(ring.semi_x), 200 - std::floor(ring.rise), true, true}, all);
+    track.decide(t, false, all);
+    track.park();
+    if (t > 20'000) CHECK(track.looks().is_quiet());
+  }
+  CHECK(error_px(track, {300, 200}) < 0.5);
 }
 
 TEST_CASE("A challenger convinces for as long as it does so without a break") {

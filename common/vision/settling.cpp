@@ -1,0 +1,41 @@
+#include "common/vision/settling.h"
+
+#include "common/vision/track_trust.h"
+
+namespace puck {
+namespace {
+
+// Enough events to be sure of the place to a few tenths of a pixel.
+constexpr double kClearStrength = 40;
+constexpr double kClearStrengthOfFaint = 15;
+constexpr double kSlow_px_s = 120;
+// Few enough that noise may be a part of them that counts.
+constexpr double kFewEvents = 12;
+// They die away within a few times the memory of the evidence, or the puck creeps on.
+constexpr std::int64_t kDyingFor_us = 60'000;
+// Noise leads a track no farther in that time.
+constexpr double kDrift_px = 6;
+
+}  // namespace
+
+bool Settling::settle(ContourTrack& main, const ContourContext& context, std::int64_t time_us) {
+  if (!context.ingredients.settling) return false;
+  const TrackLooks looks = main.looks();
+  const double clear_strength =
+      context.signature.is_faint() ? kClearStrengthOfFaint : kClearStrength;
+  if (looks.quality > TrackTrust::kSound && looks.strength > clear_strength) {
+    place_ = looks.position;
+    was_slow_ = looks.speed_px_s < kSlow_px_s;
+    clear_us_ = time_us;
+    return false;
+  }
+  if (!was_slow_ || looks.near_events > kFewEvents || time_us - clear_us_ > kDyingFor_us ||
+      distance_px(place_, looks.position) > kDrift_px) {
+    return false;
+  }
+  main.stop_at(place_, time_us, context);
+  main.park();
+  return true;
+}
+
+}  // namespace puck

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/vision/contour_track.h"
+
+namespace puck {
+
+/// A puck that comes to rest makes fewer and fewer events, until noise has as many and leads the
+/// track away. So the place where a slow puck was last seen clearly is remembered; when its events
+/// die away soon after, it rests there.
+class Settling {
+ public:
+  /// To be called after each decision of the main track; true when it has put it to rest. Switched
+  /// by ContourIngredients::settling.
+  bool settle(ContourTrack& main, const ContourContext& context, std::int64_t time_us);
+
+ private:
+  Pixel place_;
+  bool was_slow_ = false;  // when it was last seen clearly
+  std::int64_t clear_us_ = 0;
+};
+
+}  // namespace puck

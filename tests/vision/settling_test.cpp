@@ -1,0 +1,83 @@
+#include "common/vision/settling.h"
+
+#include <optional>
+
+#include <doctest/doctest.h>
+
+#include "tests/vision/contour_world.h"
+
+namespace puck {
+namespace {
+
+// A track that follows a puck for 100 ms, which then stands still at once.
+class Stopped {
+ public:
+  explicit Stopped(PixelVelocity velocity) {
+    test::MovingContour puck(context.contour, {300, 180}, velocity);
+    track.emplace(context, ContourFilter::Start{.position = {300, 180}, .velocity = velocity}, 0,
+                  0);
+    for (; now_us < 100'000; now_us += 1'000) {
+      for (ContourEvent event : puck.events(now_us, now_us + 1'000)) {
+        event.first = false;  // as of a puck of good contrast
+        track->take(event, context);
+      }
+      decide(now_us + 1'000);
+      context.signature.learn(track->take_sample(), 1'000);
+    }
+    place = puck.position_at(now_us);
+  }
+
+  // Every 10 ms an event of noise lies 2 px outside the contour, on its right; whether the track
+  // has been put to rest.
+  bool wait(std::int64_t duration_us) {
+    const ContourRing ring = context.contour.ring_at(place, 0);
+    bool settled = false;
+    for (const std::int64_t end_us = now_us + duration_us; now_us < end_us; now_us += 10'000) {
+      track->take({now_us + 5'000, place.x + ring.semi_x + 2, place.y - ring.rise, true, true},
+                  context);
+      settled = decide(now_us + 10'000) || settled;
+    }
+    return settled;
+  }
+
+  ContourContext context = test::contour_context();
+  std::optional<ContourTrack> track;
+  Pixel place;
+  std::int64_t now_us = 0;
+
+ private:
+  bool decide(std::int64_t time_us) {
+    track->decide(time_us, false, context);
+    return settling_.settle(*track, context, time_us);
+  }
+
+  Settling settling_;
+};
+
+TEST_CASE("A slow puck whose events die away rests where it was last seen clearly") {
+  Stopped stopped({35, 10});
+  CHECK(stopped.wait(50'000));
+  CHECK(stopped.track->filter().speed_px_s() == 0);
+  CHECK(distance_px(stopped.track->filter().position(), stopped.place) < 0.7);
+}
+
+TEST_CASE("Without it a few stray events lead the track away") {
+  Stopped stopped({35, 10});
+  stopped.context.ingredients.settling = false;
+  CHECK_FALSE(stopped.wait(50'000));
+  CHECK(distance_px(stopped.track->filter().position(), stopped.place) > 1.5);
+}
+
+TEST_CASE("A fast puck that falls silent does not settle, since it may be covered") {
+  Stopped stopped({500, 0});
+  CHECK_FALSE(stopped.wait(50'000));
+}
+
+TEST_CASE("Where a puck was clear more than 60 ms ago says nothing any more") {
+  Stopped stopped({35, 10});
+  stopped.now_us += 61'000;
+  CHECK_FALSE(stopped.wait(50'000));
+}
+
+}  // namespace
+}  // namespace puck
