@@ -97,7 +97,9 @@ bool outruns_rest(const Claim& claim, const Defence& main) {
 
 bool is_convincing(const Claim& claim, const Defence& main) {
   // Whatever makes events is stronger than a puck at rest, a mallet as well.
-  if (main.is_resting && main.is_proven) return is_evident(claim) || outruns_rest(claim, main);
+  if (main.is_resting && (main.is_proven || main.is_trusted)) {
+    return is_evident(claim) || outruns_rest(claim, main);
+  }
   return outshines(claim, main) || outmoves(claim, main) || unmasks(claim, main) ||
          displaces_stranger(claim, main) || succeeds_nearby(claim, main);
 }

@@ -87,6 +87,14 @@ TEST_CASE("A puck at rest gives way to what is evident only, however weak it loo
   CHECK(is_convincing(mallet, main));
 }
 
+TEST_CASE("So does one that was only ever slow, if it is trusted") {
+  Defence main{.is_resting = true, .since_sound_us = 1'000'000};
+  const Claim mallet{.looks = {.quality = 0.9, .strength = 500}, .age_us = 30'000};
+  CHECK(is_convincing(mallet, main));
+  main.is_trusted = true;
+  CHECK_FALSE(is_convincing(mallet, main));
+}
+
 TEST_CASE("A faint puck, which is never evident, outruns where it was taken to rest") {
   Defence main{.is_proven = true, .is_resting = true, .is_faint = true};
   Claim claim = kMoving;
