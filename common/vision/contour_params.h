@@ -24,6 +24,7 @@ struct ContourIngredients {
   bool wide_search = true;  ///< … and, when it is bad, everywhere.
   bool stopping = true;     ///< A puck that falls silent is taken to have stopped.
   bool settling = true;     ///< A puck whose events fade comes to rest where it was last clear.
+  bool holding = true;      ///< A puck at rest stays while something comes near.
   bool background = true;   ///< What stands still while the head turns counts less.
 };
 
@@ -33,7 +34,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 16> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 17> kContourIngredients{{
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
     {"lag", &ContourIngredients::lag},
@@ -49,6 +50,7 @@ inline constexpr std::array<ContourIngredient, 16> kContourIngredients{{
     {"wide-search", &ContourIngredients::wide_search},
     {"stopping", &ContourIngredients::stopping},
     {"settling", &ContourIngredients::settling},
+    {"holding", &ContourIngredients::holding},
     {"background", &ContourIngredients::background},
 }};
 

@@ -82,8 +82,13 @@ void ContourPipeline::decide(std::int64_t time_us) {
       witness_.put(main_->filter().position(), time_us);
     }
     stop_beyond_image(*main_, context_, sensor_, now_us_);
-    witness_.consult(*main_, context_, time_us, challengers_);
-    twins_.bear_at_rest(*main_, context_, time_us, challengers_);
+    if (held_rest_.is_held()) {
+      witness_.put(main_->filter().position(), time_us);
+      challengers_.dismiss_born();
+    } else {
+      witness_.consult(*main_, context_, time_us, challengers_);
+      twins_.bear_at_rest(*main_, context_, time_us, challengers_);
+    }
     twins_.bear_of_other_wall(*main_, context_, time_us, challengers_);
   }
   challengers_.decide(time_us, context_);
@@ -106,7 +111,11 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   const std::int64_t passed_us = time_us - decided_us_;
   main_->decide(time_us, trust_.since_good_us(time_us) > kBlindAfter_us, context_);
   const PuckSignature::Sample sample = main_->take_sample();
-  if (standing_.is_resting()) {
+  if (context_.ingredients.holding) {
+    held_rest_.judge(main_->looks(), standing_.is_resting(), time_us);
+    if (held_rest_.departs()) main_->set_off();
+  }
+  if (standing_.is_resting() || held_rest_.is_held()) {
     main_->park();
     if (standing_.has_settled(time_us)) witness_.draw_to(main_->filter().position(), passed_us);
   }
@@ -123,7 +132,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
   const Defence defence{.looks = looks,
                         .is_trusted = context_.is_trusted,
                         .is_proven = trust_.is_proven(),
-                        .is_resting = standing_.is_resting(),
+                        .is_resting = standing_.is_resting() || held_rest_.is_held(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
                         .is_faint = context_.signature.is_faint(),
                         .since_good_us = trust_.since_good_us(time_us),
@@ -155,6 +164,7 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
     witness_.put(challenger.track().filter().position(), time_us);
   }
   main_ = challenger.track();
+  held_rest_.forget();
   // What the search found may be the puck all the same, while twins of a wrong track go on
   // succeeding one another.
   if (kind == Challenger::Kind::kSearch) {

@@ -9,6 +9,7 @@
 #include "common/vision/contour_calibration.h"
 #include "common/vision/contour_track.h"
 #include "common/vision/event_history.h"
+#include "common/vision/held_rest.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/search_plan.h"
 #include "common/vision/settling.h"
@@ -69,6 +70,7 @@ class ContourPipeline final : public TrackingPipeline {
   TrackTrust trust_;
   TrackStanding standing_;
   Settling settling_;
+  HeldRest held_rest_;
   WitnessCheck witness_;
   Twins twins_;
   Challengers challengers_;

@@ -166,7 +166,8 @@ TrackLooks ContourTrack::looks() const {
           .quality = quality_,
           .strength = strength_,
           .cover = evidence_.cover(),
-          .near_events = evidence_.near_events()};
+          .near_events = evidence_.near_events(),
+          .inside_events = evidence_.inside_events()};
 }
 
 void ContourTrack::park() {

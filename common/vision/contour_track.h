@@ -50,6 +50,9 @@ class ContourTrack {
   /// stray events from moving it.
   void park();
 
+  /// A puck at rest sets off: it may have any speed.
+  void set_off() { filter_.restart(filter_.start_at(filter_.position())); }
+
   /// Puts the track at rest somewhere. What speaks for a faint puck is of where it has been
   /// before, and does not count any more.
   void stop_at(Pixel position, std::int64_t time_us, const ContourContext& context);

@@ -41,6 +41,7 @@ class RingEvidence {
   void add_repeat() { repeats_ += 1; }
 
   double ring_events() const { return ring_ + wrong_; }
+  double inside_events() const { return inside_; }
   double near_events() const { return ring_ + wrong_ + inside_ + outside_ - repeats_; }
 
   /// From −1 to 1: how far the ring stands out, less where it covers few directions.

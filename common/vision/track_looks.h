@@ -9,11 +9,12 @@ namespace puck {
 struct TrackLooks {
   Pixel position;
   double speed_px_s = 0;
-  double growth_px = 0;    ///< By how much its contour is larger than the size model says.
-  double quality = 0;      ///< From −1 to 1.
-  double strength = 0;     ///< How many more events lie on the ring than clutter would put there.
-  double cover = 0;        ///< Share of the directions that the ring's events cover.
-  double near_events = 0;  ///< On the ring and around it, of late.
+  double growth_px = 0;      ///< By how much its contour is larger than the size model says.
+  double quality = 0;        ///< From −1 to 1.
+  double strength = 0;       ///< How many more events lie on the ring than clutter would put there.
+  double cover = 0;          ///< Share of the directions that the ring's events cover.
+  double near_events = 0;    ///< On the ring and around it, of late.
+  double inside_events = 0;  ///< Of those, well inside the ring.
 
   /// Believed as it stands.
   constexpr bool is_good() const { return quality > 0.5 && strength > 6; }

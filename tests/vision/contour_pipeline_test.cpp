@@ -1,6 +1,7 @@
 #include "common/vision/contour_pipeline.h"
 
 #include <cmath>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -65,6 +66,18 @@ class Table {
                                  static_cast<std::uint32_t>(n * 10)});
       }
       show(packet);
+    }
+  }
+
+  // The rounded front of something comes from that far away at that velocity.
+  void approach(Pixel offset, PixelVelocity velocity, int milliseconds) {
+    test::MovingContour mallet(contour_, {puck_.x + offset.x, puck_.y + offset.y}, velocity);
+    for (int i = 0; i < milliseconds; ++i) {
+      const std::int64_t from_us = i * 1000;
+      std::vector<ContourEvent> front = mallet.events(from_us, from_us + 1000);
+      const double y = mallet.position_at(from_us).y;
+      std::erase_if(front, [&](const ContourEvent& event) { return event.y < y; });
+      show(test::packet_of(front, kSensor, now_us_, from_us));
     }
   }
 
@@ -141,6 +154,26 @@ TEST_CASE("a puck that rests in noise keeps its place for half a minute, and is 
     }
     table.glide({0, 700}, 20);
     CHECK(table.glide({0, 700}, 40) < 0.3);
+  }
+}
+
+TEST_CASE(
+    "a puck that comes to rest slowly is not left for a mallet, and is followed from its hit on") {
+  for (const std::uint32_t seed : {1u, 2u, 3u}) {
+    CAPTURE(seed);
+    Table table(preset_params(Preset::kDefault), seed);
+    table.glide({250, 30}, 500);
+    for (const double speed : {120, 80, 50, 30}) table.glide({speed, 0}, 40);
+    table.rest(500, 3);
+    REQUIRE(table.estimate().resting);
+    CHECK(table.error_px() < 1);
+    for (int i = 0; i < 10; ++i) {
+      table.approach({0, -70.0 + 5 * i}, {0, 500}, 10);
+      CHECK(table.estimate().state == TrackState::kTracking);
+      CHECK(table.error_px() < 1.5);
+    }
+    table.glide({0, 1500}, 2);
+    CHECK(table.error_px() < 2);
   }
 }
 
