@@ -112,7 +112,10 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   main_->decide(time_us, trust_.since_good_us(time_us) > kBlindAfter_us, context_);
   const PuckSignature::Sample sample = main_->take_sample();
   if (context_.ingredients.holding) {
-    held_rest_.judge(main_->looks(), standing_.is_resting(), time_us);
+    // A faint puck is quiet while it moves, too; a lost one may be gone.
+    const bool rests = standing_.is_resting() && standing_.state() == TrackState::kTracking &&
+                       !context_.signature.is_faint();
+    held_rest_.judge(main_->looks(), rests, time_us);
     if (held_rest_.departs()) main_->set_off();
   }
   if (standing_.is_resting() || held_rest_.is_held()) {

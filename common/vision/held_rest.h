@@ -11,7 +11,7 @@ namespace puck {
 /// events all around the contour, or inside it; or when it has been disturbed for long.
 class HeldRest {
  public:
-  /// To be called at each decision; `is_resting`: TrackStanding's.
+  /// To be called at each decision; `is_resting`: the puck is surely the one that rests here.
   void judge(const TrackLooks& main, bool is_resting, std::int64_t time_us);
 
   /// Whether the main track must not move, nor be led away.

@@ -19,7 +19,8 @@ constexpr double kDrift_px = 6;
 }  // namespace
 
 bool Settling::settle(ContourTrack& main, const ContourContext& context, std::int64_t time_us) {
-  if (!context.ingredients.settling) return false;
+  // Otherwise it may be a mallet that stops.
+  if (!context.ingredients.settling || !context.is_trusted) return false;
   const TrackLooks looks = main.looks();
   const double clear_strength =
       context.signature.is_faint() ? kClearStrengthOfFaint : kClearStrength;

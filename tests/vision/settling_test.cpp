@@ -13,6 +13,7 @@ namespace {
 class Stopped {
  public:
   explicit Stopped(PixelVelocity velocity) {
+    context.is_trusted = true;
     test::MovingContour puck(context.contour, {300, 180}, velocity);
     track.emplace(context, ContourFilter::Start{.position = {300, 180}, .velocity = velocity}, 0,
                   0);
@@ -70,6 +71,12 @@ TEST_CASE("Without it a few stray events lead the track away") {
 
 TEST_CASE("A fast puck that falls silent does not settle, since it may be covered") {
   Stopped stopped({500, 0});
+  CHECK_FALSE(stopped.wait(50'000));
+}
+
+TEST_CASE("A track that is not trusted does not settle, since it may be a mallet's") {
+  Stopped stopped({35, 10});
+  stopped.context.is_trusted = false;
   CHECK_FALSE(stopped.wait(50'000));
 }
 
