@@ -1,3 +1,5 @@
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -8,6 +10,7 @@
 
 #include "services/launch/bus_watch.h"
 #include "services/launch/rate_limited_log.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_url.h"
 
 namespace puck {
@@ -119,6 +122,34 @@ TEST_CASE("a stranger on the port is named once, and counted") {
   StatusReport report;
   watch.report(report);
   CHECK(counter(report, "messages_foreign") == 2);
+}
+
+TEST_CASE("messages without our key are counted on channels that are none of ours, too") {
+  const TemporaryFolder folder;
+  const auto key = folder / "key";
+  std::ofstream(key) << std::string(32, 'k');
+  std::filesystem::permissions(key, std::filesystem::perms::owner_read);
+  ReadableLog readable;
+  Bus stranger({.url = private_lcm_url(), .prefix = "PUCK"});  // PUCK_PUCK_HEAD
+  Bus bus({.url = private_lcm_url(), .key_file = key.string()});
+  BusWatch watch(bus, readable.log);
+  bus.subscribe_all([](std::string_view, std::span<const std::uint8_t>, const Receipt&) {});
+  REQUIRE(stranger.start({}, [](const std::string&) {}));
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  head_state_t head{};
+  stranger.publish(head);
+  for (int i = 0; i < 500 && bus.unknown_channels().unauthenticated == 0; ++i) {
+    bus.handle(std::chrono::milliseconds(10));
+  }
+  watch.look();
+  watch.look();
+  CHECK(
+      readable.text.str().starts_with("channels that are none of ours: 1 messages without our key "
+                                      "dropped, the last: is not sealed"));
+  CHECK(readable.text.str().find('\n') == readable.text.str().size() - 1);
+  StatusReport report;
+  watch.report(report);
+  CHECK(counter(report, "messages_unauthenticated") == 1);
 }
 
 }  // namespace puck

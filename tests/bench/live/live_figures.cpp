@@ -36,9 +36,9 @@ void print(const char* what, const std::optional<LatencySummary>& latency) {
 void print(const KeyCost& cost) {
   std::printf("Key, at %.0f Mev/s in packets of %d bytes: %.1f %% of a core without",
               cost.rate_mev_s, cost.packet_bytes, cost.plain.cpu_percent);
-  std::printf(", %.1f %% with, all services: %.1f %% more%s\n", cost.sealed.cpu_percent,
-              cost.percent(),
-              cost.plain.is_lossless && cost.sealed.is_lossless ? "" : "; EVENTS WERE LOST");
+  std::printf(", %.1f %% with, all services: %.1f %% more; %lld and %lld events lost\n",
+              cost.sealed.cpu_percent, cost.percent(), static_cast<long long>(cost.plain.lost),
+              static_cast<long long>(cost.sealed.lost));
 }
 
 void print_network(const LiveFigures& f) {
@@ -105,8 +105,9 @@ bool TransportRun::is_lossless() const {
 void KeyCost::Side::add(const TransportRun& run) {
   double sum = 0;
   for (const auto& [service, percent] : run.cpu) sum += percent;
+  sum *= run.wanted_mev_s / run.sent_mev_s;
   if (cpu_percent == 0 || sum < cpu_percent) cpu_percent = sum;
-  is_lossless = is_lossless && run.is_lossless();
+  lost += run.lost();
 }
 
 double highest_lossless_mev_s(const std::vector<TransportRun>& runs) {

@@ -28,11 +28,13 @@ struct TransportRun {
   bool is_lossless() const;
 };
 
-/// What sealing all messages with a key costs: percent of a core that all services take.
+/// What sealing all messages with a key costs.
 struct KeyCost {
   struct Side {
-    double cpu_percent = 0;  ///< Of the best run; 0: none yet.
-    bool is_lossless = true;
+    /// Of a core, all services together, for what was sent scaled to the rate; of the best run. 0:
+    /// none yet.
+    double cpu_percent = 0;
+    std::int64_t lost = 0;  ///< Events, in all runs.
 
     void add(const TransportRun& run);
   };
