@@ -64,20 +64,25 @@ SharedKey::SharedKey(const std::filesystem::path& file) {
 
 SharedKey::Hash SharedKey::hash(std::string_view channel, std::span<const std::uint8_t> message,
                                 std::uint64_t sender, std::uint64_t number) const {
+  std::array<std::uint8_t, crypto_core_hchacha20_INPUTBYTES> which{};
+  put_big_endian(sender, which.data());
+  put_big_endian(number, which.data() + 8);
+  std::array<std::uint8_t, crypto_onetimeauth_KEYBYTES> message_key{};
+  crypto_core_hchacha20(message_key.data(), which.data(), key_.data(), nullptr);
+
   // The lengths before the parts, so that no byte can move from one to the other.
-  std::array<std::uint8_t, 32> header{};
-  put_big_endian(std::uint64_t{channel.size()}, header.data());
-  put_big_endian(std::uint64_t{message.size()}, header.data() + 8);
-  put_big_endian(sender, header.data() + 16);
-  put_big_endian(number, header.data() + 24);
-  crypto_generichash_state state;
+  std::array<std::uint8_t, 16> lengths{};
+  put_big_endian(std::uint64_t{channel.size()}, lengths.data());
+  put_big_endian(std::uint64_t{message.size()}, lengths.data() + 8);
+  crypto_onetimeauth_state state;
   Hash hash{};
-  crypto_generichash_init(&state, key_.data(), key_.size(), hash.size());
-  crypto_generichash_update(&state, header.data(), header.size());
-  crypto_generichash_update(&state, reinterpret_cast<const std::uint8_t*>(channel.data()),
+  static_assert(std::tuple_size_v<Hash> == crypto_onetimeauth_BYTES);
+  crypto_onetimeauth_init(&state, message_key.data());
+  crypto_onetimeauth_update(&state, lengths.data(), lengths.size());
+  crypto_onetimeauth_update(&state, reinterpret_cast<const std::uint8_t*>(channel.data()),
                             channel.size());
-  crypto_generichash_update(&state, message.data(), message.size());
-  crypto_generichash_final(&state, hash.data(), hash.size());
+  crypto_onetimeauth_update(&state, message.data(), message.size());
+  crypto_onetimeauth_final(&state, hash.data());
   return hash;
 }
 

@@ -9,7 +9,8 @@
 
 namespace puck {
 
-/// A secret that all machines of one robot have in a file, and a keyed hash (BLAKE2b) made with it.
+/// A secret that all machines of one robot have in a file, and a keyed hash made with it: Poly1305
+/// with a key for each message, which HChaCha20 makes of the secret, the sender and the number.
 class SharedKey {
  public:
   using Hash = std::array<std::uint8_t, 16>;
@@ -18,7 +19,8 @@ class SharedKey {
   /// 0600 or less). Throws BusError, naming lcm.key_file and what mends it.
   explicit SharedKey(const std::filesystem::path& file);
 
-  /// Of a message on a channel with its number; equal only for the same of all four.
+  /// Of a message on a channel with its number; equal only for the same of all four. No sender may
+  /// use a number twice for two messages that others see: the key of that number would be known.
   Hash hash(std::string_view channel, std::span<const std::uint8_t> message, std::uint64_t sender,
             std::uint64_t number) const;
 
