@@ -37,6 +37,9 @@ class ArmBackEnd {
   /// Why the arm cannot be trusted to do what it is told; empty: it can.
   virtual std::string fault(std::int64_t monotonic_us) = 0;
 
+  /// What it waits for before its first reading; empty: nothing, or not known.
+  virtual std::string awaited() { return {}; }
+
   /// What STATUS is to tell of it, by name.
   virtual std::vector<std::pair<std::string, std::int64_t>> counters(
       std::int64_t /*monotonic_us*/) const {

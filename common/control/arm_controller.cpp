@@ -195,6 +195,8 @@ arm_state_t ArmController::state() const {
     state.state = arm_state_t::STATE_FAULT;
   } else if (guard_.latch() == CommandGuard::Latch::kStopped) {
     state.state = arm_state_t::STATE_STOPPED;
+  } else if (motion_.is_waiting()) {
+    state.state = arm_state_t::STATE_IDLE;
   } else if (!there) {
     state.state = arm_state_t::STATE_MOVING;
   } else if (was_ever_ordered_ || guard_.was_ever_commanded()) {

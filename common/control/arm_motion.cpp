@@ -66,17 +66,17 @@ JerkLimitedMotion ArmMotion::approach_over(double distance_deg) const {
   return {limits, 0};
 }
 
-const char* ArmMotion::note() const {
+std::string ArmMotion::note() const {
   switch (phase_) {
     case Phase::kWaiting:
-      return encoders_.has_reading() ? "waiting for the encoders to agree"
-                                     : "waiting for the encoders";
+      if (encoders_.has_reading()) return "waiting for the encoders to agree";
+      return "waiting for the encoders" + (awaited_.empty() ? "" : ": " + awaited_);
     case Phase::kApproach:
       return "on its way to the line";
     case Phase::kOnLine:
       break;
   }
-  return "";
+  return {};
 }
 
 bool ArmMotion::set_points_rest() const {
@@ -98,7 +98,10 @@ std::string ArmMotion::trouble(ArmBackEnd& back_end, std::int64_t monotonic_us) 
     return fault;
   }
   if (const char* wrong = encoders_.look(back_end.reading(monotonic_us))) return wrong;
-  if (!encoders_.has_reading()) return {};
+  if (!encoders_.has_reading()) {
+    awaited_ = back_end.awaited();
+    return {};
+  }
   if (encoders_.age_us(monotonic_us) > params_.max_encoder_age_us) {
     // What is to begin anew waits for a fresh one.
     if (phase_ != Phase::kWaiting) return "encoders silent";

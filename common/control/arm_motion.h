@@ -60,7 +60,7 @@ class ArmMotion {
   bool is_waiting() const { return phase_ == Phase::kWaiting; }
   bool is_on_line() const { return phase_ == Phase::kOnLine; }
   /// Why it goes nowhere yet, or is on its way to the line; empty: neither.
-  const char* note() const;
+  std::string note() const;
 
   const EncoderWatch& encoders() const { return encoders_; }
   /// The place that is asked for now, and its velocity and acceleration.
@@ -86,6 +86,7 @@ class ArmMotion {
   Phase phase_ = Phase::kWaiting;
   bool is_silenced_ = false;  // until it is restarted
   bool wants_restart_ = false;
+  std::string awaited_;  // by the back end, while there are no encoders
   JerkLimitedMotion line_;
   // Straight through the joints, from where they were to the line; in deg of the joint that has
   // furthest to go.

@@ -35,11 +35,17 @@ std::string BoardExchange::fault(std::int64_t monotonic_us) {
     told_faults_ = board.faults;
     return board.newest_fault;
   }
-  if (!board.reading) return board.why_none;
+  if (!board.reading) return board.connection > 0 ? board.why_none : std::string{};
   // Should the board's thread itself hang.
   const std::int64_t age_us = monotonic_us - board.reading->received_us;
   if (age_us <= 2 * silent_us_) return {};
   return "no encoders for " + std::to_string(age_us / 1000) + " ms";
+}
+
+std::string BoardExchange::awaited() {
+  to_loop_.look();
+  const BoardWord& board = to_loop_.seen();
+  return board.connection > 0 ? std::string{} : board.why_none;
 }
 
 YarpCounters BoardExchange::counters(std::int64_t monotonic_us) const {
@@ -82,8 +88,10 @@ void BoardExchange::lose_connection(const std::string& reason) {
   count(counts_.failures);
   word_.reading.reset();
   word_.why_none = reason;
-  ++word_.faults;
-  word_.newest_fault = reason;
+  if (word_.connection > 0) {
+    ++word_.faults;
+    word_.newest_fault = reason;
+  }
   publish();
 }
 

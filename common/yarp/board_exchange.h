@@ -36,8 +36,11 @@ class BoardExchange {
   /// its encoders yet, or has not been told of a fault yet.
   bool give_set_point(const JointAngles& set_point);
   std::optional<JointReading> reading();
-  /// The loop is told of every fault, be it over by then or not.
+  /// The loop is told of every fault, be it over by then or not. Before the first connection there
+  /// is none: the board may not have been switched on yet.
   std::string fault(std::int64_t monotonic_us);
+  /// Why there is no connection, before the first; empty: not known yet, or there was one.
+  std::string awaited();
 
   // For the board's thread.
 

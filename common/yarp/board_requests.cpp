@@ -34,6 +34,10 @@ JointRange BoardRequests::range(int joint) {
   return {ends[0], ends[1]};
 }
 
+std::vector<std::string> BoardRequests::modes(std::size_t axes) {
+  return ask(kGetModes).vocabs("cmds", axes);
+}
+
 void BoardRequests::begin_modes() { begin(kGetModes); }
 
 void BoardRequests::begin_set_mode(int joint, std::string_view mode) {

@@ -28,6 +28,8 @@ class BoardRequests {
   int axes();
   std::string name(int joint);
   JointRange range(int joint);
+  /// Of all joints.
+  std::vector<std::string> modes(std::size_t axes);
 
   // Without waiting for the answer.
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <string_view>
 
 #include "common/yarp/board_error.h"
 #include "common/yarp/set_point_message.h"
@@ -32,52 +33,19 @@ std::string in_deg(const JointRange& range) {
   return text.data();
 }
 
-// What goes wrong with a port is told with its name.
-template <typename Work>
-auto at_port(const std::string& name, Work work) {
-  try {
-    return work();
-  } catch (const BoardError& error) {
-    throw BoardError(name + ": " + error.what());
-  }
-}
-
-PortAddress find_port(TextConnection& name_server, const std::string& name, const Waiter& waiter,
-                      Deadline deadline) {
-  // Answers may come with more lines than these in other versions.
-  constexpr int kMostLines = 8;
-  name_server.send("query " + name, waiter, deadline);
-  std::optional<PortAddress> address;
-  for (int i = 0; i < kMostLines; ++i) {
-    const std::string line = name_server.receive(waiter, deadline);
-    if (line == kEndOfAnswer) {
-      if (!address) throw BoardError("there is no port " + name + ": is the robot running?");
-      return *address;
-    }
-    if (!address) address = parse_registration(line, name);
-  }
-  throw BoardError("its answer to a query for " + name + " has no end");
+// A joint whose motor is still being set up or calibrated: whoever took it then would disturb that.
+bool is_being_prepared(const std::string& mode) {
+  constexpr std::array<std::string_view, 4> kModes{"cfgn", "cfgy", "cal", "cald"};
+  return std::find(kModes.begin(), kModes.end(), mode) != kModes.end();
 }
 
 }  // namespace
 
-BoardSession::Ports BoardSession::find_ports(const YarpParams& params,
-                                             const PortAddress& name_server, const Waiter& waiter) {
-  return at_port("the name server", [&]() -> Ports {
-    TextConnection connection(name_server, params.local_name, waiter,
-                              in(params.connect_timeout_ms));
-    const auto find = [&](const char* port) {
-      return find_port(connection, params.port_name(port), waiter, in(params.answer_timeout_ms));
-    };
-    return {find("rpc:i"), find("command:i"), find("state:o")};
-  });
-}
-
 BoardSession::BoardSession(const YarpParams& params, const PortAddress& name_server,
                            const Waiter& waiter, BoardExchange& exchange)
-    : BoardSession(params, find_ports(params, name_server, waiter), waiter, exchange) {}
+    : BoardSession(params, find_board_ports(params, name_server, waiter), waiter, exchange) {}
 
-BoardSession::BoardSession(const YarpParams& params, const Ports& ports, const Waiter& waiter,
+BoardSession::BoardSession(const YarpParams& params, const BoardPorts& ports, const Waiter& waiter,
                            BoardExchange& exchange)
     : params_(params),
       waiter_(waiter),
@@ -99,7 +67,10 @@ BoardSession::BoardSession(const YarpParams& params, const Ports& ports, const W
                                                  in(params.connect_timeout_ms));
                        })),
       gate_(params) {
-  at_port(params_.port_name("rpc:i"), [&] { check_joints(); });
+  at_port(params_.port_name("rpc:i"), [&] {
+    check_joints();
+    check_modes();
+  });
   at_port(params_.port_name("state:o"), [&] { begin_to_receive(); });
 }
 
@@ -119,6 +90,15 @@ void BoardSession::check_joints() {
       throw BoardError(names_.back() + " may go from " + in_deg(range) +
                        ": our limits are wider, from " + in_deg(ours));
     }
+  }
+}
+
+void BoardSession::check_modes() {
+  const std::vector<std::string> modes = requests_.modes(axes_);
+  for (std::size_t i = 0; i < params_.joints.size(); ++i) {
+    const std::string& mode = modes[static_cast<std::size_t>(params_.joints[i])];
+    if (!is_being_prepared(mode)) continue;
+    throw BoardError(names_[i] + " is not ready yet: it is in mode " + in_quotes(mode));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/yarp/board_exchange.h"
+#include "common/yarp/board_ports.h"
 #include "common/yarp/board_requests.h"
 #include "common/yarp/set_point_gate.h"
 #include "common/yarp/state_message.h"
@@ -20,8 +21,8 @@ namespace puck {
 /// wrong. One thread.
 class BoardSession {
  public:
-  /// Connects, and checks the joints and their limits: it only reads. Throws BoardError with the
-  /// port that it is about.
+  /// Connects, and checks the joints, their limits and that none is being calibrated: it only
+  /// reads. Throws BoardError with the port that it is about.
   BoardSession(const YarpParams& params, const PortAddress& name_server, const Waiter& waiter,
                BoardExchange& exchange);
 
@@ -37,17 +38,11 @@ class BoardSession {
 
  private:
   enum class Hold : std::uint8_t { kNone, kTaking, kTaken };
-  struct Ports {
-    PortAddress requests;
-    PortAddress command;
-    PortAddress state;
-  };
-  static Ports find_ports(const YarpParams& params, const PortAddress& name_server,
-                          const Waiter& waiter);
-  BoardSession(const YarpParams& params, const Ports& ports, const Waiter& waiter,
+  BoardSession(const YarpParams& params, const BoardPorts& ports, const Waiter& waiter,
                BoardExchange& exchange);
 
   void check_joints();
+  void check_modes();
   void begin_to_receive();
   std::string wrong_mode(const std::vector<std::string>& modes) const;
 

@@ -18,6 +18,9 @@ namespace puck {
 /// set-points and encoders over, and connects again after whatever went wrong; the joints hold
 /// where they are in the meantime.
 ///
+/// **At the start** the board may come later than the controller: until there was a connection, one
+/// that fails is tried again and is no fault, since nothing was moved yet.
+///
 /// **After a failure** reading() is nothing until there is a new connection, and a set-point is
 /// heard only when since then (1) fault() has been asked, (2) reading() has given encoders, and (3)
 /// the set-point lies within `start_within_deg` of these: a controller begins anew at what
@@ -40,8 +43,9 @@ class YarpBackEnd final : public ArmBackEnd {
   std::string_view name() const override { return "yarp"; }
   void command(const JointAngles& set_point, std::int64_t monotonic_us) override;
   std::optional<JointReading> reading(std::int64_t monotonic_us) override;
-  /// Empty while the first attempt to connect goes on.
+  /// Empty until there was a connection.
   std::string fault(std::int64_t monotonic_us) override;
+  std::string awaited() override { return exchange_.awaited(); }
 
   std::vector<std::pair<std::string, std::int64_t>> counters(
       std::int64_t monotonic_us) const override;

@@ -26,6 +26,7 @@ class ScriptedBackEnd : public ArmBackEnd {
     bool speaks = true;
     std::optional<std::int64_t> stamp_us;  // of readings, when it stands still
     std::string fault;
+    std::string awaited;
     std::vector<JointAngles> sent;
   };
   explicit ScriptedBackEnd(Script& script) : script_(script) {}
@@ -40,6 +41,7 @@ class ScriptedBackEnd : public ArmBackEnd {
     return JointReading{*script_.at, script_.stamp_us.value_or(monotonic_us)};
   }
   std::string fault(std::int64_t) override { return script_.fault; }
+  std::string awaited() override { return script_.awaited; }
 
  private:
   Script& script_;
@@ -87,6 +89,10 @@ TEST_CASE("Without encoders nothing is sent, and the arm says what it waits for"
   arm.bench.play(200, 0.1);
   CHECK(arm.script.sent.empty());
   CHECK(arm.reason() == "waiting for the encoders");
+  arm.script.awaited = "the robot is off";
+  arm.bench.play(1, 0.1);
+  CHECK(arm.reason() == "waiting for the encoders: the robot is off");
+  CHECK(arm.bench.arm.state().state == arm_state_t::STATE_IDLE);
   CHECK(!arm.is_faulty());
   arm.script.speaks = true;
   arm.bench.play(400, 0.1);

@@ -45,11 +45,18 @@ TEST_CASE("a set-point is dropped until the loop has read the encoders of this c
   CHECK(exchange.counters(2000).set_points_unheard == 4);
 }
 
-TEST_CASE("there is no reading and a fault as long as there is no connection") {
+TEST_CASE("a board that is not there yet is no fault, and one that goes away is") {
   BoardExchange exchange(kSilentUs);
   CHECK(!exchange.reading());
   CHECK(exchange.fault(0).empty());
+  exchange.lose_connection("not there yet");
+  CHECK(exchange.fault(0).empty());
+  CHECK(exchange.awaited() == "not there yet");
+  CHECK(!exchange.reading());
+  exchange.begin_connection({at(1), 1000});
+  CHECK(exchange.awaited().empty());
   exchange.lose_connection("nobody there");
+  CHECK(exchange.awaited().empty());
   CHECK(exchange.fault(0) == "nobody there");
   CHECK(exchange.fault(0) == "nobody there");
   CHECK(!exchange.reading());
@@ -57,7 +64,7 @@ TEST_CASE("there is no reading and a fault as long as there is no connection") {
   exchange.begin_connection({at(1), 1000});
   CHECK(exchange.fault(1000).empty());
   CHECK(exchange.counters(1500).encoder_age_us == 500);
-  CHECK(exchange.counters(0).failures == 1);
+  CHECK(exchange.counters(0).failures == 2);
 }
 
 TEST_CASE("a refused set-point is a fault, once") {

@@ -95,7 +95,9 @@ class Loop {
   bool fails_with(const std::string& part_of_reason) {
     std::string last;
     const bool fails = until([&] {
-      const std::string reason = fault();
+      // Before the first connection it is no fault, but what is waited for.
+      std::string reason = fault();
+      if (reason.empty()) reason = back_end.awaited();
       if (!reason.empty()) last = reason;
       return reason.find(part_of_reason) != std::string::npos;
     });
@@ -451,6 +453,27 @@ TEST_CASE("What is not finite, outside the limits or of other joints never leave
   }
   CHECK(until([&] { return board.set_points() == loop.counters().set_points_sent; }));
   CHECK(loop.counters().connections == 1);
+}
+
+TEST_CASE("A board that comes up later, and then calibrates, is waited for and left alone") {
+  TestBoard board;
+  board.die();
+  Loop loop(params_for(board));
+  CHECK(until([&] { return !loop.back_end.awaited().empty(); }));
+  CHECK(loop.fault().empty());
+  CHECK(!loop.reading());
+  board.revive();
+  board.put_into_mode("cal");
+  CHECK(until([&] {
+    return loop.back_end.awaited().find("is not ready yet: it is in mode \"cal\"") !=
+           std::string::npos;
+  }));
+  CHECK(loop.fault().empty());
+  CHECK(board.mode_requests() == 0);
+  board.put_into_mode("pos");
+  REQUIRE(loop.is_connected());
+  CHECK(loop.fault().empty());
+  CHECK(loop.moves_to(5));
 }
 
 TEST_CASE("Joints that are not there, and limits wider than the board's, are refused by name") {
