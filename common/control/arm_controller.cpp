@@ -112,13 +112,12 @@ ArmController::Order ArmController::decide_to_follow(const puck_estimate_t* trac
   return order;
 }
 
-ArmController::Order ArmController::decide(const HostNow& now) const {
+ArmController::Order ArmController::decide(const HostNow& now, const puck_estimate_t* track) const {
   if (guard_.latch() != CommandGuard::Latch::kNone) {
     Order order;
     order.reason = kLatched;
     return order;
   }
-  const puck_estimate_t* track = track_.alive(now.monotonic_us);
   return params_.mode == ArmMode::kFollow ? decide_to_follow(track, now)
                                           : decide_as_commanded(now, track);
 }
@@ -134,9 +133,9 @@ void ArmController::measure_latency(const Order& order, const HostNow& now) {
 }
 
 void ArmController::step(const HostNow& now, double dt_s) {
-  const Order order = decide(now);
-  measure_latency(order, now);
   const puck_estimate_t* track = track_.alive(now.monotonic_us);
+  const Order order = decide(now, track);
+  measure_latency(order, now);
   alive_session_ = track != nullptr ? track->session : 0;
   alive_seq_ = track != nullptr ? track->seq : 0;
   order_ = order;

@@ -103,7 +103,7 @@ class ArmController {
     }
   };
 
-  Order decide(const HostNow& now) const;
+  Order decide(const HostNow& now, const puck_estimate_t* track) const;
   Order decide_as_commanded(const HostNow& now, const puck_estimate_t* track) const;
   Order decide_to_follow(const puck_estimate_t* track, const HostNow& now) const;
   std::optional<TablePoint> place_of(const puck_estimate_t& track) const;
