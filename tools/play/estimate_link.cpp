@@ -1,8 +1,8 @@
 #include "tools/play/estimate_link.h"
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "tools/play/option_ranges.h"
 
 namespace puck {
 namespace {
@@ -13,17 +13,10 @@ constexpr std::uint64_t kLossStream = 41;
 
 EstimateLink::EstimateLink(const EstimateLinkParams& params, std::int64_t seed)
     : params_(params), random_(seed, kLossStream) {
-  const auto require = [](bool holds, const std::string& what, double got) {
-    if (!holds) throw std::invalid_argument(what + ", got " + std::to_string(got));
-  };
-  require(params_.rate_hz >= 1 && params_.rate_hz <= 5000, "--rate-hz must be between 1 and 5000",
-          params_.rate_hz);
-  require(params_.latency_us >= 0 && params_.latency_us <= 1'000'000,
-          "--latency-ms must be between 0 and 1000", static_cast<double>(params_.latency_us) / 1e3);
-  require(params_.loss_percent >= 0 && params_.loss_percent <= 100,
-          "--loss-percent must be between 0 and 100", params_.loss_percent);
-  require(params_.burst_us >= 0 && params_.burst_us <= 10'000'000,
-          "--burst-ms must be between 0 and 10000", static_cast<double>(params_.burst_us) / 1e3);
+  kRateRange.require(params_.rate_hz);
+  kLatencyRange.require(static_cast<double>(params_.latency_us) / 1e3);
+  kLossRange.require(params_.loss_percent);
+  kBurstRange.require(static_cast<double>(params_.burst_us) / 1e3);
   in_burst_ = random_.uniform() * 100 < params_.loss_percent;
 }
 

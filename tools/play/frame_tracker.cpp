@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tools/play/option_ranges.h"
+
 namespace puck {
 namespace {
 
@@ -16,10 +18,7 @@ FrameTracker::FrameTracker(const FrameTrackerParams& params, SensorSize sensor, 
       sensor_(sensor),
       random_(seed, kFrameStream),
       period_us_(1e6 / params.rate_hz) {
-  if (!(params.rate_hz >= 1 && params.rate_hz <= 2000)) {
-    throw std::invalid_argument("a camera's rate must be between 1 and 2000 Hz, got " +
-                                std::to_string(params.rate_hz));
-  }
+  kFramesRange.require(params.rate_hz);
   if (!(params.exposure_share > 0 && params.exposure_share <= 1)) {
     throw std::invalid_argument("a camera's exposure must be above 0 and at most 1 period, got " +
                                 std::to_string(params.exposure_share));

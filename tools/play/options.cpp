@@ -1,8 +1,16 @@
 #include "tools/play/options.h"
 
 #include "tools/command_line/number_range.h"
+#include "tools/play/option_ranges.h"
 
 namespace puck {
+namespace {
+
+CLI::Validator values(const OptionRange& range) {
+  return number_range(range.lowest, range.highest);
+}
+
+}  // namespace
 
 void add_options(CLI::App& app, PlayOptions& options) {
   auto* seconds = app.add_option("--seconds", options.seconds, "length of a whole game")
@@ -11,9 +19,9 @@ void add_options(CLI::App& app, PlayOptions& options) {
                                "so many single shots, each a game of its own, instead")
                     ->check(number_range(1, 100'000))
                     ->excludes(seconds);
-  app.add_option("--max-speed", options.max_speed_m_s,
+  app.add_option(kMaxSpeedRange.option, options.max_speed_m_s,
                  "of the shots, m/s; the slowest are half as fast (default: 4, of a sweep 15)")
-      ->check(number_range(0.6, 15));
+      ->check(values(kMaxSpeedRange));
   auto* source = app.add_option("--source", options.source,
                                 "truth: where the puck truly is, with PUCK's errors; events: PUCK "
                                 "on the simulated camera's events")
@@ -24,23 +32,24 @@ void add_options(CLI::App& app, PlayOptions& options) {
                                "(default 200)")
                     ->check(CLI::IsMember({"latency", "speed", "loss", "rate"}))
                     ->excludes(seconds);
-  app.add_option("--latency-ms", options.latency_ms, "from the sensor to the bridge and the arm")
-      ->check(number_range(0, 1000))
+  app.add_option(kLatencyRange.option, options.latency_ms,
+                 "from the sensor to the bridge and the arm")
+      ->check(values(kLatencyRange))
       ->capture_default_str();
-  app.add_option("--rate-hz", options.rate_hz, "estimates a second")
-      ->check(number_range(1, 5000))
+  app.add_option(kRateRange.option, options.rate_hz, "estimates a second")
+      ->check(values(kRateRange))
       ->capture_default_str();
-  auto* loss = app.add_option("--loss-percent", options.loss_percent, "of the estimates")
-                   ->check(number_range(0, 100))
+  auto* loss = app.add_option(kLossRange.option, options.loss_percent, "of the estimates")
+                   ->check(values(kLossRange))
                    ->capture_default_str();
-  app.add_option("--burst-ms", options.burst_ms,
+  app.add_option(kBurstRange.option, options.burst_ms,
                  "estimates are lost in bursts that take so long on average; 0: one by one")
-      ->check(number_range(0, 10'000))
+      ->check(values(kBurstRange))
       ->needs(loss)
       ->capture_default_str();
-  app.add_option("--frames-hz", options.frames_hz,
+  app.add_option(kFramesRange.option, options.frames_hz,
                  "instead of PUCK a tracker on the pictures of a camera")
-      ->check(number_range(1, 2000))
+      ->check(values(kFramesRange))
       ->excludes(source)
       ->excludes(sweep);
   app.add_flag("--moving", options.moving, "the camera's head turns; with --source events")

@@ -1,11 +1,9 @@
 #include "tools/play/play_setup.h"
 
-#include <stdexcept>
-#include <string>
-
 #include "common/io/contour_calibration_file.h"
 #include "common/io/size_model_file.h"
 #include "common/vision/presets.h"
+#include "tools/play/option_ranges.h"
 
 namespace puck {
 
@@ -24,10 +22,7 @@ PlaySetup default_setup(const std::filesystem::path& calibration) {
 }
 
 void set_shot_speed(GameParams& game, double max_speed_m_s) {
-  if (!(max_speed_m_s >= 0.6 && max_speed_m_s <= 15)) {
-    throw std::invalid_argument("--max-speed must be between 0.6 and 15, got " +
-                                std::to_string(max_speed_m_s));
-  }
+  kMaxSpeedRange.require(max_speed_m_s);
   game.shot_speed_max_m_s = max_speed_m_s;
   game.shot_speed_min_m_s = max_speed_m_s / 2;
 }

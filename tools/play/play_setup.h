@@ -42,7 +42,7 @@ struct PlaySetup {
 PlaySetup default_setup(const std::filesystem::path& calibration);
 
 /// The opponent shoots as fast as `max_speed_m_s`, at least half as fast. Throws
-/// std::invalid_argument unless that is from 0.6 to 15.
+/// std::invalid_argument outside kMaxSpeedRange.
 void set_shot_speed(GameParams& game, double max_speed_m_s);
 
 }  // namespace puck
