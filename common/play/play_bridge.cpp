@@ -11,12 +11,9 @@
 namespace puck {
 namespace {
 
-constexpr std::int64_t kArmSilentUs = 500'000;
 // Of HEAD's sensor_us.
 constexpr std::int64_t kTimeUnknown = -1;
 constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;  // 30 years
-// The arm may follow another bridge's last command for as long when this one starts.
-constexpr std::int64_t kOtherCommanderUs = 500'000;
 // A camera's time runs no faster than ours, but for what was held up on the way.
 constexpr std::int64_t kMaxHeldUpUs = 500'000;
 constexpr std::int64_t kGamePeriodUs = 100'000;
@@ -60,6 +57,7 @@ PlayBridge::PlayBridge(const PlayBridgeParams& params, const Homography& table_f
       predictor_(motion_, params.intercept),
       strategy_(params.strategy, table),
       game_(motion_),
+      arm_(params.gate.max_clock_error_us),
       home_(table_from_image),
       head_(params.head),
       is_blind_(params.needs_head) {
@@ -127,27 +125,6 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
   }
 }
 
-void PlayBridge::hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
-  // The arm of a log that is played would be answered in the place of the one that is there.
-  if (freshness_of(state.utime, now, sender, params_.gate.max_clock_error_us) !=
-      Freshness::kOfNow) {
-    return;
-  }
-  switch (arm_publisher_.hear(state.session, state.seq, now.monotonic_us)) {
-    case SinglePublisher::Verdict::kNewPublisher:
-    case SinglePublisher::Verdict::kAccepted:
-      if (!arm_ || arm_->command_session != state.command_session) {
-        commander_since_us_ = now.monotonic_us;
-      }
-      arm_ = state;
-      arm_heard_us_ = now.monotonic_us;
-      break;
-    case SinglePublisher::Verdict::kLate:
-    case SinglePublisher::Verdict::kOtherPublisher:
-      break;
-  }
-}
-
 void PlayBridge::hear(const head_state_t& head, const HostNow& now) {
   // A late word, or that of another robot's head, must not say that this one is home.
   const auto verdict = head_publisher_.hear(head.session, head.seq, now.monotonic_us);
@@ -187,19 +164,6 @@ std::optional<PuckTrack> PlayBridge::live_track(const HostNow& now) const {
   return filter_.at(sensor_now(now));
 }
 
-bool PlayBridge::hears_arm(const HostNow& now) const {
-  return arm_ && now.monotonic_us - arm_heard_us_ <= kArmSilentUs;
-}
-
-std::int64_t PlayBridge::other_commander(std::int64_t own_session, const HostNow& now) const {
-  if (!hears_arm(now) || arm_->command_session == own_session) return 0;
-  // It obeys nobody: it names whoever stopped it.
-  if (arm_->state == arm_state_t::STATE_STOPPED || arm_->state == arm_state_t::STATE_FAULT) {
-    return 0;
-  }
-  return now.monotonic_us - commander_since_us_ > kOtherCommanderUs ? arm_->command_session : 0;
-}
-
 std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now) {
   if (!trajectory_due_ ||
       !is_due(last_trajectory_us_, params_.max_trajectory_hz, now.monotonic_us)) {
@@ -228,7 +192,9 @@ std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now)
   message.vy_m_s = track->state.velocity.y_m_s;
   std::copy(track->covariance.begin(), track->covariance.end(), std::begin(message.covariance));
   std::optional<TablePoint> mallet;
-  if (hears_arm(now)) mallet = TablePoint{table_.robot_line_x_m, arm_->position_m};
+  if (const arm_state_t* arm = arm_.arm(now)) {
+    mallet = TablePoint{table_.robot_line_x_m, arm->position_m};
+  }
   predictor_.predict_path(*track, mallet, kPathHorizonS, kPathStepS, path_);
   message.path_length = static_cast<std::int32_t>(path_.size());
   for (auto* const values : {&message.path_t_s, &message.path_x_m, &message.path_y_m}) {
@@ -256,13 +222,14 @@ std::optional<arm_command_t> PlayBridge::next_command(const HostNow& now) {
   const bool may_be_early = basis_ && basis_->seq != last_basis_seq_ &&
                             is_due(last_command_us_, kMostCommandsHz, now.monotonic_us);
   if (!due && !may_be_early) return std::nullopt;
-  if (!hears_arm(now) || is_blind_) return std::nullopt;
+  const arm_state_t* arm = arm_.arm(now);
+  if (arm == nullptr || is_blind_) return std::nullopt;
   const std::optional<PuckTrack> track = live_track(now);
   if (!track) return std::nullopt;
 
   // The bridge's idea of the line and the arm's: where both can go.
-  const double lowest_m = std::max(-table_.robot_line_half_m, arm_->line_min_m);
-  const double highest_m = std::min(table_.robot_line_half_m, arm_->line_max_m);
+  const double lowest_m = std::max(-table_.robot_line_half_m, arm->line_min_m);
+  const double highest_m = std::min(table_.robot_line_half_m, arm->line_max_m);
   if (!(lowest_m <= highest_m)) return std::nullopt;
   const Wish wish = strategy_.decide(*track, predictor_.predict(*track));
   const double target_m = std::clamp(wish.y_m, lowest_m, highest_m);
@@ -273,15 +240,15 @@ std::optional<arm_command_t> PlayBridge::next_command(const HostNow& now) {
   arm_command_t message{};
   message.mode = arm_command_t::MODE_FOLLOW;
   message.target_m = target_m;
-  const double middle_m = (arm_->line_min_m + arm_->line_max_m) / 2;
-  const double half_m = (arm_->line_max_m - arm_->line_min_m) / 2;
+  const double middle_m = (arm->line_min_m + arm->line_max_m) / 2;
+  const double half_m = (arm->line_max_m - arm->line_min_m) / 2;
   message.target_normalised =
       half_m > 0 ? std::clamp((message.target_m - middle_m) / half_m, -1.0, 1.0) : 0;
   message.arrive_in_us = static_cast<std::int64_t>(std::max(0.0, wish.arrive_in_s) * 1e6);
   message.valid_for_us = params_.valid_for_us;
   message.estimate_session = basis_->session;
   message.estimate_seq = basis_->seq;
-  message.arm_session = arm_->session;
+  message.arm_session = arm->session;
   last_command_us_ = now.monotonic_us;
   ++commands_;
   return message;

@@ -8,6 +8,7 @@
 #include "common/messaging/clock_offset.h"
 #include "common/messaging/host_now.h"
 #include "common/messaging/single_publisher.h"
+#include "common/play/arm_watch.h"
 #include "common/play/estimate_gate.h"
 #include "common/play/game_observer.h"
 #include "common/play/strategy.h"
@@ -54,7 +55,9 @@ class PlayBridge {
 
   /// `sender`: the clock of the message's session. An arm's word that is not of now is no arm.
   void hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
-  void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender);
+  void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
+    arm_.hear(state, now, sender);
+  }
   void hear(const head_state_t& head, const HostNow& now);
 
   /// What is due for publication at `now`; each is due once.
@@ -66,10 +69,12 @@ class PlayBridge {
   bool is_blind_to_head() const { return is_blind_; }
 
   /// Whether the arm is heard, so that it can be commanded.
-  bool hears_arm(const HostNow& now) const;
+  bool hears_arm(const HostNow& now) const { return arm_.arm(now) != nullptr; }
   /// The session of somebody else whose commands the arm has followed for a while; 0: nobody.
   /// `own_session`: that of the commands that are made here.
-  std::int64_t other_commander(std::int64_t own_session, const HostNow& now) const;
+  std::int64_t other_commander(std::int64_t own_session, const HostNow& now) const {
+    return arm_.other_commander(own_session, now);
+  }
 
   const EstimateGate& gate() const { return gate_; }
   const TrackProbation& probation() const { return probation_; }
@@ -117,10 +122,7 @@ class PlayBridge {
   bool trajectory_due_ = false;
   puck_estimate_t newest_{};
 
-  SinglePublisher arm_publisher_;
-  std::optional<arm_state_t> arm_;
-  std::int64_t arm_heard_us_ = 0;        // CLOCK_MONOTONIC
-  std::int64_t commander_since_us_ = 0;  // CLOCK_MONOTONIC
+  ArmWatch arm_;
   TableView home_;
   std::optional<TableCamera> camera_;
   SinglePublisher head_publisher_;

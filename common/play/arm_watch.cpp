@@ -1,0 +1,44 @@
+#include "common/play/arm_watch.h"
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kSilentUs = 500'000;
+// The arm may follow another bridge's last command for as long when this one starts.
+constexpr std::int64_t kOtherCommanderUs = 500'000;
+
+}  // namespace
+
+void ArmWatch::hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
+  // The arm of a log that is played would be answered in the place of the one that is there.
+  if (freshness_of(state.utime, now, sender, max_clock_error_us_) != Freshness::kOfNow) return;
+  switch (publisher_.hear(state.session, state.seq, now.monotonic_us)) {
+    case SinglePublisher::Verdict::kNewPublisher:
+    case SinglePublisher::Verdict::kAccepted:
+      if (!newest_ || newest_->command_session != state.command_session) {
+        commander_since_us_ = now.monotonic_us;
+      }
+      newest_ = state;
+      heard_us_ = now.monotonic_us;
+      break;
+    case SinglePublisher::Verdict::kLate:
+    case SinglePublisher::Verdict::kOtherPublisher:
+      break;
+  }
+}
+
+const arm_state_t* ArmWatch::arm(const HostNow& now) const {
+  return newest_ && now.monotonic_us - heard_us_ <= kSilentUs ? &*newest_ : nullptr;
+}
+
+std::int64_t ArmWatch::other_commander(std::int64_t own_session, const HostNow& now) const {
+  const arm_state_t* heard = arm(now);
+  if (heard == nullptr || heard->command_session == own_session) return 0;
+  // It obeys nobody: it names whoever stopped it.
+  const bool is_latched =
+      heard->state == arm_state_t::STATE_STOPPED || heard->state == arm_state_t::STATE_FAULT;
+  if (is_latched) return 0;
+  return now.monotonic_us - commander_since_us_ > kOtherCommanderUs ? heard->command_session : 0;
+}
+
+}  // namespace puck
