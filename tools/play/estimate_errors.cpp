@@ -8,6 +8,7 @@ namespace {
 constexpr std::uint64_t kErrorStream = 40;
 // In one step of the world, and while it is in play, nothing else changes the velocity so much.
 constexpr double kTurn_m_s = 0.3;
+constexpr std::int64_t kStrayUs = 1'000;
 
 }  // namespace
 
@@ -45,6 +46,13 @@ void EstimateErrors::turn(Timestamp now) {
   seen_from_ = now + static_cast<std::int64_t>(loss_us);
 }
 
+void EstimateErrors::stray(std::int64_t passed_us) {
+  if (params_.strays_per_s == 0) return;
+  if (random_.uniform() >= params_.strays_per_s * 1e-6 * static_cast<double>(passed_us)) return;
+  stray_at_ = {random_.uniform(0, sensor_.width - 1), random_.uniform(0, sensor_.height - 1)};
+  stray_until_ = newest_->time + kStrayUs;
+}
+
 void EstimateErrors::watch(const SimulatedTruth& truth) {
   const bool was_in_play = newest_ && newest_->in_play;
   if (truth.in_play && !was_in_play) {
@@ -55,6 +63,7 @@ void EstimateErrors::watch(const SimulatedTruth& truth) {
   if (newest_) {
     const std::int64_t passed_us = truth.time - newest_->time;
     drift(passed_us);
+    stray(passed_us);
     if (was_in_play && truth.in_play && passed_us > 0) {
       const double per_s = 1e6 / static_cast<double>(passed_us);
       velocity_ = {(truth.position_px.x - newest_->position_px.x) * per_s,
@@ -87,6 +96,7 @@ PuckEstimate EstimateErrors::estimate() const {
   estimate.resting = velocity.x == 0 && velocity.y == 0;
   estimate.position = Pixel{at.x + params_.bias_x_px + error_x_px_ - lag_s * velocity.x,
                             at.y + params_.bias_y_px + error_y_px_ - lag_s * velocity.y};
+  if (newest_->time < stray_until_) estimate.position = stray_at_;
   estimate.velocity = velocity;
   estimate.size = newest_->size_px;
   estimate.score = 1;

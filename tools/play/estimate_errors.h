@@ -25,6 +25,7 @@ struct EstimateErrorParams {
   double notice_us = 3'500;          ///< For so long after a turn the estimate goes straight on …
   double loss_share = 0.235;         ///< … but after this share of the turns the puck is lost …
   double loss_us = 7'000;            ///< … for so long on average.
+  double strays_per_s = 0;  ///< So often, and for a millisecond, the puck is seen anywhere.
 };
 
 /// Whether the puck was hit or bounced between two moments a step of the world apart.
@@ -44,6 +45,7 @@ class EstimateErrors {
  private:
   void drift(std::int64_t passed_us);
   void turn(Timestamp now);
+  void stray(std::int64_t passed_us);
 
   EstimateErrorParams params_;
   SensorSize sensor_;
@@ -58,6 +60,8 @@ class EstimateErrors {
   Pixel turned_at_;
   PixelVelocity turned_from_;
   bool was_seen_ = false;
+  Pixel stray_at_;
+  Timestamp stray_until_;
 };
 
 }  // namespace puck
