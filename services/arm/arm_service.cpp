@@ -125,6 +125,7 @@ void ArmService::publish_state(const HostNow& now) {
 }
 
 void ArmService::follow_state(const arm_state_t& state) {
+  if (state.state == logged_state_ && state.reason == logged_reason_) return;
   const std::string text =
       std::string(name_of(state.state)) + (state.reason.empty() ? "" : ": ") + state.reason;
   const bool is_fault = state.state == arm_state_t::STATE_FAULT;
@@ -135,7 +136,6 @@ void ArmService::follow_state(const arm_state_t& state) {
   } else {
     context_.status.set_state(ServiceState::kRunning, text);
   }
-  if (text == logged_) return;
   const bool is_play = plays(logged_state_) && plays(state.state);
   const std::int64_t now_us = host_monotonic_us();
   auto level = is_fault ? spdlog::level::err : spdlog::level::info;
@@ -147,7 +147,7 @@ void ArmService::follow_state(const arm_state_t& state) {
   }
   context_.log.log(level, "{}", text);
   logged_state_ = state.state;
-  logged_ = text;
+  logged_reason_ = state.reason;
 }
 
 void ArmService::warn_of_refusals() {

@@ -45,7 +45,7 @@ class ArmService : public Service {
   std::int64_t time_skipped_us_ = 0;
   std::int64_t refused_before_ = 0;
   int logged_state_ = -1;
-  std::string logged_;
+  std::string logged_reason_;
   std::int64_t told_us_ = 0;
 };
 

@@ -8,6 +8,7 @@
 
 #include "common/messaging/bus_settings.h"
 #include "common/messaging/status_check.h"
+#include "services/launch/log_handover.h"
 #include "services/launch/stop_on_signal.h"
 
 namespace puck {
@@ -31,8 +32,10 @@ Config load_config(const CommandLine& line) {
   return config;
 }
 
-spdlog::logger make_log(const std::string& name, const std::string& level) {
-  spdlog::logger log(name, std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+spdlog::logger make_log(const ServiceInfo& info, const std::string& level) {
+  spdlog::sink_ptr sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
+  if (info.is_real_time) sink = std::make_shared<LogHandover>(std::move(sink));
+  spdlog::logger log(info.name, std::move(sink));
   log.set_pattern("%H:%M:%S.%e %n %^%l%$: %v");
   log.set_level(spdlog::level::from_str(level));
   return log;
@@ -61,7 +64,7 @@ int check(const std::string& name, const BusParams& params, std::stop_token stop
 int serve(const ServiceInfo& info, const CommandLine& line, const Config& config,
           const BusParams& params, const MakeService& make, std::stop_token stop) {
   Bus bus(params);
-  spdlog::logger log = make_log(info.name, line.log_level);
+  spdlog::logger log = make_log(info, line.log_level);
   log.info("version {}", PUCK_VERSION);
   log_config(log, config);
 
