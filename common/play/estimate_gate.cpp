@@ -35,6 +35,17 @@ std::optional<Matrix4> image_covariance(const puck_estimate_t& estimate, double 
   return covariance;
 }
 
+// How wide a disc of this radius is in the image; nothing behind the camera. Its height says less:
+// seen at a low angle, that is half the puck's wall.
+std::optional<double> width_at(const Homography& camera, const TablePoint& at, double radius_m) {
+  const auto left = camera.to_image({at.x_m, at.y_m - radius_m});
+  const auto right = camera.to_image({at.x_m, at.y_m + radius_m});
+  const auto near = camera.to_image({at.x_m - radius_m, at.y_m});
+  const auto far = camera.to_image({at.x_m + radius_m, at.y_m});
+  if (!left || !right || !near || !far) return std::nullopt;
+  return std::hypot(right->x - left->x, far->x - near->x);
+}
+
 }  // namespace
 
 const char* to_string(EstimateVerdict verdict) {
@@ -49,6 +60,8 @@ const char* to_string(EstimateVerdict verdict) {
       return "off_table";
     case EstimateVerdict::kImplausible:
       return "implausible";
+    case EstimateVerdict::kWrongSize:
+      return "wrong_size";
     case EstimateVerdict::kMalformed:
       return "malformed";
     case EstimateVerdict::kBlind:
@@ -81,6 +94,8 @@ EstimateGate::EstimateGate(const EstimateGateParams& params, const TableGeometry
           "bridge.max_speed_m_s must be above 0 and at most 100", params_.max_speed_m_s);
   require(params_.default_sigma_px > 0 && params_.default_sigma_px <= 100,
           "bridge.default_sigma_px must be above 0 and at most 100", params_.default_sigma_px);
+  require(params_.size_tolerance >= 1.1 && params_.size_tolerance <= 100,
+          "bridge.size_tolerance must be between 1.1 and 100", params_.size_tolerance);
 }
 
 EstimateVerdict EstimateGate::judge(const puck_estimate_t& estimate, const HostNow& now,
@@ -157,6 +172,7 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
     return EstimateVerdict::kOffTable;
   }
   const auto& [position, velocity] = track->state;
+  if (!has_size_of_puck(estimate, *view, position)) return EstimateVerdict::kWrongSize;
   if (!(std::hypot(velocity.x_m_s, velocity.y_m_s) <= params_.max_speed_m_s)) {
     return EstimateVerdict::kImplausible;
   }
@@ -165,6 +181,15 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
   measurement = {{estimate.sensor_us},        position, {p[0], p[1], p[4], p[5]}, velocity, resting,
                  {p[10], p[11], p[14], p[15]}};
   return EstimateVerdict::kGood;
+}
+
+bool EstimateGate::has_size_of_puck(const puck_estimate_t& estimate, const TableView& view,
+                                    const TablePoint& position) const {
+  if (estimate.width_px == 0) return true;
+  const auto width_px = width_at(view.homography(), position, table_.puck_radius_m);
+  if (!width_px) return true;
+  const double ratio = estimate.width_px / *width_px;
+  return ratio <= params_.size_tolerance && ratio >= 1 / params_.size_tolerance;
 }
 
 }  // namespace puck

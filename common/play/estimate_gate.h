@@ -19,6 +19,9 @@ struct EstimateGateParams {
   double margin_m = 0.05;                     ///< A puck further off the table is not believed.
   double max_speed_m_s = 20;                  ///< Nor is a faster one.
   double default_sigma_px = 2;                ///< Where a tracker gives no covariance.
+  /// A puck that seems wider or narrower by more than this factor than one would at its place on
+  /// the table is not believed. A tracker that gives no size is not asked.
+  double size_tolerance = 2;
 };
 
 /// What an estimate is good for.
@@ -28,6 +31,7 @@ enum class EstimateVerdict : std::uint8_t {
   kStale,  ///< Its newest event is too old.
   kOffTable,
   kImplausible,     ///< Too fast, too unsure, or of events that are yet to come.
+  kWrongSize,       ///< Far too wide or too narrow for its place: something else, or elsewhere.
   kBlind,           ///< The head has turned, and where to is not known.
   kMalformed,       ///< Not finite, or a covariance that is none.
   kBelated,         ///< Overtaken by a newer one, but good: says something about then.
@@ -36,7 +40,7 @@ enum class EstimateVerdict : std::uint8_t {
   kClock,           ///< Old, or from the future, by its own clock.
   kClockUnknown,    ///< The tracker's clock is not known, or not well enough.
 };
-inline constexpr std::size_t kEstimateVerdicts = 12;
+inline constexpr std::size_t kEstimateVerdicts = 13;
 
 /// `good`, `not_tracking`, …: as in the names of counters.
 const char* to_string(EstimateVerdict verdict);
@@ -67,6 +71,8 @@ class EstimateGate {
   EstimateVerdict judge_content(const puck_estimate_t& estimate, const HostNow& now,
                                 const ClockOffset& sender, const TableView* view,
                                 TableMeasurement& measurement) const;
+  bool has_size_of_puck(const puck_estimate_t& estimate, const TableView& view,
+                        const TablePoint& position) const;
 
   EstimateGateParams params_;
   TableGeometry table_;

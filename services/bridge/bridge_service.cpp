@@ -12,10 +12,11 @@ constexpr std::int64_t kSilentUs = 500'000;
 constexpr std::int64_t kWorthALineUs = 200'000;
 
 // Estimates that are not good, and not just those of a puck that is not in sight.
-constexpr std::array kSuspicious{
-    EstimateVerdict::kStale,          EstimateVerdict::kOffTable,  EstimateVerdict::kImplausible,
-    EstimateVerdict::kBlind,          EstimateVerdict::kMalformed, EstimateVerdict::kLate,
-    EstimateVerdict::kOtherPublisher, EstimateVerdict::kClock,     EstimateVerdict::kClockUnknown};
+constexpr std::array kSuspicious{EstimateVerdict::kStale,       EstimateVerdict::kOffTable,
+                                 EstimateVerdict::kImplausible, EstimateVerdict::kWrongSize,
+                                 EstimateVerdict::kBlind,       EstimateVerdict::kMalformed,
+                                 EstimateVerdict::kLate,        EstimateVerdict::kOtherPublisher,
+                                 EstimateVerdict::kClock,       EstimateVerdict::kClockUnknown};
 
 std::int64_t read_ms(Config& config, const char* key, std::int64_t value_us, std::int64_t lowest_ms,
                      std::int64_t highest_ms) {
@@ -73,6 +74,7 @@ BridgeServiceParams BridgeService::read_params(Config& config) {
   config.read("bridge.margin_m", gate.margin_m, 0, 1);
   config.read("bridge.max_speed_m_s", gate.max_speed_m_s, 0.1, 100);
   config.read("bridge.default_sigma_px", gate.default_sigma_px, 0.01, 100);
+  config.read("bridge.size_tolerance", gate.size_tolerance, 1.1, 100);
   read_motion(config, play);
   return params;
 }

@@ -267,6 +267,32 @@ TEST_CASE("Commands end at once with a newest estimate that cannot be trusted") 
   }
 }
 
+TEST_CASE("A puck of the wrong size for its place is doubted, and one of no size is not asked") {
+  // A puck of 65 mm, 1.1 m from the camera's side of the table, where the mirror image of one would
+  // be that is much nearer.
+  const TablePoint place{1.1, 0.2};
+  const Pixel left = *test_camera().to_image({place.x_m, place.y_m - 0.0325});
+  const Pixel right = *test_camera().to_image({place.x_m, place.y_m + 0.0325});
+  const double true_px = std::hypot(right.x - left.x, right.y - left.y);
+  const auto used = [&](double width_px) {
+    BridgeBench bench;
+    puck_estimate_t seen = bench.estimate({place, {}});
+    seen.width_px = width_px;
+    bench.bridge.hear(seen, bench.now, bench.sender);
+    const std::int64_t doubted = bench.bridge.gate().count(EstimateVerdict::kWrongSize);
+    CHECK(doubted + bench.bridge.gate().count(EstimateVerdict::kGood) == 1);
+    return doubted == 0;
+  };
+  CHECK(used(0));
+  CHECK(used(true_px));
+  CHECK(used(1.9 * true_px));
+  CHECK(used(true_px / 1.9));
+  CHECK(!used(2.1 * true_px));
+  CHECK(!used(true_px / 2.1));
+  CHECK(!used(-true_px));
+  CHECK(!used(std::numeric_limits<double>::quiet_NaN()));
+}
+
 TEST_CASE("Late, foreign and wrongly dated estimates are dropped, counted and change nothing") {
   BridgeBench bench = following();
   const auto expect_dropped = [&](puck_estimate_t estimate, EstimateVerdict verdict) {
