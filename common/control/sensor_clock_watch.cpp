@@ -8,7 +8,7 @@ namespace {
 constexpr double kHeldUpUs = 200'000;
 constexpr double kDrift = 0.001;
 constexpr std::int64_t kDoubtUs = 1'000'000;
-constexpr std::int64_t kLongestDoubtUs = 16'000'000;
+constexpr std::int64_t kLongestDoubtUs = 5'000'000;
 constexpr std::int64_t kAgainWithinUs = 30'000'000;
 
 }  // namespace
