@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "services/arm/back_end.h"
-#include "services/arm/real_time.h"
+#include "services/launch/real_time.h"
 
 namespace puck {
 namespace {
@@ -72,13 +72,7 @@ ArmService::ArmService(const ArmServiceParams& params, ServiceContext& context)
 }
 
 void ArmService::run(std::stop_token stop) {
-  if (real_time_priority_ > 0) {
-    const std::string why_not = run_in_real_time(real_time_priority_);
-    context_.log.info("{}", why_not.empty() ? "runs in real time"
-                                            : "not wholly in real time, so steps may be late on a "
-                                              "busy machine: " +
-                                                  why_not);
-  }
+  run_in_real_time(real_time_priority_, context_.log);
   due_us_ = stepped_us_ = next_state_us_ = host_monotonic_us();
   while (!stop.stop_requested()) {
     wait_until_due();

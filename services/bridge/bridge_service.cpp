@@ -4,6 +4,8 @@
 #include <chrono>
 #include <string>
 
+#include "services/launch/real_time.h"
+
 namespace puck {
 namespace {
 
@@ -74,6 +76,7 @@ BridgeServiceParams BridgeService::read_params(Config& config) {
   config.read("bridge.margin_m", gate.margin_m, 0, 1);
   config.read("bridge.max_speed_m_s", gate.max_speed_m_s, 0.1, 100);
   config.read("bridge.default_sigma_px", gate.default_sigma_px, 0.01, 100);
+  config.read("bridge.real_time_priority", params.real_time_priority, 0, 49);
   config.read("bridge.size_tolerance", gate.size_tolerance, 1.1, 100);
   read_motion(config, play);
   return params;
@@ -82,10 +85,12 @@ BridgeServiceParams BridgeService::read_params(Config& config) {
 BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& context)
     : context_(context),
       bridge_(params.play, params.table.table_from_image, params.table.geometry,
-              params.table.camera) {
+              params.table.camera),
+      real_time_priority_(params.real_time_priority) {
   context_.peers.need({"puck-tracker", "puck-arm"});
   context_.bus.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate,
                                                  const Receipt& at) {
+    estimate_wait_.record(host_monotonic_us() - at.monotonic_us);
     bridge_.hear(estimate, {at.utime, at.monotonic_us}, context_.status.clock_of(estimate.session));
     last_estimate_us_ = at.monotonic_us;
     // At once, before what else may have come is dealt with: the arm waits for it.
@@ -100,6 +105,7 @@ BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& 
 }
 
 void BridgeService::run(std::stop_token stop) {
+  run_in_real_time(real_time_priority_, context_.log);
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
     publish_what_is_due();
@@ -201,8 +207,10 @@ void BridgeService::report(StatusReport& report) const {
                            bridge_.gate().count(verdict));
   }
   const LatencySummary latency = estimate_to_command_.summary();
+  const LatencySummary wait = estimate_wait_.summary();
   report.latencies = {
-      {"estimate_to_command", latency.p50_us, latency.p99_us, latency.max_us, latency.samples}};
+      {"estimate_to_command", latency.p50_us, latency.p99_us, latency.max_us, latency.samples},
+      {"estimate_wait", wait.p50_us, wait.p99_us, wait.max_us, wait.samples}};
 }
 
 }  // namespace puck

@@ -15,6 +15,7 @@ namespace puck {
 struct BridgeServiceParams {
   TableCalibration table;  ///< From the file that bridge.table names.
   PlayBridgeParams play;
+  int real_time_priority = 15;  ///< Key bridge.real_time_priority: of SCHED_FIFO; 0: not asked for.
 };
 
 /// puck-bridge: hears ESTIMATE, ARM_STATE and HEAD; publishes TRAJECTORY, ARM_COMMAND and GAME.
@@ -43,12 +44,14 @@ class BridgeService : public Service {
 
   ServiceContext& context_;
   PlayBridge bridge_;
+  int real_time_priority_;
   std::int64_t last_estimate_us_ = 0;  // CLOCK_MONOTONIC; 0: none yet
   std::string text_;                   // of the state
   std::int64_t text_since_us_ = 0;     // CLOCK_MONOTONIC
   std::string logged_text_;
   std::int64_t warned_of_ = 0;
   LatencyHistogram estimate_to_command_;
+  LatencyHistogram estimate_wait_;  // from the kernel's receipt until it is taken up
 };
 
 }  // namespace puck

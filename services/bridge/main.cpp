@@ -5,6 +5,7 @@ int main(int argc, char** argv) {
   return puck::run_service<puck::BridgeService>(
       {.name = "puck-bridge",
        .description = "From the tracker's estimates to the puck's motion on the table, the game, "
-                      "and commands for the arm."},
+                      "and commands for the arm.",
+       .is_real_time = true},
       argc, argv);
 }

@@ -1,4 +1,4 @@
-#include "services/arm/real_time.h"
+#include "services/launch/real_time.h"
 
 #include <cerrno>
 #include <cstring>
@@ -20,6 +20,14 @@ std::string run_in_real_time(int priority) {
            std::strerror(errno);
   }
   return {};
+}
+
+void run_in_real_time(int priority, spdlog::logger& log) {
+  if (priority == 0) return;
+  const std::string why_not = run_in_real_time(priority);
+  log.info("{}", why_not.empty()
+                     ? "runs in real time"
+                     : "not wholly in real time, so it may be late on a busy machine: " + why_not);
 }
 
 }  // namespace puck
