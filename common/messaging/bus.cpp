@@ -168,8 +168,8 @@ class Bus::Impl {
     const auto opened = open_seal(line, message);
     if (!opened) return;
     const std::span<const std::uint8_t> bytes = *opened;
-    Receipt receipt{message.utime, message.monotonic_us, bytes.size(), message.sender,
-                    Arrival::kNewest};
+    Receipt receipt{message.utime,  message.monotonic_us, bytes.size(),
+                    message.sender, Arrival::kNewest,     message.more_waiting};
     if (raw_handler_) {
       const auto failure = failure_of([&] { raw_handler_(message.channel, bytes, receipt); });
       if (failure && line != nullptr) count_handler_failure(*line, *failure);

@@ -30,6 +30,8 @@ class DatagramQueue {
   std::size_t fill(int socket);
 
   bool is_empty() const { return first_ == end_; }
+  /// Whether another one waits behind the front.
+  bool has_second() const { return end_ - first_ > 1; }
   Entry front() const;
   void pop() { ++first_; }
 

@@ -29,7 +29,7 @@ std::optional<std::string> MemoryTransport::send(const std::string& channel,
     if (waiting_bytes_ + payload.size() > kMostWaitingBytes) return std::nullopt;
     waiting_bytes_ += payload.size();
     waiting_.push_back(
-        {channel, {payload.begin(), payload.end()}, host_utime(), host_monotonic_us()});
+        {channel, {payload.begin(), payload.end()}, host_utime(), host_monotonic_us(), false});
   }
   came_.notify_one();
   return std::nullopt;
@@ -45,7 +45,12 @@ int MemoryTransport::receive(std::chrono::microseconds timeout, std::chrono::mic
   int received = 0;
   auto end = Clock::time_point::max();
   while (const auto message = take(timeout)) {
-    receive({message->channel, message->payload, {}, message->utime, message->monotonic_us});
+    receive({message->channel,
+             message->payload,
+             {},
+             message->utime,
+             message->monotonic_us,
+             message->more_waiting});
     if (received++ == 0) end = Clock::now() + longest;
     if (Clock::now() >= end) break;
     timeout = {};
@@ -59,6 +64,7 @@ std::optional<MemoryTransport::Waiting> MemoryTransport::take(std::chrono::micro
   Waiting message = std::move(waiting_.front());
   waiting_.pop_front();
   waiting_bytes_ -= message.payload.size();
+  message.more_waiting = !waiting_.empty();
   return message;
 }
 

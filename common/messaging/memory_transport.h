@@ -26,6 +26,7 @@ class MemoryTransport : public Transport {
     std::vector<std::uint8_t> payload;
     std::int64_t utime = 0;
     std::int64_t monotonic_us = 0;
+    bool more_waiting = false;  // as of when it is taken
   };
 
   std::optional<Waiting> take(std::chrono::microseconds timeout);

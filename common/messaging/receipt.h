@@ -16,6 +16,8 @@ struct Receipt {
   Sender sender{};                ///< As the network says.
   /// Late and duplicate messages are delivered too; whoever minds drops them.
   Arrival arrival = Arrival::kNewest;
+  /// Other messages, on whatever channel, have come and wait behind it.
+  bool more_waiting = false;
 
   bool in_order() const { return arrival == Arrival::kNewSession || arrival == Arrival::kNewest; }
 };

@@ -30,6 +30,7 @@ struct ArrivedMessage {
   Sender sender;
   std::int64_t utime = 0;         ///< When the kernel had it, CLOCK_REALTIME, µs.
   std::int64_t monotonic_us = 0;  ///< The same by CLOCK_MONOTONIC.
+  bool more_waiting = false;      ///< Others that have come wait behind it.
 };
 
 /// What shall be heard. All else costs nothing but a look at its first bytes.

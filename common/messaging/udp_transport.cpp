@@ -181,7 +181,12 @@ void UdpTransport::hand_over(const DatagramQueue::Entry& entry, const Receive& r
   const std::int64_t utime = host_utime();
   std::int64_t queued_us = utime - entry.utime;
   if (entry.utime == 0 || queued_us < 0 || queued_us > kLongestQueue_us) queued_us = 0;
-  ArrivedMessage message{{}, {}, entry.sender, utime - queued_us, host_monotonic_us() - queued_us};
+  ArrivedMessage message{{},
+                         {},
+                         entry.sender,
+                         utime - queued_us,
+                         host_monotonic_us() - queued_us,
+                         queue_.has_second()};
 
   const Datagram datagram = parse_datagram(entry.bytes);
   if (const auto* whole = std::get_if<WholeMessage>(&datagram)) {

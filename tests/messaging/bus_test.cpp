@@ -205,6 +205,24 @@ TEST_CASE("a burst of event packets waits in the queue and is not lost") {
   CHECK(receiver.counters<event_packet_t>().arrivals.items_lost == 0);
 }
 
+TEST_CASE("a receipt says whether more has come") {
+  for (const std::string& url : {std::string("memq://"), private_lcm_url()}) {
+    CAPTURE(url);
+    Bus bus({.url = url});
+    std::vector<bool> more_waiting;
+    bus.subscribe<head_state_t>([&](const head_state_t&, const Receipt& receipt) {
+      more_waiting.push_back(receipt.more_waiting);
+    });
+    start(bus);
+    for (int i = 0; i < 3; ++i) {
+      head_state_t head{};
+      REQUIRE(bus.publish(head));
+    }
+    handle_until(bus, [&] { return more_waiting.size() == 3; });
+    CHECK(more_waiting == std::vector{true, true, false});
+  }
+}
+
 TEST_CASE("packets that nobody reads wait in the socket, and no more of them than fit") {
   if (!is_given_large_buffer()) {
     MESSAGE("skipped: net.core.rmem_max is too small here for a user without more rights");
