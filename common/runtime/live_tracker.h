@@ -11,7 +11,7 @@
 namespace puck {
 
 /// A surface and the thread that looks at it, for one run of one camera: the paper's Figure 2 but
-/// for its first thread, which is the one that calls `surface.update()`.
+/// for its first thread, which is the one that calls update().
 struct LiveTracker {
   /// Starts the thread. Throws std::invalid_argument, naming the key, when a parameter is out of
   /// range.
@@ -20,6 +20,13 @@ struct LiveTracker {
       : surface(sensor, params.eros, params.roi_only),
         thread(surface, make_pipeline(sensor, params, size_model),
                PuckSearch(sensor, params, size_model), thread_params, std::move(publish)) {}
+
+  /// Event thread only. Applies a packet, which must not be empty. `more_waiting`: other packets
+  /// have come meanwhile, so the step is left to the second thread.
+  void update(const EventPacket& packet, const PacketOrigin& origin, bool more_waiting) {
+    surface.update(packet, origin, more_waiting);
+    if (!more_waiting) thread.look_now();
+  }
 
   SharedSurface surface;
   TrackingThread thread;

@@ -13,7 +13,7 @@ namespace puck {
 
 /// Measures how long every packet of events waits for its answer: from its receipt to the first
 /// estimate that rests on all of it, whether any of its events lay in the region looked at or not.
-/// The event thread and the tracking thread meet here; neither waits.
+/// The event thread and the tracking thread, as SharedSurface knows them, meet here; neither waits.
 class PacketWatch {
  public:
   using Clock = std::chrono::steady_clock;

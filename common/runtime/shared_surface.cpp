@@ -18,7 +18,7 @@ constexpr int kTriesBeforeYielding = 32;
 
 }  // namespace
 
-void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin) {
+void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin, bool wakes) {
   const std::span<const Event> events(packet.events);
   newest_packet_.store(origin.received.time_since_epoch().count(), std::memory_order_relaxed);
   const std::lock_guard lock(surface_mutex_);
@@ -30,7 +30,7 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
     applied += handful.size();
     const bool queued = !queued_.empty() && queue_.push(packet.start, handful, queued_) > 0;
     const bool watches_all = watched_.empty() && queued_.empty();
-    if (queued || watches_all || any_inside(handful, watched_)) report_news();
+    if (queued || watches_all || any_inside(handful, watched_)) report_news(wakes);
     if (requested_.load(std::memory_order_acquire)) serve(&packet, applied);
   }
 }
@@ -109,8 +109,8 @@ void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
   requested_.store(false, std::memory_order_release);
 }
 
-void SharedSurface::report_news() {
-  if (news_.exchange(true, std::memory_order_acq_rel)) return;
+void SharedSurface::report_news(bool wakes) {
+  if (news_.exchange(true, std::memory_order_acq_rel) || !wakes) return;
   // The lock makes sure that a sleeper either sees the news before it sleeps or hears the call. Who
   // is woken needs it too, so it is let go of first.
   { const std::lock_guard lock(sleep_mutex_); }

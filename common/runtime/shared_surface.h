@@ -56,7 +56,8 @@ struct SharedSnapshot {
 /// handfuls of events, or, while that one has nothing to do, by the tracking thread itself; so
 /// neither waits for the other for longer than it takes to apply a handful, or to copy a region.
 /// What is copied are counts; the tracking thread makes grey values of them. Single events of a
-/// region that the tracking thread asks for come over in a queue.
+/// region that the tracking thread asks for come over in a queue. The tracking thread is whoever
+/// makes a step of the tracking, one at a time: its own thread, or the event thread in its place.
 class SharedSurface {
  public:
   /// The queue's room. A tracking thread that falls behind is behind by no more than so many
@@ -70,9 +71,13 @@ class SharedSurface {
 
   SensorSize size() const { return surface_.size(); }
 
-  /// Event thread only. Applies a packet, serves requests meanwhile, and wakes the tracking thread
-  /// when an event lies in the region that it asked for last. The packet must not be empty.
-  void update(const EventPacket& packet, const PacketOrigin& origin);
+  /// Event thread only. Applies a packet, serves requests meanwhile, and, if it is to, wakes the
+  /// tracking thread when an event lies in the region that was asked for last. Who does not let it
+  /// wake that thread sees to the news itself, or wakes it. The packet must not be empty.
+  void update(const EventPacket& packet, const PacketOrigin& origin, bool wakes = true);
+
+  /// Safe from any thread. Whether there is something new in what is watched.
+  bool has_news() const { return news_.load(std::memory_order_acquire); }
 
   /// Tracking thread only. Copies `region`; from then on the events in `events` go to the queue,
   /// and both are watched. When both are empty the whole sensor is watched.
@@ -118,7 +123,7 @@ class SharedSurface {
 
   void ask(const Request& request);
   void serve(const EventPacket* pending, std::size_t applied);
-  void report_news();
+  void report_news(bool wakes);
 
   // Held by the event thread while it applies a packet, and by the tracking thread when it serves
   // itself.

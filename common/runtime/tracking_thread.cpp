@@ -44,6 +44,8 @@ TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingP
   events_.reserve(kHandful);
   wanted_.reserve(kHandful);
   snapshot_.surface.grey.reserve(surface.size().width, surface.size().height);
+  next_publish_ = Clock::now();
+  heartbeat_due_ = next_publish_;
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -52,34 +54,55 @@ TrackingThread::~TrackingThread() {
   surface_.wake();
 }
 
-void TrackingThread::run(const std::stop_token& stop) {
-  next_publish_ = Clock::now();
-  heartbeat_due_ = next_publish_;
-  while (!stop.stop_requested()) {
+void TrackingThread::look_now() {
+  if (!surface_.has_news()) return;
+  bool leaves_work = true;
+  // Where the lock is not to be had, the thread may or may not see the news before it sleeps.
+  if (const std::unique_lock lock(step_mutex_, std::try_to_lock);
+      lock.owns_lock() && Clock::now() >= next_look_) {
     take_search_result();
-    if (look_anyway_ || wait_for_news()) look();
-    if (worker_.is_copying()) worker_.copy_more(surface_);
+    look();
     publish_if_due();
+    leaves_work = unpublished_ || look_anyway_ || worker_.is_copying();
+  }
+  if (leaves_work) surface_.wake();
+}
+
+void TrackingThread::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    Pause pause;
+    {
+      const std::lock_guard lock(step_mutex_);
+      do_what_is_due();
+      pause = next_pause();
+    }
+    if (pause.ends_with_news) {
+      surface_.wait_for_news(pause.longest);
+    } else {
+      surface_.wait(pause.longest);
+    }
   }
 }
 
-// True when there is something new to look at; false when something else is due.
-bool TrackingThread::wait_for_news() {
+void TrackingThread::do_what_is_due() {
+  take_search_result();
+  if (look_anyway_ || (surface_.has_news() && Clock::now() >= next_look_)) look();
+  if (worker_.is_copying()) worker_.copy_more(surface_);
+  publish_if_due();
+}
+
+TrackingThread::Pause TrackingThread::next_pause() const {
   const auto now = Clock::now();
   auto until = unpublished_ ? std::min(std::max(next_publish_, publish_from_), heartbeat_due_)
                             : heartbeat_due_;
-  if (worker_.is_copying()) {
+  if (worker_.is_copying() || look_anyway_) {
     until = now;
   } else if (!worker_.is_idle()) {
     until = std::min(until, now + kIdleLook);
   }
-  if (now < next_look_) {
-    until = std::min(until, next_look_);
-    surface_.wait(std::max(std::chrono::ceil<microseconds>(until - now), microseconds::zero()));
-    return false;
-  }
-  return surface_.wait_for_news(
-      std::max(std::chrono::ceil<microseconds>(until - now), microseconds::zero()));
+  const bool may_look = now >= next_look_;
+  if (!may_look) until = std::min(until, next_look_);
+  return {std::max(std::chrono::ceil<microseconds>(until - now), microseconds::zero()), may_look};
 }
 
 void TrackingThread::take_search_result() {
@@ -122,15 +145,15 @@ bool TrackingThread::take_events() {
   while (true) {
     const Timestamp start = surface_.pop_events(snapshot_.events_end, kHandful, events_);
     if (events_.empty()) return true;
-    for_each_piece(
-        start, events_, pipeline_->decision_period_us(), [&](std::span<const Event> piece) {
-          // The region may have moved on since these events were let into the queue.
-          const Region region = pipeline_->events_needed();
-          keep_inside(piece, region, wanted_);
-          if (wanted_.empty()) return;
-          pipeline_->take(start, wanted_);
-          begin_search_if_wanted();
-        });
+    for_each_piece(start, events_, pipeline_->decision_period_us(),
+                   [&](std::span<const Event> piece) {
+                     // The region may have moved on since these events were let into the queue.
+                     const Region region = pipeline_->events_needed();
+                     keep_inside(piece, region, wanted_);
+                     if (wanted_.empty()) return;
+                     pipeline_->take(start, wanted_);
+                     begin_search_if_wanted();
+                   });
     if (Clock::now() >= time_up) {
       const Timestamp newest_taken = start + events_.back().offset_us;
       snapshot_.backlog_us += snapshot_.surface.newest_event - newest_taken;

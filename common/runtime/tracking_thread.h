@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct TrackingThreadParams {
   std::chrono::microseconds heartbeat{20'000};
 };
 
-/// The time between two estimates. Throws std::invalid_argument, naming the key, when a parameter is
-/// out of range.
+/// The time between two estimates. Throws std::invalid_argument, naming the key, when a parameter
+/// is out of range.
 std::chrono::microseconds publish_period(const TrackingThreadParams& params);
 
 /// An estimate and the times of the chain that led to it.
@@ -41,15 +42,17 @@ struct TrackedEstimate {
 };
 
 /// The paper's second thread (Figure 2): takes the newest surface, detects or tracks, as fast as it
-/// can while there is something new in its region; sleeps while there is nothing. Where its
+/// can while there is something new in its region; sleeps while there is nothing. When nothing else
+/// waits for the event thread that one makes the step itself, which takes less time than to wake
+/// another thread; floods of events, searches and what is due by time are this one's. Where its
 /// pipeline takes single events it gets those that the surface shows before the surface itself.
 /// Searches run on a thread of their own, of low priority, and are never waited for.
 class TrackingThread {
  public:
   using Publish = std::function<void(const TrackedEstimate&)>;
 
-  /// Starts the thread. `publish` is called on it and must not throw. The surface must outlive this
-  /// object.
+  /// Starts the thread. `publish` is called on it or in look_now(), by one of them at a time, and
+  /// must not throw. The surface must outlive this object.
   TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingPipeline> pipeline,
                  PuckSearch search, const TrackingThreadParams& params, Publish publish);
   /// Stops the thread and waits for it.
@@ -57,11 +60,23 @@ class TrackingThread {
   TrackingThread(const TrackingThread&) = delete;
   TrackingThread& operator=(const TrackingThread&) = delete;
 
+  /// Event thread only, after an update of the surface that did not wake this thread: makes the
+  /// step that is due for it on the caller's thread, or, where this thread is making one, leaves it
+  /// to that. Waits for nobody, and never searches.
+  void look_now();
+
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// How long there is nothing to do.
+  struct Pause {
+    std::chrono::microseconds longest{};
+    bool ends_with_news = true;
+  };
+
   void run(const std::stop_token& stop);
-  bool wait_for_news();
+  void do_what_is_due();
+  Pause next_pause() const;
   void take_search_result();
   void look();
   bool take_events();
@@ -69,6 +84,8 @@ class TrackingThread {
   void publish_if_due();
 
   SharedSurface& surface_;
+  // Held by whoever makes a step, for as long as it takes. Guards all below but the thread.
+  std::mutex step_mutex_;
   std::unique_ptr<TrackingPipeline> pipeline_;
   SearchWorker worker_;
   TrackingThreadParams params_;

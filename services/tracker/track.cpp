@@ -14,8 +14,8 @@ class LiveTrack final : public Track {
             TrackingThread::Publish publish)
       : tracker_(sensor, pipeline, params.size_model, params.thread, std::move(publish)) {}
 
-  void update(const EventPacket& packet, const PacketOrigin& origin) override {
-    tracker_.surface.update(packet, origin);
+  void update(const EventPacket& packet, const PacketOrigin& origin, bool more_waiting) override {
+    tracker_.update(packet, origin, more_waiting);
   }
   void poll() override {}  // Its second thread does that.
   std::int64_t events_thinned() const override { return tracker_.surface.events_thinned(); }
@@ -30,7 +30,7 @@ class SteppedTrack final : public Track {
                const TrackerServiceParams& params, TrackingThread::Publish publish)
       : tracker_(sensor, pipeline, params.size_model, params.thread, std::move(publish)) {}
 
-  void update(const EventPacket& packet, const PacketOrigin& origin) override {
+  void update(const EventPacket& packet, const PacketOrigin& origin, bool) override {
     tracker_.update(packet, origin);
   }
   void poll() override { tracker_.poll(); }

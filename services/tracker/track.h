@@ -17,8 +17,8 @@ class Track {
  public:
   virtual ~Track() = default;
 
-  /// Takes the next packet, which must not be empty.
-  virtual void update(const EventPacket& packet, const PacketOrigin& origin) = 0;
+  /// Takes the next packet, which must not be empty. `more_waiting`: others have come meanwhile.
+  virtual void update(const EventPacket& packet, const PacketOrigin& origin, bool more_waiting) = 0;
   /// To be called again and again, also when no packet comes.
   virtual void poll() = 0;
   /// Events kept from the tracking because it was behind, so far.

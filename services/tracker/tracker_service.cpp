@@ -121,7 +121,7 @@ void TrackerService::take(const EventPacketView& packet, const Receipt& receipt)
   origin.queued_us = waited_us / length_us * length_us;
   newest_event_ = events_.newest();
   watch_.expect(newest_event_, origin.received);
-  track_->update(events_, origin);
+  track_->update(events_, origin, receipt.more_waiting);
 }
 
 // A packet is skipped only when another one comes: the newest is what matters most. Until then it

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include <doctest/doctest.h>
+
+#include "common/runtime/live_tracker.h"
+#include "common/vision/presets.h"
+#include "tests/runtime/tracking_fixtures.h"
+#include "tests/vision/puck_picture.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+using namespace test;
+
+// The puck's contour after `i` ms.
+EventPacket packet_at(int i) {
+  const Pixel truth{40 + 0.25 * i, 50 + 0.1 * i};
+  return {{i * 1000}, test::contour_events(kSensor, truth, kSizeModel.at(truth), 150)};
+}
+
+// Who published what with events.
+struct Publishers {
+  std::thread::id event_thread = std::this_thread::get_id();
+  std::atomic<int> by_event_thread{0};
+  std::atomic<int> by_tracking_thread{0};
+  std::atomic<bool> tracks{false};
+  std::atomic<std::int64_t> newest_us{-1};
+
+  void hear(const TrackedEstimate& tracked) {
+    tracks = tracked.estimate.state == TrackState::kTracking;
+    if (tracked.estimate.newest_event.us <= newest_us) return;
+    newest_us = tracked.estimate.newest_event.us;
+    ++(std::this_thread::get_id() == event_thread ? by_event_thread : by_tracking_thread);
+  }
+};
+
+LiveTracker tracker_for(Publishers& publishers) {
+  return LiveTracker(kSensor, preset_params(Preset::kCorrelation), kSizeModel,
+                     {.max_publish_hz = 100'000, .heartbeat = std::chrono::seconds(10)},
+                     [&](const TrackedEstimate& estimate) { publishers.hear(estimate); });
+}
+
+}  // namespace
+
+TEST_CASE("a packet behind which nothing waits is answered before its update returns") {
+  Publishers publishers;
+  LiveTracker tracker = tracker_for(publishers);
+  int answered = 0;
+  int packets = 0;
+  for (int i = 1; i <= 300; ++i) {
+    const EventPacket packet = packet_at(i);
+    const bool tracks = publishers.tracks;
+    tracker.update(packet, {}, false);
+    if (tracks) ++packets;
+    if (tracks && publishers.newest_us == packet.newest().us) ++answered;
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  REQUIRE(packets > 200);
+  // But where the tracking thread happened to be at work.
+  CHECK(answered > packets * 3 / 4);
+  CHECK(publishers.by_event_thread > packets * 3 / 4);
+}
+
+TEST_CASE("while packets wait every step is the tracking thread's") {
+  Publishers publishers;
+  LiveTracker tracker = tracker_for(publishers);
+  for (int i = 1; i <= 300; ++i) {
+    tracker.update(packet_at(i), {}, true);
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  CHECK(eventually([&] { return publishers.newest_us == packet_at(300).newest().us; }));
+  CHECK(publishers.by_event_thread == 0);
+  CHECK(publishers.by_tracking_thread > 200);
+}
+
+TEST_CASE("whoever makes the steps, none is forgotten") {
+  Publishers publishers;
+  LiveTracker tracker = tracker_for(publishers);
+  for (int i = 1; i <= 2000; ++i) {
+    // To and fro.
+    const EventPacket later{{i * 1000}, packet_at(std::abs(i % 400 - 200)).events};
+    tracker.update(later, {}, i % 3 == 0);
+    // Half a heartbeat would be too late.
+    if (i % 20 != 0) continue;
+    const auto end = std::chrono::steady_clock::now() + milliseconds(5000);
+    while (publishers.newest_us < later.newest().us && std::chrono::steady_clock::now() < end) {
+      std::this_thread::yield();
+    }
+    REQUIRE(publishers.newest_us == later.newest().us);
+  }
+}
+
+}  // namespace puck
