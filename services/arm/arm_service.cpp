@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "services/arm/back_end.h"
@@ -84,15 +85,16 @@ void ArmService::run(std::stop_token stop) {
   }
 }
 
-// Messages are taken as they come.
+// Nothing that comes changes the motion before the step, and the kernel notes when it came. So the
+// arm sleeps until then: woken by every estimate it would push aside whoever publishes them.
 void ArmService::wait_until_due() {
   due_us_ += step_period_us_;
   // What is late is not caught up with: set-points would come faster than the motion is.
   due_us_ = std::max(due_us_, host_monotonic_us());
-  do {
-    const std::int64_t left_us = std::max<std::int64_t>(0, due_us_ - host_monotonic_us());
-    context_.bus.handle(std::chrono::microseconds(left_us), kLongestDrain);
-  } while (host_monotonic_us() < due_us_);
+  const std::chrono::microseconds left(due_us_ - host_monotonic_us());
+  if (left.count() > 0) std::this_thread::sleep_for(left);
+  const std::int64_t drained_us = host_monotonic_us() + kLongestDrain.count();
+  while (context_.bus.handle({}, kLongestDrain) > 0 && host_monotonic_us() < drained_us) continue;
 }
 
 void ArmService::step(const HostNow& now) {

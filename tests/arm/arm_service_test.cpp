@@ -19,6 +19,7 @@
 #include "tests/support/service_bench.h"
 #include "tests/support/skewed_machine.h"
 #include "tests/support/test_url.h"
+#include "tests/support/thread_wake_ups.h"
 
 namespace puck {
 namespace {
@@ -100,6 +101,25 @@ TEST_CASE("The arm service moves on commands and estimates from the bus and says
   CHECK(state.line_max_m == 0.3);
   CHECK(state.command_session == arm.bench.bus.session());
   CHECK(state.estimate_session == arm.bench.bus.session());
+}
+
+TEST_CASE("The arm sleeps from step to step however many estimates come") {
+  ServiceBench bench;
+  WakeUpTally tally;
+  Config config;
+  bench.make<ArmService>(ArmService::read_params(config));
+  bench.bus.subscribe<puck_estimate_t>(
+      [&](const puck_estimate_t&, const Receipt&) { tally.add(); });
+  REQUIRE(bench.start());
+  for (int i = 0; i < 2000; ++i) {
+    puck_estimate_t estimate{};
+    REQUIRE(bench.bus.publish(estimate));
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
+  bench.stop();
+  // But for those of the last step.
+  CHECK(tally.messages > 1900);
+  CHECK(tally.wake_ups() < tally.messages / 2);
 }
 
 TEST_CASE("The arm service stands still when the bus falls silent") {
