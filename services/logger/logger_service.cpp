@@ -1,5 +1,7 @@
 #include "services/logger/logger_service.h"
 
+#include <thread>
+
 #include "common/messaging/message_check.h"
 
 namespace puck {
@@ -8,6 +10,11 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kHandle{20};
+// While little comes it is let gather, so that the logger is not woken by every message, which on a
+// busy machine would keep the tracker waiting that hears the same ones. Longer risks that a burst
+// fills the socket; what is more than a little is taken as it comes.
+constexpr milliseconds kGather{1};
+constexpr std::size_t kLittleBytes = 16'384;
 constexpr milliseconds kLastDrain{50};
 // A loss is told of in STATUS for so long after the last of it.
 constexpr std::chrono::seconds kTellOfLoss{5};
@@ -30,7 +37,9 @@ LoggerService::LoggerService(const LoggerParams& params, ServiceContext& context
 void LoggerService::run(std::stop_token stop) {
   context_.status.set_state(ServiceState::kRunning);
   while (!stop.stop_requested()) {
+    taken_bytes_ = 0;
     context_.bus.handle(kHandle);
+    if (taken_bytes_ < kLittleBytes) std::this_thread::sleep_for(kGather);
     tell_of_progress();
     poll_status(context_, *this);
   }
@@ -68,6 +77,7 @@ void LoggerService::report(StatusReport& report) const {
 
 void LoggerService::receive(std::string_view channel, std::span<const std::uint8_t> bytes,
                             const Receipt& receipt) {
+  taken_bytes_ += bytes.size();
   if (channel == events_channel_) account_for_events(bytes);
   if (thread_.push(channel, receipt.utime, bytes)) return;
   not_queued_.add(channel);

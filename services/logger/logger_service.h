@@ -48,6 +48,7 @@ class LoggerService : public Service {
   LogSync sync_;
   LogFiles files_;
   ChannelTally not_queued_;
+  std::size_t taken_bytes_ = 0;  // since it looked at the bus last
   Clock::time_point queue_was_full_until_{};
   std::optional<std::string> trouble_;  // As it was told last.
   std::string told_path_;

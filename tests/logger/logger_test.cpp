@@ -14,6 +14,7 @@
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_url.h"
+#include "tests/support/thread_wake_ups.h"
 
 namespace puck {
 namespace {
@@ -90,6 +91,24 @@ TEST_CASE("the logger writes what comes on every channel") {
   CHECK(bench.counters()["packets_lost"] == 0);
   CHECK(bench.counters()["bytes_written"] ==
         static_cast<std::int64_t>(std::filesystem::file_size(folder / "a.lcm")));
+}
+
+TEST_CASE("a little that comes does not wake the logger message by message") {
+  const TemporaryFolder folder;
+  LoggerBench bench({.path = folder / "a.lcm"});
+  WakeUpTally tally;
+  bench.bus.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { tally.add(); });
+  {
+    const std::jthread runner([&](const std::stop_token& stop) { bench.logger.run(stop); });
+    for (int i = 0; i < 2000; ++i) {
+      head_state_t head{};
+      bench.bus.publish(head);
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
+  }
+  CHECK(tally.messages == 2000);
+  CHECK(tally.wake_ups() < tally.messages / 2);
+  CHECK(channels_in(folder / "a.lcm")["PUCK_HEAD"] == 2000);
 }
 
 TEST_CASE("the logger counts the event packets and the events that never came") {
