@@ -25,7 +25,7 @@ constexpr milliseconds kBusPeriod{1};
 constexpr milliseconds kQuietBusPeriod{10};
 // Packets that are due more often than this go a few at a time: waking up for each would cost more
 // than publishing it.
-constexpr microseconds kShortestSleep{200};
+constexpr microseconds kShortestSleep{50};
 constexpr std::int64_t kLateUs = 20'000;
 // An older word of the arm, by its own clock, is not of now.
 constexpr std::int64_t kArmAgeUs = 200'000;

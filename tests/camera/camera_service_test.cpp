@@ -56,6 +56,25 @@ TEST_CASE("no packet is published before its events have happened") {
   }
 }
 
+TEST_CASE("packets that are due every 150 us go one by one") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", even_events(60'000, 1000, 4));
+  CameraRun run(file_settings(folder / "a.raw", "flush_us = 150\n"));
+  run.run();
+  REQUIRE(run.packets_.size() > 1000);
+  // Where the machine was busy for a moment they come in bursts all the same.
+  constexpr std::size_t kPart = 100;
+  std::size_t fewest_at_once = kPart;
+  for (std::size_t first = 1; first + kPart <= run.packets_.size(); first += kPart) {
+    std::size_t at_once = 0;
+    for (std::size_t i = first; i < first + kPart; ++i) {
+      if (run.packets_[i].utime - run.packets_[i - 1].utime < 50) ++at_once;
+    }
+    fewest_at_once = std::min(fewest_at_once, at_once);
+  }
+  CHECK(fewest_at_once < kPart / 10);
+}
+
 TEST_CASE("packets are bounded by their bytes") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(20000, 0, 1));
