@@ -36,18 +36,16 @@ void Correlation::cover(const Region& region) {
   sums_of_rows_.resize(region);
   const ImageView<std::uint8_t> pixels = sums_of_rows_.pixels();
   const Region shown = region.intersect(region_);
-  for (int y = region.y; y < region.bottom(); ++y) {
-    std::uint8_t* row = pixels.row(y - region.y);
-    if (shown.empty() || y < shown.y || y >= shown.bottom()) {
-      std::fill_n(row, region.width, std::uint8_t{0});
-      continue;
-    }
-    std::fill_n(row, shown.x - region.x, std::uint8_t{0});
-    std::fill_n(row + shown.right() - region.x, region.right() - shown.right(), std::uint8_t{0});
+  // What is dark right of a row goes on left of the next one.
+  std::uint8_t* dark = pixels.row(0);
+  for (int y = shown.y; y < shown.bottom(); ++y) {
+    std::uint8_t* row = pixels.row(y - region.y) + (shown.x - region.x);
+    std::fill(dark, row, std::uint8_t{0});
+    dark = row + shown.width;
     if (blurs_) continue;
-    std::copy_n(picture_.row(y - region_.y) + (shown.x - region_.x), shown.width,
-                row + (shown.x - region.x));
+    std::copy_n(picture_.row(y - region_.y) + (shown.x - region_.x), shown.width, row);
   }
+  std::fill(dark, pixels.row(region.height), std::uint8_t{0});
   if (blurs_ && !shown.empty()) {
     blur_.apply(picture_, {shown.x - region_.x, shown.y - region_.y, shown.width, shown.height},
                 pixels.part(shown.x - region.x, shown.y - region.y, shown.width, shown.height));

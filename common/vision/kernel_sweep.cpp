@@ -24,36 +24,25 @@ constexpr int kHalves = 1;
 constexpr int kHalves = 2;
 #endif
 
-using Sums = hn::ScalableTag<std::uint16_t>;
-using Changes = hn::RebindToSigned<Sums>;
-#if HWY_TARGET == HWY_SCALAR
-using Totals = hn::Rebind<std::int32_t, Sums>;
-#else
-using Totals = hn::Repartition<std::int32_t, Sums>;
-#endif
-using SumVector = hn::Vec<Sums>;
-using TotalVector = hn::Vec<Totals>;
-
-template <typename V>
-HWY_INLINE TotalVector half_of(V values, int half) {
-#if HWY_TARGET == HWY_SCALAR
-  static_cast<void>(half);
-  return hn::PromoteTo(Totals(), values);
-#else
-  return half == 0 ? hn::PromoteTo(Totals(), hn::LowerHalf(values))
-                   : hn::PromoteTo(Totals(), hn::UpperHalf(hn::Half<hn::DFromV<V> >(), values));
-#endif
-}
-
-HWY_INLINE SumVector run_at(const std::uint16_t* place, const SumRun& run) {
-  return hn::Sub(hn::LoadU(Sums(), place + run.high), hn::LoadU(Sums(), place + run.low));
-}
+using Wide = hn::ScalableTag<std::uint16_t>;
+// Of 16 lanes at most: three of them waste less on 33 to 48 columns than two that are twice as
+// wide.
+using Narrow = hn::CappedTag<std::uint16_t, 16>;
 
 // kVectors vectors of neighbouring candidates, from the first row to the last; what one row hands
 // on to the next stays in registers. kShapes: 1, the weighted total; 3, the canvas's sum, the outer
 // and the inner ellipse's.
-template <int kShapes, int kVectors>
+template <typename Sums, int kShapes, int kVectors>
 class Strip {
+  using Changes = hn::RebindToSigned<Sums>;
+#if HWY_TARGET == HWY_SCALAR
+  using Totals = hn::Rebind<std::int32_t, Sums>;
+#else
+  using Totals = hn::Repartition<std::int32_t, Sums>;
+#endif
+  using SumVector = hn::Vec<Sums>;
+  using TotalVector = hn::Vec<Totals>;
+
  public:
   HWY_INLINE Strip(const SweepPlan& plan, std::size_t x)
       : plan_(plan), x_(x), lanes_(hn::Lanes(Sums())) {
@@ -76,6 +65,21 @@ class Strip {
   }
 
  private:
+  template <typename V>
+  static HWY_INLINE TotalVector half_of(V values, int half) {
+#if HWY_TARGET == HWY_SCALAR
+    static_cast<void>(half);
+    return hn::PromoteTo(Totals(), values);
+#else
+    return half == 0 ? hn::PromoteTo(Totals(), hn::LowerHalf(values))
+                     : hn::PromoteTo(Totals(), hn::UpperHalf(hn::Half<hn::DFromV<V> >(), values));
+#endif
+  }
+
+  static HWY_INLINE SumVector run_at(const std::uint16_t* place, const SumRun& run) {
+    return hn::Sub(hn::LoadU(Sums(), place + run.high), hn::LoadU(Sums(), place + run.low));
+  }
+
   HWY_INLINE void sum_ellipses(const std::uint16_t* place, std::span<const SumRun> runs,
                                SumVector* sums) const {
     for (int v = 0; v < kVectors; ++v) sums[v] = hn::Zero(Sums());
@@ -178,20 +182,20 @@ class Strip {
   TotalVector lowest_[kVectors * kHalves];
 };
 
-template <int kShapes>
+template <typename Sums, int kShapes>
 std::int32_t sweep_strips(const SweepPlan& plan) {
   const std::size_t lanes = hn::Lanes(Sums());
   std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
   for (std::size_t x = 0; x < plan.width;) {
     const std::size_t vectors = (plan.width - x + lanes - 1) / lanes;
     if (vectors >= 3) {
-      lowest = std::min(lowest, Strip<kShapes, 3>(plan, x).sweep());
+      lowest = std::min(lowest, Strip<Sums, kShapes, 3>(plan, x).sweep());
       x += 3 * lanes;
     } else if (vectors == 2) {
-      lowest = std::min(lowest, Strip<kShapes, 2>(plan, x).sweep());
+      lowest = std::min(lowest, Strip<Sums, kShapes, 2>(plan, x).sweep());
       x += 2 * lanes;
     } else {
-      lowest = std::min(lowest, Strip<kShapes, 1>(plan, x).sweep());
+      lowest = std::min(lowest, Strip<Sums, kShapes, 1>(plan, x).sweep());
       x += lanes;
     }
   }
@@ -199,7 +203,13 @@ std::int32_t sweep_strips(const SweepPlan& plan) {
 }
 
 std::int32_t sweep(const SweepPlan& plan) {
-  return plan.separate ? sweep_strips<3>(plan) : sweep_strips<1>(plan);
+  if (plan.separate) return sweep_strips<Wide, 3>(plan);
+  const std::size_t wide = hn::Lanes(Wide());
+  const std::size_t narrow = hn::Lanes(Narrow());
+  const std::size_t narrow_vectors = (plan.width + narrow - 1) / narrow;
+  const bool wastes_less = narrow_vectors * narrow < (plan.width + wide - 1) / wide * wide;
+  if (wastes_less && narrow_vectors <= 3) return sweep_strips<Narrow, 1>(plan);
+  return sweep_strips<Wide, 1>(plan);
 }
 
 }  // namespace puck::HWY_NAMESPACE
