@@ -146,7 +146,11 @@ double Correlation::lower_bound(const EllipseKernel& kernel) {
 double Correlation::contrast_at(const EllipseKernel& kernel, int x, int y) {
   const Region place{x, y, 1, 1};
   cover_reach(kernel, place);
-  sum_shapes(kernel, place);
+  if (KernelSweep::can_sweep(kernel)) {
+    const auto [canvas, outer, inner] = sums_at(sums_of_rows_, kernel, x, y);
+    return kernel.contrast(canvas, outer, inner);
+  }
+  sum_plainly(sums_of_rows_, kernel, place, sums_);
   return kernel.contrast(*sums_[0].row(y), *sums_[1].row(y), *sums_[2].row(y));
 }
 

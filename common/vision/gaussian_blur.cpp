@@ -117,14 +117,17 @@ void GaussianBlur::apply(ImageView<const std::uint8_t> source, const Region& par
   down_.resize(needed.width, part.height);
   HWY_DYNAMIC_DISPATCH(blur_down)
   (rows_, static_cast<std::size_t>(there.width), down_.row(0) + (there.x - needed.x), needed.width);
-  for (int x = needed.x; x < there.x; ++x) mirror_column(x, needed.x, source.width());
-  for (int x = there.right(); x < needed.right(); ++x) mirror_column(x, needed.x, source.width());
+  mirror_columns(needed.x, there.x, needed.x, source.width());
+  mirror_columns(there.right(), needed.right(), needed.x, source.width());
   HWY_DYNAMIC_DISPATCH(blur_across)(down_.row(0), needed.width, out);
 }
 
-void GaussianBlur::mirror_column(int x, int first_x, int source_width) {
-  const int like = mirrored(x, source_width) - first_x;
-  for (int y = 0; y < down_.height(); ++y) down_(x - first_x, y) = down_(like, y);
+void GaussianBlur::mirror_columns(int first, int last, int first_x, int source_width) {
+  for (int x = first; x < last; ++x) {
+    const int like = mirrored(x, source_width) - first_x;
+    std::uint16_t* row = down_.row(0);
+    for (int y = 0; y < down_.height(); ++y, row += down_.width()) row[x - first_x] = row[like];
+  }
 }
 
 }  // namespace puck

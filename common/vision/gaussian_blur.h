@@ -27,8 +27,8 @@ class GaussianBlur {
   void apply(ImageView<const std::uint8_t> source, const Region& part, ImageView<std::uint8_t> out);
 
  private:
-  // What a column beyond the source would have.
-  void mirror_column(int x, int first_x, int source_width);
+  // What columns `first` … `last` − 1 beyond the source would have. `first_x`: of what is blurred.
+  void mirror_columns(int first, int last, int first_x, int source_width);
 
   std::vector<const std::uint8_t*> rows_;  // of the source, as they are needed from the top
   Image<std::uint16_t> down_;              // blurred along y, in 16ths

@@ -59,6 +59,11 @@ class KernelSweep {
   std::vector<SumRun> inner_;
 };
 
+/// The sums over the canvas, the outer and the inner ellipse with the anchor on one pixel, for a
+/// kernel that can be swept.
+std::array<std::int32_t, 3> sums_at(const RowSums& picture, const EllipseKernel& kernel, int x,
+                                    int y);
+
 /// The specification: the same sums, each pixel by pixel.
 void sum_plainly(const RowSums& picture, const EllipseKernel& kernel, const Region& candidates,
                  std::array<KernelSweep::Totals, 3>& sums);

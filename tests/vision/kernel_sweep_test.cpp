@@ -45,6 +45,14 @@ void check_sums(const Image<std::uint8_t>& picture, const EllipseKernel& kernel)
       REQUIRE(same);
     }
   }
+  for (int y = candidates.y; y < candidates.bottom(); ++y) {
+    for (int x = candidates.x; x < candidates.right(); ++x) {
+      const auto at = sums_at(sums_of_rows, kernel, x, y);
+      for (std::size_t shape = 0; shape < 3; ++shape) {
+        REQUIRE(at[shape] == expected[shape].row(y)[x - candidates.x]);
+      }
+    }
+  }
   if (!kernel.whole_weights()) return;
   const EllipseKernel::WholeWeights w = *kernel.whole_weights();
   const Region kept = candidates.inflated(-1).intersect(candidates);
