@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/vision/plain_sums.h"
+
 namespace puck {
 namespace {
 

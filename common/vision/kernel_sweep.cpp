@@ -224,19 +224,19 @@ HWY_EXPORT(sweep);
 // Whole strips are written.
 constexpr std::ptrdiff_t kStrip = RowSums::kSlack;
 
-void make_room(KernelSweep::Totals& totals, const Region& candidates, const Region& kept) {
-  totals.region = kept;
-  totals.first_column = candidates.x;
-  totals.stride = (candidates.width + kStrip - 1) / kStrip * kStrip;
-  const auto size = static_cast<std::size_t>(totals.stride * kept.height);
-  if (totals.values.size() < size) totals.values.resize(size);
-}
-
 void add_run(std::vector<SumRun>& runs, std::ptrdiff_t row_begin, EllipseKernel::Run run) {
   if (run.first != run.last) runs.push_back({row_begin + run.last, row_begin + run.first});
 }
 
 }  // namespace
+
+void KernelSweep::Totals::make_room(const Region& candidates, const Region& kept) {
+  region = kept;
+  first_column = candidates.x;
+  stride = (candidates.width + kStrip - 1) / kStrip * kStrip;
+  const auto size = static_cast<std::size_t>(stride * kept.height);
+  if (values.size() < size) values.resize(size);
+}
 
 SweepPlan KernelSweep::plan_for(const RowSums& picture, const EllipseKernel& kernel,
                                 const Region& candidates, const Region& kept) {
@@ -264,7 +264,7 @@ SweepPlan KernelSweep::plan_for(const RowSums& picture, const EllipseKernel& ker
 std::int32_t KernelSweep::sweep(const RowSums& picture, const EllipseKernel& kernel,
                                 EllipseKernel::WholeWeights weights, const Region& candidates,
                                 const Region& kept, Totals& totals) {
-  make_room(totals, candidates, kept);
+  totals.make_room(candidates, kept);
   SweepPlan plan = plan_for(picture, kernel, candidates, kept);
   plan.weights = weights;
   plan.out[0] = totals.values.data();
@@ -277,7 +277,7 @@ void KernelSweep::sweep(const RowSums& picture, const EllipseKernel& kernel,
   SweepPlan plan = plan_for(picture, kernel, candidates, candidates);
   plan.separate = true;
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    make_room(sums[i], candidates, candidates);
+    sums[i].make_room(candidates, candidates);
     plan.out[i] = sums[i].values.data();
   }
   plan.out_stride = sums[0].stride;
@@ -300,30 +300,6 @@ std::array<std::int32_t, 3> sums_at(const RowSums& picture, const EllipseKernel&
     sums[2] += sum_of(inner.first, inner.last);
   }
   return sums;
-}
-
-void sum_plainly(const RowSums& picture, const EllipseKernel& kernel, const Region& candidates,
-                 std::array<KernelSweep::Totals, 3>& sums) {
-  for (KernelSweep::Totals& totals : sums) make_room(totals, candidates, candidates);
-  const int left = candidates.x - kernel.anchor_x() - picture.place().x;
-  const int top = candidates.y - kernel.anchor_y() - picture.place().y;
-  for (int y = 0; y < candidates.height; ++y) {
-    for (int x = 0; x < candidates.width; ++x) {
-      std::array<std::int32_t, 3> at{};
-      for (int row = 0; row < kernel.height(); ++row) {
-        const std::uint8_t* pixels = picture.picture().row(top + y + row) + left + x;
-        const auto add = [&](std::size_t shape, int first, int last) {
-          for (int column = first; column < last; ++column) at[shape] += pixels[column];
-        };
-        add(0, 0, kernel.width());
-        add(1, kernel.outer_run(row).first, kernel.outer_run(row).last);
-        add(2, kernel.inner_run(row).first, kernel.inner_run(row).last);
-      }
-      for (std::size_t i = 0; i < sums.size(); ++i) {
-        sums[i].values[static_cast<std::size_t>(y * sums[i].stride + x)] = at[i];
-      }
-    }
-  }
 }
 
 }  // namespace puck

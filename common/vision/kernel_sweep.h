@@ -32,6 +32,9 @@ class KernelSweep {
     std::ptrdiff_t stride = 0;
     std::vector<std::int32_t> values;
 
+    /// Makes room for whole vectors of candidates; the values are not set.
+    void make_room(const Region& candidates, const Region& kept);
+
     const std::int32_t* row(int y) const {
       return values.data() + (y - region.y) * stride + (region.x - first_column);
     }
@@ -63,9 +66,5 @@ class KernelSweep {
 /// kernel that can be swept.
 std::array<std::int32_t, 3> sums_at(const RowSums& picture, const EllipseKernel& kernel, int x,
                                     int y);
-
-/// The specification: the same sums, each pixel by pixel.
-void sum_plainly(const RowSums& picture, const EllipseKernel& kernel, const Region& candidates,
-                 std::array<KernelSweep::Totals, 3>& sums);
 
 }  // namespace puck

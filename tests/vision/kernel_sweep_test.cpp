@@ -1,5 +1,10 @@
 #include "common/vision/kernel_sweep.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -7,6 +12,7 @@
 #include "common/vision/correlation.h"
 #include "common/vision/gaussian_blur.h"
 #include "common/vision/kernel_bank.h"
+#include "common/vision/plain_sums.h"
 #include "common/vision/presets.h"
 #include "tests/support/simd_targets.h"
 #include "tests/vision/noise_picture.h"
@@ -29,40 +35,59 @@ Region candidates_in(const Image<std::uint8_t>& picture, const EllipseKernel& ke
           picture.height() - kernel.height() + 1};
 }
 
-void check_sums(const Image<std::uint8_t>& picture, const EllipseKernel& kernel) {
-  RowSums sums_of_rows;
-  show(sums_of_rows, picture);
-  const Region candidates = candidates_in(picture, kernel);
-  std::array<KernelSweep::Totals, 3> expected;
-  sum_plainly(sums_of_rows, kernel, candidates, expected);
-  KernelSweep sweep;
-  std::array<KernelSweep::Totals, 3> sums;
-  sweep.sweep(sums_of_rows, kernel, candidates, sums);
-  for (std::size_t shape = 0; shape < 3; ++shape) {
-    for (int y = candidates.y; y < candidates.bottom(); ++y) {
-      const bool same = std::equal(sums[shape].row(y), sums[shape].row(y) + candidates.width,
-                                   expected[shape].row(y));
-      REQUIRE(same);
-    }
+// What a kernel's sums over a picture have to be, which no instruction set changes.
+struct PlainSums {
+  PlainSums(const Image<std::uint8_t>& picture, const EllipseKernel& of)
+      : kernel(of), candidates(candidates_in(picture, of)) {
+    show(sums_of_rows, picture);
+    sum_plainly(sums_of_rows, kernel, candidates, shapes);
   }
+
+  const EllipseKernel& kernel;
+  Region candidates;
+  RowSums sums_of_rows;
+  std::array<KernelSweep::Totals, 3> shapes;
+};
+
+// At one place without vectors, whatever the instruction set.
+void check_single_places(const PlainSums& expected) {
+  const Region& candidates = expected.candidates;
+  bool same = true;
   for (int y = candidates.y; y < candidates.bottom(); ++y) {
     for (int x = candidates.x; x < candidates.right(); ++x) {
-      const auto at = sums_at(sums_of_rows, kernel, x, y);
+      const auto at = sums_at(expected.sums_of_rows, expected.kernel, x, y);
       for (std::size_t shape = 0; shape < 3; ++shape) {
-        REQUIRE(at[shape] == expected[shape].row(y)[x - candidates.x]);
+        same = same && at[shape] == expected.shapes[shape].row(y)[x - candidates.x];
       }
     }
   }
-  if (!kernel.whole_weights()) return;
-  const EllipseKernel::WholeWeights w = *kernel.whole_weights();
+  REQUIRE(same);
+}
+
+void check_sums(const PlainSums& expected) {
+  const Region& candidates = expected.candidates;
+  KernelSweep sweep;
+  std::array<KernelSweep::Totals, 3> sums;
+  sweep.sweep(expected.sums_of_rows, expected.kernel, candidates, sums);
+  for (std::size_t shape = 0; shape < 3; ++shape) {
+    for (int y = candidates.y; y < candidates.bottom(); ++y) {
+      const bool same = std::equal(sums[shape].row(y), sums[shape].row(y) + candidates.width,
+                                   expected.shapes[shape].row(y));
+      REQUIRE(same);
+    }
+  }
+  if (!expected.kernel.whole_weights()) return;
+  const EllipseKernel::WholeWeights w = *expected.kernel.whole_weights();
   const Region kept = candidates.inflated(-1).intersect(candidates);
   KernelSweep::Totals totals;
-  const std::int32_t lowest = sweep.sweep(sums_of_rows, kernel, w, candidates, kept, totals);
+  const std::int32_t lowest =
+      sweep.sweep(expected.sums_of_rows, expected.kernel, w, candidates, kept, totals);
   std::int32_t expected_lowest = std::numeric_limits<std::int32_t>::max();
   for (int y = candidates.y; y < candidates.bottom(); ++y) {
     for (int x = 0; x < candidates.width; ++x) {
-      const std::int32_t total = w.canvas * expected[0].row(y)[x] +
-                                 w.outer * expected[1].row(y)[x] + w.inner * expected[2].row(y)[x];
+      const std::int32_t total = w.canvas * expected.shapes[0].row(y)[x] +
+                                 w.outer * expected.shapes[1].row(y)[x] +
+                                 w.inner * expected.shapes[2].row(y)[x];
       expected_lowest = std::min(expected_lowest, total);
       if (kept.contains(candidates.x + x, y)) {
         REQUIRE(totals.row(y)[x - (kept.x - candidates.x)] == total);
@@ -79,18 +104,21 @@ TEST_CASE("on every instruction set the sums over a kernel's shapes are those pi
   for (const Preset preset : {Preset::kReference, Preset::kPaper, Preset::kCorrelation}) {
     banks.emplace_back(preset_params(preset).kernels);
   }
-  with_each_simd_target([&](const std::string& target) {
-    CAPTURE(target);
-    unsigned seed = 1;
-    for (const KernelBank& bank : banks) {
-      for (const PuckSize size : {PuckSize{7, 7}, {15, 7}, {29, 19}, {39, 35}}) {
-        const EllipseKernel& kernel = bank.nearest(size);
-        for (const int more : {0, 1, 5, 66}) {
-          check_sums(test::noise(kernel.width() + more, kernel.height() + more / 2, seed++),
-                     kernel);
-        }
+  std::vector<PlainSums> expected;
+  unsigned seed = 1;
+  for (const KernelBank& bank : banks) {
+    for (const PuckSize size : {PuckSize{7, 7}, {15, 7}, {29, 19}, {39, 35}}) {
+      const EllipseKernel& kernel = bank.nearest(size);
+      for (const int more : {0, 1, 5, 66}) {
+        expected.emplace_back(
+            test::noise(kernel.width() + more, kernel.height() + more / 2, seed++), kernel);
       }
     }
+  }
+  for (const PlainSums& sums : expected) check_single_places(sums);
+  with_each_simd_target([&](const std::string& target) {
+    CAPTURE(target);
+    for (const PlainSums& sums : expected) check_sums(sums);
   });
 }
 
@@ -107,12 +135,15 @@ TEST_CASE(
   // The lower half dark: every edge pixel changes by all that it can.
   Image<std::uint8_t> half = white;
   std::fill_n(half.row(55), 200 * 55, std::uint8_t{0});
+  std::vector<PlainSums> expected;
+  for (const EllipseKernel* kernel : {&largest, &widest}) {
+    expected.emplace_back(white, *kernel);
+    expected.emplace_back(half, *kernel);
+  }
+  for (const PlainSums& sums : expected) check_single_places(sums);
   with_each_simd_target([&](const std::string& target) {
     CAPTURE(target);
-    for (const EllipseKernel* kernel : {&largest, &widest}) {
-      check_sums(white, *kernel);
-      check_sums(half, *kernel);
-    }
+    for (const PlainSums& sums : expected) check_sums(sums);
   });
 }
 
