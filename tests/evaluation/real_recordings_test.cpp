@@ -1,4 +1,5 @@
 // Preset default on recordings of real cameras that show no puck.
+#include <span>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,7 @@
 
 #include "common/io/event_reader.h"
 #include "tests/support/recordings.h"
+#include "tests/support/sanitizers.h"
 #include "tools/evaluate/runs.h"
 
 namespace puck {
@@ -24,31 +26,33 @@ const std::vector<Recording> kWithoutPuck{
     {"walking_640x480_evt3.extracted.raw", {.sensor = {640, 480}}, 2080},
 };
 
-// As large as a puck at the far end, in the middle and near by; and one as the table shows it.
+// One as the table shows it; and as large as a puck at the far end, in the middle and near by.
 std::vector<PuckSizeModel> size_models() {
   std::vector<PuckSizeModel> models;
-  for (const double width : {16.0, 32.0, 48.0}) {
-    PuckSizeModel model;
-    model.width_0 = width;
-    model.height_0 = 0.75 * width;
-    models.push_back(model);
-  }
-  PuckSizeModel table;
+  PuckSizeModel& table = models.emplace_back();
   table.width_0 = 16;
   table.width_y = 0.072;
   table.height_0 = 6;
   table.height_y = 0.071;
   table.smallest = {9, 4};
   table.largest = {80, 61};
-  models.push_back(table);
+  for (const double width : {16.0, 32.0, 48.0}) {
+    PuckSizeModel model;
+    model.width_0 = width;
+    model.height_0 = 0.75 * width;
+    models.push_back(model);
+  }
   return models;
 }
 
 TEST_CASE("no puck is confirmed in recordings of a desk, a street, sparks and a person") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
+  const std::vector<PuckSizeModel> models = size_models();
   for (const Recording& recording : kWithoutPuck) {
-    for (const PuckSizeModel& model : size_models()) {
+    // Watched by a sanitizer, a long one is seen with one model only: the others are but numbers.
+    const bool all = !kIsSanitized || recording.ticks < 100;
+    for (const PuckSizeModel& model : std::span(models).first(all ? models.size() : 1)) {
       CAPTURE(recording.file);
       CAPTURE(model.width_0);
       TrackerSetup setup;
