@@ -76,6 +76,15 @@ function(puck_compile_quickly)
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${puck_quick_options}")
 endfunction()
 
+# puck_compile_plainly(<source>...): sources of the current folder with much code of headers, which
+# Clang takes long to optimise instrumented. Sanitizer builds leave it as it is.
+function(puck_compile_plainly)
+  if(PUCK_SANITIZE)
+    set_source_files_properties(${ARGN} PROPERTIES
+      COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()
+
 # puck_library(<name> [LINKS <library>...] [PRIVATE_LINKS <library>...])
 # A static library of all the sources in the current folder.
 function(puck_library name)
@@ -102,6 +111,7 @@ function(puck_program name)
   add_executable(${name} main.cpp)
   puck_precompile(${name} puck_precompiled)
   puck_compile_quickly(main.cpp)
+  puck_compile_plainly(main.cpp)
   target_link_libraries(${name} PRIVATE puck_options ${arg_LINKS})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
   add_dependencies(puck_programs ${name})
