@@ -121,12 +121,14 @@ endfunction()
 add_custom_target(puck_unit_tests)
 add_custom_target(puck_thread_tests)
 
-# puck_test(<name> [THREADS [WITHOUT_THREADS <source>...]] [LINKS <library>...] [LABELS <label>...])
+# puck_test(<name> [LONG] [THREADS [WITHOUT_THREADS <source>...]] [LINKS <library>...]
+#           [LABELS <label>...])
 # A doctest program of all the sources in the current folder; label unit unless others are given.
+# LONG: it is begun before the others, so that no core waits for it in the end.
 # THREADS: what it tests runs threads, so it is tested under ThreadSanitizer, too, but for the
 # sources WITHOUT_THREADS, whose long single-threaded work would only be slow there.
 function(puck_test name)
-  cmake_parse_arguments(arg "THREADS" "" "LINKS;LABELS;WITHOUT_THREADS" ${ARGN})
+  cmake_parse_arguments(arg "LONG;THREADS" "" "LINKS;LABELS;WITHOUT_THREADS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(NOT sources)
     return()
@@ -142,6 +144,9 @@ function(puck_test name)
   target_compile_options(${name} PRIVATE ${puck_quick_options})
   target_link_libraries(${name} PRIVATE puck_options puck_test_main ${arg_LINKS})
   add_test(NAME ${name} COMMAND ${name} ${left_out})
+  if(arg_LONG)
+    set_tests_properties(${name} PROPERTIES COST 100)
+  endif()
   set(labels ${arg_LABELS})
   if(NOT labels)
     set(labels unit)
