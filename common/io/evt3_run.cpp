@@ -1,5 +1,6 @@
 #include "common/io/evt3_run.h"
 
+#include <array>
 #include <bit>
 #include <cstring>
 #include <utility>

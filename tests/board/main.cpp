@@ -1,5 +1,6 @@
 // puck-test-board: a YARP name server and a control board, to try puck-arm's back end `yarp`
 // without a robot, and to see what it does when the board fails.
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>

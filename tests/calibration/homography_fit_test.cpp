@@ -1,5 +1,6 @@
 #include "common/calibration/homography_fit.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,6 @@
 // Any file as a recording: the first byte chooses what the options say, the rest is the file.
 #include <array>
+#include <limits>
 #include <stdexcept>
 
 #include "common/io/event_reader.h"

@@ -1,6 +1,7 @@
 #include "common/vision/ring_samples.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <doctest/doctest.h>
 

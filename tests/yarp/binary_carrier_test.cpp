@@ -1,5 +1,6 @@
 #include "common/yarp/binary_carrier.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
