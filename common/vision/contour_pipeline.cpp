@@ -4,6 +4,7 @@
 
 #include "common/vision/candidate_order.h"
 #include "common/vision/honest_covariance.h"
+#include "common/vision/puck_detector.h"
 #include "common/vision/stopping.h"
 #include "common/vision/takeover.h"
 
@@ -34,6 +35,7 @@ ContourPipeline::ContourPipeline(SensorSize sensor, const ContourPipelineParams&
       events_needed_(Region::all_of(sensor)),
       near_(events_needed_) {
   context_.filter.follows_size = params.ingredients.size_state;
+  found_.candidates.reserve(PuckDetector::kMostDetections);
 }
 
 void ContourPipeline::take(Timestamp start, std::span<const Event> events) {

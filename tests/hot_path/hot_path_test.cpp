@@ -12,7 +12,9 @@
 #include <doctest/doctest.h>
 
 #include "common/runtime/live_tracker.h"
+#include "common/vision/contour_pipeline.h"
 #include "common/vision/presets.h"
+#include "common/vision/puck_detector.h"
 #include "tests/hot_path/counted_allocations.h"
 
 namespace puck {
@@ -124,6 +126,25 @@ TEST_CASE("a second of tracking asks for no memory, neither thread") {
     CHECK(said.estimates - estimates_before > kPackets / 50);
     CHECK(said.tracked - tracked_before > kPackets / 50);
   }
+}
+
+TEST_CASE("what a search found, however much, is taken up without asking for memory") {
+  const PipelineParams params = preset_params(Preset::kDefault);
+  ContourPipeline pipeline(kSensor, params.contour, {}, kSizeModel);
+  const EventPacket packet = packet_of(1);
+  pipeline.take(packet.start, packet.events);
+  SearchResult result{packet.newest(), Region::all_of(kSensor), {}};
+  const std::int64_t before = test::own_allocations();
+  pipeline.take(result);
+  CHECK(test::own_allocations() == before);
+
+  for (std::size_t i = 0; i < PuckDetector::kMostDetections; ++i) {
+    const auto number = static_cast<double>(i);
+    result.candidates.push_back({{40 + 12 * number, 100 + 5 * number}, 0.9 - 0.01 * number});
+  }
+  const std::int64_t filled = test::own_allocations();
+  pipeline.take(result);
+  CHECK(test::own_allocations() == filled);
 }
 
 }  // namespace puck
