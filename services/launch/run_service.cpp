@@ -8,7 +8,7 @@
 
 #include "common/messaging/bus_settings.h"
 #include "common/messaging/status_check.h"
-#include "services/launch/log_handover.h"
+#include "services/launch/service_log.h"
 #include "services/launch/stop_on_signal.h"
 
 namespace puck {
@@ -32,12 +32,11 @@ Config load_config(const CommandLine& line) {
   return config;
 }
 
-spdlog::logger make_log(const ServiceInfo& info, const std::string& level) {
-  spdlog::sink_ptr sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
-  if (info.is_real_time) sink = std::make_shared<LogHandover>(std::move(sink));
-  spdlog::logger log(info.name, std::move(sink));
-  log.set_pattern("%H:%M:%S.%e %n %^%l%$: %v");
-  log.set_level(spdlog::level::from_str(level));
+ServiceLog make_log(const ServiceInfo& info, const std::string& level) {
+  ServiceLog log(info.name, std::make_shared<spdlog::sinks::stderr_color_sink_mt>(),
+                 info.is_real_time);
+  log.logger().set_pattern("%H:%M:%S.%e %n %^%l%$: %v");
+  log.logger().set_level(spdlog::level::from_str(level));
   return log;
 }
 
@@ -64,7 +63,8 @@ int check(const std::string& name, const BusParams& params, std::stop_token stop
 int serve(const ServiceInfo& info, const CommandLine& line, const Config& config,
           const BusParams& params, const MakeService& make, std::stop_token stop) {
   Bus bus(params);
-  spdlog::logger log = make_log(info, line.log_level);
+  ServiceLog service_log = make_log(info, line.log_level);
+  spdlog::logger& log = service_log.logger();
   log.info("version {}", PUCK_VERSION);
   log_config(log, config);
 
@@ -93,6 +93,9 @@ int serve(const ServiceInfo& info, const CommandLine& line, const Config& config
     bus_watch.report(report);
   });
   bus_watch.look();
+  if (const std::size_t lost = service_log.lost_lines(); lost > 0) {
+    log.warn("{} lines of the log were lost", lost);
+  }
   log.info("stopped");
   return exit_code;
 }
