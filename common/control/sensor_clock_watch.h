@@ -21,6 +21,11 @@ class SensorClockWatch {
   /// Doubted for `us` from now on, and measured anew.
   void doubt(std::int64_t us, std::int64_t monotonic_us);
 
+  /// The camera says that its time will lag behind by `us` more from now on.
+  void slip(double us) {
+    if (ahead_us_) *ahead_us_ -= us;
+  }
+
   /// `has_events`: it tracks a puck that moves.
   void see(std::int64_t sensor_us, std::int64_t monotonic_us, bool has_events);
 

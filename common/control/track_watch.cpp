@@ -12,6 +12,11 @@ bool rests(const puck_estimate_t& estimate) {
   return (estimate.flags & puck_estimate_t::FLAG_RESTING) != 0;
 }
 
+// The host's time when the sensor's was 0, as the camera says. Doubles: it may say anything.
+double zero_utime(const puck_estimate_t& estimate) {
+  return static_cast<double>(estimate.event_utime) - static_cast<double>(estimate.sensor_us);
+}
+
 bool tracks(const puck_estimate_t& estimate) {
   return estimate.state == puck_estimate_t::STATE_TRACKING &&
          (estimate.flags & puck_estimate_t::FLAG_POSITION) != 0 &&
@@ -69,12 +74,15 @@ void TrackWatch::follow_sensor_clock(const puck_estimate_t& estimate, std::int64
     sensor_clock_.doubt(params_.dead_man_us, monotonic_us);
   }
   if (estimate.event_utime == 0) return;
+  if (!params_.camera_is_real && newest_ && newest_->event_utime != 0) {
+    sensor_clock_.slip(zero_utime(estimate) - zero_utime(*newest_));
+  }
   sensor_clock_.see(estimate.sensor_us, monotonic_us, tracks(estimate) && !rests(estimate));
 }
 
 const puck_estimate_t* TrackWatch::alive(std::int64_t monotonic_us) const {
   if (!newest_ || !tracks(*newest_) || !sensor_clock_.is_believed(monotonic_us)) return nullptr;
-  if (params_.needs_event_time && newest_->event_utime == 0) return nullptr;
+  if (params_.camera_is_real && newest_->event_utime == 0) return nullptr;
   if (monotonic_us - newest_heard_us_ > params_.dead_man_us) return nullptr;
   if (monotonic_us - went_on_us_ > params_.dead_man_us) return nullptr;
   return &*newest_;

@@ -15,9 +15,10 @@ namespace puck {
 struct TrackWatchParams {
   std::int64_t dead_man_us = 100'000;         ///< A track that ages this long is dead.
   std::int64_t max_clock_error_us = 200'000;  ///< Of an estimate's utime, by its sender's clock.
-  /// A camera whose time has no place on the host's clock, such as a simulated one that runs
-  /// slower, is not followed. Else its time is taken as it comes.
-  bool needs_event_time = false;
+  /// A real camera's time has a place on the host's clock, and keeps it; else it is not followed.
+  /// A simulated one may run slower, and has none, or slip on a machine that is too slow for it,
+  /// and says so by moving the place (event_utime).
+  bool camera_is_real = true;
 };
 
 /// The arm's own look at ESTIMATE: whether the track is alive, whatever the bridge says. One

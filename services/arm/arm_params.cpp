@@ -76,7 +76,7 @@ ArmServiceParams read_arm_params(Config& config) {
                 "is needed when arm.back_end is \"yarp\": what is built in is the simulated arm's");
   }
   // A real arm is not moved by a camera whose time nobody can check.
-  controller.track.needs_event_time = params.back_end.name == "yarp";
+  controller.track.camera_is_real = params.back_end.name == "yarp";
   if (mode == "follow") {
     if (table_file.empty()) config.fail("arm.table", "is needed when arm.mode is \"follow\"");
     controller.mode = ArmMode::kFollow;

@@ -117,10 +117,30 @@ TEST_CASE("The arm stands still while the sensor's time is not one, and plays ag
   CHECK(!bench.stands());
 }
 
+TEST_CASE("A simulated camera that slips, as it says, is followed; a real one does not slip") {
+  for (const bool is_real : {false, true}) {
+    CAPTURE(is_real);
+    ArmControllerParams params;
+    params.track.camera_is_real = is_real;
+    ArmBench bench(params);
+    std::int64_t behind_us = 0;
+    for (int i = 0; i < 3000; ++i) {
+      behind_us += 500;  // half as fast as real time
+      puck_estimate_t estimate = bench.estimate();
+      estimate.sensor_us -= behind_us;
+      bench.arm.hear(estimate, bench.now, bench.sender);
+      bench.arm.hear(bench.command(i % 400 < 200 ? 0.2 : -0.2), bench.now, bench.sender);
+      bench.run(1);
+    }
+    CHECK((bench.arm.state().reason == "no live track") == is_real);
+    CHECK((bench.arm.sensor_clock_disagreements() > 0) == is_real);
+  }
+}
+
 TEST_CASE("A real arm follows no camera whose time has no place on the host's clock") {
   for (const bool needs_it : {false, true}) {
     ArmControllerParams params;
-    params.track.needs_event_time = needs_it;
+    params.track.camera_is_real = needs_it;
     ArmBench bench(params);
     for (int i = 0; i < 300; ++i) {
       puck_estimate_t estimate = bench.estimate();

@@ -14,6 +14,7 @@ PlaySetup default_setup(const std::filesystem::path& calibration) {
   if (setup.table.motion) {
     setup.bridge.motion = with_constants(setup.bridge.motion, *setup.table.motion);
   }
+  setup.arm.track.camera_is_real = false;
   setup.tracker = preset_params(Preset::kDefault);
   setup.tracker.contour.calibration =
       read_contour_calibration(size_file).value_or(ContourCalibration{});
