@@ -23,11 +23,15 @@ void SensorClockWatch::doubt(std::int64_t us, std::int64_t monotonic_us) {
   believed_from_us_ = std::max(believed_from_us_, monotonic_us + us);
 }
 
+// Time that was held up and then catches up disagrees twice and more, but is one trouble.
 void SensorClockWatch::disagree(std::int64_t monotonic_us) {
-  const bool again = disagreed_at_us_ && monotonic_us - *disagreed_at_us_ <= kAgainWithinUs;
-  doubt_us_ = again ? std::min(2 * doubt_us_, kLongestDoubtUs) : kDoubtUs;
-  disagreed_at_us_ = monotonic_us;
-  ++disagreements_;
+  const bool goes_on = disagreed_at_us_ && !is_believed(monotonic_us);
+  if (!goes_on) {
+    const bool again = disagreed_at_us_ && monotonic_us - *disagreed_at_us_ <= kAgainWithinUs;
+    doubt_us_ = again ? std::min(2 * doubt_us_, kLongestDoubtUs) : kDoubtUs;
+    disagreed_at_us_ = monotonic_us;
+    ++disagreements_;
+  }
   doubt(doubt_us_, monotonic_us);
 }
 

@@ -8,8 +8,8 @@ namespace puck {
 /// Whether a camera's time goes on as the host's does. One that jumps, goes backwards or runs at
 /// another rate (a restarted, broken or forged camera) makes every velocity wrong. It is doubted
 /// from then on until its time has agreed for a second; for twice as long each time that it
-/// disagrees again within half a minute, up to 5 s, so that a rate that is wrong by a twentieth is
-/// doubted for good. One thread.
+/// disagrees once more, believed by then, within half a minute, up to 5 s, so that a rate that is
+/// wrong by a twentieth is doubted for good. One thread.
 ///
 /// How the clocks stand to each other is measured while a puck is tracked that moves. Sensor time
 /// may stay behind as long as none does, since there may be no events, but never runs ahead by more

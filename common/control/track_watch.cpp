@@ -53,6 +53,12 @@ TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const Host
       break;
   }
 
+  // What the clock's uncertainty leaves open is not held against it.
+  const std::int64_t oldest_us = params_.dead_man_us + 2 * sender->uncertainty_us;
+  if (tracks(estimate) && !rests(estimate) && estimate.event_utime != 0 &&
+      freshness_of(estimate.event_utime, now, sender, oldest_us) != Freshness::kOfNow) {
+    return Verdict::kStale;
+  }
   follow_sensor_clock(estimate, now.monotonic_us);
   const bool went_on = !newest_ || newest_->events_session != estimate.events_session ||
                        estimate.sensor_us > newest_->sensor_us;

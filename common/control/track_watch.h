@@ -31,9 +31,10 @@ class TrackWatch {
     kOtherPublisher,  ///< Another tracker is followed.
     kClock,           ///< Old, or from the future, by its own clock.
     kClockUnknown,    ///< The tracker's clock is not known, or not well enough.
+    kStale,           ///< Of a puck that moves, but as it was long ago, or will be.
     kMalformed,       ///< Tracking, but without a finite position, or of a time that cannot be.
   };
-  static constexpr std::size_t kVerdicts = 6;
+  static constexpr std::size_t kVerdicts = 7;
 
   explicit TrackWatch(const TrackWatchParams& params) : params_(params) {}
 

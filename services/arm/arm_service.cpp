@@ -170,6 +170,7 @@ void ArmService::report(StatusReport& report) const {
   report.add_unless_zero("estimates_of_others", controller_.estimates(Verdict::kOtherPublisher));
   report.add_unless_zero("estimates_wrong_clock", controller_.estimates(Verdict::kClock));
   report.add_unless_zero("estimates_clock_unknown", controller_.estimates(Verdict::kClockUnknown));
+  report.add_unless_zero("estimates_stale", controller_.estimates(Verdict::kStale));
   report.add_unless_zero("estimates_malformed", controller_.estimates(Verdict::kMalformed));
   report.add_unless_zero("estimates_frozen", controller_.frozen_estimates());
   report.add_unless_zero("sensor_clock_disagreements", controller_.sensor_clock_disagreements());

@@ -60,6 +60,23 @@ TEST_CASE("A sensor's time that runs at another rate is doubted for good") {
   }
 }
 
+TEST_CASE("Estimates that are held up once, and then catch up, cost a second and not many") {
+  for (const std::int64_t held_up_ms : {250, 500, 1000}) {
+    for (const std::int64_t times_as_fast : {2, 5, 20}) {
+      CAPTURE(held_up_ms);
+      CAPTURE(times_as_fast);
+      Bench bench;
+      bench.run(2000);
+      bench.now_us += 1000 * held_up_ms;
+      const std::int64_t catching_up_ms = held_up_ms / (times_as_fast - 1);
+      bench.run(catching_up_ms, static_cast<double>(times_as_fast));
+      bench.run(5000);
+      CHECK(bench.doubted_ms <= 1000 + catching_up_ms);
+      CHECK(bench.watch.disagreements() == 1);
+    }
+  }
+}
+
 TEST_CASE("Sensor time may stand as long as no puck moves, and then catch up") {
   Bench bench;
   bench.run(1000);
