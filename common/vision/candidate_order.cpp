@@ -5,13 +5,17 @@
 namespace puck {
 
 void put_still_last(std::vector<SearchCandidate>& candidates, const Background& background,
-                    const PuckContour& contour) {
+                    const PuckContour& contour, double clear_score) {
   constexpr double kStillShare = 0.6;
+  const auto is_still = [&](const SearchCandidate& candidate) {
+    if (candidate.score > clear_score) return false;
+    const ContourRing ring = contour.ring_at(candidate.position, contour.calibrated_wall_share());
+    return background.still_share(ring, candidate.position) >= kStillShare;
+  };
   // std::stable_partition would ask for memory, which no tracking thread does.
   auto moving_end = candidates.begin();
   for (auto candidate = candidates.begin(); candidate != candidates.end(); ++candidate) {
-    const ContourRing ring = contour.ring_at(candidate->position, contour.calibrated_wall_share());
-    if (background.still_share(ring, candidate->position) >= kStillShare) continue;
+    if (is_still(*candidate)) continue;
     std::rotate(moving_end, candidate, candidate + 1);
     ++moving_end;
   }

@@ -8,9 +8,14 @@
 
 namespace puck {
 
+/// A faint puck that slides along a rail lies on the background, but few things look as much like a
+/// ring as it does.
+inline constexpr double kClearRingScore = 0.6;
+
 /// Of what a search has found, what lies on the background is tried when there is nothing else: it
-/// is likely a part of it. Otherwise the order stays.
+/// is likely a part of it. What scores more than `clear_score` keeps its place wherever it lies.
+/// Otherwise the order stays.
 void put_still_last(std::vector<SearchCandidate>& candidates, const Background& background,
-                    const PuckContour& contour);
+                    const PuckContour& contour, double clear_score = 1);
 
 }  // namespace puck

@@ -26,6 +26,9 @@ struct ContourIngredients {
   bool settling = true;     ///< A puck whose events fade comes to rest where it was last clear.
   bool holding = true;      ///< A puck at rest stays while something comes near.
   bool background = true;   ///< What stands still while the head turns counts less.
+  bool clear_rings = true;  ///< … unless a faint puck is sought, and it is a clear ring.
+  bool faint_rests = true;  ///< What may be a faint puck at rest is looked for elsewhere, too.
+  bool overtaking = true;   ///< What moves by itself takes over from a track that has gone bad.
 };
 
 struct ContourIngredient {
@@ -34,7 +37,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 17> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 20> kContourIngredients{{
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
     {"lag", &ContourIngredients::lag},
@@ -52,6 +55,9 @@ inline constexpr std::array<ContourIngredient, 17> kContourIngredients{{
     {"settling", &ContourIngredients::settling},
     {"holding", &ContourIngredients::holding},
     {"background", &ContourIngredients::background},
+    {"clear-rings", &ContourIngredients::clear_rings},
+    {"faint-rests", &ContourIngredients::faint_rests},
+    {"overtaking", &ContourIngredients::overtaking},
 }};
 
 }  // namespace puck

@@ -134,12 +134,15 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
 
 void ContourPipeline::challenge_main(std::int64_t time_us) {
   const TrackLooks looks = main_->looks();
+  const bool has_gone_bad =
+      context_.ingredients.overtaking && puck::has_gone_bad(trust_.since_good_us(time_us));
   const Defence defence{.looks = looks,
                         .is_trusted = context_.is_trusted,
                         .is_proven = trust_.is_proven(),
+                        .has_gone_bad = has_gone_bad,
                         .is_resting = standing_.is_resting() || held_rest_.is_held(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
-                        .is_faint = context_.signature.is_faint(),
+                        .may_be_faint = rest_may_be_wrong(),
                         .since_good_us = trust_.since_good_us(time_us),
                         .since_sound_us = trust_.since_sound_us(time_us)};
   if (const Challenger* successor = challengers_.successor(defence, time_us)) {
@@ -148,6 +151,12 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
   }
   challengers_.dismiss_hopeless(time_us);
   challengers_.dismiss_idle(main_->filter(), time_us);
+}
+
+// A faint puck falls silent while it moves, too.
+bool ContourPipeline::rest_may_be_wrong() const {
+  return context_.ingredients.faint_rests ? context_.signature.may_be_faint()
+                                          : context_.signature.is_faint();
 }
 
 void ContourPipeline::find_first(std::int64_t time_us) {
@@ -189,6 +198,7 @@ void ContourPipeline::plan_search(std::int64_t time_us) {
                      .is_resting = standing_.is_resting(),
                      .is_trusted = context_.is_trusted,
                      .is_proven = trust_.is_proven(),
+                     .may_be_faint = context_.ingredients.faint_rests && rest_may_be_wrong(),
                      .since_good_us = trust_.since_good_us(time_us)},
                     context_.ingredients, time_us);
 }
@@ -236,7 +246,11 @@ void ContourPipeline::take(const SearchResult& result) {
   search_plan_.note_answer();
   const auto main = main_ ? std::optional(main_->filter().position()) : std::nullopt;
   found_ = result;
-  put_still_last(found_.candidates, background_, context_.contour);
+  const bool keeps_clear =
+      context_.ingredients.clear_rings && main_ &&
+      (!context_.signature.knows_multiplicity() || context_.signature.may_be_faint());
+  put_still_last(found_.candidates, background_, context_.contour,
+                 keeps_clear ? kClearRingScore : 1);
   challengers_.add_found(found_, main, context_, now_us_);
 }
 

@@ -55,6 +55,7 @@ class ContourPipeline final : public TrackingPipeline {
   void decide(std::int64_t time_us);
   void judge_main(std::int64_t time_us);
   void challenge_main(std::int64_t time_us);
+  bool rest_may_be_wrong() const;
   void find_first(std::int64_t time_us);
   void enthrone(const Challenger& challenger, std::int64_t time_us);
   void plan_search(std::int64_t time_us);

@@ -8,6 +8,7 @@ namespace {
 constexpr double kMemory_us = 500'000;
 // A puck of good contrast makes about five events at a pixel, a faint one hardly more than one.
 constexpr double kFaintBelow = 1.6;
+constexpr double kMaybeFaintBelow = 2.5;
 // As of thirty events at 100 px/s.
 constexpr double kLeastSpeed_px_s = 3'000;
 constexpr double kLeastSwept_px2 = 2'000;
@@ -34,6 +35,10 @@ double PuckSignature::multiplicity() const {
 
 bool PuckSignature::is_faint() const {
   return knows_multiplicity() && multiplicity() < kFaintBelow;
+}
+
+bool PuckSignature::may_be_faint() const {
+  return knows_multiplicity() && multiplicity() < kMaybeFaintBelow;
 }
 
 double PuckSignature::density() const {

@@ -39,6 +39,8 @@ class PuckSignature {
   double contrast_sign() const;
   /// Whether the puck makes hardly more than one event at each pixel that its edge passes.
   bool is_faint() const;
+  /// Whether it may be faint: hands and clutter near the track make it seem to have more events.
+  bool may_be_faint() const;
   bool knows_multiplicity() const { return sum_.first_events > kLeastEvents; }
   double multiplicity() const;
   /// Contour events per px² swept; nothing (0) while it is not known.

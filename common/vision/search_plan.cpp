@@ -14,6 +14,8 @@ constexpr std::int64_t kWidePeriod_us = 40'000;
 constexpr std::int64_t kGuardPeriod_us = 100'000;
 constexpr std::int64_t kCalmPeriod_us = 500'000;
 constexpr std::int64_t kRestingPeriod_us = 1'000'000;
+// A faint puck may have got away unseen.
+constexpr std::int64_t kMaybeRestingPeriod_us = 50'000;
 // While nothing moves the search finds nothing that could prove itself.
 constexpr std::int64_t kStillPeriod_us = 1'000'000;
 
@@ -35,7 +37,7 @@ SearchPlan::SearchPlan(SensorSize sensor, const Region& detection_region)
 
 std::int64_t SearchPlan::wide_period_us(const Situation& now) {
   if (now.is_lost) return kFirstPeriod_us;
-  if (now.is_resting) return kRestingPeriod_us;
+  if (now.is_resting) return now.may_be_faint ? kMaybeRestingPeriod_us : kRestingPeriod_us;
   if (now.main.quality < kBad || !now.is_trusted) return kWidePeriod_us;
   if (now.main.quality < TrackTrust::kSound) return kGuardPeriod_us;
   if (now.main.strength > kLively) return kNever_us;

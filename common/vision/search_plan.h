@@ -22,6 +22,7 @@ class SearchPlan {
     bool is_resting = false;
     bool is_trusted = false;
     bool is_proven = false;
+    bool may_be_faint = false;  ///< Where it rests may be wrong.
     std::int64_t since_good_us = 0;
   };
 

@@ -11,6 +11,8 @@ constexpr std::int64_t kWitnessAge_us = 900;
 constexpr std::int64_t kWallTwinAge_us = 15'000;
 // A track that has not been sound for so long gives way to an evident puck, trusted or not.
 constexpr std::int64_t kUnsoundFor_us = 150'000;
+// A bounce or a mallet that passes is over sooner.
+constexpr std::int64_t kBadFor_us = 20'000;
 // How long an evident puck is waited for before anything less is believed.
 constexpr std::int64_t kPatience_us = 150'000;
 // How far the puck may be from a track that has just been good, and how much farther it gets.
@@ -55,8 +57,10 @@ bool outshines(const Claim& claim, const Defence& main) {
          (main.since_sound_us > kUnsoundFor_us || is_evident(claim));
 }
 
+bool has_gone_bad(std::int64_t since_good_us) { return since_good_us > kBadFor_us; }
+
 bool outmoves(const Claim& claim, const Defence& main) {
-  return !main.is_proven && moves_by_itself(claim) &&
+  return (!main.is_proven || main.has_gone_bad) && moves_by_itself(claim) &&
          claim.looks.quality > main.looks.quality - 0.1;
 }
 
@@ -91,7 +95,7 @@ bool succeeds_nearby(const Claim& claim, const Defence& main) {
 }
 
 bool outruns_rest(const Claim& claim, const Defence& main) {
-  return main.is_faint && moves_by_itself(claim) && claim.looks.quality > 0.85 &&
+  return main.may_be_faint && moves_by_itself(claim) && claim.looks.quality > 0.85 &&
          claim.looks.strength > 40;
 }
 

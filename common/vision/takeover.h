@@ -30,9 +30,10 @@ struct Defence {
   TrackLooks looks;
   bool is_trusted = false;          ///< TrackTrust's.
   bool is_proven = false;           ///< TrackTrust's.
+  bool has_gone_bad = false;        ///< has_gone_bad, if ingredient `overtaking` is on.
   bool is_resting = false;          ///< TrackStanding's.
   bool is_witnessed = false;        ///< WitnessCheck vouches for it.
-  bool is_faint = false;            ///< PuckSignature's.
+  bool may_be_faint = false;        ///< PuckSignature's.
   std::int64_t since_good_us = 0;   ///< TrackTrust's.
   std::int64_t since_sound_us = 0;  ///< TrackTrust's.
 };
@@ -48,7 +49,10 @@ bool moves_by_itself(const Claim& claim);
 /// It is by far the stronger, wherever it is, and the main track has not been sound for long or it
 /// is evident itself.
 bool outshines(const Claim& claim, const Defence& main);
-/// It moves as a puck does; the main track has never done so.
+/// So long after it was last good, a track has lost what it followed.
+bool has_gone_bad(std::int64_t since_good_us);
+
+/// It moves as a puck does; the main track has never done so, or has gone bad.
 bool outmoves(const Claim& claim, const Defence& main);
 /// It is evident; the main track is not to be trusted, or has not been sound for long.
 bool unmasks(const Claim& claim, const Defence& main);

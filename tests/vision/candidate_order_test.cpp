@@ -29,6 +29,12 @@ TEST_CASE("What lies on the background comes last, in the same order otherwise")
   CHECK(candidates[2].score == mark.score);
   CHECK(candidates[3].score == other_mark.score);
 
+  candidates = {mark, other_mark, free};
+  put_still_last(candidates, background, contour, 0.85);
+  CHECK(candidates[0].score == mark.score);
+  CHECK(candidates[1].score == free.score);
+  CHECK(candidates[2].score == other_mark.score);
+
   candidates = {mark, free};
   put_still_last(candidates, Background(TurningScene::kSensor), contour);
   CHECK(candidates[0].score == mark.score);

@@ -40,6 +40,18 @@ TEST_CASE("A dark puck is told from a bright one, and a faint one from either") 
   CHECK(faint.is_faint());
 }
 
+TEST_CASE("A puck of two events a pixel may be faint, one of three is not") {
+  PuckSignature unknown;
+  CHECK_FALSE(unknown.may_be_faint());
+  PuckSignature doubtful;
+  doubtful.learn(passing(300, 2, true), 1000);
+  CHECK_FALSE(doubtful.is_faint());
+  CHECK(doubtful.may_be_faint());
+  PuckSignature dark;
+  dark.learn(passing(300, 3, false), 1000);
+  CHECK_FALSE(dark.may_be_faint());
+}
+
 TEST_CASE("Slow edges say nothing of the multiplicity") {
   PuckSignature signature;
   PuckSignature::Sample sample;

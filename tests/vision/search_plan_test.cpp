@@ -76,6 +76,8 @@ TEST_CASE("The better the track, the more seldom the whole image is searched") {
   CHECK(SearchPlan::wide_period_us(now) == 40'000);
   now.is_resting = true;
   CHECK(SearchPlan::wide_period_us(now) == 1'000'000);
+  now.may_be_faint = true;
+  CHECK(SearchPlan::wide_period_us(now) == 50'000);
   now.is_lost = true;
   CHECK(SearchPlan::wide_period_us(now) == 20'000);
 }

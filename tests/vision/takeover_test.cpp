@@ -96,7 +96,7 @@ TEST_CASE("So does one that was only ever slow, if it is trusted") {
 }
 
 TEST_CASE("A faint puck, which is never evident, outruns where it was taken to rest") {
-  Defence main{.is_proven = true, .is_resting = true, .is_faint = true};
+  Defence main{.is_proven = true, .is_resting = true, .may_be_faint = true};
   Claim claim = kMoving;
   claim.looks.quality = 0.86;
   claim.looks.strength = 41;
@@ -111,7 +111,7 @@ TEST_CASE("A faint puck, which is never evident, outruns where it was taken to r
   claim.looks.speed_px_s = 300;
   CHECK_FALSE(is_convincing(claim, main));
   claim.looks.speed_px_s = 301;
-  main.is_faint = false;
+  main.may_be_faint = false;
   CHECK_FALSE(is_convincing(claim, main));
 }
 
@@ -208,6 +208,20 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
   evident.has_other_wall = true;
   CHECK_FALSE(is_convincing_as_first(evident, 150'000));
   CHECK(is_convincing_as_first(evident, 150'001));
+}
+
+TEST_CASE("What moves by itself takes over from a proven track that has gone bad") {
+  CHECK_FALSE(has_gone_bad(20'000));
+  CHECK(has_gone_bad(20'001));
+  Defence main{.looks = {.quality = 0.4}, .is_trusted = true, .is_proven = true};
+  CHECK_FALSE(is_convincing(kMoving, main));
+  main.has_gone_bad = true;
+  CHECK(is_convincing(kMoving, main));
+  Claim slow = kMoving;
+  slow.looks.speed_px_s = 300;
+  CHECK_FALSE(is_convincing(slow, main));
+  main.looks.quality = kMoving.looks.quality + 0.1;
+  CHECK_FALSE(is_convincing(kMoving, main));
 }
 
 TEST_CASE("What was found near the track, is evident or moves by itself was not found weakly") {
