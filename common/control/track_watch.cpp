@@ -2,11 +2,10 @@
 
 #include <cmath>
 
+#include "common/messaging/message_facts.h"
+
 namespace puck {
 namespace {
-
-// No sensor runs for longer: 30 years.
-constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;
 
 bool rests(const puck_estimate_t& estimate) {
   return (estimate.flags & puck_estimate_t::FLAG_RESTING) != 0;
@@ -39,7 +38,7 @@ TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const Host
   if (tracks(estimate) && !(std::isfinite(estimate.x_px) && std::isfinite(estimate.y_px))) {
     return Verdict::kMalformed;
   }
-  if (estimate.sensor_us < 0 || estimate.sensor_us > kLongestRunUs) return Verdict::kMalformed;
+  if (!is_sensor_time(estimate.sensor_us)) return Verdict::kMalformed;
   switch (publisher_.hear(estimate.session, estimate.seq, now.monotonic_us)) {
     case SinglePublisher::Verdict::kLate:
       return Verdict::kLate;

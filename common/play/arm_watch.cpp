@@ -1,5 +1,7 @@
 #include "common/play/arm_watch.h"
 
+#include "common/messaging/message_facts.h"
+
 namespace puck {
 namespace {
 
@@ -35,9 +37,7 @@ std::int64_t ArmWatch::other_commander(std::int64_t own_session, const HostNow& 
   const arm_state_t* heard = arm(now);
   if (heard == nullptr || heard->command_session == own_session) return 0;
   // It obeys nobody: it names whoever stopped it.
-  const bool is_latched =
-      heard->state == arm_state_t::STATE_STOPPED || heard->state == arm_state_t::STATE_FAULT;
-  if (is_latched) return 0;
+  if (is_latched(*heard)) return 0;
   return now.monotonic_us - commander_since_us_ > kOtherCommanderUs ? heard->command_session : 0;
 }
 

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/messaging/message_facts.h"
+
 namespace puck {
 namespace {
 
-// No sensor runs for longer: 30 years.
-constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;
 // A tracker that is less sure of the place does not see the puck.
 constexpr double kMostUnsureM = 0.5;
 
@@ -138,7 +138,7 @@ EstimateVerdict EstimateGate::judge_order(const puck_estimate_t& estimate, const
 EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, const HostNow& now,
                                             const ClockOffset& sender, const TableView* view,
                                             TableMeasurement& measurement) const {
-  if (estimate.sensor_us < 0 || estimate.sensor_us > kLongestRunUs || estimate.event_utime < 0) {
+  if (!is_sensor_time(estimate.sensor_us) || estimate.event_utime < 0) {
     return EstimateVerdict::kMalformed;
   }
   if (estimate.state != puck_estimate_t::STATE_TRACKING ||

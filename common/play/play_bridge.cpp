@@ -7,13 +7,13 @@
 #include <string>
 
 #include "common/messaging/conversions.h"
+#include "common/messaging/message_facts.h"
 
 namespace puck {
 namespace {
 
 // Of HEAD's sensor_us.
 constexpr std::int64_t kTimeUnknown = -1;
-constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;  // 30 years
 // A camera's time runs no faster than ours, but for what was held up on the way.
 constexpr std::int64_t kMaxHeldUpUs = 500'000;
 constexpr std::int64_t kGamePeriodUs = 100'000;
@@ -135,7 +135,7 @@ void PlayBridge::hear(const head_state_t& head, const HostNow& now) {
   if (verdict == SinglePublisher::Verdict::kNewPublisher) head_.forget();
   hears_head_ = true;
   const HeadPose pose = from_message(head);
-  if (head.sensor_us >= 0 && head.sensor_us <= kLongestRunUs) {
+  if (is_sensor_time(head.sensor_us)) {
     head_.add({head.sensor_us}, pose);
   } else if (head.sensor_us == kTimeUnknown && sensor_ahead_us_) {
     // A robot's encoders know nothing of the sensor's clock: their word is of now.

@@ -1,5 +1,7 @@
 #include "services/arm/addressed_arms.h"
 
+#include "common/messaging/message_facts.h"
+
 namespace puck {
 namespace {
 
@@ -7,10 +9,6 @@ namespace {
 constexpr std::int64_t kMaxClockErrorUs = 200'000;
 // An arm says its state at least ten times a second.
 constexpr std::int64_t kSilentUs = 250'000;
-
-bool is_latched(const arm_state_t& state) {
-  return state.state == arm_state_t::STATE_STOPPED || state.state == arm_state_t::STATE_FAULT;
-}
 
 }  // namespace
 

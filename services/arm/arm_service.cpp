@@ -73,7 +73,7 @@ ArmService::ArmService(const ArmServiceParams& params, ServiceContext& context)
 }
 
 void ArmService::run(std::stop_token stop) {
-  run_in_real_time(real_time_priority_, context_.log);
+  run_in_real_time_and_tell(real_time_priority_, context_.log);
   due_us_ = stepped_us_ = next_state_us_ = host_monotonic_us();
   while (!stop.stop_requested()) {
     wait_until_due();

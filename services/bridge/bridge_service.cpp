@@ -105,7 +105,7 @@ BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& 
 }
 
 void BridgeService::run(std::stop_token stop) {
-  run_in_real_time(real_time_priority_, context_.log);
+  run_in_real_time_and_tell(real_time_priority_, context_.log);
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
     publish_what_is_due();

@@ -22,7 +22,7 @@ std::string run_in_real_time(int priority) {
   return {};
 }
 
-void run_in_real_time(int priority, spdlog::logger& log) {
+void run_in_real_time_and_tell(int priority, spdlog::logger& log) {
   if (priority == 0) return;
   const std::string why_not = run_in_real_time(priority);
   log.info("{}", why_not.empty()

@@ -11,6 +11,6 @@ namespace puck {
 std::string run_in_real_time(int priority);
 
 /// The same, and what became of it in the log. Priority 0: not asked for.
-void run_in_real_time(int priority, spdlog::logger& log);
+void run_in_real_time_and_tell(int priority, spdlog::logger& log);
 
 }  // namespace puck

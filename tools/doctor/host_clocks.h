@@ -23,7 +23,8 @@ class HostClocks {
   /// `session`: under which our pings go out.
   explicit HostClocks(std::int64_t session) : session_(session) {}
 
-  /// We published a STATUS that has this `utime`.
+  /// We published a STATUS: its utime, and our CLOCK_MONOTONIC just before it was stamped, never
+  /// after.
   void sent(const HostNow& ping) { clocks_.ping(ping); }
   void hear(const HeardService& service, std::int64_t heard_monotonic_us);
 
