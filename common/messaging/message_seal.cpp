@@ -10,13 +10,23 @@
 namespace puck {
 namespace {
 
-constexpr std::uint32_t kMark = 0x50534c31;  // "PSL1"
+// "PSL" and the version of the seal. A new one for whatever changes the hash or what it is of.
+constexpr std::uint32_t kMark = 0x50534c00;
+constexpr char kVersion = '2';
+
+/// Of a message that ends as a sealed one does.
+std::optional<char> version_of_seal(std::span<const std::uint8_t> message) {
+  if (message.size() < kSealBytes) return std::nullopt;
+  const auto mark = ByteReader(message.last(sizeof kMark)).whole<std::uint32_t>();
+  const char version = static_cast<char>(mark & 0xff);
+  if ((mark & ~0xffU) != kMark || version < '1' || version > '9') return std::nullopt;
+  return version;
+}
 
 }  // namespace
 
 bool looks_sealed(std::span<const std::uint8_t> message) {
-  return message.size() >= kSealBytes &&
-         ByteReader(message.last(sizeof kMark)).whole<std::uint32_t>() == kMark;
+  return version_of_seal(message).has_value();
 }
 
 MessageSealer::MessageSealer(const SharedKey& key) : key_(key) {
@@ -30,15 +40,21 @@ void MessageSealer::seal(std::string_view channel, std::vector<std::uint8_t>& me
   put_big_endian(sender_, seal.data());
   put_big_endian(number, seal.data() + 8);
   std::copy(hash.begin(), hash.end(), seal.begin() + 16);
-  put_big_endian(kMark, seal.data() + 32);
+  put_big_endian(kMark | static_cast<std::uint32_t>(kVersion), seal.data() + 32);
   message.insert(message.end(), seal.begin(), seal.end());
 }
 
 std::optional<std::span<const std::uint8_t>> SealOpener::open(std::string_view channel,
                                                               std::span<const std::uint8_t> message,
                                                               std::string& problem) {
-  if (!looks_sealed(message)) {
+  const auto version = version_of_seal(message);
+  if (!version) {
     problem = "is not sealed, and this service has a key";
+    return std::nullopt;
+  }
+  if (*version != kVersion) {
+    problem = std::string("has a seal of version ") + *version + ", and this service's are of " +
+              kVersion + ": one of the two is another version of PUCK";
     return std::nullopt;
   }
   const auto plain = message.first(message.size() - kSealBytes);

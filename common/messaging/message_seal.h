@@ -14,10 +14,10 @@
 namespace puck {
 
 /// What a seal adds behind a message: who sealed it, the how manieth of theirs it is, the keyed
-/// hash of all of it, and four bytes that tell a sealed message.
+/// hash of all of it, and four bytes that tell a sealed message and the version of its seal.
 inline constexpr std::size_t kSealBytes = 8 + 8 + 16 + 4;
 
-/// Whether a message ends as a sealed one does. It proves nothing.
+/// Whether a message ends as a sealed one does, of whatever version. It proves nothing.
 bool looks_sealed(std::span<const std::uint8_t> message);
 
 /// Seals what one publisher sends. One thread at a time.

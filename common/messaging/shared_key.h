@@ -21,6 +21,9 @@ class SharedKey {
 
   /// Of a message on a channel with its number; equal only for the same of all four. No sender may
   /// use a number twice for two messages that others see: the key of that number would be known.
+  /// So a sender is 64 random bits of each Bus, which counts its messages. A copy of a process
+  /// that runs on (a fork, a virtual machine's snapshot started twice) has the same sender and
+  /// number, and would.
   Hash hash(std::string_view channel, std::span<const std::uint8_t> message, std::uint64_t sender,
             std::uint64_t number) const;
 

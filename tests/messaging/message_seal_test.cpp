@@ -70,14 +70,32 @@ TEST_CASE("no bit of a sealed message can be changed, nor its channel, nor its k
     changed[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
     CAPTURE(bit);
     const bool is_mark = bit / 8 >= message.size() - 4;
-    CHECK(opened(opener, changed) ==
-          (is_mark ? "is not sealed, and this service has a key" : kChanged));
+    const bool is_version = bit / 8 == message.size() - 1;
+    if (is_version && looks_sealed(changed)) {
+      CHECK(opened(opener, changed).starts_with("has a seal of version "));
+    } else {
+      CHECK(opened(opener, changed) ==
+            (is_mark ? "is not sealed, and this service has a key" : kChanged));
+    }
   }
   CHECK(opened(opener, message, "PUCK_HEAD_2") == kChanged);
   SealOpener stranger(keys.other);
   CHECK(opened(stranger, message) == kChanged);
   CHECK(opened(opener, {'a', 'b', 'c'}) == "is not sealed, and this service has a key");
   CHECK(opened(opener, message) == "abc");  // None of it has used the message up.
+}
+
+TEST_CASE("a seal of another version is told from a wrong key, and by one without a key") {
+  const Keys keys;
+  MessageSealer sealer(keys.key);
+  SealOpener opener(keys.key);
+  Bytes message = sealed(sealer, {'a', 'b', 'c'});
+  CHECK(std::string(message.end() - 4, message.end()) == "PSL2");
+  message.back() = '1';
+  CHECK(opened(opener, message) ==
+        "has a seal of version 1, and this service's are of 2: one of the two is another version "
+        "of PUCK");
+  CHECK(looks_sealed(message));
 }
 
 TEST_CASE("messages may overtake one another, but none is taken twice however late") {
