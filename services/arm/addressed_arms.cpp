@@ -13,9 +13,8 @@ constexpr std::int64_t kSilentUs = 250'000;
 }  // namespace
 
 void AddressedArms::hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
-  const bool is_of_now =
-      freshness_of(state.utime, now, sender, kMaxClockErrorUs) == Freshness::kOfNow;
-  arms_[state.session] = {state, now.monotonic_us, is_of_now};
+  const Freshness freshness = freshness_of(state.utime, now, sender, kMaxClockErrorUs);
+  arms_[state.session] = {state, now.monotonic_us, freshness};
 }
 
 bool AddressedArms::confirms(const arm_state_t& state) const {
@@ -24,16 +23,21 @@ bool AddressedArms::confirms(const arm_state_t& state) const {
 }
 
 // Nobody but an arm that heard this run's stop can name its session, whatever its clock.
-bool AddressedArms::counts(const Arm& arm, const HostNow& now) const {
-  if (now.monotonic_us - arm.heard_us > kSilentUs) return false;
+bool AddressedArms::is_certain(const Arm& arm) const {
   const bool answers_stop = mode_ == arm_command_t::MODE_STOP && confirms(arm.state);
-  return arm.clock_is_good || answers_stop;
+  return arm.freshness == Freshness::kOfNow || answers_stop;
+}
+
+// Who cannot be told from an arm that is there may be one, and move.
+bool AddressedArms::is_heard(const Arm& arm, const HostNow& now) const {
+  if (now.monotonic_us - arm.heard_us > kSilentUs) return false;
+  return arm.freshness == Freshness::kClockUnknown || is_certain(arm);
 }
 
 std::vector<std::int64_t> AddressedArms::sessions(const HostNow& now) const {
   std::vector<std::int64_t> sessions;
   for (const auto& [session, arm] : arms_) {
-    if (counts(arm, now)) sessions.push_back(session);
+    if (is_heard(arm, now) && is_certain(arm)) sessions.push_back(session);
   }
   return sessions;
 }
@@ -41,11 +45,12 @@ std::vector<std::int64_t> AddressedArms::sessions(const HostNow& now) const {
 std::string AddressedArms::why_not(const HostNow& now) const {
   bool is_there_one = false;
   for (const auto& [session, arm] : arms_) {
-    if (!counts(arm, now)) continue;
-    is_there_one = true;
+    if (!is_heard(arm, now)) continue;
+    is_there_one = is_there_one || is_certain(arm);
     if (confirms(arm.state)) continue;
     const std::string says = arm.state.reason.empty() ? "that it moves" : arm.state.reason;
-    return "the arm of session " + std::to_string(session) + " says: " + says;
+    return "the arm of session " + std::to_string(session) +
+           (is_certain(arm) ? "" : ", whose clock is not known,") + " says: " + says;
   }
   if (is_there_one) return {};
   return arms_.empty() ? "no ARM_STATE heard" : "no ARM_STATE that is of now";

@@ -12,8 +12,10 @@
 namespace puck {
 
 /// The arms that an operator's command is for, by their ARM_STATE, and whether each of them
-/// confirms it. An arm counts while it speaks and what it says is of now: neither a log that is
-/// played nor an arm that has died is asked, or can confirm. One thread.
+/// confirms it. An arm is heard while it speaks, unless its clock is known and what it says is not
+/// of now: that is a log that is played. One whose clock is not known cannot be told from a log: it
+/// must confirm with the others, but a word of its own confirms nothing, unless it names this
+/// operator's stop. One thread.
 class AddressedArms {
  public:
   /// `own_session`: of the operator's commands.
@@ -23,22 +25,23 @@ class AddressedArms {
   /// `sender`: the clock of the state's session.
   void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender);
 
-  /// Their sessions: a reset answers each.
+  /// Of those that are certain to be there: a reset answers each.
   std::vector<std::int64_t> sessions(const HostNow& now) const;
-  /// There is one, and all say that they were stopped, or stopped once more, by this operator; or
-  /// none is latched any more.
+  /// There is one for certain, and all that are heard say that they were stopped, or stopped once
+  /// more, by this operator; or none is latched any more.
   bool confirm(const HostNow& now) const { return why_not(now).empty(); }
   /// Empty: they confirm.
   std::string why_not(const HostNow& now) const;
 
  private:
   struct Arm {
-    arm_state_t state{};         // the newest
-    std::int64_t heard_us = 0;   // CLOCK_MONOTONIC
-    bool clock_is_good = false;  // it was of now
+    arm_state_t state{};        // the newest
+    std::int64_t heard_us = 0;  // CLOCK_MONOTONIC
+    Freshness freshness = Freshness::kClockUnknown;
   };
 
-  bool counts(const Arm& arm, const HostNow& now) const;
+  bool is_certain(const Arm& arm) const;
+  bool is_heard(const Arm& arm, const HostNow& now) const;
   bool confirms(const arm_state_t& state) const;
 
   std::int8_t mode_;

@@ -43,16 +43,31 @@ TEST_CASE("A stop is confirmed by nobody but the arms that heard it") {
   CHECK(bench.arms.confirm(bench.now));
 }
 
-TEST_CASE("A second arm that did not stop keeps a stop from being confirmed, a log's does not") {
+TEST_CASE("A second arm that did not stop keeps a stop waiting, a log's does not") {
   Bench bench(arm_command_t::MODE_STOP);
   bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
-  bench.say(2, arm_state_t::STATE_MOVING, kOther, std::nullopt);
-  CHECK(bench.arms.confirm(bench.now));
   bench.say(3, arm_state_t::STATE_MOVING, kOther, kSameClock, 300'000);
   CHECK(bench.arms.confirm(bench.now));
   bench.say(2, arm_state_t::STATE_MOVING, kOther);
   CHECK(!bench.arms.confirm(bench.now));
   CHECK(bench.arms.why_not(bench.now) == "the arm of session 2 says: that it moves");
+}
+
+TEST_CASE("An arm whose clock is not known keeps a stop waiting until it confirms or is silent") {
+  for (const SenderClock& clock : {SenderClock{}, SenderClock{ClockOffset{0, 200'001}}}) {
+    Bench bench(arm_command_t::MODE_STOP);
+    bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
+    bench.say(2, arm_state_t::STATE_MOVING, kOther, clock);
+    CHECK(!bench.arms.confirm(bench.now));
+    CHECK(bench.arms.why_not(bench.now) ==
+          "the arm of session 2, whose clock is not known, says: that it moves");
+    bench.say(2, arm_state_t::STATE_STOPPED, kOperator, clock);
+    CHECK(bench.arms.confirm(bench.now));
+    bench.say(2, arm_state_t::STATE_MOVING, kOther, clock);
+    bench.now.monotonic_us += 250'001;
+    bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
+    CHECK(bench.arms.confirm(bench.now));
+  }
 }
 
 TEST_CASE("What an arm said before it fell silent confirms nothing") {
@@ -74,6 +89,9 @@ TEST_CASE("A reset answers each arm that is of now, and is confirmed once none i
   CHECK(!bench.arms.confirm(bench.now));
   bench.say(3, arm_state_t::STATE_IDLE, 0);
   CHECK(bench.arms.confirm(bench.now));
+  bench.say(4, arm_state_t::STATE_FAULT, 0, std::nullopt);
+  CHECK(!bench.arms.confirm(bench.now));
+  CHECK(bench.arms.sessions(bench.now) == std::vector<std::int64_t>{2, 3});
 }
 
 }  // namespace
