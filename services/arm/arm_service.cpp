@@ -17,7 +17,9 @@ namespace {
 // A robot that gets no set-points for so long stands still: the motion goes on from rest.
 constexpr std::int64_t kPauseUs = 20'000;
 // However many messages come, a step is not kept waiting for longer.
-constexpr std::chrono::microseconds kLongestDrain{500};
+constexpr std::int64_t kLongestDrainUs = 500;
+// Nor do they keep the loop from waiting for so long before each step: others need the processor.
+constexpr std::int64_t kLeastWaitUs = 100;
 // Why it stands still in a game is logged at most so often, but always at level debug.
 constexpr std::int64_t kTellPeriodUs = 1'000'000;
 
@@ -91,10 +93,19 @@ void ArmService::wait_until_due() {
   due_us_ += step_period_us_;
   // What is late is not caught up with: set-points would come faster than the motion is.
   due_us_ = std::max(due_us_, host_monotonic_us());
-  const std::chrono::microseconds left(due_us_ - host_monotonic_us());
-  if (left.count() > 0) std::this_thread::sleep_for(left);
-  const std::int64_t drained_us = host_monotonic_us() + kLongestDrain.count();
-  while (context_.bus.handle({}, kLongestDrain) > 0 && host_monotonic_us() < drained_us) continue;
+  // In a flood the last drain has left messages.
+  if (!is_drained_) drain_until(due_us_ - kLeastWaitUs);
+  std::this_thread::sleep_for(
+      std::chrono::microseconds(std::max(due_us_ - host_monotonic_us(), kLeastWaitUs)));
+  is_drained_ = drain_until(host_monotonic_us() + kLongestDrainUs);
+}
+
+bool ArmService::drain_until(std::int64_t end_us) {
+  for (std::int64_t left_us = end_us - host_monotonic_us(); left_us > 0;
+       left_us = end_us - host_monotonic_us()) {
+    if (context_.bus.handle({}, std::chrono::microseconds(left_us)) == 0) return true;
+  }
+  return false;
 }
 
 void ArmService::step(const HostNow& now) {

@@ -26,6 +26,8 @@ class ArmService : public Service {
 
  private:
   void wait_until_due();
+  /// Handles what there is; whether it was done with all of it before `end_us`, CLOCK_MONOTONIC.
+  bool drain_until(std::int64_t end_us);
   void step(const HostNow& now);
   void publish_state(const HostNow& now);
   void follow_state(const arm_state_t& state);
@@ -40,6 +42,7 @@ class ArmService : public Service {
   std::int64_t due_us_ = 0;
   std::int64_t stepped_us_ = 0;
   std::int64_t next_state_us_ = 0;
+  bool is_drained_ = true;
   LatencyHistogram loop_jitter_;  // how late steps were
   std::int64_t pauses_ = 0;
   std::int64_t time_skipped_us_ = 0;

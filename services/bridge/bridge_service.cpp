@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <string>
+#include <thread>
 
 #include "services/launch/real_time.h"
 
@@ -10,6 +11,9 @@ namespace puck {
 namespace {
 
 constexpr std::chrono::milliseconds kHandle{2};
+// In a flood the loop, which runs before all that is not real-time, leaves 5 % to the others.
+constexpr std::chrono::microseconds kLongestDrain{5000};
+constexpr std::chrono::microseconds kPause{250};
 constexpr std::int64_t kSilentUs = 500'000;
 constexpr std::int64_t kWorthALineUs = 200'000;
 
@@ -107,11 +111,21 @@ BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& 
 void BridgeService::run(std::stop_token stop) {
   run_in_real_time_and_tell(real_time_priority_, context_.log);
   while (!stop.stop_requested()) {
-    context_.bus.handle(kHandle);
+    handle_messages();
     publish_what_is_due();
     follow_state();
     warn_of_estimates();
     poll_status(context_, *this);
+  }
+}
+
+void BridgeService::handle_messages() {
+  if (context_.bus.handle({}, kLongestDrain) == 0) {
+    context_.bus.handle(kHandle, kLongestDrain);
+    idle_us_ = host_monotonic_us();
+  } else if (host_monotonic_us() - idle_us_ >= kLongestDrain.count()) {
+    std::this_thread::sleep_for(kPause);
+    idle_us_ = host_monotonic_us();
   }
 }
 

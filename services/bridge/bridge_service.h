@@ -35,6 +35,8 @@ class BridgeService : public Service {
     std::string text;
   };
 
+  /// Those that have come; waits for the next where none has, or after a while in any case.
+  void handle_messages();
   /// Whether one was sent.
   bool command();
   void publish_what_is_due();
@@ -45,6 +47,7 @@ class BridgeService : public Service {
   ServiceContext& context_;
   PlayBridge bridge_;
   int real_time_priority_;
+  std::int64_t idle_us_ = 0;           // CLOCK_MONOTONIC: when it last waited
   std::int64_t last_estimate_us_ = 0;  // CLOCK_MONOTONIC; 0: none yet
   std::string text_;                   // of the state
   std::int64_t text_since_us_ = 0;     // CLOCK_MONOTONIC

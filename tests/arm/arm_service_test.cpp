@@ -1,5 +1,6 @@
 #include "services/arm/arm_service.h"
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -120,6 +121,35 @@ TEST_CASE("The arm sleeps from step to step however many estimates come") {
   // But for those of the last step.
   CHECK(tally.messages > 1900);
   CHECK(tally.wake_ups() < tally.messages / 2);
+}
+
+TEST_CASE("In a flood the arm handles messages between its steps, too, but rests before each") {
+  ServiceBench bench;
+  WakeUpTally tally;
+  std::atomic<bool> all_sent = false;
+  Config config;
+  config.override_with("arm.loop_hz=100");
+  bench.make<ArmService>(ArmService::read_params(config));
+  bench.bus.subscribe<puck_estimate_t>([&](const puck_estimate_t&, const Receipt&) {
+    while (!all_sent) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    tally.add();
+    const std::int64_t begin_us = host_monotonic_us();
+    while (host_monotonic_us() - begin_us < 200) continue;
+  });
+  REQUIRE(bench.start());
+  puck_estimate_t estimate{};
+  for (int i = 0; i < 20'000; ++i) bench.bus.publish(estimate);
+  all_sent = true;
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  bench.stop();
+  StatusReport report;
+  bench.service->report(report);
+  REQUIRE(report.latencies[1].name == "loop_jitter");
+  const std::int64_t steps_taken = report.latencies[1].samples;
+  REQUIRE(tally.messages > 100);
+  // 10 ms a step, of which 1 ms would be 5 messages.
+  CHECK(tally.messages > 10 * steps_taken);
+  CHECK(tally.wake_ups() >= steps_taken / 2);
 }
 
 TEST_CASE("The arm service stands still when the bus falls silent") {

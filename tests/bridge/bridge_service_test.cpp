@@ -1,5 +1,7 @@
 #include "services/bridge/bridge_service.h"
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +11,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -18,6 +21,7 @@
 #include "tests/support/environment.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/test_camera.h"
+#include "tests/support/thread_wake_ups.h"
 
 namespace puck {
 namespace {
@@ -68,6 +72,28 @@ TEST_CASE(
   REQUIRE(trajectory);
   CHECK(trajectory->x_m == doctest::Approx(0.8).epsilon(0.01));
   CHECK(bench.status.state() == ServiceState::kRunning);
+}
+
+TEST_CASE("In a flood the bridge pauses every few milliseconds, so that others can run") {
+  ServiceBench bench;
+  WakeUpTally tally;
+  std::atomic<bool> all_sent = false;
+  bench.make<BridgeService>(BridgeServiceParams{{test_camera(), {}}, {}});
+  bench.bus.subscribe<game_state_t>([&](const game_state_t&, const Receipt&) {
+    while (!all_sent) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    tally.add();
+    const std::int64_t begin_us = host_monotonic_us();
+    while (host_monotonic_us() - begin_us < 100) continue;
+  });
+  REQUIRE(bench.start());
+  game_state_t game{};
+  for (int i = 0; i < 20'000; ++i) bench.bus.publish(game);
+  all_sent = true;
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  bench.stop();
+  REQUIRE(tally.messages > 500);
+  // 50 messages take 5 ms.
+  CHECK(tally.wake_ups() > tally.messages / 100);
 }
 
 TEST_CASE("Bridge settings that cannot be are refused by name, a missing table by its path") {
