@@ -13,18 +13,20 @@
 namespace puck {
 namespace {
 
-constexpr std::int64_t kPeriod_us = 100'000;
+constexpr std::int64_t kPeriodUs = 100'000;
 // A flood of new runs may not make us answer more often than this.
-constexpr std::int64_t kShortestPeriod_us = 20'000;
+constexpr std::int64_t kShortestPeriodUs = 20'000;
 // A pong older than this says nothing new about a clock; its publisher is gone.
-constexpr std::int64_t kPongLife_us = 2'000'000;
+constexpr std::int64_t kPongLifeUs = 2'000'000;
 constexpr std::size_t kMaxPongs = 64;
 // Whoever was heard so often is not displaced by those who are new.
 constexpr int kOftenHeard = 3;
 // As the rules for STATUS on the wire have it: one too many, and nobody hears the whole of it.
 constexpr std::size_t kMaxTextBytes = 255;
-// Among many, those who have waited longest are answered.
+// Among many, those who have waited longest are answered. Some places are kept for those who are
+// new, however many are heard often, and the others for those, however many are new.
 constexpr std::ptrdiff_t kPongsAtOnce = 8;
+constexpr std::ptrdiff_t kPongsOfNew = 2;
 constexpr const char* kLeftOut = "counters_left_out";
 constexpr std::size_t kFrameBytes = EventPackerParams::kOneFrame;
 constexpr std::size_t kLcmHeaderBytes = 8;
@@ -119,7 +121,12 @@ SenderClock StatusReporter::clock_of(std::int64_t session) const {
 void StatusReporter::hear(const service_status_t& status, const Receipt& receipt) {
   if (!receipt.in_order() || status.session == bus_.session()) return;
   read_pongs(status, receipt);
-  keep_pong({status.session, status.utime, receipt.utime, receipt.monotonic_us, 1});
+  keep_pong({.session = status.session,
+             .utime = status.utime,
+             .received_utime = receipt.utime,
+             .received_monotonic_us = receipt.monotonic_us,
+             .times_heard = 1,
+             .waits_since_us = receipt.monotonic_us});
   for (const Listener& listener : listeners_) listener(status, receipt);
 }
 
@@ -157,8 +164,8 @@ void StatusReporter::keep_pong(const Pong& pong) {
 void StatusReporter::publish(const Fill& fill) {
   const std::int64_t now_us = host_monotonic_us();
   changed_ = false;
-  due_us_ = now_us + kPeriod_us;
-  soonest_us_ = now_us + kShortestPeriod_us;
+  due_us_ = now_us + kPeriodUs;
+  soonest_us_ = now_us + kShortestPeriodUs;
 
   StatusReport report;
   fill(report);
@@ -186,16 +193,31 @@ void StatusReporter::publish(const Fill& fill) {
 }
 
 void StatusReporter::fill_pongs(service_status_t& message) {
-  const std::int64_t oldest_us = host_monotonic_us() - kPongLife_us;
+  const std::int64_t oldest_us = host_monotonic_us() - kPongLifeUs;
   std::erase_if(pongs_, [&](const Pong& pong) { return pong.received_monotonic_us < oldest_us; });
-  // Whoever is heard often goes first, so that a flood of new runs keeps nobody waiting.
-  const auto end = pongs_.begin() + std::min(std::ssize(pongs_), kPongsAtOnce);
-  std::partial_sort(pongs_.begin(), end, pongs_.end(), [](const Pong& a, const Pong& b) {
-    return std::pair(a.times_heard < kOftenHeard, a.answered_us) <
-           std::pair(b.times_heard < kOftenHeard, b.answered_us);
+  const auto waits_longer = [](const Pong& a, const Pong& b) {
+    return a.waits_since_us < b.waits_since_us;
+  };
+  std::sort(pongs_.begin(), pongs_.end(), waits_longer);
+  const auto new_ones = std::stable_partition(pongs_.begin(), pongs_.end(), [](const Pong& pong) {
+    return pong.times_heard >= kOftenHeard;
   });
-  std::for_each(pongs_.begin(), end, [&](Pong& pong) {
-    pong.answered_us = host_monotonic_us();
+  const std::ptrdiff_t often = new_ones - pongs_.begin();
+  const std::ptrdiff_t kept = std::min(pongs_.end() - new_ones, kPongsOfNew);
+  const std::ptrdiff_t of_often = std::min(often, kPongsAtOnce - kept);
+  const std::ptrdiff_t of_new = std::min(pongs_.end() - new_ones, kPongsAtOnce - of_often);
+  answer(pongs_.begin(), of_often, message);
+  answer(new_ones, of_new, message);
+  const bool has_unanswered =
+      std::any_of(new_ones, pongs_.end(), [](const Pong& pong) { return !pong.is_answered; });
+  if (has_unanswered) due_us_ = soonest_us_;
+}
+
+void StatusReporter::answer(std::vector<Pong>::iterator first, std::ptrdiff_t count,
+                            service_status_t& message) {
+  std::for_each_n(first, count, [&](Pong& pong) {
+    pong.waits_since_us = host_monotonic_us();
+    pong.is_answered = true;
     message.pong_session.push_back(pong.session);
     message.pong_utime.push_back(pong.utime);
     message.pong_received_utime.push_back(pong.received_utime);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -43,10 +44,12 @@ struct StatusReport {
 
 /// Publishes the STATUS of a service every 100 ms and at once when its state changes, each in one
 /// frame: counters that find no room in it are left out, the last ones first, and
-/// `counters_left_out` says how many. Answers the statuses of others with pongs; those of a run
-/// that was not heard before within 20 ms, so that it soon knows our clock. From the pongs of
-/// others it knows theirs. The thread that calls the bus's handle() calls it: a service that hangs
-/// then falls silent, as it should.
+/// `counters_left_out` says how many; then one that is missing need not be 0. Answers the statuses
+/// of others with pongs, eight in each STATUS. A run that was not heard before is answered within
+/// 20 ms, so that it soon knows our clock; of several that come at once at least two, and two more
+/// every 20 ms, however many are known. 64 runs are, and of more those that are heard often. From
+/// the pongs of others it knows theirs. The thread that calls the bus's handle() calls it: a service
+/// that hangs then falls silent, as it should.
 class StatusReporter {
  public:
   using Fill = std::function<void(StatusReport&)>;
@@ -87,7 +90,9 @@ class StatusReporter {
     std::int64_t received_utime = 0;
     std::int64_t received_monotonic_us = 0;
     int times_heard = 0;
-    std::int64_t answered_us = 0;  // CLOCK_MONOTONIC; 0: not yet
+    // CLOCK_MONOTONIC: since it was answered, or first heard.
+    std::int64_t waits_since_us = 0;
+    bool is_answered = false;
   };
 
   void hear(const service_status_t& status, const Receipt& receipt);
@@ -97,6 +102,8 @@ class StatusReporter {
   std::string published_text() const;
   void publish(const Fill& fill);
   void fill_pongs(service_status_t& message);
+  static void answer(std::vector<Pong>::iterator first, std::ptrdiff_t count,
+                     service_status_t& message);
   void fill_counters(service_status_t& message, StatusReport& report) const;
 
   Bus& bus_;

@@ -223,6 +223,58 @@ TEST_CASE("a flood of new runs locks out nobody who is heard often, and is answe
   CHECK(answers_friendly());
 }
 
+TEST_CASE("new runs are answered two at once and soon, however many are known") {
+  const std::string url = private_lcm_url();
+  Bus bus({.url = url});
+  StatusReporter reporter(bus, "puck-arm");
+  std::set<std::int64_t> heard;
+  std::vector<std::vector<std::int64_t>> answered;  // in each STATUS of ours
+  bus.subscribe<service_status_t>([&](const service_status_t& status, const Receipt&) {
+    if (status.session == bus.session()) {
+      answered.push_back(status.pong_session);
+    } else {
+      heard.insert(status.session);
+    }
+  });
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  std::vector<std::unique_ptr<SkewedMachine>> known;
+  for (std::int64_t session = 1; session <= 10; ++session) {
+    known.push_back(std::make_unique<SkewedMachine>(url, session, 0));
+  }
+  for (int round = 0; round < 5; ++round) {
+    for (auto& machine : known) machine->serve();
+    std::this_thread::sleep_for(milliseconds(25));
+    bus.handle(milliseconds(0));
+    reporter.poll(no_details);
+  }
+  REQUIRE(heard.size() == known.size());
+  while (bus.handle(milliseconds(50)) > 0) continue;
+  answered.clear();
+
+  for (std::int64_t session = 101; session <= 105; ++session) {
+    SkewedMachine(url, session, 0).serve();
+  }
+  for (int i = 0; i < 100 && heard.size() < known.size() + 5; ++i) bus.handle(milliseconds(20));
+  // Each of them is due, though it may be long until the 100 ms are over.
+  for (std::size_t i = 1; i <= 3; ++i) {
+    std::this_thread::sleep_for(milliseconds(25));
+    const auto before = bus.counters<service_status_t>().published;
+    reporter.poll(no_details);
+    CHECK(bus.counters<service_status_t>().published == before + 1);
+    for (int j = 0; j < 100 && answered.size() < i; ++j) bus.handle(milliseconds(20));
+  }
+  REQUIRE(answered.size() == 3);
+  std::set<std::int64_t> new_ones;
+  for (const auto& sessions : answered) {
+    CHECK(sessions.size() == 8);
+    for (const std::int64_t session : sessions) {
+      if (session > 100) new_ones.insert(session);
+    }
+    CHECK(std::count_if(sessions.begin(), sessions.end(), [](auto id) { return id <= 10; }) >= 6);
+  }
+  CHECK(new_ones == std::set<std::int64_t>{101, 102, 103, 104, 105});
+}
+
 TEST_CASE("trouble of peers is shown before what a service says of itself, and makes it wait") {
   Bus bus({.url = "memq://"});
   StatusReporter reporter(bus, "puck-arm");
