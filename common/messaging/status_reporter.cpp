@@ -27,7 +27,6 @@ constexpr std::size_t kMaxTextBytes = 255;
 // new, however many are heard often, and the others for those, however many are new.
 constexpr std::ptrdiff_t kPongsAtOnce = 8;
 constexpr std::ptrdiff_t kPongsOfNew = 2;
-constexpr const char* kLeftOut = "counters_left_out";
 constexpr std::size_t kFrameBytes = EventPackerParams::kOneFrame;
 constexpr std::size_t kLcmHeaderBytes = 8;
 
@@ -185,7 +184,7 @@ void StatusReporter::publish(const Fill& fill) {
     message.latency_samples.push_back(latency.samples);
   }
   fill_pongs(message);
-  fill_counters(message, report);
+  fill_counters(message, std::move(report));
   // Before the bus reads its clock: a round trip may come out too long, but never too short.
   const std::int64_t sent_us = host_monotonic_us();
   bus_.publish(message);
@@ -225,7 +224,7 @@ void StatusReporter::answer(std::vector<Pong>::iterator first, std::ptrdiff_t co
 }
 
 // A message of two frames is lost with either of them.
-void StatusReporter::fill_counters(service_status_t& message, StatusReport& report) const {
+void StatusReporter::fill_counters(service_status_t& message, StatusReport report) const {
   set_counts(message);
   const std::size_t others =
       kLcmHeaderBytes + channel_name(Channel::kStatus, bus_.prefix()).size() + 1 +
@@ -243,7 +242,7 @@ void StatusReporter::fill_counters(service_status_t& message, StatusReport& repo
   };
   std::int64_t left_out = std::ssize(report.counters);
   for (auto& [name, value] : report.counters) {
-    if (counter_bytes(name) > room) break;
+    if (counter_bytes(name) > room) continue;  // A shorter one may still fit.
     room -= counter_bytes(name);
     add(std::move(name), value);
     --left_out;

@@ -53,6 +53,8 @@ struct StatusReport {
 class StatusReporter {
  public:
   using Fill = std::function<void(StatusReport&)>;
+  /// The counter that says how many were left out.
+  static constexpr const char* kLeftOut = "counters_left_out";
 
   /// `service`: puck-camera, puck-tracker, … Subscribes; so make it before the bus starts.
   StatusReporter(Bus& bus, std::string service);
@@ -104,7 +106,7 @@ class StatusReporter {
   void fill_pongs(service_status_t& message);
   static void answer(std::vector<Pong>::iterator first, std::ptrdiff_t count,
                      service_status_t& message);
-  void fill_counters(service_status_t& message, StatusReport& report) const;
+  void fill_counters(service_status_t& message, StatusReport report) const;
 
   Bus& bus_;
   std::string service_;

@@ -49,7 +49,7 @@ void BusWatch::look_at_network() {
   network_seen_ = std::move(now);
 }
 
-void BusWatch::report(StatusReport& report) const {
+void BusWatch::report_totals(StatusReport& report) const {
   const TransportCounters network = bus_.network_counters();
   ChannelCounters sum;
   sum.rejected = network.malformed;
@@ -80,6 +80,9 @@ void BusWatch::report(StatusReport& report) const {
   report.add_unless_zero("messages_unauthenticated", sum.unauthenticated);
   report.add_unless_zero("messages_foreign", network.foreign);
   report.add_unless_zero("network_rejoined", network.rejoined);
+}
+
+void BusWatch::report_channels(StatusReport& report) const {
   for (const Channel channel : kAllChannels) {
     report_channel(channel, bus_.counters(channel), report);
   }

@@ -22,12 +22,14 @@ class BusWatch {
   /// Looks now.
   void look();
 
-  /// Adds what came and how: messages_received, messages_lost, …, of all channels together, then of
-  /// each single channel what is not zero: PUCK_EVENTS.received, and .publishers where it had more
-  /// than one. messages_rejected holds those that are oversize, too. Those that are rare are left
-  /// out while they are zero: messages_duplicate, messages_oversize, messages_unauthenticated,
+  /// Adds what came and how, of all channels together: messages_received, messages_lost, …
+  /// messages_rejected holds those that are oversize, too. Those that are rare are left out while
+  /// they are zero: messages_duplicate, messages_oversize, messages_unauthenticated,
   /// messages_foreign (not ours at all) and network_rejoined.
-  void report(StatusReport& report) const;
+  void report_totals(StatusReport& report) const;
+  /// Adds of each single channel what is not zero: PUCK_EVENTS.received, and .publishers where it
+  /// had more than one.
+  void report_channels(StatusReport& report) const;
 
  private:
   void look_at(const ChannelCounters& now, ChannelCounters& before);

@@ -9,6 +9,7 @@ namespace {
 
 // STATUS must not grow with the network.
 constexpr std::size_t kMostOffsets = 6;
+constexpr std::size_t kMostNameBytes = 32;
 // The services' loops turn a thousand times a second, and the more there are, the longer a look is.
 constexpr std::int64_t kLookPeriodUs = 20'000;
 
@@ -41,7 +42,8 @@ void PeerWatch::report(StatusReport& report) const {
     const PeerBook::Peer& peer = book_.peers()[i];
     const SenderClock clock = status_.clock_of(peer.session);
     if (!clock) continue;
-    report.counters.emplace_back("clock_offset_us " + peer.service, clock->ahead_us);
+    report.counters.emplace_back("clock_offset_us " + peer.service.substr(0, kMostNameBytes),
+                                 clock->ahead_us);
   }
 }
 

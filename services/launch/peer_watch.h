@@ -28,7 +28,7 @@ class PeerWatch {
   std::string name_of(std::int64_t session) const { return book_.name_of(session); }
 
   /// Adds `clock_offset_us puck-camera` and so on of each service that is heard: how far its clock
-  /// is ahead of ours.
+  /// is ahead of ours. A name that is longer than 32 bytes is cut there.
   void report(StatusReport& report) const;
 
  private:

@@ -1,7 +1,10 @@
 #include "services/launch/run_service.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <sstream>
+#include <utility>
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <sys/prctl.h>
@@ -60,6 +63,20 @@ int check(const std::string& name, const BusParams& params, std::stop_token stop
   return result.healthy ? 0 : 1;
 }
 
+// What a frame has no room for is left out from the end. So what tells of loss comes first, and
+// last what others can make long.
+StatusReport report_of(const ServiceContext& context, const Service& service) {
+  StatusReport own;
+  service.report(own);
+  StatusReport report;
+  report.latencies = std::move(own.latencies);
+  context.bus_watch.report_totals(report);
+  std::move(own.counters.begin(), own.counters.end(), std::back_inserter(report.counters));
+  context.bus_watch.report_channels(report);
+  context.peers.report(report);
+  return report;
+}
+
 int serve(const ServiceInfo& info, const CommandLine& line, const Config& config,
           const BusParams& params, const MakeService& make, std::stop_token stop) {
   Bus bus(params);
@@ -87,11 +104,7 @@ int serve(const ServiceInfo& info, const CommandLine& line, const Config& config
     log.error("{}", error.what());
     exit_code = 1;
   }
-  status.stop([&](StatusReport& report) {
-    service->report(report);
-    peers.report(report);
-    bus_watch.report(report);
-  });
+  status.stop([&](StatusReport& report) { report = report_of(context, *service); });
   bus_watch.look();
   if (const std::size_t lost = service_log.lost_lines(); lost > 0) {
     log.warn("{} lines of the log were lost", lost);
@@ -104,11 +117,7 @@ int serve(const ServiceInfo& info, const CommandLine& line, const Config& config
 
 void poll_status(ServiceContext& context, const Service& service) {
   context.peers.poll();
-  context.status.poll([&](StatusReport& report) {
-    service.report(report);
-    context.peers.report(report);
-    context.bus_watch.report(report);
-  });
+  context.status.poll([&](StatusReport& report) { report = report_of(context, service); });
   context.bus_watch.poll();
 }
 

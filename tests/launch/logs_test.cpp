@@ -69,7 +69,8 @@ TEST_CASE("troubles on the bus are logged once, and summed up for the status") {
         "PUCK_ARM_COMMAND: 2 messages not sent, the last: arm_command_t.mode must be 0 to 3, got "
         "9\nPUCK_HEAD: 1 messages not dealt with, the last: no head\n");
   StatusReport report;
-  watch.report(report);
+  watch.report_totals(report);
+  watch.report_channels(report);
   CHECK(counter(report, "messages_rejected") == 0);
   CHECK(counter(report, "messages_received") == 1);
   CHECK(counter(report, "PUCK_HEAD.received") == 1);
@@ -98,7 +99,8 @@ TEST_CASE("messages that never came or came late are summed up for the status, o
   sender.publish(head);
   while (heads < 2) REQUIRE(receiver.handle(std::chrono::milliseconds(5000)) > 0);
   StatusReport report;
-  watch.report(report);
+  watch.report_totals(report);
+  watch.report_channels(report);
   CHECK(counter(report, "messages_lost") == 1);
   CHECK(counter(report, "PUCK_HEAD.lost") == 1);
 }
@@ -120,7 +122,8 @@ TEST_CASE("a stranger on the port is named once, and counted") {
       "somebody else at this group and port: channel \"RIGHT_PUCK_HEAD\" from "));
   CHECK(readable.text.str().find('\n') == readable.text.str().size() - 1);
   StatusReport report;
-  watch.report(report);
+  watch.report_totals(report);
+  watch.report_channels(report);
   CHECK(counter(report, "messages_foreign") == 2);
 }
 
@@ -148,7 +151,8 @@ TEST_CASE("messages without our key are counted on channels that are none of our
                                       "dropped, the last: is not sealed"));
   CHECK(readable.text.str().find('\n') == readable.text.str().size() - 1);
   StatusReport report;
-  watch.report(report);
+  watch.report_totals(report);
+  watch.report_channels(report);
   CHECK(counter(report, "messages_unauthenticated") == 1);
 }
 

@@ -86,6 +86,26 @@ TEST_CASE(
   CHECK(status.counter_value.back() + std::ssize(status.counter_name) - 1 == 1000);
 }
 
+TEST_CASE("a counter that is too long for the frame keeps no shorter one out") {
+  Bus bus({.url = "memq://"});
+  StatusReporter reporter(bus, "puck-tracker");
+  service_status_t newest{};
+  bus.subscribe<service_status_t>(
+      [&](const service_status_t& status, const Receipt&) { newest = status; });
+  REQUIRE(bus.start({}, [](const std::string&) {}));
+  reporter.poll([](StatusReport& report) {
+    for (int i = 0; i < 5; ++i) report.counters.emplace_back(std::string(200, 'x'), i);
+    report.counters.emplace_back(std::string(255, 'y'), 5);
+    report.counters.emplace_back(std::string(255, 'y'), 6);
+    report.counters.emplace_back("short", 7);
+  });
+  bus.handle(milliseconds(100));
+  REQUIRE(newest.counter_name.size() > 2);
+  CHECK(newest.counter_name.back() == "counters_left_out");
+  CHECK(newest.counter_value.back() > 0);
+  CHECK(newest.counter_name[newest.counter_name.size() - 2] == "short");
+}
+
 TEST_CASE("of many runs each is answered in its turn") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url});

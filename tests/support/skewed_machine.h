@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <lcm/lcm.h>
@@ -21,8 +22,10 @@ class SkewedMachine {
  public:
   /// Its clock is ahead of this host's by `ahead_us`. Throws std::runtime_error when there is no
   /// way to the network.
-  SkewedMachine(const std::string& url, std::int64_t session, std::int64_t ahead_us)
-      : session_(session),
+  SkewedMachine(const std::string& url, std::int64_t session, std::int64_t ahead_us,
+                std::string service = "puck-elsewhere")
+      : service_(std::move(service)),
+        session_(session),
         ahead_us_(ahead_us),
         lcm_(lcm_create(url.c_str()), &lcm_destroy),
         bus_({.url = url}) {
@@ -56,7 +59,7 @@ class SkewedMachine {
     if (host_monotonic_us() < status_due_us_) return;
     status_due_us_ = host_monotonic_us() + 20'000;
     service_status_t status{};
-    status.service = "puck-elsewhere";
+    status.service = service_;
     status.host = "elsewhere";
     status.pid = 1;
     status.state = service_status_t::STATE_RUNNING;
@@ -75,6 +78,7 @@ class SkewedMachine {
     std::int64_t received_utime = 0;  // by our clock
   };
 
+  std::string service_;
   std::int64_t session_;
   std::int64_t ahead_us_;
   bool answers_ = true;
