@@ -235,6 +235,16 @@ TEST_CASE("the events of a packet are shown as events") {
   CHECK(has(screen, "... and 44 more events"));
 }
 
+TEST_CASE("that a service left counters out is shown before what is well") {
+  SpyBench spy;
+  service_status_t status = status_of("puck-tracker");
+  status.counter_name = {"packets_received", "counters_left_out"};
+  status.counter_value = {12, 3};
+  spy.hear(status, 1, 0, 950'000);
+  SpyView view = view_on(spy.model.snapshot(1'000'000));
+  CHECK(has(view.draw({200, 50}), "counters_left_out 3, packets_received 12"));
+}
+
 TEST_CASE("a service is shown with its words in full, its latencies and all counters") {
   SpyBench spy;
   service_status_t status = status_of("puck-logger");

@@ -13,6 +13,7 @@
 
 #include "common/evaluation/accuracy_score.h"
 #include "common/messaging/conversions.h"
+#include "common/messaging/status_reporter.h"
 
 namespace puck {
 namespace {
@@ -90,6 +91,7 @@ BusFigures sum_up_bus(const GameLog& game) {
     add(sum.duplicate, "messages_duplicate");
     add(sum.rejected, "messages_rejected");
     add(sum.foreign, "messages_foreign");
+    add(sum.left_out, StatusReporter::kLeftOut);
   }
   return sum;
 }
@@ -125,6 +127,7 @@ Json to_json(const DemoFigures& f) {
   json["messages_duplicate"] = f.bus.duplicate;
   json["messages_rejected"] = f.bus.rejected;
   json["messages_foreign"] = f.bus.foreign;
+  json["counters_left_out"] = f.bus.left_out;
   json["shots"] = or_null(f.shots);
   json["saves"] = or_null(f.saves);
   json["goals_against"] = or_null(f.goals_against);
@@ -220,6 +223,10 @@ void print(const DemoFigures& f) {
   print_row("late or twice", std::optional(f.bus.late + f.bus.duplicate), "");
   print_row("malformed", std::optional(f.bus.rejected), "");
   print_row("of strangers on the port", std::optional(f.bus.foreign), "");
+  if (f.bus.left_out > 0) {
+    std::printf("  %lld counters had no room in STATUS: what is 0 here may be more\n",
+                static_cast<long long>(f.bus.left_out));
+  }
   std::printf("Game\n");
   print_row("shots at the robot's goal", f.shots, "");
   print_row("saves", f.saves, "");

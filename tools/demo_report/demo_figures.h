@@ -16,6 +16,8 @@ struct BusFigures {
   std::int64_t duplicate = 0;
   std::int64_t rejected = 0;  ///< Malformed; those that are too large among them.
   std::int64_t foreign = 0;   ///< Datagrams of somebody else at the same group and port.
+  /// Counters that their STATUS had no room for: one that is missing may be one of these, not 0.
+  std::int64_t left_out = 0;
 };
 
 /// The figures of tools/demo.sh; what the logs do not say is missing.

@@ -71,10 +71,10 @@ std::string latencies_of(const ServiceRow& service) {
 /// Those that are not 0; what went wrong first, for there is not always room for all. Of those that
 /// have a channel's name before a dot, what is above in the channels' table anyway is left out.
 std::string counters_of(const ServiceRow& service) {
-  constexpr std::array<std::string_view, 15> kTroubles{
-      "_lost",     "_late",    "_rejected",    "_dropped",   "_skipped",
-      "_thinned",  "_refused", "_failures",    "_malformed", "_others",
-      "_oversize", "_foreign", "_not_written", "faults",     "_clock"};
+  constexpr std::array<std::string_view, 16> kTroubles{
+      "_lost",        "_late",     "_rejected",  "_dropped", "_skipped",  "_thinned",
+      "_refused",     "_failures", "_malformed", "_others",  "_oversize", "_foreign",
+      "_not_written", "faults",    "_clock",     "_left_out"};
   std::string troubles;
   std::string others;
   for (const auto& [name, value] : service.counters) {
