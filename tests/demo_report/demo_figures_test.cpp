@@ -1,6 +1,7 @@
 #include "tools/demo_report/demo_figures.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>

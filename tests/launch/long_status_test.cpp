@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
