@@ -16,7 +16,8 @@ using std::chrono::system_clock;
 
 // Events taken from the queue at once.
 constexpr std::size_t kHandful = 256;
-// How long events are taken before the next estimate, when there are more than can be taken.
+// How long the tracking thread takes events before the next estimate, when there are more than can
+// be taken.
 constexpr microseconds kLongestTake{1'000};
 // While nothing is looked at there is no more to see than that time goes by, and whether the search
 // has ended.
@@ -59,13 +60,18 @@ void TrackingThread::look_now() {
   bool leaves_work = true;
   // Where the lock is not to be had, the thread may or may not see the news before it sleeps.
   if (const std::unique_lock lock(step_mutex_, std::try_to_lock);
-      lock.owns_lock() && Clock::now() >= next_look_) {
+      lock.owns_lock() && is_for_event_thread()) {
     take_search_result();
-    look();
-    publish_if_due();
+    make_step(params_.longest_on_event_thread);
     leaves_work = unpublished_ || look_anyway_ || worker_.is_copying();
   }
   if (leaves_work) surface_.wake();
+}
+
+bool TrackingThread::is_for_event_thread() const {
+  // Nobody waits for a step without a track, and it has the more to do.
+  return newest_.estimate.state == TrackState::kTracking &&
+         last_step_ <= params_.longest_on_event_thread && Clock::now() >= next_look_;
 }
 
 void TrackingThread::run(const std::stop_token& stop) {
@@ -86,7 +92,9 @@ void TrackingThread::run(const std::stop_token& stop) {
 
 void TrackingThread::do_what_is_due() {
   take_search_result();
-  if (look_anyway_ || (surface_.has_news() && Clock::now() >= next_look_)) look();
+  if (look_anyway_ || (surface_.has_news() && Clock::now() >= next_look_)) {
+    make_step(kLongestTake);
+  }
   if (worker_.is_copying()) worker_.copy_more(surface_);
   publish_if_due();
 }
@@ -112,11 +120,18 @@ void TrackingThread::take_search_result() {
   look_anyway_ = true;
 }
 
-void TrackingThread::look() {
+void TrackingThread::make_step(microseconds longest_take) {
+  const auto began = Clock::now();
+  look(longest_take);
+  publish_if_due();
+  last_step_ = Clock::now() - began;
+}
+
+void TrackingThread::look(microseconds longest_take) {
   newest_.tracking_started = system_clock::now();
   const auto began = Clock::now();
   surface_.snapshot(pipeline_->region_needed(), pipeline_->events_needed(), snapshot_);
-  look_anyway_ = !take_events();
+  look_anyway_ = !take_events(longest_take);
   newest_.estimate = pipeline_->step(snapshot_.surface);
   begin_search_if_wanted();
   if (snapshot_.origin.received != newest_.origin.received) {
@@ -140,8 +155,8 @@ void TrackingThread::look() {
 
 // Hands over the events that the snapshot shows. False when time is up before all are taken: the
 // estimate then rests on those that are, and says so.
-bool TrackingThread::take_events() {
-  const auto time_up = Clock::now() + kLongestTake;
+bool TrackingThread::take_events(microseconds longest_take) {
+  const auto time_up = Clock::now() + longest_take;
   while (true) {
     const Timestamp start = surface_.pop_events(snapshot_.events_end, kHandful, events_);
     if (events_.empty()) return true;

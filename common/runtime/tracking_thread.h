@@ -21,6 +21,10 @@ struct TrackingThreadParams {
   int max_publish_hz = 5000;
   /// … and at least so often, also when nothing changes, so that silence always means trouble.
   std::chrono::microseconds heartbeat{20'000};
+  /// The event thread makes a step itself only while the last one took no longer than this, and
+  /// takes single events for no longer, because the surface stands still meanwhile. A step takes
+  /// some 10 µs and one in a hundred 50; to wake the other thread costs 20 to 40.
+  std::chrono::microseconds longest_on_event_thread{100};
 };
 
 /// The time between two estimates. Throws std::invalid_argument, naming the key, when a parameter
@@ -44,9 +48,10 @@ struct TrackedEstimate {
 /// The paper's second thread (Figure 2): takes the newest surface, detects or tracks, as fast as it
 /// can while there is something new in its region; sleeps while there is nothing. When nothing else
 /// waits for the event thread that one makes the step itself, which takes less time than to wake
-/// another thread; floods of events, searches and what is due by time are this one's. Where its
-/// pipeline takes single events it gets those that the surface shows before the surface itself.
-/// Searches run on a thread of their own, of low priority, and are never waited for.
+/// another thread; floods of events, slow steps, those without a track, searches and what is due by
+/// time are this one's. Where its pipeline takes single events it gets those that the surface shows
+/// before the surface itself. Searches run on a thread of their own, of low priority, and are never
+/// waited for.
 class TrackingThread {
  public:
   using Publish = std::function<void(const TrackedEstimate&)>;
@@ -61,8 +66,9 @@ class TrackingThread {
   TrackingThread& operator=(const TrackingThread&) = delete;
 
   /// Event thread only, after an update of the surface that did not wake this thread: makes the
-  /// step that is due for it on the caller's thread, or, where this thread is making one, leaves it
-  /// to that. Waits for nobody, and never searches.
+  /// step that is due for it on the caller's thread, or, where this thread is making one, the last
+  /// one was slow, or there is no track, leaves it to this thread. Waits for nobody, and never
+  /// searches.
   void look_now();
 
  private:
@@ -78,8 +84,10 @@ class TrackingThread {
   void do_what_is_due();
   Pause next_pause() const;
   void take_search_result();
-  void look();
-  bool take_events();
+  bool is_for_event_thread() const;
+  void make_step(std::chrono::microseconds longest_take);
+  void look(std::chrono::microseconds longest_take);
+  bool take_events(std::chrono::microseconds longest_take);
   void begin_search_if_wanted();
   void publish_if_due();
 
@@ -97,6 +105,7 @@ class TrackingThread {
   std::vector<Event> wanted_;    // of a piece of them
   bool look_anyway_ = false;     // also when there is no news
   Clock::time_point next_look_;  // not before
+  Clock::duration last_step_{};  // how long it took, publication included
   TrackedEstimate newest_;
   bool unpublished_ = true;  // the first word is that the search has begun
   TrackState published_state_ = TrackState::kSearching;
