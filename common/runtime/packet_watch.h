@@ -13,7 +13,7 @@ namespace puck {
 
 /// Measures how long every packet of events waits for its answer: from its receipt to the first
 /// estimate that rests on all of it, whether any of its events lay in the region looked at or not.
-/// The event thread and the tracking thread, as SharedSurface knows them, meet here; neither waits.
+/// The event thread and whoever makes the step (see SharedSurface) meet here; neither waits.
 class PacketWatch {
  public:
   using Clock = std::chrono::steady_clock;
@@ -22,8 +22,8 @@ class PacketWatch {
   /// kPackets of them wait for an answer no more are measured.
   void expect(Timestamp last_event, Clock::time_point received);
 
-  /// Tracking thread only: an estimate that rests on the events up to `newest_event` goes out now.
-  /// Records the waits that end with it.
+  /// By whoever makes the step: an estimate that rests on the events up to `newest_event` goes out
+  /// now. Records the waits that end with it.
   void answer(Timestamp newest_event, Clock::time_point now, LatencyHistogram& waits);
 
   /// Forgets what waits. Only while neither thread runs.
@@ -39,10 +39,10 @@ class PacketWatch {
   };
 
   std::array<Packet, kPackets> packets_{};
-  // Positions in the stream of packets. Each is written by one thread alone, with release after it
-  // has written, or read, what lies before; and acquired by the other.
+  // Positions in the stream of packets. Each is written by one thread at a time, with release after
+  // it has written, or read, what lies before; and acquired by the other.
   std::atomic<std::uint64_t> end_{0};    // event thread
-  std::atomic<std::uint64_t> begin_{0};  // tracking thread
+  std::atomic<std::uint64_t> begin_{0};  // whoever makes the step
 };
 
 }  // namespace puck

@@ -21,8 +21,8 @@ namespace puck {
 ///     … worker.poll() …                                       // until there is the result
 ///
 /// A search that takes no longer than a few steps of the tracking is made at once, on the caller's
-/// thread, so that what is near is not looked at too late. Tracking thread only. Nothing here waits
-/// for the worker, which holds no lock.
+/// thread, so that what is near is not looked at too late. By whoever makes the step (see
+/// SharedSurface). Nothing here waits for the worker, which holds no lock.
 class SearchWorker {
  public:
   /// Starts the thread.
@@ -56,10 +56,10 @@ class SearchWorker {
   void run(const std::stop_token& stop);
   void search();
 
-  Stage stage_ = Stage::kIdle;  // tracking thread
-  int at_once_pixels_ = 0;      // tracking thread
+  Stage stage_ = Stage::kIdle;  // whoever makes the step
+  int at_once_pixels_ = 0;      // whoever makes the step
 
-  // The tracking thread's until it releases `posted_`; then the worker's until it sets `done_`.
+  // Of whoever makes the step until it releases `posted_`; then the worker's until it sets `done_`.
   PuckSearch search_;
   SurfaceSnapshot snapshot_;
   Region region_;

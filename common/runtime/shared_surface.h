@@ -56,8 +56,9 @@ struct SharedSnapshot {
 /// handfuls of events, or, while that one has nothing to do, by the tracking thread itself; so
 /// neither waits for the other for longer than it takes to apply a handful, or to copy a region.
 /// What is copied are counts; the tracking thread makes grey values of them. Single events of a
-/// region that the tracking thread asks for come over in a queue. The tracking thread is whoever
-/// makes a step of the tracking, one at a time: its own thread, or the event thread in its place.
+/// region that the tracking thread asks for come over in a queue. A step of the tracking is made by
+/// the tracking thread, or by the event thread in its place between two updates, one at a time and
+/// under one lock, that of TrackingThread: "whoever makes the step" is the one that holds it.
 class SharedSurface {
  public:
   /// The queue's room. A tracking thread that falls behind is behind by no more than so many
@@ -79,16 +80,16 @@ class SharedSurface {
   /// Safe from any thread. Whether there is something new in what is watched.
   bool has_news() const { return news_.load(std::memory_order_acquire); }
 
-  /// Tracking thread only. Copies `region`; from then on the events in `events` go to the queue,
-  /// and both are watched. When both are empty the whole sensor is watched.
+  /// By whoever makes the step. Copies `region`; from then on the events in `events` go to the
+  /// queue, and both are watched. When both are empty the whole sensor is watched.
   void snapshot(const Region& region, const Region& events, SharedSnapshot& out);
 
-  /// Tracking thread only. Copies `part`, which lies inside `out`'s region and picture, to its
+  /// By whoever makes the step. Copies `part`, which lies inside `out`'s region and picture, to its
   /// place there; the stamps become those of this copy. What is watched stays as it is.
   void copy_part(const Region& part, SurfaceSnapshot& out);
 
-  /// Tracking thread only. Takes at most `most` of the queue's events up to the position `until`,
-  /// as EventQueue::pop.
+  /// By whoever makes the step. Takes at most `most` of the queue's events up to the position
+  /// `until`, as EventQueue::pop.
   Timestamp pop_events(std::uint64_t until, std::size_t most, std::vector<Event>& out) {
     return queue_.pop(until, most, out);
   }
@@ -96,11 +97,12 @@ class SharedSurface {
   /// Safe from any thread. Events of regions asked for that found no room in the queue.
   std::int64_t events_thinned() const { return queue_.thinned(); }
 
-  /// Tracking thread only. Sleeps until there is something new in what is watched, or `timeout` has
-  /// passed, or someone wakes it. True when there is something new.
+  /// Tracking thread only, between steps. Sleeps until there is something new in what is watched,
+  /// or `timeout` has passed, or someone wakes it. True when there is something new.
   bool wait_for_news(std::chrono::microseconds timeout);
 
-  /// Tracking thread only. Sleeps, whatever is new, until `timeout` has passed or someone wakes it.
+  /// Tracking thread only, between steps. Sleeps, whatever is new, until `timeout` has passed or
+  /// someone wakes it.
   void wait(std::chrono::microseconds timeout);
 
   /// Safe from any thread. Ends a wait.
@@ -114,7 +116,7 @@ class SharedSurface {
   }
 
  private:
-  // What the tracking thread asks for: a snapshot, or a part of one.
+  // What whoever makes the step asks for: a snapshot, or a part of one.
   struct Request {
     Region region;
     Region events;
@@ -125,8 +127,8 @@ class SharedSurface {
   void serve(const EventPacket* pending, std::size_t applied);
   void report_news(bool wakes);
 
-  // Held by the event thread while it applies a packet, and by the tracking thread when it serves
-  // itself.
+  // Held by the event thread while it applies a packet, and by whoever makes the step when it
+  // serves itself.
   std::mutex surface_mutex_;
   ErosSurface surface_;  // by surface_mutex_
   const bool roi_only_;
@@ -135,8 +137,8 @@ class SharedSurface {
   Region queued_;        // by surface_mutex_; both empty: the whole sensor is watched
   EventQueue queue_{kQueuedEvents};
 
-  // Written by the tracking thread before it sets `requested_` (release), served by whoever holds
-  // surface_mutex_ after seeing it (acquire), finished by clearing it (release).
+  // Written by whoever makes the step before it sets `requested_` (release), served by whoever
+  // holds surface_mutex_ after seeing it (acquire), finished by clearing it (release).
   Request request_;
   SurfaceExposure taken_;
   // On a cache line of its own, because the event thread looks at it all the time.

@@ -30,7 +30,8 @@ class SteppedTrack final : public Track {
                const TrackerServiceParams& params, TrackingThread::Publish publish)
       : tracker_(sensor, pipeline, params.size_model, params.thread, std::move(publish)) {}
 
-  void update(const EventPacket& packet, const PacketOrigin& origin, bool) override {
+  void update(const EventPacket& packet, const PacketOrigin& origin,
+              bool /*more_waiting*/) override {
     tracker_.update(packet, origin);
   }
   void poll() override { tracker_.poll(); }
