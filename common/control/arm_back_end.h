@@ -37,8 +37,15 @@ class ArmBackEnd {
   /// Why the arm cannot be trusted to do what it is told; empty: it can.
   virtual std::string fault(std::int64_t monotonic_us) = 0;
 
-  /// What it waits for before its first reading; empty: nothing, or not known.
+  /// What it waits for while it has no reading and moved no joint yet: what was commanded so far
+  /// went nowhere. Empty: nothing, or not known.
   virtual std::string awaited() { return {}; }
+
+  /// What was commanded and did not go out yet is not to, until the next command.
+  virtual void withdraw() {}
+
+  /// Whether set-points move the joints now; else the next one takes them first.
+  virtual bool holds() { return true; }
 
   /// What STATUS is to tell of it, by name.
   virtual std::vector<std::pair<std::string, std::int64_t>> counters(

@@ -9,16 +9,29 @@ void count(std::atomic<std::int64_t>& counter) { counter.fetch_add(1, std::memor
 
 }  // namespace
 
-bool BoardExchange::give_set_point(const JointAngles& set_point) {
+bool BoardExchange::give_set_point(const JointAngles& set_point, std::int64_t monotonic_us) {
   to_loop_.look();
   const BoardWord& board = to_loop_.seen();
   if (!board.reading || read_connection_ != board.connection || told_faults_ != board.faults) {
     count(counts_.set_points_unheard);
     return false;
   }
-  to_board_.next() = {set_point, board.connection, board.faults};
-  if (to_board_.publish()) count(counts_.set_points_replaced);
+  to_board_.next() = {set_point, monotonic_us, board.connection, board.faults};
+  if (to_board_.publish() && has_given_) count(counts_.set_points_replaced);
+  has_given_ = true;
   return true;
+}
+
+void BoardExchange::withdraw_set_point() {
+  if (!has_given_) return;
+  has_given_ = false;
+  to_board_.next() = {};
+  if (to_board_.publish()) count(counts_.set_points_withdrawn);
+}
+
+bool BoardExchange::holds() {
+  to_loop_.look();
+  return to_loop_.seen().holds;
 }
 
 std::optional<JointReading> BoardExchange::reading() {
@@ -35,7 +48,7 @@ std::string BoardExchange::fault(std::int64_t monotonic_us) {
     told_faults_ = board.faults;
     return board.newest_fault;
   }
-  if (!board.reading) return board.connection > 0 ? board.why_none : std::string{};
+  if (!board.reading) return board.is_fault ? board.why_none : std::string{};
   // Should the board's thread itself hang.
   const std::int64_t age_us = monotonic_us - board.reading->received_us;
   if (age_us <= 2 * silent_us_) return {};
@@ -45,7 +58,7 @@ std::string BoardExchange::fault(std::int64_t monotonic_us) {
 std::string BoardExchange::awaited() {
   to_loop_.look();
   const BoardWord& board = to_loop_.seen();
-  return board.connection > 0 ? std::string{} : board.why_none;
+  return board.is_fault ? std::string{} : board.why_none;
 }
 
 YarpCounters BoardExchange::counters(std::int64_t monotonic_us) const {
@@ -55,7 +68,8 @@ YarpCounters BoardExchange::counters(std::int64_t monotonic_us) const {
   YarpCounters counters{now(counts_.connections),         now(counts_.failures),
                         now(counts_.encoders_received),   now(counts_.set_points_sent),
                         now(counts_.set_points_replaced), now(counts_.set_points_unheard),
-                        now(counts_.set_points_refused),  now(counts_.round_trip_us),
+                        now(counts_.set_points_refused),  now(counts_.set_points_withdrawn),
+                        now(counts_.set_points_expired),  now(counts_.round_trip_us),
                         now(counts_.round_trip_max_us),   std::nullopt};
   const std::int64_t encoders_at_us = now(counts_.encoders_at_us);
   if (encoders_at_us != kNever) counters.encoder_age_us = monotonic_us - encoders_at_us;
@@ -75,6 +89,7 @@ void BoardExchange::begin_connection(const JointReading& first) {
   ++word_.connection;
   word_.reading = first;
   word_.why_none.clear();
+  word_.is_fault = false;
   publish();
 }
 
@@ -84,23 +99,48 @@ void BoardExchange::put_encoders(const JointReading& reading) {
   publish();
 }
 
-void BoardExchange::lose_connection(const std::string& reason) {
+void BoardExchange::lose_connection(const BoardError& why) {
   count(counts_.failures);
   word_.reading.reset();
-  word_.why_none = reason;
-  if (word_.connection > 0) {
-    ++word_.faults;
-    word_.newest_fault = reason;
+  word_.holds = false;
+  word_.why_none = why.what();
+  switch (why.kind()) {
+    case BoardError::Kind::kFailed:
+      word_.is_fault = word_.connection > 0;
+      break;
+    case BoardError::Kind::kNotReady:
+      word_.is_fault = was_held_;
+      break;
+    case BoardError::Kind::kNeedsPerson:
+      word_.is_fault = true;
+      break;
   }
+  if (word_.is_fault) {
+    ++word_.faults;
+    word_.newest_fault = word_.why_none;
+  }
+  publish();
+}
+
+void BoardExchange::put_hold() {
+  if (word_.holds) return;
+  was_held_ = word_.holds = true;
   publish();
 }
 
 // Only those that rest on all that there is to know by now: the loop may have given it before it
 // was told.
-void BoardExchange::look_for_set_point() {
+void BoardExchange::look_for_set_point(std::int64_t monotonic_us) {
   if (to_board_.look()) {
-    if (waiting_) count(counts_.set_points_replaced);
-    waiting_ = to_board_.seen();
+    const LoopWord& newer = to_board_.seen();
+    if (waiting_)
+      count(newer.set_point ? counts_.set_points_replaced : counts_.set_points_withdrawn);
+    waiting_.reset();
+    if (newer.set_point) waiting_ = newer;
+  }
+  if (waiting_ && monotonic_us - waiting_->given_us > kOldestSetPointUs) {
+    count(counts_.set_points_expired);
+    waiting_.reset();
   }
   if (waiting_ && (!word_.reading || waiting_->connection != word_.connection ||
                    waiting_->faults != word_.faults)) {
@@ -108,13 +148,13 @@ void BoardExchange::look_for_set_point() {
   }
 }
 
-std::optional<JointAngles> BoardExchange::newest_set_point() {
-  look_for_set_point();
-  return waiting_ ? std::optional(waiting_->set_point) : std::nullopt;
+std::optional<JointAngles> BoardExchange::newest_set_point(std::int64_t monotonic_us) {
+  look_for_set_point(monotonic_us);
+  return waiting_ ? waiting_->set_point : std::nullopt;
 }
 
-std::optional<JointAngles> BoardExchange::take_set_point() {
-  const std::optional<JointAngles> taken = newest_set_point();
+std::optional<JointAngles> BoardExchange::take_set_point(std::int64_t monotonic_us) {
+  const std::optional<JointAngles> taken = newest_set_point(monotonic_us);
   waiting_.reset();
   return taken;
 }

@@ -1,14 +1,11 @@
 #include "common/yarp/board_ports.h"
 
-#include <chrono>
 #include <optional>
 
 #include "common/yarp/text_connection.h"
 
 namespace puck {
 namespace {
-
-Deadline in(int ms) { return SteadyClock::now() + std::chrono::milliseconds(ms); }
 
 PortAddress find_port(TextConnection& name_server, const std::string& name, const Waiter& waiter,
                       Deadline deadline) {
@@ -33,9 +30,9 @@ BoardPorts find_board_ports(const YarpParams& params, const PortAddress& name_se
                             const Waiter& waiter) {
   return at_port("the name server", [&]() -> BoardPorts {
     TextConnection connection(name_server, params.local_name, waiter,
-                              in(params.connect_timeout_ms));
+                              in_ms(params.connect_timeout_ms));
     const auto find = [&](const char* port) {
-      return find_port(connection, params.port_name(port), waiter, in(params.answer_timeout_ms));
+      return find_port(connection, params.port_name(port), waiter, in_ms(params.answer_timeout_ms));
     };
     return {find("rpc:i"), find("command:i"), find("state:o")};
   });

@@ -26,7 +26,7 @@ auto at_port(const std::string& name, Work work) {
   try {
     return work();
   } catch (const BoardError& error) {
-    throw BoardError(name + ": " + error.what());
+    throw BoardError(name + ": " + error.what(), error.kind());
   }
 }
 

@@ -87,7 +87,7 @@ BoardAnswer BoardRequests::ask(const std::string& request, const Waiter& waiter,
   } catch (const BoardError& error) {
     const std::string what = error.what();
     const bool names_it = what.find(in_quotes(request)) != std::string::npos;
-    throw BoardError(names_it ? what : what + ", asked " + in_quotes(request));
+    throw BoardError(names_it ? what : what + ", asked " + in_quotes(request), error.kind());
   }
 }
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
-#include <string_view>
+#include <string>
 
 #include "common/yarp/board_error.h"
 #include "common/yarp/set_point_message.h"
@@ -14,30 +13,11 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr const char* kDirect = "posd";
-constexpr const char* kPosition = "pos";
-// Some boards take a while to change a joint's mode.
-constexpr milliseconds kModesWithin{2000};
-constexpr milliseconds kModesAgain{10};
-constexpr milliseconds kLeaveWithin{50};
-
-Deadline in(int ms) { return SteadyClock::now() + milliseconds(ms); }
-
 std::int64_t monotonic_us(SteadyClock::time_point time) {
   return std::chrono::duration_cast<std::chrono::microseconds>(time.time_since_epoch()).count();
 }
 
-std::string in_deg(const JointRange& range) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.6g to %.6g deg", range.lowest_deg, range.highest_deg);
-  return text.data();
-}
-
-// A joint whose motor is still being set up or calibrated: whoever took it then would disturb that.
-bool is_being_prepared(const std::string& mode) {
-  constexpr std::array<std::string_view, 4> kModes{"cfgn", "cfgy", "cal", "cald"};
-  return std::find(kModes.begin(), kModes.end(), mode) != kModes.end();
-}
+std::int64_t now_us() { return monotonic_us(SteadyClock::now()); }
 
 }  // namespace
 
@@ -54,77 +34,39 @@ BoardSession::BoardSession(const YarpParams& params, const BoardPorts& ports, co
                         [&] {
                           return BoardRequests(ports.requests, params.local_name, waiter,
                                                milliseconds(params.answer_timeout_ms),
-                                               in(params.connect_timeout_ms));
+                                               in_ms(params.connect_timeout_ms));
                         })),
       state_(at_port(params.port_name("state:o"),
                      [&] {
                        return StreamConnection(ports.state, params.local_name, waiter,
-                                               in(params.connect_timeout_ms));
+                                               in_ms(params.connect_timeout_ms));
                      })),
       command_(at_port(params.port_name("command:i"),
                        [&] {
                          return StreamConnection(ports.command, params.local_name, waiter,
-                                                 in(params.connect_timeout_ms));
+                                                 in_ms(params.connect_timeout_ms));
                        })),
+      joints_(at_port(params.port_name("rpc:i"), [&] { return find_joints(params, requests_); })),
+      hold_(at_port(params.port_name("rpc:i"),
+                    [&] { return JointHold(params, joints_, requests_); })),
       gate_(params) {
-  at_port(params_.port_name("rpc:i"), [&] {
-    check_joints();
-    check_modes();
-  });
   at_port(params_.port_name("state:o"), [&] { begin_to_receive(); });
 }
 
-void BoardSession::check_joints() {
-  axes_ = static_cast<std::size_t>(requests_.axes());
-  for (std::size_t i = 0; i < params_.joints.size(); ++i) {
-    const int joint = params_.joints[i];
-    const std::string which = "joint " + std::to_string(joint);
-    if (joint >= static_cast<int>(axes_)) {
-      throw BoardError("there is no " + which + " of arm.yarp.joints among its " +
-                       std::to_string(axes_));
-    }
-    names_.push_back(which + " " + in_quotes(requests_.name(joint)));
-    const JointRange range = requests_.range(joint);
-    const JointRange ours{params_.lowest_deg[i], params_.highest_deg[i]};
-    if (ours.lowest_deg < range.lowest_deg || ours.highest_deg > range.highest_deg) {
-      throw BoardError(names_.back() + " may go from " + in_deg(range) +
-                       ": our limits are wider, from " + in_deg(ours));
-    }
-  }
-}
-
-void BoardSession::check_modes() {
-  const std::vector<std::string> modes = requests_.modes(axes_);
-  for (std::size_t i = 0; i < params_.joints.size(); ++i) {
-    const std::string& mode = modes[static_cast<std::size_t>(params_.joints[i])];
-    if (!is_being_prepared(mode)) continue;
-    throw BoardError(names_[i] + " is not ready yet: it is in mode " + in_quotes(mode));
-  }
-}
-
 void BoardSession::begin_to_receive() {
-  const Deadline deadline = in(params_.answer_timeout_ms);
+  const Deadline deadline = in_ms(params_.answer_timeout_ms);
   state_.turn_round(waiter_, deadline);
   reading_ = take_state(state_.receive(waiter_, deadline));
 }
 
-std::string BoardSession::wrong_mode(const std::vector<std::string>& modes) const {
-  for (std::size_t i = 0; i < params_.joints.size(); ++i) {
-    const std::string& mode = modes[static_cast<std::size_t>(params_.joints[i])];
-    if (mode == kDirect) continue;
-    return names_[i] + " is in mode " + in_quotes(mode) + ", not in " + in_quotes(kDirect);
-  }
-  return {};
-}
-
 void BoardSession::run() {
-  received_at_ = stamp_moved_at_ = command_free_at_ = next_modes_at_ = SteadyClock::now();
+  received_at_ = stamp_moved_at_ = command_free_at_ = SteadyClock::now();
   at_port(params_.port_name("state:o"), [&] { wait_for_fresh_encoders(); });
   exchange_.begin_connection(reading_);
   while (!waiter_.is_stopped()) {
     at_port(params_.port_name("state:o"), [&] { receive_encoders(); });
     // First the modes: no set-point goes out once they are known to be others.
-    at_port(params_.port_name("rpc:i"), [&] { attend_requests(); });
+    at_port(params_.port_name("rpc:i"), [&] { attend_hold(); });
     at_port(params_.port_name("command:i"), [&] { send_set_point(); });
     wait_for_more();
   }
@@ -132,7 +74,7 @@ void BoardSession::run() {
 
 // What has piled up is old by now; and a board whose stamp stands still is not one to begin with.
 void BoardSession::wait_for_fresh_encoders() {
-  const Deadline deadline = in(params_.answer_timeout_ms);
+  const Deadline deadline = in_ms(params_.answer_timeout_ms);
   while (const auto message = state_.receive_now()) {
     take_state(*message);
     if (SteadyClock::now() >= deadline) throw BoardError("it sends encoders without a pause");
@@ -152,15 +94,6 @@ void BoardSession::wait_for_fresh_encoders() {
   }
 }
 
-void BoardSession::leave() {
-  if (hold_ == Hold::kNone) return;
-  // The waiter of this session is stopped.
-  Waker waker;
-  const Waiter waiter({}, waker);
-  requests_.leave_mode(params_.joints, axes_, kDirect, kPosition, waiter,
-                       SteadyClock::now() + kLeaveWithin);
-}
-
 void BoardSession::receive_encoders() {
   // More at once than a board sends in a second wait for the next turn.
   constexpr int kMostAtOnce = 64;
@@ -175,9 +108,10 @@ void BoardSession::receive_encoders() {
 
 JointReading BoardSession::take_state(std::span<const std::uint8_t> message) {
   const StateMessage state = parse_state_message(message);
-  if (state.encoders_deg.size() != axes_) {
+  if (state.encoders_deg.size() != joints_.axes) {
     throw BoardError("it sent the encoders of " + std::to_string(state.encoders_deg.size()) +
-                     " joints: there were " + std::to_string(axes_));
+                         " joints: there were " + std::to_string(joints_.axes),
+                     BoardError::Kind::kNeedsPerson);
   }
   received_at_ = SteadyClock::now();
   // The count goes on while the board itself reads nothing new; the time does not.
@@ -203,14 +137,12 @@ void BoardSession::check_silence() const {
 // Encoders go on while the board changes the modes, and newer set-points replace the first: it is
 // the newest that has to begin at the encoders, at those that came once the joints were ours.
 void BoardSession::begin_to_take() {
-  const auto first = exchange_.newest_set_point();
+  const auto first = exchange_.newest_set_point(now_us());
   if (!first) return;
   const std::string refusal = gate_.refusal(*first, reading_.position);
   gate_.restart();
   if (!refusal.empty()) return exchange_.refuse_set_point(refusal);
-  hold_ = Hold::kTaking;
-  next_modes_at_ = SteadyClock::now();
-  taken_by_ = next_modes_at_ + kModesWithin;
+  hold_.begin_to_take();
 }
 
 void BoardSession::send_set_point() {
@@ -220,50 +152,22 @@ void BoardSession::send_set_point() {
     throw BoardError("it takes no set-points for " + std::to_string(params_.silent_ms) + " ms");
   }
   command_free_at_ = SteadyClock::now();
-  if (hold_ == Hold::kNone) begin_to_take();
-  if (hold_ != Hold::kTaken || received_at_ <= taken_at_) return;
-  const auto set_point = exchange_.take_set_point();
+  if (hold_.state() == JointHold::State::kNone) begin_to_take();
+  if (hold_.state() != JointHold::State::kTaken || received_at_ <= hold_.taken_at()) return;
+  const auto set_point = exchange_.take_set_point(now_us());
   if (!set_point) return;
   const std::string refusal = gate_.refusal(*set_point, reading_.position);
   if (!refusal.empty()) return exchange_.refuse_set_point(refusal);
-  command_.send(params_.joints.size() == axes_
+  command_.send(params_.joints.size() == joints_.axes
                     ? set_points_of_all(set_point->deg())
                     : set_points_of_some(params_.joints, set_point->deg()));
   exchange_.count_sent();
 }
 
-void BoardSession::attend_requests() {
-  if (const auto answer = requests_.answer_now()) {
-    exchange_.put_round_trip(requests_.round_trip_us());
-    heed(*answer);
-  }
-  const Deadline now = SteadyClock::now();
-  if (requests_.is_waiting()) {
-    if (now <= requests_.late_at()) return;
-    throw BoardError("no answer in time, asked " + in_quotes(requests_.asked()));
-  }
-  if (hold_ == Hold::kNone) return;
-  if (joints_put_ < params_.joints.size()) {
-    requests_.begin_set_mode(params_.joints[joints_put_], kDirect);
-  } else if (now >= next_modes_at_) {
-    next_modes_at_ =
-        now + (hold_ == Hold::kTaken ? milliseconds(params_.check_modes_ms) : kModesAgain);
-    requests_.begin_modes();
-  }
-}
-
-void BoardSession::heed(const BoardAnswer& answer) {
-  if (joints_put_ < params_.joints.size()) {
-    ++joints_put_;
-    return;
-  }
-  const std::string wrong = wrong_mode(answer.vocabs("cmds", axes_));
-  if (wrong.empty()) {
-    if (hold_ == Hold::kTaking) taken_at_ = SteadyClock::now();
-    hold_ = Hold::kTaken;
-  } else if (hold_ == Hold::kTaken || SteadyClock::now() >= taken_by_) {
-    throw BoardError(wrong);
-  }
+void BoardSession::attend_hold() {
+  const bool is_wanted = exchange_.newest_set_point(now_us()).has_value();
+  if (hold_.attend(is_wanted)) exchange_.put_round_trip(requests_.round_trip_us());
+  if (hold_.state() == JointHold::State::kTaken) exchange_.put_hold();
 }
 
 void BoardSession::wait_for_more() const {
@@ -272,12 +176,7 @@ void BoardSession::wait_for_more() const {
   const std::array sockets{pollfd{state_.descriptor(), POLLIN, 0},
                            pollfd{command_.descriptor(), command_events, 0},
                            pollfd{requests_.descriptor(), POLLIN, 0}};
-  Deadline next = std::min(received_at_, stamp_moved_at_) + patience;
-  if (requests_.is_waiting()) {
-    next = std::min(next, requests_.late_at());
-  } else if (hold_ != Hold::kNone) {
-    next = std::min(next, next_modes_at_);
-  }
+  Deadline next = std::min({received_at_ + patience, stamp_moved_at_ + patience, hold_.next_at()});
   if (!command_.is_free()) next = std::min(next, command_free_at_ + patience);
   waiter_.wait(sockets, next);
 }

@@ -1,20 +1,10 @@
 #include "common/yarp/set_point_gate.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "common/yarp/in_deg.h"
 
 namespace puck {
-namespace {
-
-std::string in_deg(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g deg", value);
-  return text.data();
-}
-
-}  // namespace
-
 std::string SetPointGate::refusal(const JointAngles& set_point, const JointAngles& encoders) {
   std::string why = why_not(set_point, encoders);
   last_.reset();

@@ -11,6 +11,8 @@ namespace puck {
 using SteadyClock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
 using Deadline = SteadyClock::time_point;
 
+inline Deadline in_ms(int ms) { return SteadyClock::now() + std::chrono::milliseconds(ms); }
+
 /// Ends another thread's waiting.
 class Waker {
  public:

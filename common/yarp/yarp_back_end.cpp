@@ -52,8 +52,8 @@ YarpBackEnd::YarpBackEnd(const YarpParams& params)
       exchange_(std::int64_t{1000} * params.silent_ms),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-void YarpBackEnd::command(const JointAngles& set_point, std::int64_t) {
-  if (exchange_.give_set_point(set_point)) waker_.wake();
+void YarpBackEnd::command(const JointAngles& set_point, std::int64_t monotonic_us) {
+  if (exchange_.give_set_point(set_point, monotonic_us)) waker_.wake();
 }
 
 std::optional<JointReading> YarpBackEnd::reading(std::int64_t) { return exchange_.reading(); }
@@ -71,6 +71,8 @@ std::vector<std::pair<std::string, std::int64_t>> YarpBackEnd::counters(
           {"board_set_points_replaced", now.set_points_replaced},
           {"board_set_points_unheard", now.set_points_unheard},
           {"board_set_points_refused", now.set_points_refused},
+          {"board_set_points_withdrawn", now.set_points_withdrawn},
+          {"board_set_points_expired", now.set_points_expired},
           {"board_round_trip_us", now.round_trip_us},
           {"board_round_trip_max_us", now.round_trip_max_us}};
 }
@@ -82,9 +84,9 @@ void YarpBackEnd::run(const std::stop_token& stop) {
   auto pause = first_pause;
   for (std::size_t i = 0; !waiter.is_stopped(); ++i) {
     const std::int64_t connections_before = exchange_.counters(0).connections;
-    const std::string reason = serve(name_servers_[i % name_servers_.size()], waiter);
-    if (waiter.is_stopped()) return;
-    exchange_.lose_connection(reason);
+    const auto failure = serve(name_servers_[i % name_servers_.size()], waiter);
+    if (!failure || waiter.is_stopped()) return;
+    exchange_.lose_connection(*failure);
     if (exchange_.counters(0).connections > connections_before) pause = first_pause;
     const Deadline again_at = SteadyClock::now() + pause;
     while (!waiter.is_stopped() && SteadyClock::now() < again_at) waiter.wait({}, again_at);
@@ -92,7 +94,7 @@ void YarpBackEnd::run(const std::stop_token& stop) {
   }
 }
 
-std::string YarpBackEnd::serve(const PortAddress& name_server, const Waiter& waiter) {
+std::optional<BoardError> YarpBackEnd::serve(const PortAddress& name_server, const Waiter& waiter) {
   try {
     BoardSession session(params_, name_server, waiter, exchange_);
     try {
@@ -101,9 +103,11 @@ std::string YarpBackEnd::serve(const PortAddress& name_server, const Waiter& wai
       if (!waiter.is_stopped()) throw;
     }
     session.leave();
-    return {};
+    return std::nullopt;
+  } catch (const BoardError& error) {
+    return error;
   } catch (const std::exception& error) {
-    return error.what();
+    return BoardError(error.what());
   }
 }
 

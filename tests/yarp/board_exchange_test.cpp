@@ -17,31 +17,31 @@ TEST_CASE("the newest set-point wins, and those it replaced are counted") {
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
   REQUIRE(exchange.reading());
-  CHECK(exchange.give_set_point(at(1)));
-  CHECK(exchange.give_set_point(at(2)));
-  CHECK((*exchange.take_set_point())[0] == 2);
-  CHECK(!exchange.take_set_point());
+  CHECK(exchange.give_set_point(at(1), 1000));
+  CHECK(exchange.give_set_point(at(2), 1000));
+  CHECK((*exchange.take_set_point(1000))[0] == 2);
+  CHECK(!exchange.take_set_point(1000));
   CHECK(exchange.counters(1000).set_points_replaced == 1);
 }
 
 TEST_CASE("a set-point is dropped until the loop has read the encoders of this connection") {
   BoardExchange exchange(kSilentUs);
-  CHECK(!exchange.give_set_point(at(1)));
+  CHECK(!exchange.give_set_point(at(1), 1000));
   exchange.begin_connection({at(1), 1000});
-  CHECK(!exchange.give_set_point(at(1)));
+  CHECK(!exchange.give_set_point(at(1), 1000));
   CHECK(exchange.reading());
-  CHECK(exchange.give_set_point(at(1)));
+  CHECK(exchange.give_set_point(at(1), 1000));
 
   // However short the interruption was.
-  exchange.lose_connection("it broke");
+  exchange.lose_connection(BoardError("it broke"));
   exchange.begin_connection({at(5), 2000});
-  CHECK(!exchange.take_set_point());
-  CHECK(!exchange.give_set_point(at(1)));
+  CHECK(!exchange.take_set_point(1000));
+  CHECK(!exchange.give_set_point(at(1), 1000));
   CHECK(exchange.reading());
-  CHECK(!exchange.give_set_point(at(1)));
+  CHECK(!exchange.give_set_point(at(1), 1000));
   CHECK(exchange.fault(2000) == "it broke");
   CHECK(exchange.fault(2000).empty());
-  CHECK(exchange.give_set_point(at(5)));
+  CHECK(exchange.give_set_point(at(5), 1000));
   CHECK(exchange.counters(2000).set_points_unheard == 4);
 }
 
@@ -49,13 +49,13 @@ TEST_CASE("a board that is not there yet is no fault, and one that goes away is"
   BoardExchange exchange(kSilentUs);
   CHECK(!exchange.reading());
   CHECK(exchange.fault(0).empty());
-  exchange.lose_connection("not there yet");
+  exchange.lose_connection(BoardError("not there yet"));
   CHECK(exchange.fault(0).empty());
   CHECK(exchange.awaited() == "not there yet");
   CHECK(!exchange.reading());
   exchange.begin_connection({at(1), 1000});
   CHECK(exchange.awaited().empty());
-  exchange.lose_connection("nobody there");
+  exchange.lose_connection(BoardError("nobody there"));
   CHECK(exchange.awaited().empty());
   CHECK(exchange.fault(0) == "nobody there");
   CHECK(exchange.fault(0) == "nobody there");
@@ -72,13 +72,79 @@ TEST_CASE("a refused set-point is a fault, once") {
   exchange.begin_connection({at(1), 1000});
   exchange.reading();
   // One that was given before the loop was told is dropped as well.
-  CHECK(exchange.give_set_point(at(1)));
+  CHECK(exchange.give_set_point(at(1), 1000));
   exchange.refuse_set_point("it is not finite");
-  CHECK(!exchange.take_set_point());
-  CHECK(!exchange.give_set_point(at(1)));
+  CHECK(!exchange.take_set_point(1000));
+  CHECK(!exchange.give_set_point(at(1), 1000));
   CHECK(exchange.fault(1000) == "it is not finite");
   CHECK(exchange.fault(1000).empty());
-  CHECK(exchange.give_set_point(at(1)));
+  CHECK(exchange.give_set_point(at(1), 1000));
+}
+
+TEST_CASE("what no waiting mends is a fault before the first connection, until it is mended") {
+  BoardExchange exchange(kSilentUs);
+  exchange.lose_connection(BoardError("it does not fit", BoardError::Kind::kNeedsPerson));
+  CHECK(exchange.fault(0) == "it does not fit");
+  CHECK(exchange.fault(0) == "it does not fit");
+  CHECK(exchange.awaited().empty());
+  exchange.lose_connection(BoardError("it is off"));
+  CHECK(exchange.fault(0).empty());
+  CHECK(exchange.awaited() == "it is off");
+  exchange.begin_connection({at(1), 1000});
+  CHECK(exchange.fault(1000).empty());
+}
+
+TEST_CASE("joints that are not ready are waited for until they were ours, and a fault from then") {
+  const BoardError not_ready("it is being calibrated", BoardError::Kind::kNotReady);
+  BoardExchange exchange(kSilentUs);
+  exchange.begin_connection({at(1), 1000});
+  CHECK(!exchange.holds());
+  exchange.lose_connection(not_ready);
+  CHECK(exchange.fault(0).empty());
+  CHECK(exchange.awaited() == "it is being calibrated");
+  exchange.begin_connection({at(1), 1000});
+  exchange.put_hold();
+  CHECK(exchange.holds());
+  exchange.lose_connection(not_ready);
+  CHECK(!exchange.holds());
+  CHECK(exchange.fault(0) == "it is being calibrated");
+  CHECK(exchange.awaited().empty());
+}
+
+TEST_CASE("a set-point that has waited for longer than 100 ms does not go out") {
+  BoardExchange exchange(kSilentUs);
+  exchange.begin_connection({at(1), 1000});
+  exchange.reading();
+  CHECK(exchange.give_set_point(at(1), 5000));
+  CHECK(exchange.newest_set_point(105'000));
+  CHECK(exchange.take_set_point(105'000));
+  CHECK(exchange.give_set_point(at(1), 5000));
+  CHECK(!exchange.newest_set_point(105'001));
+  CHECK(!exchange.take_set_point(105'001));
+  CHECK(exchange.counters(0).set_points_expired == 1);
+  CHECK(exchange.give_set_point(at(2), 105'001));
+  CHECK((*exchange.take_set_point(105'002))[0] == 2);
+}
+
+TEST_CASE("a set-point that was withdrawn does not go out, wherever it waited") {
+  BoardExchange exchange(kSilentUs);
+  exchange.begin_connection({at(1), 1000});
+  exchange.reading();
+  exchange.withdraw_set_point();
+  CHECK(exchange.give_set_point(at(1), 1000));
+  exchange.withdraw_set_point();
+  exchange.withdraw_set_point();
+  CHECK(!exchange.take_set_point(1000));
+  CHECK(exchange.give_set_point(at(1), 1000));
+  CHECK(exchange.newest_set_point(1000));
+  exchange.withdraw_set_point();
+  CHECK(!exchange.newest_set_point(1000));
+  CHECK(exchange.counters(0).set_points_withdrawn == 2);
+  CHECK(exchange.give_set_point(at(1), 1000));
+  exchange.withdraw_set_point();
+  CHECK(exchange.give_set_point(at(3), 1000));
+  CHECK((*exchange.take_set_point(1000))[0] == 3);
+  CHECK(exchange.counters(0).set_points_replaced == 0);
 }
 
 TEST_CASE("encoders that have not come for long are a fault even if nobody says so") {

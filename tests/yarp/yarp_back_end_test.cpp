@@ -72,7 +72,7 @@ class Loop {
     return until([&] {
       const YarpCounters now = counters();
       return now.set_points_sent + now.set_points_replaced + now.set_points_refused +
-                 now.set_points_unheard ==
+                 now.set_points_unheard + now.set_points_withdrawn + now.set_points_expired ==
              commands_;
     });
   }
@@ -90,6 +90,13 @@ class Loop {
       }
       command(next);
       return is_there;
+    });
+  }
+  // As a loop that does not care whether it is heard.
+  bool insists_until(const JointAngles& set_point, const std::function<bool()>& condition) {
+    return until([&] {
+      command(set_point);
+      return condition();
     });
   }
   bool fails_with(const std::string& part_of_reason) {
@@ -288,6 +295,8 @@ TEST_CASE("A board that fails in a game is a fault with its reason, and connecte
     CHECK(board.encoders() == std::vector<double>(7, 5));
     CHECK(until([&] { return !loop.reading() || loop.counters().connections > 1; }));
     board.set_trouble(BoardTrouble::kNone);
+    // The robot's own tools.
+    if (each.trouble == BoardTrouble::kModeLost) board.put_into_mode("pos");
     CHECK(loop.moves_to(8));
     CHECK(loop.counters().failures > 0);
   }
@@ -318,13 +327,21 @@ TEST_CASE("An emergency stop lasts until set-points are given again") {
     board.set_trouble(BoardTrouble::kModeLost);
     const auto stopped = board.modes();
     loop.fails_with("is in mode \"hwf\", not in \"posd\"");
-    // The button is released: that alone moves no joint.
+    // The button is released: that alone takes no joint, nor does who gives set-points.
     board.set_trouble(BoardTrouble::kNone);
-    REQUIRE(loop.is_connected());
-    const auto enough = loop.counters().encoders_received + 5;
-    CHECK(until([&] { return loop.counters().encoders_received > enough; }));
-    CHECK(loop.counters().failures == 1);
+    loop.fails_with("a hardware fault: bring it back into mode \"pos\"");
+    loop.command(all(5));
+    const auto enough = loop.counters().failures + 2;
+    CHECK(until([&] { return loop.counters().failures > enough; }));
+    CHECK(!loop.reading());
     CHECK(board.modes() == stopped);
+    CHECK(board.mode_requests() == requests);
+    // The robot's own tools: that alone takes no joint either.
+    board.put_into_mode("pos");
+    REQUIRE(loop.is_connected());
+    const auto more = loop.counters().encoders_received + 5;
+    CHECK(until([&] { return loop.counters().encoders_received > more; }));
+    CHECK(board.modes() == std::vector<std::string>(7, "pos"));
     CHECK(board.mode_requests() == requests);
     // What a controller does after a reset.
     CHECK(loop.moves_to(8));
@@ -332,7 +349,6 @@ TEST_CASE("An emergency stop lasts until set-points are given again") {
     CHECK(board.mode_requests() == requests + 7);
     board.set_trouble(BoardTrouble::kModeLost);
     loop.fails_with("is in mode \"hwf\", not in \"posd\"");
-    REQUIRE(loop.is_connected());
   }
   CHECK(until([&] { return board.connections() == 0; }));
   CHECK(board.modes()[0] == "hwf");
@@ -344,8 +360,9 @@ TEST_CASE("Joints that do not change their mode are a fault, and never moved") {
   board.set_trouble(BoardTrouble::kModesStay);
   Loop loop(params_for(board));
   REQUIRE(loop.is_connected());
-  loop.command(all(1));
-  loop.fails_with("is in mode \"pos\", not in \"posd\"");
+  CHECK(loop.insists_until(all(1), [&] {
+    return loop.fault().find("is in mode \"pos\", not in \"posd\"") != std::string::npos;
+  }));
   CHECK(board.set_points() == 0);
 }
 
@@ -354,15 +371,43 @@ TEST_CASE("Joints that move while they are taken are not sent back") {
   board.set_trouble(BoardTrouble::kModesStay);
   Loop loop(params_for(board));
   REQUIRE(loop.is_connected());
-  loop.command(all(1));
-  REQUIRE(until([&] { return board.mode_requests() == 7; }));
+  REQUIRE(loop.insists_until(all(1), [&] { return board.mode_requests() == 7; }));
   // The first of them sags as its mode changes.
   board.move_joint(0, 20);
-  REQUIRE(until([&] { return loop.reading() && loop.reading()->position[0] == 20; }));
+  REQUIRE(loop.insists_until(all(1),
+                             [&] { return loop.reading() && loop.reading()->position[0] == 20; }));
   board.set_trouble(BoardTrouble::kNone);
   board.put_into_mode("posd");
-  loop.fails_with("the set-point of joint 0, 1 deg, does not begin at its encoder, 20 deg");
+  CHECK(loop.insists_until(all(1), [&] {
+    return loop.fault().find(
+               "the set-point of joint 0, 1 deg, does not begin at its encoder, 20 deg") !=
+           std::string::npos;
+  }));
   CHECK(board.set_points() == 0);
+}
+
+TEST_CASE("A set-point does not outlive its loop's silence while joints are taken") {
+  for (const bool withdraws : {false, true}) {
+    CAPTURE(withdraws);
+    TestBoard board({.late_ms = 40});
+    YarpParams params = params_for(board);
+    Loop loop(params);
+    REQUIRE(loop.is_connected());
+    board.set_trouble(BoardTrouble::kRequestsLate);
+    REQUIRE(loop.insists_until(all(1), [&] { return board.mode_requests() > 0; }));
+    if (withdraws) loop.back_end.withdraw();
+    const auto later = loop.counters().encoders_received + 30;
+    REQUIRE(until([&] { return loop.counters().encoders_received > later; }));
+    // Nobody wanted the last joints any more.
+    CHECK(board.mode_requests() < 7);
+    CHECK(board.set_points() == 0);
+    const YarpCounters counters = loop.counters();
+    CHECK((counters.set_points_withdrawn > 0) == withdraws);
+    CHECK((counters.set_points_expired > 0) == !withdraws);
+    board.set_trouble(BoardTrouble::kNone);
+    CHECK(loop.moves_to(5));
+    CHECK(loop.fault().empty());
+  }
 }
 
 TEST_CASE("Set-points that were held up do not jump") {
@@ -476,6 +521,83 @@ TEST_CASE("A board that comes up later, and then calibrates, is waited for and l
   CHECK(loop.moves_to(5));
 }
 
+TEST_CASE("Joints that leave position mode before they are taken are waited for, and not taken") {
+  for (const char* mode : {"cal", "cald", "cfgy", "velo", "idl", "unheard"}) {
+    // With the question that a first set-point asks, and with those of each while before it.
+    for (const int check_modes_ms : {10'000, 10}) {
+      CAPTURE(mode);
+      CAPTURE(check_modes_ms);
+      TestBoard board;
+      YarpParams params = params_for(board);
+      params.check_modes_ms = check_modes_ms;
+      Loop loop(params);
+      REQUIRE(loop.is_connected());
+      board.put_into_mode(mode);
+      std::string faults;
+      CHECK(until([&] {
+        faults += loop.fault();
+        loop.reading();
+        loop.command(all(0));
+        return loop.back_end.awaited().find(
+                   "joint 0 \"joint0\" is not ready yet: it is in mode \"" + std::string(mode)) !=
+               std::string::npos;
+      }));
+      CHECK(!loop.reading());
+      CHECK(faults.empty());
+      CHECK(board.mode_requests() == 0);
+      CHECK(board.set_points() == 0);
+      board.put_into_mode("pos");
+      CHECK(loop.moves_to(5));
+    }
+  }
+}
+
+TEST_CASE("A hardware fault before the first set-point is a fault, and only a person ends it") {
+  for (const char* mode : {"hwf", "hwfa"}) {
+    for (const bool is_from_the_start : {true, false}) {
+      CAPTURE(mode);
+      CAPTURE(is_from_the_start);
+      TestBoard board;
+      if (is_from_the_start) board.put_into_mode(mode);
+      Loop loop(params_for(board));
+      if (!is_from_the_start) {
+        REQUIRE(loop.is_connected());
+        board.put_into_mode(mode);
+      }
+      CHECK(until([&] {
+        loop.reading();
+        loop.command(all(0));
+        const std::string reason = loop.fault();
+        return reason.find("joint 0 \"joint0\" is in mode \"" + std::string(mode)) !=
+                   std::string::npos &&
+               reason.find("puck-arm --reset") != std::string::npos;
+      }));
+      CHECK(loop.back_end.awaited().empty());
+      CHECK(!loop.reading());
+      CHECK(board.mode_requests() == 0);
+      board.put_into_mode("pos");
+      CHECK(loop.moves_to(5));
+    }
+  }
+}
+
+TEST_CASE("A board that will never fit is a fault before the first connection") {
+  TestBoard board;
+  const auto is_fault = [](Loop& loop, const std::string& part_of_reason) {
+    return until([&] { return loop.fault().find(part_of_reason) != std::string::npos; }) &&
+           loop.back_end.awaited().empty() && !loop.reading();
+  };
+  Loop too_many(params_for(board, {0, 7}));
+  CHECK(is_fault(too_many, "there is no joint 7 of arm.yarp.joints among its 7"));
+  YarpParams wide = params_for(board);
+  wide.highest_deg[2] = 91;
+  Loop too_wide(wide);
+  CHECK(is_fault(too_wide, "our limits are wider"));
+  // It stays one.
+  CHECK(!too_wide.fault().empty());
+  CHECK(board.mode_requests() == 0);
+}
+
 TEST_CASE("Joints that are not there, and limits wider than the board's, are refused by name") {
   TestBoard board;
   Loop too_many(params_for(board, {0, 7}));
@@ -484,7 +606,8 @@ TEST_CASE("Joints that are not there, and limits wider than the board's, are ref
   wide.highest_deg[2] = 91;
   Loop too_wide(wide);
   too_wide.fails_with(
-      "joint 2 \"joint2\" may go from -90 to 90 deg: our limits are wider, from -80 to 91 deg");
+      "joint 2 \"joint2\" may go from -90 deg to 90 deg: our limits are wider, from -80 deg to 91 "
+      "deg");
   CHECK(board.modes() == std::vector<std::string>(7, "pos"));
 }
 
@@ -524,8 +647,7 @@ TEST_CASE("A stop does not wait for a board, whatever it is asked for") {
     auto loop = std::make_unique<Loop>(params);
     if (trouble == BoardTrouble::kNone || trouble == BoardTrouble::kModesStay) {
       REQUIRE(loop->is_connected());
-      loop->command(all(0));
-      REQUIRE(until([&] { return board.mode_requests() == 7; }));
+      REQUIRE(loop->insists_until(all(0), [&] { return board.mode_requests() == 7; }));
     } else {
       REQUIRE(until([&] { return board.connections() > 0; }));
     }

@@ -1,0 +1,126 @@
+#include "common/yarp/joint_hold.h"
+
+#include <chrono>
+
+#include "common/yarp/board_error.h"
+
+namespace puck {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr const char* kDirect = "posd";
+constexpr const char* kPosition = "pos";
+// Some boards take a while to change a joint's mode.
+constexpr milliseconds kModesWithin{2000};
+constexpr milliseconds kModesAgain{10};
+constexpr milliseconds kLeaveWithin{50};
+
+bool may_be_taken(const std::string& mode) { return mode == kPosition || mode == kDirect; }
+// An emergency stop, or a broken part: `hwf` or `hwfa`.
+bool is_hardware_fault(const std::string& mode) { return mode.starts_with("hwf"); }
+bool is_motor_off(const std::string& mode) { return mode.starts_with("idl"); }
+
+}  // namespace
+
+JointHold::JointHold(const YarpParams& params, const BoardJoints& joints, BoardRequests& requests)
+    : params_(params), joints_(joints), requests_(requests) {
+  check_ready(requests_.modes(joints_.axes));
+  next_look_at_ = SteadyClock::now() + milliseconds(params_.check_modes_ms);
+}
+
+void JointHold::check_ready(const std::vector<std::string>& modes) const {
+  for (std::size_t i = 0; i < params_.joints.size(); ++i) {
+    const std::string& mode = modes[static_cast<std::size_t>(params_.joints[i])];
+    if (may_be_taken(mode)) continue;
+    if (is_hardware_fault(mode)) {
+      throw BoardError(joints_.names[i] + " is in mode " + in_quotes(mode) +
+                           ", a hardware fault: bring it back into mode " + in_quotes(kPosition) +
+                           " with the robot's own tools, then puck-arm --reset",
+                       BoardError::Kind::kNeedsPerson);
+    }
+    throw BoardError(joints_.names[i] + " is not ready yet: it is in mode " + in_quotes(mode) +
+                         (is_motor_off(mode) ? ", its motor off: the robot's own tools bring it "
+                                               "into mode " +
+                                                   in_quotes(kPosition)
+                                             : std::string{}),
+                     BoardError::Kind::kNotReady);
+  }
+}
+
+std::string JointHold::wrong_mode(const std::vector<std::string>& modes) const {
+  for (std::size_t i = 0; i < params_.joints.size(); ++i) {
+    const std::string& mode = modes[static_cast<std::size_t>(params_.joints[i])];
+    if (mode == kDirect) continue;
+    return joints_.names[i] + " is in mode " + in_quotes(mode) + ", not in " + in_quotes(kDirect);
+  }
+  return {};
+}
+
+void JointHold::begin_to_take() {
+  state_ = State::kAsking;
+  next_look_at_ = SteadyClock::now();
+}
+
+bool JointHold::attend(bool wants) {
+  const auto answer = requests_.answer_now();
+  if (answer) heed(*answer);
+  const Deadline now = SteadyClock::now();
+  if (requests_.is_waiting()) {
+    if (now <= requests_.late_at()) return false;
+    throw BoardError("no answer in time, asked " + in_quotes(requests_.asked()));
+  }
+  if (!wants && (state_ == State::kAsking || state_ == State::kTaking)) state_ = State::kNone;
+  if (state_ == State::kTaking && joints_put_ < params_.joints.size()) {
+    has_put_ = true;
+    requests_.begin_set_mode(params_.joints[joints_put_], kDirect);
+  } else if (now >= next_look_at_) {
+    next_look_at_ =
+        now + (state_ == State::kTaking ? kModesAgain : milliseconds(params_.check_modes_ms));
+    requests_.begin_modes();
+  }
+  return answer.has_value();
+}
+
+// Its turn decides what it answers: nothing else is asked in between.
+void JointHold::heed(const BoardAnswer& answer) {
+  if (state_ == State::kTaking && joints_put_ < params_.joints.size()) {
+    ++joints_put_;
+  } else {
+    heed_modes(answer.vocabs("cmds", joints_.axes));
+  }
+}
+
+void JointHold::heed_modes(const std::vector<std::string>& modes) {
+  if (state_ == State::kNone || state_ == State::kAsking) {
+    check_ready(modes);
+    if (state_ == State::kNone) return;
+    state_ = State::kTaking;
+    joints_put_ = 0;
+    taken_by_ = SteadyClock::now() + kModesWithin;
+    next_look_at_ = SteadyClock::now();
+    return;
+  }
+  const std::string wrong = wrong_mode(modes);
+  if (wrong.empty()) {
+    if (state_ == State::kTaking) taken_at_ = SteadyClock::now();
+    state_ = State::kTaken;
+  } else if (state_ == State::kTaken || SteadyClock::now() >= taken_by_) {
+    throw BoardError(wrong);
+  }
+}
+
+Deadline JointHold::next_at() const {
+  return requests_.is_waiting() ? requests_.late_at() : next_look_at_;
+}
+
+void JointHold::leave() {
+  if (!has_put_) return;
+  // The waiter of this session is stopped.
+  Waker waker;
+  const Waiter waiter({}, waker);
+  requests_.leave_mode(params_.joints, joints_.axes, kDirect, kPosition, waiter,
+                       SteadyClock::now() + kLeaveWithin);
+}
+
+}  // namespace puck
