@@ -145,7 +145,9 @@ void ArmController::step(const HostNow& now, double dt_s) {
   const bool is_faulty = guard_.latch() == CommandGuard::Latch::kFault;
   if (was_faulty_ && !is_faulty) motion_.restart();
   was_faulty_ = is_faulty;
-  const std::string wrong = motion_.step(*back_end_, order_.target_m, now.monotonic_us, dt_s);
+  const bool is_latched = guard_.latch() != CommandGuard::Latch::kNone;
+  const std::string wrong =
+      motion_.step(*back_end_, order_.target_m, now.monotonic_us, dt_s, !is_latched);
   if (wrong.empty()) return;
   guard_.fault(wrong);
   was_faulty_ = true;

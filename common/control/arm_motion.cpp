@@ -92,23 +92,27 @@ void ArmMotion::rest() {
 }
 
 // In the order in which a back end that has failed is asked: its fault, then its encoders.
-std::string ArmMotion::trouble(ArmBackEnd& back_end, std::int64_t monotonic_us) {
+std::string ArmMotion::trouble(ArmBackEnd& back_end, std::int64_t monotonic_us, bool may_take) {
   if (std::string fault = back_end.fault(monotonic_us); !fault.empty()) {
     is_silenced_ = true;
     return fault;
   }
-  if (const char* wrong = encoders_.look(back_end.reading(monotonic_us))) return wrong;
-  if (!encoders_.has_reading()) {
+  const std::optional<JointReading> reading = back_end.reading(monotonic_us);
+  if (const char* wrong = encoders_.look(reading)) return wrong;
+  if (!reading) {
     awaited_ = back_end.awaited();
-    return {};
+    if (!awaited_.empty()) wait_anew();
   }
+  if (!encoders_.has_reading()) return {};
   if (encoders_.age_us(monotonic_us) > params_.max_encoder_age_us) {
     // What is to begin anew waits for a fresh one.
     if (phase_ != Phase::kWaiting) return "encoders silent";
     forget_encoders();
     return {};
   }
-  if (phase_ == Phase::kWaiting) return start_.see(encoders_.newest()) ? begin() : std::string{};
+  if (phase_ == Phase::kWaiting) {
+    return may_take && start_.see(encoders_.newest()) ? begin() : std::string{};
+  }
   for (std::size_t k = 0; k < set_point_.size(); ++k) {
     if (std::abs(encoders_.deg()[k] - set_point_[k]) <= params_.max_tracking_error_deg) continue;
     return "joint " + std::to_string(k) + " does not follow: it is at " +
@@ -116,6 +120,11 @@ std::string ArmMotion::trouble(ArmBackEnd& back_end, std::int64_t monotonic_us) 
            std::to_string(set_point_[k]);
   }
   return {};
+}
+
+void ArmMotion::wait_anew() {
+  phase_ = Phase::kWaiting;
+  forget_encoders();
 }
 
 void ArmMotion::forget_encoders() {
@@ -170,21 +179,29 @@ JointAngles ArmMotion::next_set_point(std::optional<double> target_m, double dt_
 }
 
 std::string ArmMotion::step(ArmBackEnd& back_end, std::optional<double> target_m,
-                            std::int64_t monotonic_us, double dt_s) {
+                            std::int64_t monotonic_us, double dt_s, bool may_take) {
   if (wants_restart_) {
     target_m.reset();
     if (set_points_rest()) {
-      phase_ = Phase::kWaiting;
       wants_restart_ = is_silenced_ = false;
-      forget_encoders();
+      wait_anew();
     }
   }
-  std::string wrong = trouble(back_end, monotonic_us);
+  if (phase_ != Phase::kWaiting && !is_silenced_ && !back_end.holds()) {
+    // What is given moves nothing yet: it neither has to come to rest nor may run ahead.
+    target_m.reset();
+    if (!may_take) wait_anew();
+  }
+  std::string wrong = trouble(back_end, monotonic_us, may_take);
   if (!wrong.empty()) target_m.reset();
-  if (phase_ == Phase::kWaiting || is_silenced_) return wrong;
+  if (phase_ == Phase::kWaiting || is_silenced_) {
+    back_end.withdraw();
+    return wrong;
+  }
   const JointAngles next = next_set_point(target_m, dt_s);
   if (!guard_.allows(next, dt_s)) {
     is_silenced_ = true;
+    back_end.withdraw();
     return wrong.empty() ? guard_.refusal() : wrong;
   }
   set_point_ = next;

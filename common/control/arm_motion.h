@@ -46,9 +46,10 @@ class ArmMotion {
 
   /// Moves on by `dt_s`: towards the target, or, without one, as quickly as its limits allow to
   /// rest. What is wrong, if anything: then the arm comes to rest, and it is for the caller to
-  /// restart it.
+  /// restart it. Unless it `may_take` joints, those that the back end does not hold are let be: it
+  /// begins anew once it may.
   std::string step(ArmBackEnd& back_end, std::optional<double> target_m, std::int64_t monotonic_us,
-                   double dt_s);
+                   double dt_s, bool may_take);
 
   /// Begins anew at what the encoders say next; but first the set-points come to rest, should they
   /// still be on the move.
@@ -71,7 +72,8 @@ class ArmMotion {
  private:
   enum class Phase : std::uint8_t { kWaiting, kApproach, kOnLine };
 
-  std::string trouble(ArmBackEnd& back_end, std::int64_t monotonic_us);
+  std::string trouble(ArmBackEnd& back_end, std::int64_t monotonic_us, bool may_take);
+  void wait_anew();
   std::string begin();
   void forget_encoders();
   bool set_points_rest() const;

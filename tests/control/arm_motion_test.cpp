@@ -27,6 +27,8 @@ class ScriptedBackEnd : public ArmBackEnd {
     std::optional<std::int64_t> stamp_us;  // of readings, when it stands still
     std::string fault;
     std::string awaited;
+    bool holds = true;
+    int withdrawals = 0;
     std::vector<JointAngles> sent;
   };
   explicit ScriptedBackEnd(Script& script) : script_(script) {}
@@ -34,7 +36,7 @@ class ScriptedBackEnd : public ArmBackEnd {
   std::string_view name() const override { return "scripted"; }
   void command(const JointAngles& set_point, std::int64_t) override {
     script_.sent.push_back(set_point);
-    if (script_.follows) script_.at = set_point;
+    if (script_.follows && script_.holds) script_.at = set_point;
   }
   std::optional<JointReading> reading(std::int64_t monotonic_us) override {
     if (!script_.speaks || !script_.at) return std::nullopt;
@@ -42,6 +44,8 @@ class ScriptedBackEnd : public ArmBackEnd {
   }
   std::string fault(std::int64_t) override { return script_.fault; }
   std::string awaited() override { return script_.awaited; }
+  void withdraw() override { ++script_.withdrawals; }
+  bool holds() override { return script_.holds; }
 
  private:
   Script& script_;
@@ -97,6 +101,87 @@ TEST_CASE("Without encoders nothing is sent, and the arm says what it waits for"
   arm.script.speaks = true;
   arm.bench.play(400, 0.1);
   CHECK(arm.bench.arm.position_m() == doctest::Approx(0.1));
+}
+
+TEST_CASE("A stopped arm takes no joints, however its back end comes, until a reset") {
+  for (const bool was_asking : {false, true}) {
+    CAPTURE(was_asking);
+    ScriptedArm arm(0);
+    arm.script.holds = false;
+    arm.script.speaks = was_asking;
+    arm.bench.play(200, 0.1);
+    CHECK(arm.script.sent.empty() == !was_asking);
+    arm.bench.operate(arm_command_t::MODE_STOP);
+    arm.script.speaks = true;
+    arm.script.sent.clear();
+    arm.script.withdrawals = 0;
+    arm.bench.play(200, 0.1);
+    CHECK(arm.script.sent.empty());
+    CHECK(arm.script.withdrawals > 0);
+    CHECK(arm.bench.arm.state().state == arm_state_t::STATE_STOPPED);
+    // Not ours, so nobody else's hand on it is a fault.
+    arm.script.at = joints_at(0.2);
+    arm.bench.play(200, 0.1);
+    CHECK(!arm.is_faulty());
+    arm.bench.operate(arm_command_t::MODE_RESET);
+    arm.bench.play(1, 0.1);
+    arm.script.holds = true;
+    arm.bench.play(600, 0.1);
+    CHECK(!arm.is_faulty());
+    CHECK(arm.bench.arm.position_m() == doctest::Approx(0.1));
+  }
+}
+
+TEST_CASE("A stop of an arm that holds its joints goes on with set-points at rest") {
+  ScriptedArm arm(0);
+  arm.bench.play(300, 0.1);
+  arm.bench.operate(arm_command_t::MODE_STOP);
+  arm.bench.play(200, 0.1);
+  arm.script.sent.clear();
+  arm.script.withdrawals = 0;
+  arm.bench.play(10, 0.1);
+  CHECK(arm.script.sent.size() == 10);
+  CHECK(arm.script.withdrawals == 0);
+}
+
+TEST_CASE("Set-points do not run ahead of joints that are still being taken") {
+  ScriptedArm arm(0);
+  arm.script.holds = false;
+  arm.bench.play(1000, 0.2);
+  REQUIRE(!arm.script.sent.empty());
+  CHECK(arm.script.sent.back()[0] == doctest::Approx(joints_at(0)[0]));
+  arm.script.holds = true;
+  arm.bench.play(1000, 0.2);
+  CHECK(!arm.is_faulty());
+  CHECK(arm.bench.arm.position_m() == doctest::Approx(0.2));
+}
+
+TEST_CASE("An arm whose joints turn out not to be ready waits, and begins anew where they are") {
+  ScriptedArm arm(0);
+  arm.script.holds = false;
+  arm.bench.play(200, 0.1);
+  REQUIRE(!arm.script.sent.empty());
+  arm.script.speaks = false;
+  arm.script.awaited = "it is being calibrated";
+  arm.script.sent.clear();
+  arm.bench.play(500, 0.1);
+  CHECK(arm.script.sent.empty());
+  CHECK(arm.reason() == "waiting for the encoders: it is being calibrated");
+  CHECK(arm.bench.arm.state().state == arm_state_t::STATE_IDLE);
+  arm.script.at = joints_at(-0.2);
+  arm.script.speaks = arm.script.holds = true;
+  arm.bench.play(800, 0.1);
+  CHECK(!arm.is_faulty());
+  CHECK(arm.bench.arm.position_m() == doctest::Approx(0.1));
+}
+
+TEST_CASE("A back end's fault withdraws what it did not send yet") {
+  ScriptedArm arm(0);
+  arm.bench.play(200, 0.1);
+  CHECK(arm.script.withdrawals == SteadyStart::kReadings - 1);
+  arm.script.fault = "no connection";
+  arm.bench.play(1, 0.1);
+  CHECK(arm.script.withdrawals == SteadyStart::kReadings);
 }
 
 TEST_CASE("One wrong reading at the start sets nothing in motion, wherever among the first it is") {
