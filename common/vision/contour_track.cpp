@@ -71,7 +71,8 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   if (offset.distance_px > RingEvidence::kReach_px) return 0;
 
   // A hot pixel says nothing about a puck at rest, however often it fires.
-  const bool repeats = context.ingredients.settling && recent_pixels_.repeats(event.x, event.y);
+  const bool repeats = context.ingredients.settling &&
+                       recent_pixels_.repeats(static_cast<int>(event.x), static_cast<int>(event.y));
   if (repeats && is_parked_) return 0;
   const double sign = contrast_sign(context);
   const bool wrong_sign =

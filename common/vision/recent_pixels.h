@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 
 namespace puck {
 
@@ -11,7 +10,7 @@ namespace puck {
 class RecentPixels {
  public:
   /// Takes an event; true when one of the last few was its pixel's.
-  bool repeats(double x, double y) {
+  bool repeats(int x, int y) {
     for (const Place& place : places_) {
       if (place.x == x && place.y == y) return true;
     }
@@ -22,8 +21,8 @@ class RecentPixels {
 
  private:
   struct Place {
-    double x = std::numeric_limits<double>::quiet_NaN();
-    double y = 0;
+    int x = -1;  // no pixel
+    int y = -1;
   };
   std::array<Place, 4> places_{};
   std::size_t next_ = 0;

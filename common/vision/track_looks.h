@@ -13,8 +13,8 @@ struct TrackLooks {
   double quality = 0;        ///< From −1 to 1.
   double strength = 0;       ///< How many more events lie on the ring than clutter would put there.
   double cover = 0;          ///< Share of the directions that the ring's events cover.
-  double near_events = 0;    ///< On the ring and around it, of late.
-  double inside_events = 0;  ///< Of those, well inside the ring.
+  double near_events = 0;    ///< On the ring, inside and around it, of late, but no repeats.
+  double inside_events = 0;  ///< Well inside the ring, of late, repeats as well.
 
   /// Believed as it stands.
   constexpr bool is_good() const { return quality > 0.5 && strength > 6; }

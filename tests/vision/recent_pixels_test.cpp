@@ -11,7 +11,7 @@ TEST_CASE("A pixel repeats until four others have fired") {
   CHECK_FALSE(pixels.repeats(10, 20));
   CHECK(pixels.repeats(10, 20));
   CHECK(pixels.repeats(0, 0));
-  for (const double x : {11, 12, 13}) CHECK_FALSE(pixels.repeats(x, 20));
+  for (const int x : {11, 12, 13}) CHECK_FALSE(pixels.repeats(x, 20));
   CHECK(pixels.repeats(10, 20));
   CHECK_FALSE(pixels.repeats(14, 20));
   CHECK_FALSE(pixels.repeats(10, 20));
