@@ -79,7 +79,8 @@ void ContourPipeline::decide(std::int64_t time_us) {
   if (main_) {
     judge_main(time_us);
     stop_if_silent(*main_, context_, time_us);
-    // What is at rest makes events, too, while the head turns.
+    // While the head turns, a faint puck makes events at rest, too; of others it is not known that
+    // the head turns.
     if (!background_.is_known() && settling_.settle(*main_, context_, time_us)) {
       witness_.put(main_->filter().position(), time_us);
     }
@@ -179,6 +180,7 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
   }
   main_ = challenger.track();
   held_rest_.forget();
+  settling_.forget();
   // What the search found may be the puck all the same, while twins of a wrong track go on
   // succeeding one another.
   if (kind == Challenger::Kind::kSearch) {

@@ -15,6 +15,9 @@ class Settling {
   /// by ContourIngredients::settling.
   bool settle(ContourTrack& main, const ContourContext& context, std::int64_t time_us);
 
+  /// The main track is another one: where the last one was clear says nothing about it.
+  void forget() { was_slow_ = false; }
+
  private:
   Pixel place_;
   bool was_slow_ = false;  // when it was last seen clearly

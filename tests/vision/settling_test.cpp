@@ -41,6 +41,9 @@ class Stopped {
     return settled;
   }
 
+  // Another track takes over.
+  void succeed() { settling_.forget(); }
+
   ContourContext context = test::contour_context();
   std::optional<ContourTrack> track;
   Pixel place;
@@ -77,6 +80,12 @@ TEST_CASE("A fast puck that falls silent does not settle, since it may be covere
 TEST_CASE("A track that is not trusted does not settle, since it may be a mallet's") {
   Stopped stopped({35, 10});
   stopped.context.is_trusted = false;
+  CHECK_FALSE(stopped.wait(50'000));
+}
+
+TEST_CASE("A successor does not settle where the track before it was clear") {
+  Stopped stopped({35, 10});
+  stopped.succeed();
   CHECK_FALSE(stopped.wait(50'000));
 }
 
