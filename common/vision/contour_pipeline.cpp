@@ -7,6 +7,7 @@
 #include "common/vision/puck_detector.h"
 #include "common/vision/stopping.h"
 #include "common/vision/takeover.h"
+#include "common/vision/track_region.h"
 
 namespace puck {
 namespace {
@@ -212,7 +213,9 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
   watches_background_ = context_.ingredients.background &&
                         (!main_ || !context_.is_trusted || context_.signature.is_faint());
   if (!watches_background_) background_.forget();
-  near_ = !main_ || awaits ? image : region_of_tracks();
+  near_ = !main_ || awaits ? image
+                           : region_of_tracks(*main_, challengers_, witness_.position(),
+                                              context_.contour, sensor_);
   events_needed_ = watches_background_ ? image : near_;
   puck_ = {};
   if (main_ && main_->is_good()) {
@@ -221,27 +224,6 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
     puck_ = Region::around(position, static_cast<int>(size.width), static_cast<int>(size.height))
                 .inflated(kPuckMargin_px);
   }
-}
-
-Region ContourPipeline::region_of_tracks() const {
-  double left = witness_.position().x, right = left;
-  double top = witness_.position().y, bottom = top;
-  double width = context_.contour.size_at(witness_.position()).width;
-  const auto include = [&](const ContourTrack& track) {
-    const Pixel position = track.filter().position();
-    left = std::min(left, position.x);
-    right = std::max(right, position.x);
-    top = std::min(top, position.y);
-    bottom = std::max(bottom, position.y);
-    width = std::max(width, context_.contour.size_at(position).width);
-  };
-  include(*main_);
-  for (const Challenger& challenger : challengers_) include(challenger.track());
-  const int margin = static_cast<int>(1.2 * width + 30);
-  return Region{static_cast<int>(left), static_cast<int>(top), static_cast<int>(right - left) + 1,
-                static_cast<int>(bottom - top) + 1}
-      .inflated(margin)
-      .intersect(Region::all_of(sensor_));
 }
 
 void ContourPipeline::take(const SearchResult& result) {

@@ -60,7 +60,6 @@ class ContourPipeline final : public TrackingPipeline {
   void enthrone(const Challenger& challenger, std::int64_t time_us);
   void plan_search(std::int64_t time_us);
   void plan_events(std::int64_t time_us);
-  Region region_of_tracks() const;
 
   SensorSize sensor_;
   ContourPipelineParams params_;
