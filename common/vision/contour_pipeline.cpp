@@ -115,14 +115,8 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   const std::int64_t passed_us = time_us - decided_us_;
   main_->decide(time_us, trust_.since_good_us(time_us) > kBlindAfter_us, context_);
   const PuckSignature::Sample sample = main_->take_sample();
-  if (context_.ingredients.holding) {
-    // A faint puck is quiet while it moves, too; a lost one may be gone.
-    const bool rests = standing_.is_resting() && standing_.state() == TrackState::kTracking &&
-                       !context_.signature.is_faint();
-    held_rest_.judge(main_->looks(), rests, time_us);
-    if (held_rest_.departs()) main_->set_off();
-  }
-  if (standing_.is_resting() || held_rest_.is_held()) {
+  held_rest_.hold(*main_, standing_, context_, time_us);
+  if (keeps_still()) {
     main_->park();
     if (standing_.has_settled(time_us)) witness_.draw_to(main_->filter().position(), passed_us);
   }
@@ -142,7 +136,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
                         .is_trusted = context_.is_trusted,
                         .is_proven = trust_.is_proven(),
                         .has_gone_bad = has_gone_bad,
-                        .is_resting = standing_.is_resting() || held_rest_.is_held(),
+                        .is_resting = keeps_still(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
                         .may_be_faint = rest_may_be_wrong(),
                         .since_good_us = trust_.since_good_us(time_us),

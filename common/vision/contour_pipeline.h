@@ -60,6 +60,8 @@ class ContourPipeline final : public TrackingPipeline {
   void enthrone(const Challenger& challenger, std::int64_t time_us);
   void plan_search(std::int64_t time_us);
   void plan_events(std::int64_t time_us);
+  /// Whether the main track must not move.
+  bool keeps_still() const { return standing_.is_resting() || held_rest_.is_held(); }
 
   SensorSize sensor_;
   ContourPipelineParams params_;

@@ -7,21 +7,35 @@ constexpr std::int64_t kLongestDisturbance_us = 100'000;
 // A puck that sets off makes events on both sides; a mallet beside it on one.
 constexpr double kDepartingStrength = 12;
 constexpr double kDepartingCover = 0.25;
+// So many events inside the contour are of something on the puck. They do not say that it moves.
 constexpr double kCovered = 12;
 
 }  // namespace
 
+bool may_hold(const TrackStanding& standing, const PuckSignature& signature) {
+  return standing.is_resting() && standing.state() == TrackState::kTracking &&
+         !signature.is_faint();
+}
+
+void HeldRest::hold(ContourTrack& main, const TrackStanding& standing,
+                    const ContourContext& context, std::int64_t time_us) {
+  if (!context.ingredients.holding) return;
+  judge(main.looks(), may_hold(standing, context.signature), time_us);
+  if (sets_off_) main.set_off();
+}
+
 void HeldRest::judge(const TrackLooks& main, bool is_resting, std::int64_t time_us) {
-  departs_ = false;
+  sets_off_ = false;
   if (is_resting) {
     is_held_ = true;
     quiet_us_ = time_us;
     return;
   }
   if (!is_held_) return;
-  departs_ = (main.strength > kDepartingStrength && main.cover > kDepartingCover) ||
-             main.inside_events > kCovered;
-  if (departs_ || time_us - quiet_us_ > kLongestDisturbance_us) is_held_ = false;
+  const bool is_covered = main.inside_events > kCovered;
+  sets_off_ = !is_covered && main.strength > kDepartingStrength && main.cover > kDepartingCover;
+  const bool is_disturbed_for_long = time_us - quiet_us_ > kLongestDisturbance_us;
+  if (sets_off_ || is_covered || is_disturbed_for_long) is_held_ = false;
 }
 
 }  // namespace puck

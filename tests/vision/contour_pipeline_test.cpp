@@ -1,5 +1,6 @@
 #include "common/vision/contour_pipeline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -26,7 +27,7 @@ class Table {
 
   // Lets the puck glide for so long; the mean error of the last half, px.
   double glide(PixelVelocity velocity, int milliseconds) {
-    test::MovingContour puck(contour_, puck_, velocity);
+    test::MovingContour puck(contour_, puck_, velocity, density);
     double sum = 0;
     for (int i = 0; i < milliseconds; ++i) {
       const std::int64_t from_us = i * 1000;
@@ -35,6 +36,13 @@ class Table {
       if (i >= milliseconds / 2) sum += error_px();
     }
     return sum / (milliseconds - milliseconds / 2);
+  }
+
+  // Slows down until nothing is left but noise.
+  void come_to_rest() {
+    glide({250, 30}, 500);
+    for (const double speed : {120, 80, 50, 30}) glide({speed, 0}, 40);
+    rest(500, 3);
   }
 
   // Nothing moves but a few pixels that fire at random, so many a millisecond.
@@ -81,6 +89,8 @@ class Table {
     }
   }
 
+  // Events that a px of contour makes on each px of its way.
+  double density = 3;
   void put(Pixel position) { puck_ = position; }
   double error_px() const {
     if (!estimate_.position) return 100;
@@ -162,9 +172,7 @@ TEST_CASE(
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     CAPTURE(seed);
     Table table(preset_params(Preset::kDefault), seed);
-    table.glide({250, 30}, 500);
-    for (const double speed : {120, 80, 50, 30}) table.glide({speed, 0}, 40);
-    table.rest(500, 3);
+    table.come_to_rest();
     REQUIRE(table.estimate().resting);
     CHECK(table.error_px() < 1);
     for (int i = 0; i < 10; ++i) {
@@ -174,6 +182,51 @@ TEST_CASE(
     }
     table.glide({0, 1500}, 2);
     CHECK(table.error_px() < 2);
+  }
+}
+
+TEST_CASE("a puck that is covered at rest is lost, or stays where it is") {
+  for (const std::uint32_t seed : {1u, 2u, 3u}) {
+    CAPTURE(seed);
+    Table table(preset_params(Preset::kDefault), seed);
+    table.come_to_rest();
+    REQUIRE(table.estimate().resting);
+    for (int i = 0; i < 30; ++i) {
+      CAPTURE(i);
+      table.cover(1);
+      if (table.estimate().state == TrackState::kTracking) CHECK(table.error_px() < 5);
+    }
+  }
+}
+
+TEST_CASE("a mallet that trembles beside a puck at rest for 3 s does not lead the track away") {
+  for (const std::uint32_t seed : {1u, 2u}) {
+    CAPTURE(seed);
+    Table table(preset_params(Preset::kDefault), seed);
+    table.come_to_rest();
+    for (int i = 0; i < 60; ++i) {
+      table.approach({0, -26}, {0, 200}, 10);
+      table.approach({0, -24}, {0, -200}, 10);
+      table.rest(30, 3);
+    }
+    CHECK(table.estimate().state == TrackState::kTracking);
+    CHECK(table.error_px() < 1.5);
+  }
+}
+
+TEST_CASE("a faint puck is followed when it sets off slowly") {
+  for (const std::uint32_t seed : {1u, 2u}) {
+    CAPTURE(seed);
+    Table table(preset_params(Preset::kDefault), seed);
+    table.density = 1;
+    table.come_to_rest();
+    double worst_px = 0;
+    for (int i = 0; i < 100; ++i) {
+      table.glide({100, 30}, 1);
+      worst_px = std::max(worst_px, table.error_px());
+    }
+    CHECK(worst_px < 5);
+    CHECK(table.error_px() < 1);
   }
 }
 

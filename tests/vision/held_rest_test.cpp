@@ -9,10 +9,62 @@ namespace {
 constexpr TrackLooks kBeside{.strength = -15, .cover = 0.2, .near_events = 100};
 constexpr TrackLooks kSettingOff{.strength = 13, .cover = 0.3, .near_events = 120};
 
+constexpr TrackLooks kGood{.speed_px_s = 500, .quality = 0.9, .strength = 50, .near_events = 60};
+
+// Trust in a track that has been sound for 50 ms.
+TrackTrust sound() {
+  TrackTrust trust;
+  trust.judge(kGood, false, 50'000, 50'000);
+  return trust;
+}
+
+// Of a track that was good, and 0.5 ms later too, or is silent.
+TrackStanding standing(bool rests) {
+  TrackStanding made({640, 480}, 50'000);
+  made.judge(kGood, true, false, sound(), 100'000);
+  made.judge(rests ? TrackLooks{} : kGood, true, false, sound(), 100'500);
+  return made;
+}
+
+// Of a puck that makes so many events at each pixel.
+PuckSignature signature(int events_each) {
+  PuckSignature::Sample sample;
+  for (int i = 0; i < 100 * events_each; ++i) sample.count(true, 500, i % events_each == 0);
+  PuckSignature made;
+  made.learn(sample, 1'000);
+  return made;
+}
+
 HeldRest resting() {
   HeldRest rest;
   rest.judge({}, true, 100'000);
   return rest;
+}
+
+TEST_CASE("What rests may be held, but not what moves") {
+  REQUIRE(standing(true).is_resting());
+  REQUIRE(standing(true).state() == TrackState::kTracking);
+  CHECK(may_hold(standing(true), signature(5)));
+  REQUIRE(standing(false).state() == TrackState::kTracking);
+  CHECK_FALSE(may_hold(standing(false), signature(5)));
+}
+
+TEST_CASE("A faint puck is not held, since it is quiet while it moves") {
+  REQUIRE(signature(1).is_faint());
+  CHECK_FALSE(may_hold(standing(true), signature(1)));
+  CHECK_FALSE(may_hold(standing(false), signature(1)));
+}
+
+TEST_CASE("What rests is not held while the puck is lost, since it may be gone") {
+  TrackStanding lost({640, 480}, 50'000);
+  lost.judge({}, true, false, sound(), 100'000);
+  REQUIRE(lost.is_resting());
+  REQUIRE(lost.state() == TrackState::kLost);
+  CHECK_FALSE(may_hold(lost, signature(5)));
+  CHECK_FALSE(may_hold(lost, signature(1)));
+  lost.judge(kBeside, true, false, sound(), 100'500);
+  REQUIRE_FALSE(lost.is_resting());
+  CHECK_FALSE(may_hold(lost, signature(5)));
 }
 
 TEST_CASE("Nothing is held that has not rested") {
@@ -29,7 +81,7 @@ TEST_CASE("A puck at rest is held for 100 ms while something stirs beside it") {
   CHECK(rest.is_held());
   rest.judge(kBeside, false, 200'001);
   CHECK_FALSE(rest.is_held());
-  CHECK_FALSE(rest.departs());
+  CHECK_FALSE(rest.sets_off());
 }
 
 TEST_CASE("It is let go once events lie all around its contour") {
@@ -40,12 +92,12 @@ TEST_CASE("It is let go once events lie all around its contour") {
   CHECK(rest.is_held());
   rest.judge(kSettingOff, false, 110'500);
   CHECK_FALSE(rest.is_held());
-  CHECK(rest.departs());
+  CHECK(rest.sets_off());
   rest.judge(kSettingOff, false, 111'000);
-  CHECK_FALSE(rest.departs());
+  CHECK_FALSE(rest.sets_off());
 }
 
-TEST_CASE("It is let go once something happens inside its contour") {
+TEST_CASE("It is let go once something is on it, but does not set off for that") {
   HeldRest rest = resting();
   TrackLooks covered = kBeside;
   covered.inside_events = 12;
@@ -53,7 +105,8 @@ TEST_CASE("It is let go once something happens inside its contour") {
   CHECK(rest.is_held());
   covered.inside_events = 13;
   rest.judge(covered, false, 110'500);
-  CHECK(rest.departs());
+  CHECK_FALSE(rest.is_held());
+  CHECK_FALSE(rest.sets_off());
 }
 
 TEST_CASE("Another track is not held for what the last one did") {
