@@ -95,8 +95,8 @@ bool succeeds_nearby(const Claim& claim, const Defence& main) {
 }
 
 bool outruns_rest(const Claim& claim, const Defence& main) {
-  return main.may_be_faint && moves_by_itself(claim) && claim.looks.quality > 0.85 &&
-         claim.looks.strength > 40;
+  return (main.may_be_faint || !main.is_proven) && moves_by_itself(claim) &&
+         claim.looks.quality > 0.85 && claim.looks.strength > 40;
 }
 
 bool is_convincing(const Claim& claim, const Defence& main) {

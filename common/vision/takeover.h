@@ -62,8 +62,8 @@ bool displaces_stranger(const Claim& claim, const Defence& main);
 /// must look.
 bool succeeds_nearby(const Claim& claim, const Defence& main);
 
-/// It moves as a puck does, beyond doubt; the main track is taken to rest, and the puck is so faint
-/// that it is never evident.
+/// It moves as a puck does, beyond doubt; the main track is taken to rest, and has never done so
+/// itself, or the puck is so faint that it is never evident.
 bool outruns_rest(const Claim& claim, const Defence& main);
 
 /// Any of the first five; against a puck at rest, which makes no events, that it is evident or

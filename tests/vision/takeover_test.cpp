@@ -115,6 +115,22 @@ TEST_CASE("A faint puck, which is never evident, outruns where it was taken to r
   CHECK_FALSE(is_convincing(claim, main));
 }
 
+TEST_CASE("What moves beyond doubt outruns a rest that is trusted, but was never seen to move") {
+  Defence main{.is_trusted = true, .is_resting = true};
+  Claim claim = kMoving;
+  claim.looks.quality = 0.86;
+  claim.looks.strength = 41;
+  CHECK(is_convincing(claim, main));
+  claim.looks.strength = 40;
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks.strength = 41;
+  claim.looks.quality = 0.85;
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks.quality = 0.86;
+  main.is_proven = true;
+  CHECK_FALSE(is_convincing(claim, main));
+}
+
 TEST_CASE("What moves by itself takes over from what never has") {
   Defence main = kStrongMain;
   main.looks.quality = 0.85;
