@@ -95,12 +95,11 @@ TEST_CASE("So does one that was only ever slow, if it is trusted") {
   CHECK_FALSE(is_convincing(mallet, main));
 }
 
-TEST_CASE("A faint puck, which is never evident, outruns where it was taken to rest") {
-  Defence main{.is_proven = true, .is_resting = true, .may_be_faint = true};
+// What just outruns a rest; anything less is checked not to.
+Claim checked_outrunning(const Defence& main) {
   Claim claim = kMoving;
   claim.looks.quality = 0.86;
   claim.looks.strength = 41;
-  CHECK(outruns_rest(claim, main));
   CHECK(is_convincing(claim, main));
   claim.looks.strength = 40;
   CHECK_FALSE(is_convincing(claim, main));
@@ -108,6 +107,13 @@ TEST_CASE("A faint puck, which is never evident, outruns where it was taken to r
   claim.looks.quality = 0.85;
   CHECK_FALSE(is_convincing(claim, main));
   claim.looks.quality = 0.86;
+  return claim;
+}
+
+TEST_CASE("A faint puck, which is never evident, outruns where it was taken to rest") {
+  Defence main{.is_proven = true, .is_resting = true, .may_be_faint = true};
+  Claim claim = checked_outrunning(main);
+  CHECK(outruns_rest(claim, main));
   claim.looks.speed_px_s = 300;
   CHECK_FALSE(is_convincing(claim, main));
   claim.looks.speed_px_s = 301;
@@ -117,16 +123,7 @@ TEST_CASE("A faint puck, which is never evident, outruns where it was taken to r
 
 TEST_CASE("What moves beyond doubt outruns a rest that is trusted, but was never seen to move") {
   Defence main{.is_trusted = true, .is_resting = true};
-  Claim claim = kMoving;
-  claim.looks.quality = 0.86;
-  claim.looks.strength = 41;
-  CHECK(is_convincing(claim, main));
-  claim.looks.strength = 40;
-  CHECK_FALSE(is_convincing(claim, main));
-  claim.looks.strength = 41;
-  claim.looks.quality = 0.85;
-  CHECK_FALSE(is_convincing(claim, main));
-  claim.looks.quality = 0.86;
+  const Claim claim = checked_outrunning(main);
   main.is_proven = true;
   CHECK_FALSE(is_convincing(claim, main));
 }
