@@ -48,8 +48,8 @@ struct StatusReport {
 /// of others with pongs, eight in each STATUS. A run that was not heard before is answered within
 /// 20 ms, so that it soon knows our clock; of several that come at once at least two, and two more
 /// every 20 ms, however many are known. 64 runs are, and of more those that are heard often. From
-/// the pongs of others it knows theirs. The thread that calls the bus's handle() calls it: a service
-/// that hangs then falls silent, as it should.
+/// the pongs of others it knows theirs. The thread that calls the bus's handle() calls it: a
+/// service that hangs then falls silent, as it should.
 class StatusReporter {
  public:
   using Fill = std::function<void(StatusReport&)>;

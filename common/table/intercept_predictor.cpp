@@ -26,9 +26,7 @@ Intercept crossing_of(const PuckTrack& at_line, double in_s, int bounces) {
 }  // namespace
 
 InterceptPredictor::InterceptPredictor(const PuckMotion& motion, const InterceptParams& params)
-    : motion_(motion),
-      params_(params),
-      line_x_m_(motion.table().contact_line_x_m()) {
+    : motion_(motion), params_(params), line_x_m_(motion.table().contact_line_x_m()) {
   if (!(params_.horizon_s > 0 && params_.horizon_s <= 60)) {
     throw std::invalid_argument("intercept.horizon_s must be above 0 and at most 60, got " +
                                 std::to_string(params_.horizon_s));

@@ -133,8 +133,9 @@ void BoardExchange::put_hold() {
 void BoardExchange::look_for_set_point(std::int64_t monotonic_us) {
   if (to_board_.look()) {
     const LoopWord& newer = to_board_.seen();
-    if (waiting_)
+    if (waiting_) {
       count(newer.set_point ? counts_.set_points_replaced : counts_.set_points_withdrawn);
+    }
     waiting_.reset();
     if (newer.set_point) waiting_ = newer;
   }

@@ -18,8 +18,8 @@ class OperatorCommand {
 
   /// Publishes the mode that was asked for, many times over at least 200 ms, until every arm that
   /// is heard confirms it (AddressedArms says which are): exit code 0; 1, and the reason on stderr,
-  /// when that takes more than 1 s. Nothing when no mode was
-  /// asked for. A stop goes out whether an arm is heard or not; a reset answers each arm's session.
+  /// when that takes more than 1 s. Nothing when no mode was asked for. A stop goes out whether an
+  /// arm is heard or not; a reset answers each arm's session.
   std::optional<int> run(const BusParams& params, std::stop_token stop) const;
 
  private:

@@ -25,8 +25,7 @@ TEST_CASE("a ring's samples are the pixels within reach of it, the rest of it is
   const double inner = std::numbers::pi * 11 * 6;
   CHECK(samples.inside_pixels() == doctest::Approx(inner).epsilon(0.05));
   CHECK(samples.inside_sum() == 10.0 * samples.inside_pixels());
-  CHECK(static_cast<double>(samples.near().size()) ==
-        doctest::Approx(outer - inner).epsilon(0.05));
+  CHECK(static_cast<double>(samples.near().size()) == doctest::Approx(outer - inner).epsilon(0.05));
   for (const RingSample& sample : samples.near()) {
     REQUIRE(std::abs(sample.distance_px) < RingSamples::kReachPx + 1);
     REQUIRE(std::hypot(sample.normal_x, sample.normal_y) == doctest::Approx(1).epsilon(1e-3));
