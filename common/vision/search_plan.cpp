@@ -14,7 +14,7 @@ constexpr std::int64_t kWidePeriod_us = 40'000;
 constexpr std::int64_t kGuardPeriod_us = 100'000;
 constexpr std::int64_t kCalmPeriod_us = 500'000;
 constexpr std::int64_t kRestingPeriod_us = 1'000'000;
-// A faint puck may have got away unseen.
+// A faint puck may have got away unseen, but not without stirring where it lay.
 constexpr std::int64_t kMaybeRestingPeriod_us = 50'000;
 // While nothing moves the search finds nothing that could prove itself.
 constexpr std::int64_t kStillPeriod_us = 1'000'000;
@@ -35,9 +35,11 @@ SearchPlan::SearchPlan(SensorSize sensor, const Region& detection_region)
       detection_region_(detection_region.empty() ? image_ : detection_region.intersect(image_)),
       stirrings_(sensor) {}
 
-std::int64_t SearchPlan::wide_period_us(const Situation& now) {
+std::int64_t SearchPlan::wide_period_us(const Situation& now, bool is_still) {
   if (now.is_lost) return kFirstPeriod_us;
-  if (now.is_resting) return now.may_be_faint ? kMaybeRestingPeriod_us : kRestingPeriod_us;
+  if (now.is_resting) {
+    return now.may_be_faint && !is_still ? kMaybeRestingPeriod_us : kRestingPeriod_us;
+  }
   if (now.main.quality < kBad || !now.is_trusted) return kWidePeriod_us;
   if (now.main.quality < TrackTrust::kSound) return kGuardPeriod_us;
   if (now.main.strength > kLively) return kNever_us;
@@ -56,7 +58,7 @@ void SearchPlan::plan(const Situation& now, const ContourIngredients& ingredient
                       std::int64_t time_us) {
   stirrings_.judge(time_us);
   if (is_busy() || (now.is_lost && is_pointless(time_us))) return;
-  if (ingredients.wide_search && time_us - wide_us_ >= wide_period_us(now)) {
+  if (ingredients.wide_search && time_us - wide_us_ >= wide_period_us(now, is_still(time_us))) {
     wide_us_ = time_us;
     want(image_, time_us);
     return;

@@ -48,9 +48,9 @@ class SearchPlan {
   /// Since the first search was wanted.
   std::int64_t searched_us(std::int64_t time_us) const { return time_us - since_us_; }
 
-  /// How often the whole image is searched.
+  /// How often the whole image is searched. `is_still`: nothing moves where events are taken.
   static constexpr std::int64_t kNever_us = std::numeric_limits<std::int64_t>::max();
-  static std::int64_t wide_period_us(const Situation& now);
+  static std::int64_t wide_period_us(const Situation& now, bool is_still);
 
  private:
   bool is_busy() const { return is_out_ || !wanted_.empty(); }

@@ -61,25 +61,28 @@ TEST_CASE("Without a detection region the search is everywhere") {
 }
 
 TEST_CASE("The better the track, the more seldom the whole image is searched") {
+  constexpr bool kStirs = false;
+  constexpr bool kIsStill = true;
   SearchPlan::Situation now = kCalm;
-  CHECK(SearchPlan::wide_period_us(now) == 500'000);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == 500'000);
   now.is_proven = false;
-  CHECK(SearchPlan::wide_period_us(now) == 100'000);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == 100'000);
   now.main.strength = 301;
-  CHECK(SearchPlan::wide_period_us(now) == SearchPlan::kNever_us);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == SearchPlan::kNever_us);
   now.main.quality = 0.84;
-  CHECK(SearchPlan::wide_period_us(now) == 100'000);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == 100'000);
   now.is_trusted = false;
-  CHECK(SearchPlan::wide_period_us(now) == 40'000);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == 40'000);
   now.is_trusted = true;
   now.main.quality = 0.29;
-  CHECK(SearchPlan::wide_period_us(now) == 40'000);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == 40'000);
   now.is_resting = true;
-  CHECK(SearchPlan::wide_period_us(now) == 1'000'000);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == 1'000'000);
   now.may_be_faint = true;
-  CHECK(SearchPlan::wide_period_us(now) == 50'000);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == 50'000);
+  CHECK(SearchPlan::wide_period_us(now, kIsStill) == 1'000'000);
   now.is_lost = true;
-  CHECK(SearchPlan::wide_period_us(now) == 20'000);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == 20'000);
 }
 
 TEST_CASE("A calm track is left in peace until the whole image is due") {
@@ -121,6 +124,22 @@ TEST_CASE(
     CHECK(searches_in_noise(plan, seed, 100'000,
                             [&](auto now_us) { plan.plan(lost, kAll, now_us); }) == 1);
   }
+}
+
+TEST_CASE("What may be a faint puck at rest is looked for elsewhere while something stirs") {
+  SearchPlan plan(kSensor, {});
+  SearchPlan::Situation now = kCalm;
+  now.is_resting = true;
+  now.may_be_faint = true;
+  const auto decide = [&](std::int64_t time_us) { plan.plan(now, kAll, time_us); };
+  CHECK(searches_in_noise(plan, 1, 1'000'500, decide) == 1);
+  const auto stir_and_decide = [&](std::int64_t time_us) {
+    if (time_us % 50'000 == 0) stir(plan);
+    decide(time_us);
+  };
+  CHECK(searches_in_noise(plan, 2, 2'000'500, stir_and_decide) == 20);
+  // The last one is remembered for 100 ms.
+  CHECK(searches_in_noise(plan, 3, 3'000'500, decide) == 2);
 }
 
 TEST_CASE("What moves is searched for at once, however long nothing has moved") {
