@@ -113,9 +113,10 @@ ArmController::Order ArmController::decide_to_follow(const puck_estimate_t* trac
 }
 
 ArmController::Order ArmController::decide(const HostNow& now, const puck_estimate_t* track) const {
-  if (guard_.latch() != CommandGuard::Latch::kNone) {
+  const bool is_latched = guard_.latch() != CommandGuard::Latch::kNone;
+  if (is_latched || is_ending_) {
     Order order;
-    order.reason = kLatched;
+    order.reason = is_latched ? kLatched : "it ends";
     return order;
   }
   return params_.mode == ArmMode::kFollow ? decide_to_follow(track, now)

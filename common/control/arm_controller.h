@@ -64,6 +64,10 @@ class ArmController {
   void step(const HostNow& now, double dt_s);
   /// Steps were left out for so long that the arm has come to rest.
   void rest() { motion_.rest(); }
+  /// From now on it comes to rest, whatever it is told.
+  void end() { is_ending_ = true; }
+  /// No set-point is on the move.
+  bool rests() const { return motion_.set_points_rest(); }
 
   /// As of the last step; all but the header.
   arm_state_t state() const;
@@ -117,6 +121,7 @@ class ArmController {
   ArmMotion motion_;
   std::unique_ptr<ArmBackEnd> back_end_;
   bool was_faulty_ = false;
+  bool is_ending_ = false;
   Order order_;
   std::int64_t alive_session_ = 0;  // of the live track at the last step
   std::int64_t alive_seq_ = 0;

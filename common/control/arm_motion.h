@@ -60,6 +60,8 @@ class ArmMotion {
   /// It does not know yet where the joints are: nothing is sent.
   bool is_waiting() const { return phase_ == Phase::kWaiting; }
   bool is_on_line() const { return phase_ == Phase::kOnLine; }
+  /// Nothing is sent, or the same again and again.
+  bool set_points_rest() const;
   /// Why it goes nowhere yet, or is on its way to the line; empty: neither.
   std::string note() const;
 
@@ -76,7 +78,6 @@ class ArmMotion {
   void wait_anew();
   std::string begin();
   void forget_encoders();
-  bool set_points_rest() const;
   JointAngles next_set_point(std::optional<double> target_m, double dt_s);
   JerkLimitedMotion approach_over(double distance_deg) const;
 

@@ -20,6 +20,8 @@ constexpr std::int64_t kPauseUs = 20'000;
 constexpr std::int64_t kLongestDrainUs = 500;
 // Nor do they keep the loop from waiting for so long before each step: others need the processor.
 constexpr std::int64_t kLeastWaitUs = 100;
+// With the limits that are built in it takes 0.1 s to brake.
+constexpr std::int64_t kLongestBrakeUs = 500'000;
 // Why it stands still in a game is logged at most so often, but always at level debug.
 constexpr std::int64_t kTellPeriodUs = 1'000'000;
 
@@ -77,14 +79,27 @@ ArmService::ArmService(const ArmServiceParams& params, ServiceContext& context)
 void ArmService::run(std::stop_token stop) {
   run_in_real_time_and_tell(real_time_priority_, context_.log);
   due_us_ = stepped_us_ = next_state_us_ = host_monotonic_us();
-  while (!stop.stop_requested()) {
-    wait_until_due();
-    const HostNow now = host_now();
-    step(now);
-    publish_state(now);
-    warn_of_refusals();
-    poll_status(context_, *this);
-  }
+  while (!stop.stop_requested()) turn();
+  brake();
+}
+
+void ArmService::turn() {
+  wait_until_due();
+  const HostNow now = host_now();
+  step(now);
+  publish_state(now);
+  warn_of_refusals();
+  poll_status(context_, *this);
+}
+
+// Set-points that merely ceased would stop the arm harder than its limits allow.
+void ArmService::brake() {
+  controller_.end();
+  const std::int64_t end_us = host_monotonic_us() + kLongestBrakeUs;
+  do {
+    turn();
+  } while (!controller_.rests() && host_monotonic_us() < end_us);
+  if (!controller_.rests()) context_.log.warn("ends before the arm has come to rest");
 }
 
 // Nothing that comes changes the motion before the step, and the kernel notes when it came. So the

@@ -25,6 +25,9 @@ class ArmService : public Service {
   void report(StatusReport& report) const override;
 
  private:
+  /// One step, at its time.
+  void turn();
+  void brake();
   void wait_until_due();
   /// Handles what there is; whether it was done with all of it before `end_us`, CLOCK_MONOTONIC.
   bool drain_until(std::int64_t end_us);

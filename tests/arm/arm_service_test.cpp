@@ -162,6 +162,21 @@ TEST_CASE("The arm service stands still when the bus falls silent") {
   CHECK(ServiceBench::until(stands, [] {}));
 }
 
+TEST_CASE("The arm service brakes before it ends, commands or not") {
+  RunningArm arm;
+  const auto moves_fast = [&] { return arm.state() && arm.state()->velocity_m_s > 0.5; };
+  REQUIRE(ServiceBench::until(moves_fast, [&] {
+    arm.say_track();
+    arm.command(0.3);
+  }));
+  arm.bench.stop();
+  const arm_state_t last = *arm.state();
+  CHECK(last.reason == "it ends");
+  // The joints follow the set-points, which rest.
+  CHECK(std::abs(last.velocity_m_s) < 0.3);
+  CHECK(last.faults == 0);
+}
+
 TEST_CASE("The arm follows a bridge and a tracker whose clock is hours away, once they answer") {
   constexpr std::int64_t kHourUs = 3'600'000'000;
   const std::string url = private_lcm_url();

@@ -53,6 +53,19 @@ TEST_CASE("The arm stands still within its limits when the commands end") {
   CHECK(bench.arm.state().state == arm_state_t::STATE_HOLDING);
 }
 
+TEST_CASE("An arm that ends comes to rest within its limits, whatever it is told") {
+  ArmBench bench;
+  bench.play(60, 0.3);
+  REQUIRE(bench.arm.velocity_m_s() > 0.5);
+  CHECK_FALSE(bench.arm.rests());
+  bench.arm.end();
+  // At most 1.5/20 + 3 * 20/2000 s to rest from any state.
+  bench.play(106, 0.3);
+  CHECK(bench.arm.rests());
+  CHECK(bench.arm.state().reason == "it ends");
+  CHECK(bench.arm.state().faults == 0);
+}
+
 TEST_CASE("The arm stands still when the track under good commands goes silent") {
   ArmBench bench;
   bench.play(40, 0.3);
