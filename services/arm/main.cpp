@@ -10,7 +10,6 @@ int main(int argc, char** argv) {
                       "under them is alive.",
        .add_options = [&](CLI::App& app) { by_hand.add_options(app); },
        .instead = [&](const puck::BusParams& params,
-                      std::stop_token stop) { return by_hand.run(params, stop); },
-       .is_real_time = true},
+                      std::stop_token stop) { return by_hand.run(params, stop); }},
       argc, argv);
 }

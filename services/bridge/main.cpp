@@ -5,7 +5,6 @@ int main(int argc, char** argv) {
   return puck::run_service<puck::BridgeService>(
       {.name = "puck-bridge",
        .description = "From the tracker's estimates to the puck's motion on the table, the game, "
-                      "and commands for the arm.",
-       .is_real_time = true},
+                      "and commands for the arm."},
       argc, argv);
 }

@@ -6,11 +6,12 @@
 #include <sstream>
 #include <utility>
 
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <sys/prctl.h>
+#include <unistd.h>
 
 #include "common/messaging/bus_settings.h"
 #include "common/messaging/status_check.h"
+#include "services/launch/line_writer.h"
 #include "services/launch/service_log.h"
 #include "services/launch/stop_on_signal.h"
 
@@ -33,14 +34,6 @@ Config load_config(const CommandLine& line) {
   if (line.lcm_url) config.override_with("lcm.url=" + quoted(*line.lcm_url));
   if (line.prefix) config.override_with("lcm.prefix=" + quoted(*line.prefix));
   return config;
-}
-
-ServiceLog make_log(const ServiceInfo& info, const std::string& level) {
-  ServiceLog log(info.name, std::make_shared<spdlog::sinks::stderr_color_sink_mt>(),
-                 info.is_real_time);
-  log.logger().set_pattern("%H:%M:%S.%e %n %^%l%$: %v");
-  log.logger().set_level(spdlog::level::from_str(level));
-  return log;
 }
 
 void log_config(spdlog::logger& log, const Config& config) {
@@ -80,8 +73,9 @@ StatusReport report_of(const ServiceContext& context, const Service& service) {
 int serve(const ServiceInfo& info, const CommandLine& line, const Config& config,
           const BusParams& params, const MakeService& make, std::stop_token stop) {
   Bus bus(params);
-  ServiceLog service_log = make_log(info, line.log_level);
+  ServiceLog service_log(info.name, STDERR_FILENO);
   spdlog::logger& log = service_log.logger();
+  log.set_level(spdlog::level::from_str(line.log_level));
   log.info("version {}", PUCK_VERSION);
   log_config(log, config);
 
@@ -142,7 +136,7 @@ int run_service(const ServiceInfo& info, int argc, const char* const* argv,
     config.reject_unknown();
     return serve(info, line, config, params, make, signals.token());
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", info.name.c_str(), error.what());
+    LineWriter(STDERR_FILENO).put(info.name + ": " + error.what() + "\n");
     return 1;
   }
 }

@@ -20,8 +20,6 @@ struct ServiceInfo {
   /// Asked once the bus's settings are read: an exit code when something else was wanted than to
   /// run the service (puck-arm --stop).
   std::function<std::optional<int>(const BusParams&, std::stop_token)> instead{};
-  /// Its loop must keep its pace, so its log is written by another thread.
-  bool is_real_time = false;
 };
 
 using MakeService = std::function<std::unique_ptr<Service>(ServiceContext&)>;

@@ -6,25 +6,22 @@
 
 #include <spdlog/logger.h>
 
-namespace spdlog::details {
-class thread_pool;
-}
+#include "services/launch/line_writer.h"
 
 namespace puck {
 
-/// The log of a service. That of a real-time loop is written by a thread of its own, so that the
-/// loop keeps its pace whatever becomes of its standard error: up to 256 lines wait, and of more
-/// the oldest are lost and counted. What waits is written when it ends. Safe from any thread.
+/// The log of a service: "12:34:56.789 puck-arm info: text", coloured on a terminal. Nobody waits
+/// for whoever reads it, as LineWriter has it. Safe from any thread.
 class ServiceLog {
  public:
-  ServiceLog(const std::string& name, spdlog::sink_ptr sink, bool is_real_time);
+  ServiceLog(const std::string& name, int descriptor);
 
-  spdlog::logger& logger() { return *logger_; }
-  std::size_t lost_lines() const;
+  spdlog::logger& logger() { return logger_; }
+  std::size_t lost_lines() const { return writer_.lost(); }
 
  private:
-  std::shared_ptr<spdlog::details::thread_pool> writers_;  // Null: whoever logs writes.
-  std::shared_ptr<spdlog::logger> logger_;
+  LineWriter writer_;
+  spdlog::logger logger_;
 };
 
 }  // namespace puck

@@ -1,55 +1,90 @@
 #include "services/launch/service_log.h"
 
-#include <memory>
-#include <mutex>
+#include <array>
 #include <string>
-#include <vector>
+#include <thread>
 
 #include <doctest/doctest.h>
-#include <spdlog/sinks/sink.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "tests/support/stuck_pipe.h"
 
 namespace puck {
 namespace {
 
-// Writes into memory, as long as nobody holds it up.
-class HeldSink final : public spdlog::sinks::sink {
- public:
-  void log(const spdlog::details::log_msg& line) override {
-    const std::lock_guard held(hold);
-    lines.emplace_back(line.payload.data(), line.payload.size());
+// All that a pipe gives until its writers are gone.
+std::string read_all(int descriptor) {
+  std::string text;
+  std::array<char, 4096> piece{};
+  for (;;) {
+    const ssize_t count = read(descriptor, piece.data(), piece.size());
+    if (count <= 0) return text;
+    text.append(piece.data(), static_cast<std::size_t>(count));
   }
-  void flush() override {}
-  void set_pattern(const std::string&) override {}
-  void set_formatter(std::unique_ptr<spdlog::formatter>) override {}
-
-  std::mutex hold;
-  std::vector<std::string> lines;
-};
-
-TEST_CASE("The log of a real-time loop that hangs keeps nobody waiting, and counts what it lost") {
-  const auto sink = std::make_shared<HeldSink>();
-  std::size_t lost = 0;
-  {
-    ServiceLog log("test", sink, true);
-    const std::lock_guard held(sink->hold);
-    // The sink is held up by this thread, so that whoever waited for it would wait for ever.
-    for (int i = 0; i < 1000; ++i) log.logger().info("line {}", i);
-    lost = log.lost_lines();
-  }
-  // The writer may hold one line already.
-  CHECK(lost >= 743);
-  CHECK(lost <= 744);
-  REQUIRE(sink->lines.size() == 1000 - lost);
-  CHECK(sink->lines.back() == "line 999");
 }
 
-TEST_CASE("Any other log is written by whoever logs, at once") {
-  const auto sink = std::make_shared<HeldSink>();
-  ServiceLog log("test", sink, false);
-  log.logger().info("one");
-  CHECK(sink->lines == std::vector<std::string>{"one"});
+struct Pipe {
+  Pipe() { REQUIRE(pipe2(ends.data(), O_CLOEXEC) == 0); }
+  ~Pipe() {
+    close_end(0);
+    close_end(1);
+  }
+  void close_end(std::size_t end) {
+    if (ends[end] >= 0) close(ends[end]);
+    ends[end] = -1;
+  }
+
+  std::array<int, 2> ends{-1, -1};
+};
+
+}  // namespace
+
+TEST_CASE("A log is written whole and in order before it ends") {
+  Pipe pipe;
+  std::string text;
+  std::jthread reader([&] { text = read_all(pipe.ends[0]); });
+  {
+    ServiceLog log("test", pipe.ends[1]);
+    log.logger().set_pattern("%v");
+    for (int i = 0; i < 1000; ++i) log.logger().info("line {}", i);
+    CHECK(log.lost_lines() == 0);
+  }
+  pipe.close_end(1);
+  reader.join();
+  std::string expected;
+  for (int i = 0; i < 1000; ++i) expected += "line " + std::to_string(i) + "\n";
+  CHECK(text == expected);
+}
+
+TEST_CASE("A log that nobody reads keeps nobody waiting, counts what it loses, and ends") {
+  const StuckPipe pipe;
+  ServiceLog log("test", pipe.descriptor());
+  // Whoever waited for the reader would wait for ever.
+  for (int i = 0; i < 5000; ++i) log.logger().info("line {}", i);
+  // The writer may hold one line already.
+  CHECK(log.lost_lines() >= 5000 - LineWriter::kMostLines - 1);
+  CHECK(log.lost_lines() <= 5000 - LineWriter::kMostLines);
+}
+
+TEST_CASE("A log whose reader is gone ends no service") {
+  Pipe pipe;
+  ServiceLog log("test", pipe.ends[1]);
+  pipe.close_end(0);
+  for (int i = 0; i < 10; ++i) log.logger().info("line {}", i);
   CHECK(log.lost_lines() == 0);
 }
 
-}  // namespace
+TEST_CASE("A line of the log says when, who and how serious, without colours in a file") {
+  Pipe pipe;
+  {
+    ServiceLog log("puck-test", pipe.ends[1]);
+    log.logger().warn("look out");
+  }
+  pipe.close_end(1);
+  const std::string text = read_all(pipe.ends[0]);
+  CHECK(text.size() == std::string("12:34:56.789 puck-test warning: look out\n").size());
+  CHECK(text.ends_with(" puck-test warning: look out\n"));
+}
+
 }  // namespace puck

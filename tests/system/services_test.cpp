@@ -1,5 +1,6 @@
 // What every service owes the one who starts and stops it.
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -9,7 +10,9 @@
 
 #include "common/messaging/event_packing.h"
 #include "common/messaging/message_codec.h"
+#include "tests/support/stuck_pipe.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/system/running_game.h"
 #include "tests/system/system_bench.h"
 
 namespace puck {
@@ -87,6 +90,52 @@ TEST_CASE("--check says 0 while a service runs; SIGTERM and SIGINT end it with a
                     std::chrono::seconds(2)));
     }
   }
+}
+
+TEST_CASE("A service whose log nobody reads works all the same, and SIGTERM ends it") {
+  for (const std::string& service : kServices) {
+    CAPTURE(service);
+    const TemporaryFolder folder;
+    const StuckPipe nobody;
+    const std::string url = new_lcm_url();
+    BusListener bus(url);
+    ChildProcess child(service_command(service, url, settings_for(service, folder)),
+                       {.folder = source_folder(), .errors = nobody.path()});
+    REQUIRE(bus.hears({service}));
+    child.send(SIGTERM);
+    const auto began = Clock::now();
+    CHECK(child.wait_for(std::chrono::seconds(10)) == 0);
+    const auto took_ms =
+        std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - began).count();
+    std::printf("%s, whose log nobody reads, stopped after %lld ms\n", service.c_str(),
+                static_cast<long long>(took_ms));
+    CHECK(bus.until([&] { return bus.status(service)->state == service_status_t::STATE_STOPPING; },
+                    std::chrono::seconds(2)));
+  }
+}
+
+TEST_CASE("An arm whose log nobody reads plays, and comes to rest when SIGTERM ends it") {
+  const StuckPipe nobody;
+  RunningGame game(new_lcm_url());
+  for (const char* name : {"puck-tracker", "puck-bridge"}) game.start(name);
+  ChildProcess arm(service_command("puck-arm", game.url()),
+                   {.folder = source_folder(), .errors = nobody.path()});
+  game.start("puck-camera");
+  REQUIRE(game.until([&] { return game.plays(); }));
+  REQUIRE(game.until([&] { return std::abs(game.arm()->velocity_m_s) > 0.3; }));
+  arm.send(SIGTERM);
+  CHECK(arm.wait_for(std::chrono::seconds(10)) == 0);
+  game.listen(std::chrono::milliseconds(100));
+  CHECK(game.arm()->reason == "it ends");
+  // The joints follow the set-points, which rest.
+  CHECK(std::abs(game.arm()->velocity_m_s) < 0.3);
+}
+
+TEST_CASE("A start that fails ends, though nobody reads why") {
+  const StuckPipe nobody;
+  ChildProcess child({program("puck-arm"), "--set", "arm.mode=dance"},
+                     {.folder = source_folder(), .errors = nobody.path()});
+  CHECK(child.wait_for(std::chrono::seconds(10)) == 1);
 }
 
 }  // namespace puck
