@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -125,6 +127,22 @@ struct BoardFailure {
   const char* reason;
 };
 
+// With those that are the same from the beginning and in a game.
+std::vector<BoardFailure> with_lasting(std::vector<BoardFailure> failures) {
+  const std::vector<BoardFailure> lasting{
+      {BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
+      {BoardTrouble::kRequestsClose, "rpc:i: "},
+      {BoardTrouble::kCommandClose, "command:i: "},
+      {BoardTrouble::kStateClose, "state:o: "},
+      {BoardTrouble::kStateNan, "state:o: the encoder of joint 6 is not a finite number"},
+      {BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of a size"},
+      {BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
+      {BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
+      {BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"}};
+  failures.insert(failures.end(), lasting.begin(), lasting.end());
+  return failures;
+}
+
 }  // namespace
 
 TEST_CASE("The back end finds the board, takes its joints and moves them") {
@@ -226,28 +244,15 @@ TEST_CASE("Whatever the name server does, it is a fault with its reason, and men
 }
 
 TEST_CASE("A board that fails from the beginning is a fault with its reason, and never moved") {
-  for (const BoardFailure& each :
-       {BoardFailure{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get axes\" with [fail]"},
-        BoardFailure{BoardTrouble::kRequestsNak, "rpc:i: it refused \"get axes\" with [nak]"},
-        BoardFailure{BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get axes\""},
-        BoardFailure{BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
-        BoardFailure{BoardTrouble::kRequestsEndless, "rpc:i: it sent a line without an end"},
-        BoardFailure{BoardTrouble::kRequestsDrip, "rpc:i: no answer in time"},
-        BoardFailure{BoardTrouble::kRequestsClose, "rpc:i: "},
-        BoardFailure{BoardTrouble::kStateFrozen, "state:o: its stamp stands still"},
-        BoardFailure{BoardTrouble::kHelloWrong,
-                     "state:o: it does not answer in the binary carrier"},
-        BoardFailure{BoardTrouble::kStateClose, "state:o: "},
-        BoardFailure{BoardTrouble::kCommandClose, "command:i: "},
-        BoardFailure{BoardTrouble::kStateMute, "state:o: no answer in time"},
-        BoardFailure{BoardTrouble::kStateNan,
-                     "state:o: the encoder of joint 6 is not a finite number"},
-        BoardFailure{BoardTrouble::kStateTruncated,
-                     "state:o: it sent a list of encoders of a size"},
-        BoardFailure{BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
-        BoardFailure{BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
-        BoardFailure{BoardTrouble::kStateStampless,
-                     "state:o: it sends encoders without a stamp"}}) {
+  for (const BoardFailure& each : with_lasting(
+           {{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get axes\" with [fail]"},
+            {BoardTrouble::kRequestsNak, "rpc:i: it refused \"get axes\" with [nak]"},
+            {BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get axes\""},
+            {BoardTrouble::kRequestsEndless, "rpc:i: it sent a line without an end"},
+            {BoardTrouble::kRequestsDrip, "rpc:i: no answer in time"},
+            {BoardTrouble::kHelloWrong, "state:o: it does not answer in the binary carrier"},
+            {BoardTrouble::kStateFrozen, "state:o: its stamp stands still"},
+            {BoardTrouble::kStateMute, "state:o: no answer in time"}})) {
     CAPTURE(each.reason);
     TestBoard board;
     board.set_trouble(each.trouble);
@@ -261,28 +266,14 @@ TEST_CASE("A board that fails from the beginning is a fault with its reason, and
 }
 
 TEST_CASE("A board that fails in a game is a fault with its reason, and connected to again") {
-  for (const BoardFailure& each :
-       {BoardFailure{BoardTrouble::kStateMute, "state:o: no encoders for 150 ms"},
-        BoardFailure{BoardTrouble::kStateFrozen, "state:o: its stamp stands still for 150 ms"},
-        BoardFailure{BoardTrouble::kStateNan,
-                     "state:o: the encoder of joint 6 is not a finite number"},
-        BoardFailure{BoardTrouble::kStateTruncated,
-                     "state:o: it sent a list of encoders of a size"},
-        BoardFailure{BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
-        BoardFailure{BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
-        BoardFailure{BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"},
-        BoardFailure{BoardTrouble::kAxesChange,
-                     "state:o: it sent the encoders of 6 joints: there were 7"},
-        BoardFailure{BoardTrouble::kStateClose, "state:o: "},
-        BoardFailure{BoardTrouble::kCommandClose, "command:i: "},
-        BoardFailure{BoardTrouble::kRequestsClose, "rpc:i: "},
-        BoardFailure{BoardTrouble::kRequestsFail,
-                     "rpc:i: it refused \"get icmd cmds\" with [fail]"},
-        BoardFailure{BoardTrouble::kRequestsMute,
-                     "rpc:i: no answer in time, asked \"get icmd cmds\""},
-        BoardFailure{BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
-        BoardFailure{BoardTrouble::kModeLost,
-                     "rpc:i: joint 0 \"joint0\" is in mode \"hwf\", not in \"posd\""}}) {
+  for (const BoardFailure& each : with_lasting(
+           {{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get icmd cmds\" with [fail]"},
+            {BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get icmd cmds\""},
+            {BoardTrouble::kModeLost,
+             "rpc:i: joint 0 \"joint0\" is in mode \"hwf\", not in \"posd\""},
+            {BoardTrouble::kAxesChange, "state:o: it sent the encoders of 6 joints: there were 7"},
+            {BoardTrouble::kStateFrozen, "state:o: its stamp stands still for 150 ms"},
+            {BoardTrouble::kStateMute, "state:o: no encoders for 150 ms"}})) {
     CAPTURE(each.reason);
     TestBoard board;
     YarpParams params = params_for(board);
@@ -581,33 +572,25 @@ TEST_CASE("A hardware fault before the first set-point is a fault, and only a pe
   }
 }
 
-TEST_CASE("A board that will never fit is a fault before the first connection") {
+TEST_CASE("A board that will never fit is a fault before the first connection, and stays one") {
   TestBoard board;
-  const auto is_fault = [](Loop& loop, const std::string& part_of_reason) {
-    return until([&] { return loop.fault().find(part_of_reason) != std::string::npos; }) &&
-           loop.back_end.awaited().empty() && !loop.reading();
-  };
-  Loop too_many(params_for(board, {0, 7}));
-  CHECK(is_fault(too_many, "there is no joint 7 of arm.yarp.joints among its 7"));
   YarpParams wide = params_for(board);
   wide.highest_deg[2] = 91;
-  Loop too_wide(wide);
-  CHECK(is_fault(too_wide, "our limits are wider"));
-  // It stays one.
-  CHECK(!too_wide.fault().empty());
+  for (const auto& [params, reason] :
+       {std::pair{params_for(board, {0, 7}), "there is no joint 7 of arm.yarp.joints among its 7"},
+        std::pair{wide,
+                  "joint 2 \"joint2\" may go from -90 deg to 90 deg: our limits are wider, from "
+                  "-80 deg to 91 deg"}}) {
+    CAPTURE(reason);
+    Loop loop(params);
+    std::string fault;
+    CHECK(until([&] { return !(fault = loop.fault()).empty(); }));
+    CHECK(fault.find(reason) != std::string::npos);
+    CHECK(loop.back_end.awaited().empty());
+    CHECK(!loop.reading());
+    CHECK(!loop.fault().empty());
+  }
   CHECK(board.mode_requests() == 0);
-}
-
-TEST_CASE("Joints that are not there, and limits wider than the board's, are refused by name") {
-  TestBoard board;
-  Loop too_many(params_for(board, {0, 7}));
-  too_many.fails_with("there is no joint 7 of arm.yarp.joints among its 7");
-  YarpParams wide = params_for(board);
-  wide.highest_deg[2] = 91;
-  Loop too_wide(wide);
-  too_wide.fails_with(
-      "joint 2 \"joint2\" may go from -90 deg to 90 deg: our limits are wider, from -80 deg to 91 "
-      "deg");
   CHECK(board.modes() == std::vector<std::string>(7, "pos"));
 }
 
