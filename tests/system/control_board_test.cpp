@@ -2,6 +2,7 @@
 // the board fails.
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,11 @@ bool moves(RunningGame& game) {
 }  // namespace
 
 TEST_CASE("A control board plays, stands still at fault when it fails, and plays after a reset") {
-  TestBoard board;
+  // As an iCub's arm, of whose part the hand's joints are not ours.
+  constexpr std::size_t kArmJoints = 7;
+  TestBoard board({.axes = 16});
   move_to_the_middle(board, source_folder() / kJointTable);
+  for (std::size_t joint = kArmJoints; joint < 16; ++joint) board.move_joint(joint, 30);
   RunningGame game(new_lcm_url());
   for (const char* name : {"puck-tracker", "puck-bridge"}) game.start(name);
   game.start("puck-arm", settings_for(board));
@@ -44,7 +48,13 @@ TEST_CASE("A control board plays, stands still at fault when it fails, and plays
   CHECK(moves(game));
   CHECK(board.set_points() > 100);
   CHECK(board.unreadable() == 0);
-  for (const std::string& mode : board.modes()) CHECK(mode == "posd");
+  const std::vector<std::string> modes = board.modes();
+  const std::vector<double> encoders = board.encoders();
+  for (std::size_t joint = 0; joint < modes.size(); ++joint) {
+    CAPTURE(joint);
+    CHECK(modes[joint] == (joint < kArmJoints ? "posd" : "pos"));
+    if (joint >= kArmJoints) CHECK(encoders[joint] == 30);
+  }
 
   board.set_trouble(BoardTrouble::kStateFrozen);
   REQUIRE(game.until([&] { return game.arm()->state == arm_state_t::STATE_FAULT; }));
