@@ -130,12 +130,10 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
 
 void ContourPipeline::challenge_main(std::int64_t time_us) {
   const TrackLooks looks = main_->looks();
-  const bool has_gone_bad =
-      context_.ingredients.overtaking && puck::has_gone_bad(trust_.since_good_us(time_us));
   const Defence defence{.looks = looks,
                         .is_trusted = context_.is_trusted,
                         .is_proven = trust_.is_proven(),
-                        .has_gone_bad = has_gone_bad,
+                        .may_be_overtaken = context_.ingredients.overtaking,
                         .is_resting = keeps_still(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
                         .may_be_faint = rest_may_be_wrong(),

@@ -57,10 +57,9 @@ bool outshines(const Claim& claim, const Defence& main) {
          (main.since_sound_us > kUnsoundFor_us || is_evident(claim));
 }
 
-bool has_gone_bad(std::int64_t since_good_us) { return since_good_us > kBadFor_us; }
-
 bool outmoves(const Claim& claim, const Defence& main) {
-  return (!main.is_proven || main.has_gone_bad) && moves_by_itself(claim) &&
+  const bool has_gone_bad = main.may_be_overtaken && main.since_good_us > kBadFor_us;
+  return (!main.is_proven || has_gone_bad) && moves_by_itself(claim) &&
          claim.looks.quality > main.looks.quality - 0.1;
 }
 

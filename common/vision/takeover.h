@@ -30,7 +30,7 @@ struct Defence {
   TrackLooks looks;
   bool is_trusted = false;          ///< TrackTrust's.
   bool is_proven = false;           ///< TrackTrust's.
-  bool has_gone_bad = false;        ///< has_gone_bad, if ingredient `overtaking` is on.
+  bool may_be_overtaken = false;    ///< Ingredient `overtaking`.
   bool is_resting = false;          ///< TrackStanding's.
   bool is_witnessed = false;        ///< WitnessCheck vouches for it.
   bool may_be_faint = false;        ///< PuckSignature's.
@@ -49,10 +49,8 @@ bool moves_by_itself(const Claim& claim);
 /// It is by far the stronger, wherever it is, and the main track has not been sound for long or it
 /// is evident itself.
 bool outshines(const Claim& claim, const Defence& main);
-/// So long after it was last good, a track has lost what it followed.
-bool has_gone_bad(std::int64_t since_good_us);
-
-/// It moves as a puck does; the main track has never done so, or has gone bad.
+/// It moves as a puck does; the main track has never done so, or has not been good for so long
+/// that it has lost what it followed.
 bool outmoves(const Claim& claim, const Defence& main);
 /// It is evident; the main track is not to be trusted, or has not been sound for long.
 bool unmasks(const Claim& claim, const Defence& main);

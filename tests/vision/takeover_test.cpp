@@ -224,12 +224,17 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
 }
 
 TEST_CASE("What moves by itself takes over from a proven track that has gone bad") {
-  CHECK_FALSE(has_gone_bad(20'000));
-  CHECK(has_gone_bad(20'001));
-  Defence main{.looks = {.quality = 0.4}, .is_trusted = true, .is_proven = true};
+  Defence main{.looks = {.quality = 0.4},
+               .is_trusted = true,
+               .is_proven = true,
+               .may_be_overtaken = true,
+               .since_good_us = 20'000};
   CHECK_FALSE(is_convincing(kMoving, main));
-  main.has_gone_bad = true;
+  main.since_good_us = 20'001;
   CHECK(is_convincing(kMoving, main));
+  main.may_be_overtaken = false;
+  CHECK_FALSE(is_convincing(kMoving, main));
+  main.may_be_overtaken = true;
   Claim slow = kMoving;
   slow.looks.speed_px_s = 300;
   CHECK_FALSE(is_convincing(slow, main));
