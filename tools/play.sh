@@ -12,7 +12,7 @@
 # --max-speed V   of the shots, m/s; the slowest are half as fast (default 4; of a sweep 15)
 # --source truth  estimates are made from where the puck truly is, with the errors that PUCK makes
 #        events   estimates are PUCK's, from the events of the simulated camera
-# --real-time     a whole game, through the five services, each a process of its own
+# --real-time     a whole game, through the five services, each a process of its own: on events
 # --sweep WHAT    how the share of saves falls as this grows, for PUCK and for others, with --shots
 #                 (default 200) at each point
 # --json FILE     write the figures there
@@ -30,6 +30,11 @@ usage() { # EXIT_CODE
   exit "$1"
 }
 
+refuse() { # MESSAGE
+  echo "play.sh: $1" >&2
+  usage 2
+}
+
 real_time=false
 for option in "$@"; do
   case "$option" in
@@ -37,6 +42,32 @@ for option in "$@"; do
     -h | --help) usage 0 ;;
   esac
 done
+
+seconds=60
+max_speed=4
+json=
+moving=false
+if $real_time; then
+  while [ $# -gt 0 ]; do
+    case "$1" in
+      --real-time) shift ;;
+      --seconds) seconds=${2-} && shift 2 || usage 2 ;;
+      --max-speed) max_speed=${2-} && shift 2 || usage 2 ;;
+      --json) json=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
+      --source)
+        [ "${2-}" = events ] || refuse "--source ${2-} does not go with --real-time: its source is events"
+        shift 2
+        ;;
+      --moving) moving=true && shift ;;
+      *) refuse "$1 does not go with --real-time" ;;
+    esac
+  done
+  [[ "$seconds" =~ ^[1-9][0-9]{0,4}$ ]] ||
+    refuse "--seconds takes a whole number from 1 to 99999, got $seconds"
+  [[ "$max_speed" =~ ^[0-9]{1,2}(\.[0-9]+)?$ ]] &&
+    awk "BEGIN { exit !($max_speed >= 0.6 && $max_speed <= 15) }" ||
+    refuse "--max-speed takes a number from 0.6 to 15 with --real-time, got $max_speed"
+fi
 
 "$root/tools/install-deps.sh"
 echo "building"
@@ -49,28 +80,6 @@ if $real_time; then target=puck_programs; fi
 )
 bin=$root/build/release/bin
 if ! $real_time; then exec "$bin/puck-play" --calibration "$root/config/calibration" "$@"; fi
-
-seconds=60
-max_speed=4
-json=
-moving=false
-while [ $# -gt 0 ]; do
-  case "$1" in
-    --real-time) shift ;;
-    --seconds) seconds=${2-} && shift 2 || usage 2 ;;
-    --max-speed) max_speed=${2-} && shift 2 || usage 2 ;;
-    --json) json=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
-    --moving) moving=true && shift ;;
-    *)
-      echo "play.sh: $1 does not go with --real-time" >&2
-      usage 2
-      ;;
-  esac
-done
-if ! [[ "$seconds" =~ ^[1-9][0-9]{0,4}$ && "$max_speed" =~ ^[0-9]{1,2}(\.[0-9]+)?$ ]]; then
-  echo "play.sh: --seconds takes a whole number from 1 to 99999, --max-speed one up to 15" >&2
-  exit 2
-fi
 cd "$root"
 # shellcheck source=tools/services.sh
 . tools/services.sh

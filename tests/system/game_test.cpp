@@ -1,4 +1,4 @@
-// The whole game, as a person plays it: tools/demo.sh.
+// The whole game, as a person plays it: tools/demo.sh, tools/play.sh.
 #include <filesystem>
 #include <string>
 #include <thread>
@@ -99,6 +99,40 @@ TEST_CASE("the demo refuses options that it does not know") {
     std::vector<std::string> command{"tools/demo.sh"};
     command.insert(command.end(), options.begin(), options.end());
     CHECK(run_program(command, {.folder = source_folder()}).exit_code == 2);
+  }
+}
+
+TEST_CASE("tools/play.sh --real-time plays through the services, on events") {
+  const TemporaryFolder folder;
+  const auto json_file = folder / "play.json";
+  ChildProcess play(
+      {"tools/play.sh", "--real-time", "--source", "events", "--seconds", "6", "--max-speed", "6",
+       "--json", json_file.string()},
+      {.folder = source_folder(), .output = folder / "output", .errors = folder / "errors"});
+  const auto exit_code = play.wait_for(seconds(240));
+  INFO(read_text(folder / "output"));
+  INFO(read_text(folder / "errors"));
+  REQUIRE(exit_code == 0);
+  CHECK_FALSE(play.group_is_left());
+  const auto json = nlohmann::json::parse(read_text(json_file));
+  CHECK(json["played_s"] > 1);
+  CHECK(json["shots"].get<int>() >= json["saves"].get<int>() + json["goals"].get<int>());
+}
+
+TEST_CASE("tools/play.sh refuses at once what does not go with --real-time") {
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--shots", "5"},
+                                                  {"--source", "truth"},
+                                                  {"--max-speed", "99"},
+                                                  {"--max-speed", "0.5"},
+                                                  {"--max-speed", "nan"},
+                                                  {"--seconds", "long"},
+                                                  {"--seconds"}}) {
+    CAPTURE(options.front());
+    std::vector<std::string> command{"tools/play.sh", "--real-time"};
+    command.insert(command.end(), options.begin(), options.end());
+    const Finished refused = run_program(command, {.folder = source_folder()});
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.output.find("building") == std::string::npos);
   }
 }
 
