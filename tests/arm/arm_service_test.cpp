@@ -48,7 +48,7 @@ class RunningArm {
     return now && now->state == wanted;
   }
 
-  void say_track() {
+  static puck_estimate_t track() {
     puck_estimate_t estimate{};
     estimate.sensor_us = host_monotonic_us();
     estimate.state = puck_estimate_t::STATE_TRACKING;
@@ -56,15 +56,23 @@ class RunningArm {
     estimate.flags |= puck_estimate_t::FLAG_LIVE;
     estimate.image_width = 640;
     estimate.image_height = 480;
-    bench.bus.publish(estimate);
+    return estimate;
   }
-  void command(double target_m) {
+  static arm_command_t command_for(std::int64_t arm_session, double target_m) {
     arm_command_t command{};
     command.mode = arm_command_t::MODE_FOLLOW;
     command.target_m = target_m;
     command.valid_for_us = 100'000;
+    command.arm_session = arm_session;
+    return command;
+  }
+  void say_track() {
+    puck_estimate_t estimate = track();
+    bench.bus.publish(estimate);
+  }
+  void command(double target_m) {
+    arm_command_t command = command_for(bench.bus.session(), target_m);
     command.estimate_session = bench.bus.session();
-    command.arm_session = bench.bus.session();
     bench.bus.publish(command);
   }
   bool moves_to(double target_m) {
@@ -77,6 +85,16 @@ class RunningArm {
           say_track();
           command(target_m);
         });
+  }
+
+  /// -1: it is not reported. Once it has stopped.
+  std::int64_t counter(const std::string& name) const {
+    StatusReport report;
+    bench.service->report(report);
+    for (const auto& [its_name, count] : report.counters) {
+      if (its_name == name) return count;
+    }
+    return -1;
   }
 
   ServiceBench bench;
@@ -184,19 +202,9 @@ TEST_CASE("The arm follows a bridge and a tracker whose clock is hours away, onc
   SkewedMachine machine(url, 4711, 5 * kHourUs);
   const auto play = [&](double target_m, std::int64_t age_us) {
     machine.serve();
-    puck_estimate_t estimate{};
-    estimate.sensor_us = host_monotonic_us();
-    estimate.state = puck_estimate_t::STATE_TRACKING;
-    estimate.flags = puck_estimate_t::FLAG_POSITION;
-    estimate.flags |= puck_estimate_t::FLAG_LIVE;
-    estimate.image_width = 640;
-    estimate.image_height = 480;
-    machine.publish(estimate);
-    arm_command_t command{};
-    command.target_m = target_m;
-    command.valid_for_us = 100'000;
+    machine.publish(RunningArm::track());
+    arm_command_t command = RunningArm::command_for(arm.bench.bus.session(), target_m);
     command.estimate_session = machine.session();
-    command.arm_session = arm.bench.bus.session();
     machine.publish(command, age_us);
   };
   const auto refused = [&] { return arm.state() ? arm.state()->commands_refused : 0; };
@@ -215,11 +223,33 @@ TEST_CASE("The arm follows a bridge and a tracker whose clock is hours away, onc
   CHECK(std::abs(arm.state()->position_m - 0.2) < 0.005);
 
   arm.bench.stop();
-  StatusReport report;
-  arm.bench.service->report(report);
-  for (const auto& [name, count] : report.counters) {
-    if (name == "refused_clock_unknown" || name == "refused_old") CHECK(count > 50);
-  }
+  CHECK(arm.counter("refused_clock_unknown") > 50);
+  CHECK(arm.counter("refused_old") > 50);
+}
+
+TEST_CASE("A second bridge and tracker, and commands for another arm, are counted by name") {
+  const std::string url = private_lcm_url();
+  RunningArm arm(url);
+  REQUIRE(arm.moves_to(0.2));
+  SkewedMachine second(url, 4711, 0);
+  const auto play = [&] {
+    arm.say_track();
+    arm.command(0.2);
+    second.serve();
+    second.publish(RunningArm::track());
+    second.publish(RunningArm::command_for(arm.bench.bus.session(), -0.2));
+    second.publish(RunningArm::command_for(arm.bench.bus.session() + 1, -0.2));
+  };
+  const std::int64_t refused_before = arm.state()->commands_refused;
+  // Its first ones are refused because nobody knows its clock.
+  CHECK(ServiceBench::until([&] { return arm.state()->commands_refused > refused_before + 1000; },
+                            play));
+  CHECK(std::abs(arm.state()->position_m - 0.2) < 0.005);
+
+  arm.bench.stop();
+  CHECK(arm.counter("refused_other_publisher") > 50);
+  CHECK(arm.counter("refused_other_arm") > 50);
+  CHECK(arm.counter("estimates_of_others") > 50);
 }
 
 TEST_CASE("puck-arm --stop latches a running arm and --reset releases it, both confirmed") {
@@ -318,11 +348,7 @@ TEST_CASE("The loop keeps its pace while messages come, and says how late its st
   CHECK(report.latencies[1].name == "loop_jitter");
   CHECK(report.latencies[1].samples > 50);
   // However many messages came: a step each 2 ms, none to catch up.
-  std::int64_t accepted = 0;
-  for (const auto& [name, count] : report.counters) {
-    if (name == "commands_accepted") accepted = count;
-  }
-  CHECK(accepted > 50);
+  CHECK(arm.counter("commands_accepted") > 50);
 }
 
 TEST_CASE("config/arm.toml holds every key with its default") {

@@ -6,6 +6,7 @@
 #include "common/messaging/log_file.h"
 #include "common/messaging/message_check.h"
 #include "common/messaging/message_codec.h"
+#include "common/messaging/status_reporter.h"
 
 namespace puck {
 namespace {
@@ -62,10 +63,16 @@ BusLog read_bus_log(const std::filesystem::path& path, const std::string& prefix
   return log;
 }
 
-std::int64_t ServiceRun::counter(const std::string& name) const {
+std::optional<std::int64_t> ServiceRun::counter(const std::string& name) const {
   const auto found = std::find(last.counter_name.begin(), last.counter_name.end(), name);
-  if (found == last.counter_name.end()) return 0;
+  if (found == last.counter_name.end()) return std::nullopt;
   return last.counter_value[static_cast<std::size_t>(found - last.counter_name.begin())];
+}
+
+std::optional<std::int64_t> ServiceRun::rare_counter(const std::string& name) const {
+  const auto count = counter(name);
+  if (count || counter(StatusReporter::kLeftOut)) return count;
+  return 0;
 }
 
 std::vector<ServiceRun> runs_of(const BusLog& log, const std::string& service) {

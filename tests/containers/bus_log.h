@@ -47,8 +47,11 @@ struct ServiceRun {
   std::int64_t started_us = 0;  ///< By its own word.
   service_status_t last;
 
-  /// From the last STATUS; 0 when that does not have it.
-  std::int64_t counter(const std::string& name) const;
+  /// From the last STATUS; nothing when that does not have it.
+  std::optional<std::int64_t> counter(const std::string& name) const;
+  /// The same of a counter that a service reports unless it is 0; nothing when it may have been
+  /// left out for want of room.
+  std::optional<std::int64_t> rare_counter(const std::string& name) const;
   bool has_said_goodbye() const { return last.state == service_status_t::STATE_STOPPING; }
 };
 

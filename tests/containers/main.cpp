@@ -75,15 +75,23 @@ std::string joined(const std::vector<std::string>& texts) {
   return all;
 }
 
-// A line of the table that tests/containers/run.sh prints the head of.
-void print_row(const Options& options, const GameRecord& game, const Verdict& verdict) {
+// On their way to the tracker, in all its lives, as it counted.
+std::string events_lost(const GameRecord& game) {
   std::int64_t lost = 0;
   for (const puck::ServiceRun& run : puck::runs_of(game.log, "puck-tracker")) {
-    lost += run.counter("events_lost");
+    const auto count = run.counter("events_lost");
+    if (!count) return "?";
+    lost += *count;
   }
+  return std::to_string(lost);
+}
+
+// A line of the table that tests/containers/run.sh prints the head of.
+void print_row(const Options& options, const GameRecord& game, const Verdict& verdict) {
+  const std::string lost = events_lost(game);
   const puck::DemoFigures& f = game.figures;
-  std::printf("%-31s %8lld %8lld %6.0f %6.2f %6.2f %5lld %5lld  %-4s  %s\n", options.title.c_str(),
-              static_cast<long long>(f.events_sent.value_or(0)), static_cast<long long>(lost),
+  std::printf("%-31s %8lld %8s %6.0f %6.2f %6.2f %5lld %5lld  %-4s  %s\n", options.title.c_str(),
+              static_cast<long long>(f.events_sent.value_or(0)), lost.c_str(),
               f.estimate_rate_hz.value_or(0), f.median_px.value_or(0), f.mean_px.value_or(0),
               static_cast<long long>(f.shots.value_or(0)),
               static_cast<long long>(f.saves.value_or(0)), verdict.passed() ? "pass" : "FAIL",

@@ -7,6 +7,7 @@
 
 #include "common/messaging/log_file.h"
 #include "common/messaging/message_codec.h"
+#include "common/messaging/status_reporter.h"
 #include "tests/containers/scenarios.h"
 #include "tests/support/temporary_folder.h"
 
@@ -229,11 +230,15 @@ TEST_CASE("frame loss passes when the tracker counts about as many as were dropp
 }
 
 TEST_CASE("nothing is lost only when as many events were received as were sent") {
-  const auto judge = [](std::int64_t received) {
+  const auto judge = [](std::int64_t received, const char* counter = "packets_lost") {
     GameScript game;
-    for (const char* service : {"puck-camera", "puck-tracker", "puck-bridge", "puck-arm"}) {
+    for (const char* service :
+         {"puck-camera", "puck-tracker", "puck-bridge", "puck-arm", "puck-logger"}) {
       const std::int64_t session = runs_of(game.record.log, service).front().session;
-      game.status(service, session, 4000).state = service_status_t::STATE_STOPPING;
+      service_status_t& status = game.status(service, session, 4000);
+      status.state = service_status_t::STATE_STOPPING;
+      status.counter_name = {counter};
+      status.counter_value = {0};
     }
     game.record.figures.events_sent = 1000;
     game.record.figures.events_received = received;
@@ -242,16 +247,31 @@ TEST_CASE("nothing is lost only when as many events were received as were sent")
   };
   CHECK(judge(1000));
   CHECK_FALSE(judge(999));
+  // A counter that is not there has not been looked at.
+  CHECK_FALSE(judge(1000, "packets_lost_by_another_name"));
 }
 
 TEST_CASE("a neighbour's packets fail") {
-  GameScript game;
-  game.record.log.events_sessions = {kCamera};
-  CHECK(judged(game, judge_neighbour).passed());
-  service_status_t& status = game.status("puck-tracker", kTracker, 4000);
-  status.counter_name = {"packets_of_others"};
-  status.counter_value = {1};
-  CHECK_FALSE(judged(game, judge_neighbour).passed());
+  const auto judge = [](std::int64_t packets_of_others) {
+    GameScript game;
+    game.record.log.events_sessions = {kCamera};
+    service_status_t& status = game.status("puck-tracker", kTracker, 4000);
+    status.counter_name = {"packets_of_others", "packets_lost"};
+    status.counter_value = {packets_of_others, 0};
+    return judged(game, judge_neighbour).passed();
+  };
+  CHECK(judge(0));
+  CHECK_FALSE(judge(1));
+}
+
+TEST_CASE("a counter that is reported unless it is 0 is 0 only where nothing was left out") {
+  ServiceRun run;
+  CHECK(run.rare_counter("refused_other_arm") == 0);
+  CHECK_FALSE(run.counter("refused_other_arm").has_value());
+  run.last.counter_name = {"refused_other_arm", StatusReporter::kLeftOut};
+  run.last.counter_value = {3, 1};
+  CHECK(run.rare_counter("refused_other_arm") == 3);
+  CHECK_FALSE(run.rare_counter("estimates_of_others").has_value());
 }
 
 TEST_CASE("an intruder passes when all count what it sends and nobody grows") {
