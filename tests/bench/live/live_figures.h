@@ -24,8 +24,11 @@ struct TransportRun {
   CpuLoad cpu;
 
   std::int64_t lost() const { return lost_on_the_way + skipped; }
-  /// Nothing lost, and as fast as was asked for.
-  bool is_lossless() const;
+  bool lost_nothing() const { return lost() == 0 && counted_by_tracker == 0; }
+  /// Whether the camera sent as fast as was asked for.
+  bool kept_pace() const;
+  /// Then a higher rate is worth a try.
+  bool carried_all() const { return lost_nothing() && kept_pace(); }
 };
 
 /// What sealing all messages with a key costs.
@@ -84,7 +87,8 @@ struct LiveFigures {
   std::optional<FloodRun> flood;
 };
 
-/// The highest rate of the runs, from the lowest on, at which nothing was lost; 0: none.
+/// The highest rate of the runs, from the lowest on, at which nothing was lost: as it was asked
+/// for, or, where the camera missed that pace, as it was sent; 0: none.
 double highest_lossless_mev_s(const std::vector<TransportRun>& runs);
 
 void print(const LiveFigures& figures);

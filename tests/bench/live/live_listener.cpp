@@ -49,9 +49,11 @@ const service_status_t* LiveListener::status(const std::string& service) const {
 
 std::int64_t LiveListener::counter(const std::string& service, const std::string& name) const {
   const service_status_t* its = status(service);
-  if (its == nullptr) return 0;
+  if (its == nullptr) throw std::runtime_error(service + " has not spoken");
   const auto at = std::find(its->counter_name.begin(), its->counter_name.end(), name);
-  if (at == its->counter_name.end()) return 0;
+  if (at == its->counter_name.end()) {
+    throw std::runtime_error("the STATUS of " + service + " does not have " + name);
+  }
   return its->counter_value[static_cast<std::size_t>(at - its->counter_name.begin())];
 }
 

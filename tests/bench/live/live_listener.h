@@ -47,7 +47,7 @@ class LiveListener {
 
   /// The newest STATUS of a service; nothing while it has not spoken.
   const service_status_t* status(const std::string& service) const;
-  /// From the newest STATUS; 0 where that does not have it.
+  /// From the newest STATUS. Throws std::runtime_error where that does not have it.
   std::int64_t counter(const std::string& service, const std::string& name) const;
 
   const EstimateTally& estimates() const { return estimates_; }

@@ -71,7 +71,7 @@ void measure_network(LiveSetup setup, const Recording& dense, const Recording& g
   for (const double rate : rates_mev_s) {
     const auto time = rate == rates_mev_s.front() ? sustained : brief;
     figures.network_transport.push_back(measure_transport(setup, dense, rate, time));
-    if (!figures.network_transport.back().is_lossless()) break;
+    if (!figures.network_transport.back().carried_all()) break;
   }
   LiveSystem system(setup);
   system.start_camera(looped_at(game, 1));

@@ -125,10 +125,12 @@ void LiveSystem::stop_camera() {
   const bool has_said_goodbye = bus.until(
       [&] {
         const service_status_t* status = bus.status("puck-camera");
-        return status != nullptr && status->state == service_status_t::STATE_STOPPING;
+        return status != nullptr && status->state == service_status_t::STATE_STOPPING &&
+               bus.status("puck-tracker") != nullptr;
       },
       kAnswer);
-  if (!has_said_goodbye) throw std::runtime_error("puck-camera does not say that it ends");
+  if (!has_said_goodbye)
+    throw std::runtime_error("puck-camera does not say that it ends, or puck-tracker nothing");
   // What it sent last may still lie in a queue.
   std::int64_t received = -1;
   while (bus.counter("puck-tracker", "events_received") != received) {

@@ -48,7 +48,7 @@ void measure(const LiveSetup& setup, const Options& options) {
       std::printf("transport at %.0f Mev/s for %lld s\n", rate,
                   static_cast<long long>(time.count()));
       figures.transport.push_back(measure_transport(setup, dense, rate, time));
-      if (!figures.transport.back().is_lossless()) break;
+      if (!figures.transport.back().carried_all()) break;
     }
   }
   if (options.wants("network")) {
