@@ -92,6 +92,9 @@ TEST_CASE(
   CHECK(snapshot.channels[0].name == "PUCK_GAME");
   CHECK(snapshot.channels[0].unauthenticated == 5);
   CHECK(snapshot.channels[0].last_rejection == "is not sealed");
+  // When they came is not known.
+  CHECK_FALSE(snapshot.channels[0].newest_age_us.has_value());
+  CHECK(snapshot.channels[1].newest_age_us == 2000);
   CHECK(snapshot.channels[1].unauthenticated == 0);
 }
 

@@ -1,6 +1,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <thread>
 
@@ -15,6 +16,7 @@
 #include "tests/spy/spy_bench.h"
 #include "tests/support/child_process.h"
 #include "tests/support/environment.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_url.h"
 
 namespace puck {
@@ -145,6 +147,18 @@ TEST_CASE("puck-spy names the others that it heard where it heard none of ours")
   CHECK(spy.errors.find("datagrams that are not for us: channel \"RIGHT_PUCK_") !=
         std::string::npos);
   CHECK(spy.output.find("OTHERS AT THIS PORT") != std::string::npos);
+}
+
+TEST_CASE("puck-spy with a key says that what comes is not sealed with it") {
+  const TemporaryFolder folder;
+  const auto key = folder.write("key", std::string(32, 'k'));
+  std::filesystem::permissions(key, std::filesystem::perms::owner_read);
+  const Camera camera({.url = private_lcm_url(5)});
+  const Finished spy = run_program({spy_path(), "--lcm-url", private_lcm_url(5), "--set",
+                                    "lcm.key_file=" + key.string(), "--once", "--seconds", "1"});
+  CHECK(spy.exit_code == 1);
+  CHECK(spy.errors.find("messages without our key, the last on PUCK_STATUS is not sealed, and "
+                        "this service has a key, from ") != std::string::npos);
 }
 
 TEST_CASE("puck-spy takes the bus from any service's settings, and refuses what it cannot use") {

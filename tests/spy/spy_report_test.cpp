@@ -74,6 +74,26 @@ TEST_CASE("rates have one decimal, and ages whole microseconds") {
   CHECK(report.find("\"age_ms\": 647.377\n") != std::string::npos);
 }
 
+TEST_CASE("a latency that was never measured has no value") {
+  service_status_t status = status_of("puck-tracker");
+  status.latency_name = {"sensor_to_estimate"};
+  status.latency_p50_us = status.latency_p99_us = status.latency_max_us = {0};
+  status.latency_samples = {0};
+  const Json tracker = Json::parse(json_report(heard(status), "", ""))["services"][0];
+  CHECK(tracker["latency_sensor_to_estimate_p99_us"].is_null());
+  CHECK(tracker["latency_sensor_to_estimate_samples"] == 0);
+}
+
+TEST_CASE("a channel of which all was dropped for want of our key has no age") {
+  SpyBench spy;
+  spy.model.set_unauthenticated(Channel::kGame, 5, "is not sealed", 900'000'000);
+  const Snapshot snapshot = spy.model.snapshot(900'000'000);
+  const Json channel = Json::parse(json_report(snapshot, "", ""))["channels"][0];
+  CHECK(channel["age_ms"].is_null());
+  CHECK(channel["unauthenticated"] == 5);
+  CHECK(text_report(snapshot, 200).find("15m") == std::string::npos);
+}
+
 TEST_CASE("text that is not UTF-8 does not break the report") {
   const Json report = Json::parse(json_report(heard(status_of("puck-\xff\xc3")), "", ""));
   CHECK(report["services"][0]["service"].get<std::string>().starts_with("puck-"));

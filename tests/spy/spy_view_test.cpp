@@ -1,6 +1,10 @@
 #include "tools/spy/spy_view.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -44,6 +48,18 @@ bool has(const Screen& screen, const std::string& text) {
   return std::any_of(screen.begin(), screen.end(), [&](const ScreenLine& line) {
     return line.text.find(text) != std::string::npos;
   });
+}
+
+using Cells = std::vector<std::string>;
+
+/// Those that are not empty, of the line that begins with this word.
+Cells cells_of(const Screen& screen, const std::string& word) {
+  for (const ScreenLine& line : screen) {
+    std::istringstream words(line.text);
+    const Cells cells{std::istream_iterator<std::string>(words), {}};
+    if (!cells.empty() && cells.front() == word) return cells;
+  }
+  return {};
 }
 
 std::string selected(const Screen& screen) {
@@ -184,7 +200,7 @@ TEST_CASE("a channel is shown with its publishers and its newest message, live; 
   CHECK(has(screen, "yaw_deg                  12.5"));
   CHECK(has(screen, "seq                      3"));
   CHECK(has(screen, "no STATUS"));
-  CHECK(has(screen, "last malformed message   head_state_t is cut off before its fingerprint"));
+  CHECK(has(screen, "last bad message         head_state_t is cut off before its fingerprint"));
   head.yaw_deg = -4;
   spy.hear(head, 7, 4, 3000);
   view.show(spy.model.snapshot(4000));
@@ -252,11 +268,11 @@ TEST_CASE("a service is shown with its words in full, its latencies and all coun
   status.state_text = "nothing more is written: " + std::string(100, 'x') + " the end";
   status.counter_name = {"messages_written", "messages_not_written"};
   status.counter_value = {1'234'567, 0};
-  status.latency_name = {"to_disk"};
-  status.latency_p50_us = {10};
-  status.latency_p99_us = {20};
-  status.latency_max_us = {30};
-  status.latency_samples = {40};
+  status.latency_name = {"to_disk", "never_measured"};
+  status.latency_p50_us = {10, 0};
+  status.latency_p99_us = {20, 0};
+  status.latency_max_us = {30, 0};
+  status.latency_samples = {40, 0};
   spy.hear(status, 7, 0, 1000);
   SpyView view = view_on(spy.model.snapshot(2000));
   view.press(SpyKey::kDown);
@@ -265,7 +281,8 @@ TEST_CASE("a service is shown with its words in full, its latencies and all coun
   CHECK(has(screen, "the end"));
   CHECK(has(screen, "messages_written         1234567"));
   CHECK(has(screen, "messages_not_written     0"));
-  CHECK(has(screen, "to_disk"));
+  CHECK(cells_of(screen, "to_disk") == Cells{"to_disk", "10", "20", "30", "40"});
+  CHECK(cells_of(screen, "never_measured") == Cells{"never_measured", "0"});
   CHECK(has(screen, "! puck-logger  degraded"));
 }
 
@@ -295,6 +312,16 @@ TEST_CASE("while nothing comes it says so, and what it waits for") {
   view.press(SpyKey::kShow);
   view.press(SpyKey::kDown);
   CHECK(has(view.draw({60, 15}), "nothing has come yet"));
+}
+
+TEST_CASE("what comes without our key is shown where nothing else does") {
+  SpyBench spy;
+  spy.model.set_unauthenticated(Channel::kGame, 5, "is not sealed, from 10.9.8.2:40000", 1'000'000);
+  SpyView view = view_on(spy.model.snapshot(1'000'000));
+  CHECK_FALSE(has(view.draw({160, 24}), "nothing has come yet"));
+  CHECK(has(view.draw({160, 24}), "PUCK_GAME"));
+  view.press(SpyKey::kShow);
+  CHECK(has(view.draw({160, 24}), "is not sealed, from 10.9.8.2:40000"));
 }
 
 TEST_CASE("what others send at the port is counted in a line, and shown on a page of its own") {

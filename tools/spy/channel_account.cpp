@@ -75,7 +75,7 @@ ChannelRow ChannelAccount::row(std::int64_t now_us) {
   row.oversize = oversize_;
   row.unauthenticated = unauthenticated_;
   row.last_rejection = last_rejection_;
-  row.newest_age_us = std::max<std::int64_t>(now_us - newest_us_, 0);
+  if (newest_us_) row.newest_age_us = std::max<std::int64_t>(now_us - *newest_us_, 0);
   row.newest = newest_;
   fill_publishers(row, now_us);
   return row;

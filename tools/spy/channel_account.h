@@ -50,7 +50,7 @@ class ChannelAccount {
   std::int64_t oversize_ = 0;
   std::int64_t unauthenticated_ = 0;
   std::string last_rejection_;
-  std::int64_t newest_us_ = 0;
+  std::optional<std::int64_t> newest_us_;
   PublisherList publishers_;
   std::vector<std::uint8_t> newest_;  // Its memory is used again.
 };

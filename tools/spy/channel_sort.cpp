@@ -1,6 +1,7 @@
 #include "tools/spy/channel_sort.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace puck {
 namespace {
@@ -21,7 +22,8 @@ double value_of(const ChannelRow& channel, ChannelSort sort) {
     case ChannelSort::kMalformed:
       return static_cast<double>(channel.malformed);
     case ChannelSort::kAge:
-      return static_cast<double>(channel.newest_age_us);
+      return channel.newest_age_us ? static_cast<double>(*channel.newest_age_us)
+                                   : std::numeric_limits<double>::infinity();
   }
   return 0;
 }

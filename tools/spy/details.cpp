@@ -67,14 +67,17 @@ void add_latencies(Screen& screen, const ServiceRow& service, std::size_t width)
     return latency_column(service, made, cell);
   };
   using Row = StatusLatency;
-  const auto whole = [](std::int64_t value) { return std::to_string(value); };
+  // Where nothing was measured there is no value.
+  const auto measured = [](const Row& row, std::int64_t value) {
+    return row.samples == 0 ? "" : std::to_string(value);
+  };
   const std::vector<std::string> table = lay_out(
       {
           make({"LATENCY, us", false, 0, 24}, [](const Row& row) { return row.name; }),
-          make({"P50", true, 1, 8}, [&](const Row& row) { return whole(row.p50_us); }),
-          make({"P99", true, 2, 8}, [&](const Row& row) { return whole(row.p99_us); }),
-          make({"MAX", true, 3, 8}, [&](const Row& row) { return whole(row.max_us); }),
-          make({"SAMPLES", true, 4, 8}, [&](const Row& row) { return whole(row.samples); }),
+          make({"P50", true, 1, 8}, [&](const Row& row) { return measured(row, row.p50_us); }),
+          make({"P99", true, 2, 8}, [&](const Row& row) { return measured(row, row.p99_us); }),
+          make({"MAX", true, 3, 8}, [&](const Row& row) { return measured(row, row.max_us); }),
+          make({"SAMPLES", true, 4, 8}, [](const Row& row) { return std::to_string(row.samples); }),
       },
       width);
   add_head(screen, table[0]);
@@ -100,7 +103,7 @@ Screen channel_details(const ChannelRow& channel, std::size_t width) {
   add_row(screen, channel_table({channel}, width), style_of(channel));
   if (!channel.last_rejection.empty()) {
     std::vector<std::string> why;
-    add_field(why, "last malformed message", channel.last_rejection, width);
+    add_field(why, "last bad message", channel.last_rejection, width);
     add(screen, why, LineStyle::kWarning);
   }
   if (!channel.publishers.empty()) add_publishers(screen, channel, width);

@@ -59,6 +59,16 @@ std::size_t output_width() {
 /// For the end of a sentence that says that nothing was heard; empty: not known.
 std::string reason_of(const Heard& heard) {
   if (!heard.problem.empty()) return ": " + heard.problem;
+  std::int64_t unauthenticated = heard.snapshot.unknown_unauthenticated;
+  std::string last;
+  for (const ChannelRow& channel : heard.snapshot.channels) {
+    unauthenticated += channel.unauthenticated;
+    if (channel.unauthenticated > 0)
+      last = ", the last on " + channel.name + ' ' + channel.last_rejection;
+  }
+  if (unauthenticated > 0) {
+    return "; but " + std::to_string(unauthenticated) + " messages without our key" + last;
+  }
   const TransportCounters& network = heard.snapshot.network;
   if (network.foreign_traffic.empty()) return {};
   const ForeignTraffic& first = network.foreign_traffic.front();

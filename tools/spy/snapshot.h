@@ -40,7 +40,8 @@ struct ChannelRow {
   std::int64_t unauthenticated = 0;  ///< Not sealed with our key.
   std::string last_rejection;        ///< Why the newest of these was rejected, and who sent it.
   bool in_trouble = false;  ///< Loss, lateness or malformed messages within the rate window.
-  std::int64_t newest_age_us = 0;
+  /// Of the newest message, valid or not; nothing when all were dropped for want of our key.
+  std::optional<std::int64_t> newest_age_us;
 
   std::vector<PublisherRow> publishers;  ///< Those heard lately, the oldest run first.
   bool several_publishers = false;       ///< They publish at the same time where one should.

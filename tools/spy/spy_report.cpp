@@ -37,7 +37,7 @@ Json json_of(const ChannelRow& channel) {
       {"sessions", channel.arrivals.sessions},
       {"publishers", channel.publishers.size()},
       {"several_publishers", channel.several_publishers},
-      {"age_ms", milliseconds(channel.newest_age_us)},
+      {"age_ms", channel.newest_age_us ? Json(milliseconds(*channel.newest_age_us)) : Json()},
   };
 }
 
@@ -77,9 +77,12 @@ Json json_of(const ServiceRow& service) {
   };
   for (const StatusLatency& latency : service.latencies) {
     const std::string name = "latency_" + latency.name;
-    row[name + "_p50_us"] = latency.p50_us;
-    row[name + "_p99_us"] = latency.p99_us;
-    row[name + "_max_us"] = latency.max_us;
+    const auto measured = [&latency](std::int64_t value) {
+      return latency.samples == 0 ? Json() : Json(value);
+    };
+    row[name + "_p50_us"] = measured(latency.p50_us);
+    row[name + "_p99_us"] = measured(latency.p99_us);
+    row[name + "_max_us"] = measured(latency.max_us);
     row[name + "_samples"] = latency.samples;
   }
   for (const auto& [name, value] : service.counters) row["counter_" + name] = value;

@@ -146,7 +146,7 @@ Screen SpyView::body(ScreenSize size) const {
   if (page_ == Page::kHelp) return help_page();
   if (page_ == Page::kDetails) return details(width);
   if (page_ == Page::kOthers) return others_page(shown_, width);
-  if (shown_.messages == 0) return silence_page(notice_, shown_.network, width);
+  if (shown_.channels.empty()) return silence_page(notice_, shown_.network, width);
   const bool alone = shown_.network.foreign == 0;
   Screen screen = draw_overview(shown_, selected_, {size.columns, size.rows - (alone ? 0 : 1)});
   if (!alone) screen.push_back(others_line(shown_.network));

@@ -138,7 +138,9 @@ std::vector<std::string> channel_table(const std::vector<ChannelRow>& channels, 
           make({"RUNS", true, 11, 4},
                [](const Row& row) { return short_count(row.arrivals.sessions); }),
           make({"AGE", true, 4, 6},
-               [](const Row& row) { return short_duration(row.newest_age_us); }),
+               [](const Row& row) {
+                 return row.newest_age_us ? short_duration(*row.newest_age_us) : "";
+               }),
           make({"FROM", false, 5, 12}, publishers_of),
           make({"PID", true, 12, 7}, pid_of),
           make({"HOST", false, 13, 8}, host_of),
