@@ -19,7 +19,8 @@ constexpr std::size_t kWindowBytes = std::size_t{1} << 20;
 }  // namespace
 
 LogBytes::LogBytes(const std::filesystem::path& path)
-    : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    // A pipe that nobody writes into is refused, and not waited for.
+    : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
   struct stat file {};
   if (descriptor_ < 0 || fstat(descriptor_, &file) != 0) {
     const std::string why = std::strerror(errno);

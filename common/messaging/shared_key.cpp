@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include <fcntl.h>
 #include <sodium.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -36,13 +37,15 @@ void check_owner_only(const std::filesystem::path& file, int descriptor) {
 }
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
-                                                               &std::fclose);
+  // Nor is a pipe waited for that nobody writes into.
+  const int descriptor = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(
+      descriptor < 0 ? nullptr : fdopen(descriptor, "rb"), &std::fclose);
   if (!stream) {
     fail(file, std::string("cannot be read: ") + std::strerror(errno) +
                    "; \"head -c 32 /dev/urandom\" makes a key");
   }
-  check_owner_only(file, fileno(stream.get()));
+  check_owner_only(file, descriptor);
   std::vector<std::uint8_t> bytes(kMostBytes + 1);
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), stream.get()));
   if (bytes.size() < kLeastBytes || bytes.size() > kMostBytes) {

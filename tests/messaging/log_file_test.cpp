@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 #include <lcm/eventlog.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include "common/messaging/message_codec.h"
 #include "tests/support/temporary_folder.h"
@@ -370,6 +371,9 @@ TEST_CASE("a missing or foreign file is refused by name") {
   std::ofstream(folder / "text") << "t,x,y,p\n";
   CHECK(problem_of([&] { LogReader reader(folder.path()); }) ==
         folder.path().string() + ": cannot be read: is not a file");
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  CHECK(problem_of([&] { LogReader reader(folder / "pipe"); }) ==
+        (folder / "pipe").string() + ": cannot be read: is not a file");
   CHECK(problem_of([&] { LogReader reader(folder / "text"); }) ==
         (folder / "text").string() + ": is not an LCM log: it does not begin with a message");
   // Shorter than the mark that is searched for.

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 #include <lcm/lcm.h>
+#include <sys/stat.h>
 
 #include "common/messaging/bus.h"
 #include "tests/support/temporary_folder.h"
@@ -144,6 +145,8 @@ TEST_CASE("a key that others may read, or that is missing or short, ends the sta
   CHECK(problem(folder / "missing").find("cannot be read") != std::string::npos);
   CHECK(problem(key_file(folder, "short", "secret")).find("must have 32 to 4096 bytes, has 6") !=
         std::string::npos);
+  REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  CHECK(problem(folder / "pipe").ends_with("is not a file"));
   CHECK_THROWS_AS(Bus({.url = "memq://", .key_file = (folder / "missing").string()}), BusError);
 }
 
