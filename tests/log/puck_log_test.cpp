@@ -1,6 +1,7 @@
 // The real puck-log on logs that are whole, damaged, or none at all.
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <random>
 #include <sstream>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "common/messaging/event_packing.h"
 #include "common/messaging/log_file.h"
+#include "common/messaging/message_seal.h"
 #include "tests/support/child_process.h"
 #include "tests/support/environment.h"
 #include "tests/support/random_message.h"
@@ -168,6 +170,21 @@ TEST_CASE("verify names the byte of what is malformed, corrupt or cut off") {
   CHECK(lines[2].ends_with("bytes are no message: the log ends within a message"));
   CHECK(lines[3].starts_with("25 messages: "));
   CHECK(lines[3].ends_with("at 2 places are no message, 1 messages are malformed"));
+}
+
+TEST_CASE("verify tells what was sealed with a key that the logger did not have") {
+  const TemporaryFolder folder;
+  const auto key_file = folder.write("key", std::string(32, 'k'));
+  std::filesystem::permissions(key_file, std::filesystem::perms::owner_read);
+  const SharedKey key(key_file);
+  std::mt19937_64 random(4);
+  auto bytes = random_message(Channel::kHead, random).bytes;
+  MessageSealer(key).seal("PUCK_HEAD", bytes);
+  LogWriter(folder / "a.lcm").write("PUCK_HEAD", 1, bytes);
+  const Finished finished = puck_log({"verify", folder / "a.lcm"});
+  CHECK(finished.exit_code == 1);
+  CHECK(lines_of(finished.output).at(0) ==
+        "byte 0: PUCK_HEAD: is sealed; the logger had no key (lcm.key_file)");
 }
 
 TEST_CASE("repair makes a log that is fine from one that is not, and says what it left out") {

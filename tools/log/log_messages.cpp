@@ -4,6 +4,7 @@
 
 #include "common/messaging/bus_error.h"
 #include "common/messaging/message_check.h"
+#include "common/messaging/message_seal.h"
 
 namespace puck {
 
@@ -24,6 +25,9 @@ LogTally read_log(const std::filesystem::path& path,
       message.rejection = check_message(*message.channel, record.bytes);
     } else {
       ++tally.foreign;
+    }
+    if (message.rejection && looks_sealed(record.bytes)) {
+      message.rejection = "is sealed; the logger had no key (lcm.key_file)";
     }
     if (message.rejection) ++tally.malformed;
     on_message(message);
