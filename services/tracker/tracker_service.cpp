@@ -171,7 +171,7 @@ void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt
   events_received_ = 0;
   events_thinned_ = 0;
   events_masked_ = 0;
-  context_.log.info("following events of session {:x}, sensor {}x{}", packet.session, packet.width,
+  context_.log.info("following events of session {}, sensor {}x{}", packet.session, packet.width,
                     packet.height);
   check_calibration();
   PipelineParams pipeline = params_.pipeline;
