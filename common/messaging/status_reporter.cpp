@@ -16,17 +16,8 @@ namespace {
 constexpr std::int64_t kPeriodUs = 100'000;
 // A flood of new runs may not make us answer more often than this.
 constexpr std::int64_t kShortestPeriodUs = 20'000;
-// A pong older than this says nothing new about a clock; its publisher is gone.
-constexpr std::int64_t kPongLifeUs = 2'000'000;
-constexpr std::size_t kMaxPongs = 64;
-// Whoever was heard so often is not displaced by those who are new.
-constexpr int kOftenHeard = 3;
 // As the rules for STATUS on the wire have it: one too many, and nobody hears the whole of it.
 constexpr std::size_t kMaxTextBytes = 255;
-// Among many, those who have waited longest are answered. Some places are kept for those who are
-// new, however many are heard often, and the others for those, however many are new.
-constexpr std::ptrdiff_t kPongsAtOnce = 8;
-constexpr std::ptrdiff_t kPongsOfNew = 2;
 constexpr std::size_t kFrameBytes = EventPackerParams::kOneFrame;
 constexpr std::size_t kLcmHeaderBytes = 8;
 
@@ -120,12 +111,8 @@ SenderClock StatusReporter::clock_of(std::int64_t session) const {
 void StatusReporter::hear(const service_status_t& status, const Receipt& receipt) {
   if (!receipt.in_order() || status.session == bus_.session()) return;
   read_pongs(status, receipt);
-  keep_pong({.session = status.session,
-             .utime = status.utime,
-             .received_utime = receipt.utime,
-             .received_monotonic_us = receipt.monotonic_us,
-             .times_heard = 1,
-             .waits_since_us = receipt.monotonic_us});
+  // So that it soon knows our clock.
+  if (pongs_.hear(status, receipt)) due_us_ = std::min(due_us_, soonest_us_);
   for (const Listener& listener : listeners_) listener(status, receipt);
 }
 
@@ -135,29 +122,6 @@ void StatusReporter::read_pongs(const service_status_t& status, const Receipt& r
     clocks_.add(status.session, {status.pong_utime[i], status.pong_received_utime[i], status.utime,
                                  receipt.monotonic_us});
   }
-}
-
-void StatusReporter::keep_pong(const Pong& pong) {
-  const auto known = std::find_if(pongs_.begin(), pongs_.end(),
-                                  [&](const Pong& other) { return other.session == pong.session; });
-  if (known != pongs_.end()) {
-    known->utime = pong.utime;
-    known->received_utime = pong.received_utime;
-    known->received_monotonic_us = pong.received_monotonic_us;
-    known->times_heard = std::min(known->times_heard + 1, kOftenHeard);
-    return;
-  }
-  due_us_ = std::min(due_us_, soonest_us_);
-  if (pongs_.size() < kMaxPongs) {
-    pongs_.push_back(pong);
-    return;
-  }
-  const auto least =
-      std::min_element(pongs_.begin(), pongs_.end(), [](const Pong& a, const Pong& b) {
-        return std::pair(a.times_heard >= kOftenHeard, a.received_monotonic_us) <
-               std::pair(b.times_heard >= kOftenHeard, b.received_monotonic_us);
-      });
-  if (least->times_heard < kOftenHeard) *least = pong;
 }
 
 void StatusReporter::publish(const Fill& fill) {
@@ -183,44 +147,12 @@ void StatusReporter::publish(const Fill& fill) {
     message.latency_max_us.push_back(latency.max_us);
     message.latency_samples.push_back(latency.samples);
   }
-  fill_pongs(message);
+  if (pongs_.answer(message)) due_us_ = soonest_us_;
   fill_counters(message, std::move(report));
   // Before the bus reads its clock: a round trip may come out too long, but never too short.
   const std::int64_t sent_us = host_monotonic_us();
   bus_.publish(message);
   clocks_.ping({message.utime, sent_us});
-}
-
-void StatusReporter::fill_pongs(service_status_t& message) {
-  const std::int64_t oldest_us = host_monotonic_us() - kPongLifeUs;
-  std::erase_if(pongs_, [&](const Pong& pong) { return pong.received_monotonic_us < oldest_us; });
-  const auto waits_longer = [](const Pong& a, const Pong& b) {
-    return a.waits_since_us < b.waits_since_us;
-  };
-  std::sort(pongs_.begin(), pongs_.end(), waits_longer);
-  const auto new_ones = std::stable_partition(pongs_.begin(), pongs_.end(), [](const Pong& pong) {
-    return pong.times_heard >= kOftenHeard;
-  });
-  const std::ptrdiff_t often = new_ones - pongs_.begin();
-  const std::ptrdiff_t kept = std::min(pongs_.end() - new_ones, kPongsOfNew);
-  const std::ptrdiff_t of_often = std::min(often, kPongsAtOnce - kept);
-  const std::ptrdiff_t of_new = std::min(pongs_.end() - new_ones, kPongsAtOnce - of_often);
-  answer(pongs_.begin(), of_often, message);
-  answer(new_ones, of_new, message);
-  const bool has_unanswered =
-      std::any_of(new_ones, pongs_.end(), [](const Pong& pong) { return !pong.is_answered; });
-  if (has_unanswered) due_us_ = soonest_us_;
-}
-
-void StatusReporter::answer(std::vector<Pong>::iterator first, std::ptrdiff_t count,
-                            service_status_t& message) {
-  std::for_each_n(first, count, [&](Pong& pong) {
-    pong.waits_since_us = host_monotonic_us();
-    pong.is_answered = true;
-    message.pong_session.push_back(pong.session);
-    message.pong_utime.push_back(pong.utime);
-    message.pong_received_utime.push_back(pong.received_utime);
-  });
 }
 
 // A message of two frames is lost with either of them.

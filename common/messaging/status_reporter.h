@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "common/messaging/bus.h"
 #include "common/messaging/clock_offsets.h"
+#include "common/messaging/pong_book.h"
 
 namespace puck {
 
@@ -45,11 +45,10 @@ struct StatusReport {
 /// Publishes the STATUS of a service every 100 ms and at once when its state changes, each in one
 /// frame: counters that find no room in it are left out, the last ones first, and
 /// `counters_left_out` says how many; then one that is missing need not be 0. Answers the statuses
-/// of others with pongs, eight in each STATUS. A run that was not heard before is answered within
-/// 20 ms, so that it soon knows our clock; of several that come at once at least two, and two more
-/// every 20 ms, however many are known. 64 runs are, and of more those that are heard often. From
-/// the pongs of others it knows theirs. The thread that calls the bus's handle() calls it: a
-/// service that hangs then falls silent, as it should.
+/// of others with pongs (PongBook). A run that was not heard before is answered within 20 ms, so
+/// that it soon knows our clock; of several that come at once at least two, and two more every 20
+/// ms, however many are known. From the pongs of others it knows theirs. The thread that calls the
+/// bus's handle() calls it: a service that hangs then falls silent, as it should.
 class StatusReporter {
  public:
   using Fill = std::function<void(StatusReport&)>;
@@ -86,26 +85,11 @@ class StatusReporter {
   void stop(const Fill& fill);
 
  private:
-  struct Pong {
-    std::int64_t session = 0;
-    std::int64_t utime = 0;
-    std::int64_t received_utime = 0;
-    std::int64_t received_monotonic_us = 0;
-    int times_heard = 0;
-    // CLOCK_MONOTONIC: since it was answered, or first heard.
-    std::int64_t waits_since_us = 0;
-    bool is_answered = false;
-  };
-
   void hear(const service_status_t& status, const Receipt& receipt);
   void read_pongs(const service_status_t& status, const Receipt& receipt);
-  void keep_pong(const Pong& pong);
   ServiceState published_state() const;
   std::string published_text() const;
   void publish(const Fill& fill);
-  void fill_pongs(service_status_t& message);
-  static void answer(std::vector<Pong>::iterator first, std::ptrdiff_t count,
-                     service_status_t& message);
   void fill_counters(service_status_t& message, StatusReport report) const;
 
   Bus& bus_;
@@ -120,7 +104,7 @@ class StatusReporter {
   std::string peers_text_;
   bool changed_ = true;
   std::vector<Listener> listeners_;
-  std::vector<Pong> pongs_;
+  PongBook pongs_;
   ClockOffsets clocks_;
 };
 
