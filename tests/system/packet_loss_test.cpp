@@ -37,14 +37,20 @@ double mean_over_seeds(const TemporaryFolder& folder, const std::string& percent
   return sum / 3;
 }
 
+/// Options of puck-simulate, and whether the mean error is held to 10 %, too.
+struct Game {
+  std::vector<std::string> options;
+  bool holds_mean = false;
+};
+
 // In the moving game the puck stands still in the image for 40 ms, the head's motion against its
 // own; the track is then off by 6 to 16 px with all packets or without some, and how soon it is
 // found again turns on single events. That decides the mean of four seconds; so what is held to 10
-// % is the median, and that no more of the puck is lost.
+// % there is the median, and that no more of the puck is lost.
 TEST_CASE("the loss of 1 % of the packets costs less than 10 % of accuracy, camera still or not") {
-  for (const std::vector<std::string>& options :
-       {std::vector<std::string>{"--seed", "1", "--seconds", "8"},
-        std::vector<std::string>{"--seed", "2", "--seconds", "4", "--moving"}}) {
+  const std::vector<Game> games{{.options = {"--seed", "1", "--seconds", "8"}, .holds_mean = true},
+                                {.options = {"--seed", "2", "--seconds", "4", "--moving"}}};
+  for (const auto& [options, holds_mean] : games) {
     const TemporaryFolder folder;
     std::vector<std::string> arguments{"--output", "game"};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -53,11 +59,15 @@ TEST_CASE("the loss of 1 % of the packets costs less than 10 % of accuracy, came
     const double whole_px = whole["median_px"];
     const double one_px = mean_over_seeds(folder, "1", "median_px");
     MESSAGE("median error, px: " << whole_px << ", without 1 % of the packets " << one_px);
-    MESSAGE("mean error, px: " << whole["mean_px"].get<double>() << ", without 1 % "
-                               << mean_over_seeds(folder, "1", "mean_px") << ", without 5 % "
-                               << mean_over_seeds(folder, "5", "mean_px"));
+    const double whole_mean_px = whole["mean_px"];
+    const double one_mean_px = mean_over_seeds(folder, "1", "mean_px");
+    MESSAGE("mean error, px: " << whole_mean_px << ", without 1 % " << one_mean_px
+                               << ", without 5 % " << mean_over_seeds(folder, "5", "mean_px"));
     CHECK(whole["estimates"] > 2000);
     CHECK(one_px < 1.1 * whole_px);
+    if (holds_mean) CHECK(one_mean_px < 1.1 * whole_mean_px);
+    // The bar is one that a loss can miss.
+    CHECK(evaluate(folder, "30", "1")["median_px"].get<double>() > 1.1 * whole_px);
     CHECK(mean_over_seeds(folder, "1", "lost_percent") < whole["lost_percent"].get<double>() + 0.5);
     // As many as were asked for, the same by the same seed.
     Json some = evaluate(folder, "5", "1");
