@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string_view>
 #include <utility>
 
@@ -136,9 +135,7 @@ std::string PeerBook::name_of(std::int64_t session) const {
   const auto peer = std::find_if(peers_.begin(), peers_.end(),
                                  [&](const Peer& other) { return other.session == session; });
   if (peer != peers_.end()) return name_of_peer(*peer);
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "session %llx", static_cast<unsigned long long>(session));
-  return text.data();
+  return "session " + std::to_string(session);
 }
 
 }  // namespace puck

@@ -56,7 +56,7 @@ class PeerBook {
     bool told_twice = false;
   };
   const std::vector<Peer>& peers() const { return peers_; }
-  /// "puck-camera on lab2, pid 7"; "session 1f" for one that is not known.
+  /// "puck-camera on lab2, pid 7"; "session 31" for one that is not known.
   std::string name_of(std::int64_t session) const;
 
  private:

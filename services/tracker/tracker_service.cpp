@@ -69,7 +69,8 @@ void TrackerService::receive(const EventPacketView& packet, const Receipt& recei
     case SinglePublisher::Verdict::kOtherPublisher:
       ++others_packets_;
       context_.limited_log.warn("events", "a second publisher of events is not followed: " +
-                                              context_.peers.name_of(packet.session));
+                                              context_.peers.name_of(packet.session) + ", at " +
+                                              to_string(receipt.sender));
       return;
     case SinglePublisher::Verdict::kLate:
       if (!publisher_.is_silent(receipt.monotonic_us)) {

@@ -147,7 +147,7 @@ TEST_CASE("whoever does not answer us is nobody: a log that is played has no ser
   bench.speakers[0].speaks = false;
   bench.pass(1'000'000);
   CHECK(bench.book.trouble().silent == "puck-camera on eye, pid 11, is silent");
-  CHECK(bench.book.name_of(31) == "session 1f");
+  CHECK(bench.book.name_of(31) == "session 31");
 }
 
 TEST_CASE("what was missed while this service itself stood still is held against nobody") {

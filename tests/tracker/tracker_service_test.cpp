@@ -3,12 +3,14 @@
 #include <cmath>
 #include <mutex>
 #include <span>
+#include <sstream>
 #include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
 #include <lcm/lcm.h>
 #include <spdlog/sinks/null_sink.h>
+#include <spdlog/sinks/ostream_sink.h>
 
 #include "common/io/pixel_mask_file.h"
 #include "common/messaging/event_packing.h"
@@ -185,6 +187,39 @@ TEST_CASE("a camera that tells an impossible time of its sensor's start is track
   CHECK(tracker.eventually(
       [](const puck_estimate_t& e) { return e.sensor_us == 1000 && e.event_utime == 0; }));
   CHECK(tracker.bus().counters<puck_estimate_t>().publish_failures == 0);
+}
+
+TEST_CASE(
+    "a second publisher of events is counted and named, by its address where it has no STATUS") {
+  const std::string url = private_lcm_url();
+  ServiceBench bench(url);
+  std::ostringstream log;
+  bench.log.sinks() = {std::make_shared<spdlog::sinks::ostream_sink_mt>(log)};
+  Config config;
+  bench.make<TrackerService>(TrackerService::read_params(config));
+  SkewedMachine first(url, 4711, 0);
+  SkewedMachine second(url, 4712, 0);
+  REQUIRE(bench.start());
+  const auto packets_of = [](SkewedMachine& camera, std::int64_t t_us) {
+    EventPacker packer({.sensor = kSensor, .packet_bytes = 60000});
+    const EventPacket events = puck_at({80, 60}, t_us);
+    packer.pack(events.start, events.events,
+                [&](event_packet_t& packet) { camera.publish(packet); });
+  };
+  for (int i = 0; i < 100; ++i) {
+    packets_of(first, 1000 * i);
+    std::this_thread::sleep_for(milliseconds(1));
+    if (i > 50) packets_of(second, 1000 * i);
+  }
+  std::this_thread::sleep_for(milliseconds(100));
+  bench.stop();
+  const auto& tracker = static_cast<const TrackerService&>(*bench.service);
+  CHECK(counter(tracker, "packets_of_others") > 40);
+  CHECK(counter(tracker, "packets_received") == 100);
+  CAPTURE(log.str());
+  CHECK(log.str().find("following events of session 4711,") != std::string::npos);
+  CHECK(log.str().find("a second publisher of events is not followed: session 4712, at ") !=
+        std::string::npos);
 }
 
 TEST_CASE("the camera's clock may be hours away: times and latency are by the tracker's") {
