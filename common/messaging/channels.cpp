@@ -47,6 +47,23 @@ std::optional<Channel> find_channel(std::string_view name, std::string_view pref
   return std::nullopt;
 }
 
+std::optional<Channel> find_channel_of_any_prefix(std::string_view name) {
+  for (const Channel channel : kAllChannels) {
+    const std::string_view base = base_name(channel);
+    if (name == base) return channel;
+    if (!name.ends_with(base)) continue;
+    const std::string_view prefix = name.substr(0, name.size() - base.size());
+    if (prefix.size() < 2 || !prefix.ends_with('_')) continue;
+    try {
+      check_prefix(prefix.substr(0, prefix.size() - 1));
+      return channel;
+    } catch (const BusError&) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
 void check_prefix(std::string_view prefix) {
   constexpr std::size_t kMaxLength = 16;
   const bool known = std::all_of(prefix.begin(), prefix.end(), [](char c) {

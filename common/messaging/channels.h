@@ -69,6 +69,9 @@ std::string channel_beginning(std::string_view prefix);
 /// The channel of ours that has this name under the prefix, if one has.
 std::optional<Channel> find_channel(std::string_view name, std::string_view prefix);
 
+/// The channel that has this name under any prefix.
+std::optional<Channel> find_channel_of_any_prefix(std::string_view name);
+
 /// Throws BusError unless the prefix is up to 16 of A-Z, 0-9 and _.
 void check_prefix(std::string_view prefix);
 

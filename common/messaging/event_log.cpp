@@ -66,8 +66,9 @@ bool EventLog::read(EventPacket& packet, std::size_t max_events) {
 bool EventLog::next_packet() {
   while (log_->next(record_)) {
     if (record_.channel != channel_) {
-      if (record_.channel.ends_with(base_name(Channel::kEvents)))
+      if (find_channel_of_any_prefix(record_.channel) == Channel::kEvents) {
         similar_channel_ = record_.channel;
+      }
       continue;
     }
     if (check_message(Channel::kEvents, record_.bytes)) {

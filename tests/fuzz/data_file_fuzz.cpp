@@ -3,13 +3,18 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "common/io/annotation_file.h"
 #include "common/io/config.h"
 #include "common/io/contour_calibration_file.h"
 #include "common/io/correspondence_file.h"
 #include "common/io/csv_file.h"
+#include "common/io/joint_pairs_file.h"
+#include "common/io/joint_table_file.h"
 #include "common/io/pixel_mask_file.h"
 #include "common/io/size_model_file.h"
 #include "common/io/table_file.h"
@@ -27,7 +32,26 @@ using Copy = void (*)(const Path& from, const Path& to);
 
 void write_text(const Path& path, const std::string& text) { std::ofstream(path) << text; }
 
-constexpr std::array<Copy, 7> kKinds{
+std::string text_of(const Path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::string csv_of(const std::vector<JointPair>& pairs) {
+  std::ostringstream csv;
+  csv.precision(std::numeric_limits<double>::max_digits10);
+  csv << "y_m";
+  for (std::size_t k = 0; k < pairs.front().deg.size(); ++k) csv << ",joint_" << k << "_deg";
+  for (const JointPair& pair : pairs) {
+    require(pair.deg.size() == pairs.front().deg.size(), "each row has as many joints");
+    csv << '\n' << pair.y_m;
+    for (const double deg : pair.deg) csv << ',' << deg;
+  }
+  csv << '\n';
+  return csv.str();
+}
+
+constexpr std::array<Copy, 10> kKinds{
     [](const Path& from, const Path& to) { write_truth_file(to, read_truth_file(from)); },
     [](const Path& from, const Path& to) { write_annotation_file(to, read_annotation_file(from)); },
     [](const Path& from, const Path& to) {
@@ -43,12 +67,16 @@ constexpr std::array<Copy, 7> kKinds{
     [](const Path& from, const Path& to) {
       const auto calibration = read_contour_calibration(from);
       write_text(to, contour_calibration_text(calibration.value_or(ContourCalibration{}), ""));
+    },
+    [](const Path& from, const Path& to) {
+      write_joint_table_file(to, read_joint_table_file(from), "");
+    },
+    [](const Path& from, const Path& to) { write_text(to, csv_of(read_joint_pairs(from))); },
+    [](const Path& from, const Path& to) {
+      read_authors_joint_table(from, RobotPart::kArm);
+      // Only their program writes such tables.
+      write_text(to, text_of(from));
     }};
-
-std::string text_of(const Path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 bool copy(Copy kind, const Path& from, const Path& to) {
   try {

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "common/io/event_writer.h"
+#include "common/messaging/event_packing.h"
 #include "common/messaging/log_file.h"
+#include "common/messaging/message_codec.h"
 #include "tests/support/random_message.h"
 #include "tests/support/test_board_bytes.h"
 
@@ -58,6 +60,24 @@ void add_messages(Seeds& seeds) {
   seeds.add("fuzz_play", std::string(400, '\x44'));
 }
 
+// Of a camera that was started again, whose packets come out of order.
+void add_event_log(Seeds& seeds) {
+  LogWriter writer(seeds.next("fuzz_log_reader"), true);
+  std::vector<std::uint8_t> bytes;
+  for (const std::int64_t session : {1, 2}) {
+    EventPacker packer({.sensor = {640, 480}, .packet_bytes = 0x100});
+    for (const std::int64_t seq : {0, 2, 1, 3}) {
+      const std::vector<Event> events(3, Event{.x = 3, .y = 4, .polarity = 1});
+      packer.pack({1000 * seq}, events, [&](event_packet_t& packet) {
+        packet.session = session;
+        packet.seq = seq;
+        encode(packet, bytes);
+        writer.write(channel_name(Channel::kEvents, ""), 1'000'000 * session + 1000 * seq, bytes);
+      });
+    }
+  }
+}
+
 void add_logs(Seeds& seeds) {
   const fs::path path = seeds.next("fuzz_log_reader");
   {
@@ -70,6 +90,7 @@ void add_logs(Seeds& seeds) {
   const std::string log = text_of(path);
   seeds.add("fuzz_log_reader", log.substr(0, log.size() - 5));
   seeds.add("fuzz_log_reader", log + "rubbish" + log);
+  add_event_log(seeds);
 }
 
 void add_datagrams(Seeds& seeds) {
@@ -155,7 +176,10 @@ void add_data_files(Seeds& seeds, const fs::path& source) {
       text_of(calibration / "simulated_size.toml"),
       text_of(calibration / "simulated_table.toml"),
       "[pixel_mask]\nwidth = 64\nheight = 48\npixels = [\n  1, 2,\n  3, 4,\n]\n",
-      "[contour]\nlag_us = 100\nwall_share = 0.5\ngrow_px = 0.1\ntrail_px = 0.2\n"};
+      "[contour]\nlag_us = 100\nwall_share = 0.5\ngrow_px = 0.1\ntrail_px = 0.2\n",
+      text_of(calibration / "simulated_arm.toml"),
+      text_of(calibration / "simulated_arm.csv"),
+      "-0.1 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n0.1\t0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n"};
   for (std::size_t i = 0; i < kinds.size(); ++i) seeds.add("fuzz_data_files", i, kinds[i]);
 }
 

@@ -37,6 +37,18 @@ std::string refusal_of(const std::filesystem::path& path, const std::string& pre
   }
 }
 
+TEST_CASE("a log without events names those of another prefix, and repeats no other name") {
+  const TemporaryFolder folder;
+  for (const char* name : {"LEFT_PUCK_EVENTS", "left_PUCK_EVENTS", "A\x1b[2J_PUCK_EVENTS"}) {
+    LogWriter(folder / "a.lcm", true).write(name, 1, {});
+    const std::string refusal = refusal_of(folder / "a.lcm", "");
+    CAPTURE(refusal);
+    const bool names_it = refusal.find(std::string("it has ") + name) != std::string::npos;
+    CHECK(names_it == (name == std::string("LEFT_PUCK_EVENTS")));
+    CHECK(refusal.find('\x1b') == std::string::npos);
+  }
+}
+
 TEST_CASE("a log's packets come as they were received, a large one in pieces, twice the same") {
   const TemporaryFolder folder;
   {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "common/messaging/bus_error.h"
 #include "common/messaging/message_check.h"
 #include "common/messaging/message_seal.h"
 
@@ -33,23 +32,6 @@ LogTally read_log(const std::filesystem::path& path,
     on_message(message);
   }
   return tally;
-}
-
-std::optional<Channel> find_channel_of_any_prefix(std::string_view name) {
-  for (const Channel channel : kAllChannels) {
-    const std::string_view base = base_name(channel);
-    if (name == base) return channel;
-    if (!name.ends_with(base)) continue;
-    const std::string_view prefix = name.substr(0, name.size() - base.size());
-    if (prefix.size() < 2 || !prefix.ends_with('_')) continue;
-    try {
-      check_prefix(prefix.substr(0, prefix.size() - 1));
-      return channel;
-    } catch (const BusError&) {
-      return std::nullopt;
-    }
-  }
-  return std::nullopt;
 }
 
 std::string printable(std::string_view text) {

@@ -36,9 +36,6 @@ LogTally read_log(const std::filesystem::path& path,
                   const std::function<void(const LoggedMessage&)>& on_message,
                   const std::function<void(const LogDamage&)>& on_damage);
 
-/// The channel that has this name under any prefix.
-std::optional<Channel> find_channel_of_any_prefix(std::string_view name);
-
 /// For a terminal: whatever is not printable becomes a question mark.
 std::string printable(std::string_view text);
 
