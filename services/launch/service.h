@@ -27,7 +27,8 @@ class Service {
  public:
   virtual ~Service() = default;
 
-  /// Works until a stop is requested, and returns within 100 ms of it with everything written.
+  /// Works until a stop is requested, and returns within 100 ms of it with everything written; what
+  /// moves an arm, once it has come to rest.
   /// Calls context.bus.handle() and poll_status() at least every 20 ms. What it throws ends the
   /// service with exit code 1.
   virtual void run(std::stop_token stop) = 0;
