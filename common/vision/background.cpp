@@ -13,6 +13,8 @@ constexpr double kFocal_widths = 1.1;
 // A place with so many events half counts as one that stands still.
 constexpr double kHalf = 60;
 constexpr int kIterations = 2;
+// However many events a cell has, they count for no more than so many.
+constexpr double kFew = 5;
 // How stiffly the turn keeps to its prediction, in squared slopes of the fit; and how much of what
 // the fit has found changes the prediction.
 constexpr double kStiffness = 4;
@@ -73,9 +75,14 @@ void Background::decide(std::int64_t time_us) {
   seen_ = 0;
 }
 
-// Gauss-Newton on how far the events are from lying on the map, (half / (level + half))².
+// Gauss-Newton on how far the events are from lying on the map, (half / (level + half))². A hand
+// that moves has more events than all that stands still, and trails on the map next to them, so
+// that it would draw the map along: a cell's events count for few, and each for the less, the
+// farther it is from lying on the map.
 void Background::align() {
   turn_.turn(speed_);
+  Cells events{};
+  for (const Pixel& event : taken_) events[cell_of(event)] += 1;
   for (int i = 0; i < kIterations; ++i) {
     std::array<Steps, 3> squares{{{kStiffness, 0, 0}, {0, kStiffness, 0}, {0, 0, kStiffness}}};
     Steps towards{};
@@ -90,9 +97,10 @@ void Background::align() {
       for (std::size_t k = 0; k < 3; ++k) {
         steps[k] = slope * (sample.slope_x * slopes.x[k] + sample.slope_y * slopes.y[k]);
       }
+      const double weight = (1 - residual) * kFew / (kFew + events[cell_of(event)]);
       for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t k = 0; k < 3; ++k) squares[row][k] += steps[row] * steps[k];
-        towards[row] -= steps[row] * residual;
+        for (std::size_t k = 0; k < 3; ++k) squares[row][k] += weight * steps[row] * steps[k];
+        towards[row] -= weight * steps[row] * residual;
       }
     }
     const Steps found = solved(squares, towards);
@@ -106,9 +114,7 @@ void Background::note_activity(std::int64_t passed_us) {
   for (double& cell : activity_) cell *= keep;
   for (const Pixel& event : taken_) {
     if (map_.level(turn_.then_of(event)) <= kStill) continue;
-    const int column = static_cast<int>(event.x) * kColumns / sensor_.width;
-    const int row = static_cast<int>(event.y) * kRows / sensor_.height;
-    activity_[static_cast<std::size_t>(row * kColumns + column)] += 1;
+    activity_[cell_of(event)] += 1;
   }
   is_known_ = std::count_if(activity_.begin(), activity_.end(),
                             [](double cell) { return cell > kActive; }) >= kLeastActiveCells;

@@ -51,8 +51,13 @@ class Background {
   static constexpr double kStill = 15;
   static constexpr int kColumns = 8;
   static constexpr int kRows = 6;
+  using Cells = std::array<double, static_cast<std::size_t>(kColumns* kRows)>;  // of the image
 
   void align();
+  std::size_t cell_of(Pixel event) const {
+    return static_cast<std::size_t>(static_cast<int>(event.y) * kRows / sensor_.height * kColumns +
+                                    static_cast<int>(event.x) * kColumns / sensor_.width);
+  }
   void note_activity(std::int64_t passed_us);
 
   SensorSize sensor_;
@@ -63,7 +68,7 @@ class Background {
   std::uint64_t seen_ = 0;  // in this period
   std::uint64_t stride_ = 1;
   std::int64_t aligned_us_ = 0;
-  std::array<double, static_cast<std::size_t>(kColumns* kRows)> activity_{};
+  Cells activity_{};
   bool is_known_ = false;
   bool is_empty_ = true;
 };

@@ -45,6 +45,21 @@ TEST_CASE("Of a hand alone nothing is known") {
   CHECK_FALSE(background.is_still(105, 220));
 }
 
+TEST_CASE("A hand with more events than all that stands still does not draw the map along") {
+  Background background(TurningScene::kSensor);
+  TurningScene scene;
+  scene.show(background, 300);
+  // Its edges, 8 px apart, go to the side at 0.7 px a millisecond.
+  for (int i = 0; i < 250; ++i) {
+    for (int n = 0; n < 3'000; ++n) {
+      background.take(std::round(200 + 8 * (n % 12) + 0.7 * i), 150 + n % 150);
+    }
+    scene.show(background, 1);
+    REQUIRE(background.is_known());
+  }
+  CHECK(still_share_of_marks(background, scene.time_us()) > 0.9);
+}
+
 TEST_CASE("What was forgotten has to be seen again") {
   Background background(TurningScene::kSensor);
   TurningScene scene;
@@ -61,7 +76,8 @@ TEST_CASE("Of too many events some are taken, which say as much") {
   Background background(TurningScene::kSensor);
   for (int i = 1; i <= 300; ++i) {
     for (int n = 0; n < 20'000; ++n) {
-      const Pixel at = TurningScene::place(n % 25, n, i * 1'000);
+      // Each millisecond's are of other places on the edges.
+      const Pixel at = TurningScene::place(n % 25, n + i, i * 1'000);
       background.take(std::round(at.x), std::round(at.y));
     }
     background.decide(i * 1'000);
