@@ -6,7 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 namespace puck {
 namespace {
@@ -47,18 +48,45 @@ void check_columns(std::span<const Annotation> annotations) {
   }
 }
 
-// Standard deviation of the centres, about their mean, across their main direction.
-double spread_px(const Eigen::MatrixX2d& centred) {
-  const Eigen::JacobiSVD<Eigen::MatrixX2d> svd(centred);
-  return svd.singularValues()(1) / std::sqrt(static_cast<double>(centred.rows()));
+// Sums over the annotations, about their means.
+struct Moments {
+  Eigen::Vector2d mean_centre = Eigen::Vector2d::Zero();
+  double mean_width = 0;
+  double mean_height = 0;
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d with_width = Eigen::Vector2d::Zero();
+  Eigen::Vector2d with_height = Eigen::Vector2d::Zero();
+};
+
+Moments moments_of(std::span<const Annotation> annotations) {
+  const auto count = static_cast<double>(annotations.size());
+  Moments sums;
+  for (const Annotation& a : annotations) {
+    sums.mean_centre += Eigen::Vector2d(a.centre.x, a.centre.y) / count;
+    sums.mean_width += a.size.width / count;
+    sums.mean_height += a.size.height / count;
+  }
+  for (const Annotation& a : annotations) {
+    const Eigen::Vector2d centred = Eigen::Vector2d(a.centre.x, a.centre.y) - sums.mean_centre;
+    sums.spread += centred * centred.transpose();
+    sums.with_width += centred * (a.size.width - sums.mean_width);
+    sums.with_height += centred * (a.size.height - sums.mean_height);
+  }
+  return sums;
 }
 
-void check_spread(const Eigen::MatrixX2d& centred) {
-  if (centred.cwiseAbs().maxCoeff() < kMinSpreadPx) {
+// `spread`: of so many centres.
+void check_spread(const Eigen::Matrix2d& spread, std::size_t count) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  const Eigen::Vector2d squares =
+      solver.computeDirect(spread, Eigen::EigenvaluesOnly).eigenvalues();
+  const double least = kMinSpreadPx * kMinSpreadPx * static_cast<double>(count);
+  if (squares(1) < least) {
     throw std::invalid_argument(
         "the annotated centres are all in one place; mark the puck all over the table");
   }
-  if (spread_px(centred) < kMinSpreadPx) {
+  // Not a number either where they are too far apart for one.
+  if (!(squares(0) >= least)) {
     throw std::invalid_argument(
         "the annotated centres lie on one line; mark the puck all over the table");
   }
@@ -79,32 +107,19 @@ void limit_sizes(std::span<const Annotation> annotations, PuckSizeModel& model) 
 SizeFit fit_puck_size_model(std::span<const Annotation> annotations) {
   check_values(annotations);
   check_columns(annotations);
-  const auto count = static_cast<Eigen::Index>(annotations.size());
-  Eigen::MatrixX2d centres(count, 2);
-  Eigen::VectorXd widths(count);
-  Eigen::VectorXd heights(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Annotation& a = annotations[static_cast<std::size_t>(i)];
-    centres.row(i) << a.centre.x, a.centre.y;
-    widths(i) = a.size.width;
-    heights(i) = a.size.height;
-  }
-
-  // About the mean the problem is well conditioned.
-  const Eigen::RowVector2d mean = centres.colwise().mean();
-  const Eigen::MatrixX2d centred = centres.rowwise() - mean;
-  check_spread(centred);
+  // About the means the normal equations are well conditioned: the spread was checked.
+  const Moments sums = moments_of(annotations);
+  check_spread(sums.spread, annotations.size());
 
   // Equation (2)
-  const auto solver = centred.colPivHouseholderQr();
-  const double mean_width = widths.mean();
-  const double mean_height = heights.mean();
-  const Eigen::Vector2d width_slope = solver.solve((widths.array() - mean_width).matrix());
-  const Eigen::Vector2d height_slope = solver.solve((heights.array() - mean_height).matrix());
+  const Eigen::Matrix2d inverse = sums.spread.inverse();
+  const Eigen::Vector2d width_slope = inverse * sums.with_width;
+  const Eigen::Vector2d height_slope = inverse * sums.with_height;
 
   SizeFit fit;
-  fit.model = {mean_width - mean.dot(width_slope),   width_slope(0),  width_slope(1),
-               mean_height - mean.dot(height_slope), height_slope(0), height_slope(1)};
+  fit.model = {
+      sums.mean_width - sums.mean_centre.dot(width_slope),   width_slope(0),  width_slope(1),
+      sums.mean_height - sums.mean_centre.dot(height_slope), height_slope(0), height_slope(1)};
   limit_sizes(annotations, fit.model);
   const auto size_at = [&](Pixel position) { return fit.model.extrapolated_at(position); };
   fit.width = residuals_of(annotations, &PuckSize::width, size_at);
