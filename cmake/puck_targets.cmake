@@ -10,8 +10,9 @@ if(PUCK_CCACHE)
   endif()
 endif()
 
-# Sanitizer builds: enough optimisation to be quick, enough symbols to read a report.
-set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fno-omit-frame-pointer")
+# Sanitizer builds: enough symbols to read a report. Optimised are only libraries that COMPUTE (see
+# puck_library): to optimise what is instrumented takes longer than most tests run.
+set(CMAKE_CXX_FLAGS_SANITIZE "-g1 -fno-omit-frame-pointer")
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 
 # SIMD for the core, whose only dependency it is.
@@ -39,10 +40,11 @@ endif()
 
 # What runs once or is a test is not worth the minutes that optimising it takes. With little
 # optimisation GCC's flow analysis loses its way.
-set(puck_quick_options -O1 ${puck_no_flow_analysis})
+set(puck_quick_options $<$<CONFIG:Release>:-O1> ${puck_no_flow_analysis})
 
 # Half the time of a build goes into reading the standard library again for each file. With
-# PUCK_PRECOMPILE it is read once for all targets, and once more with doctest for the tests.
+# PUCK_PRECOMPILE it is read once for all targets, and once more for those compiled with other
+# options.
 if(PUCK_PRECOMPILE)
   set(puck_common_headers
     <algorithm> <array> <atomic> <bit> <charconv> <chrono> <cmath> <condition_variable> <cstdint>
@@ -51,20 +53,27 @@ if(PUCK_PRECOMPILE)
     <string> <string_view> <system_error> <thread> <utility> <variant> <vector>)
   # Precompiled headers belong to a target, and a target has a source.
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
-  add_library(puck_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
-  target_link_libraries(puck_precompiled PRIVATE puck_options)
-  target_precompile_headers(puck_precompiled PRIVATE ${puck_common_headers})
   # With its time in it, no two are the same to ccache.
   target_compile_options(puck_options INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
-  find_package(doctest REQUIRED)
-  add_library(puck_precompiled_tests OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
-  target_link_libraries(puck_precompiled_tests PRIVATE puck_options doctest::doctest)
-  target_precompile_headers(puck_precompiled_tests PRIVATE ${puck_common_headers}
-                                                          <doctest/doctest.h>)
+  # puck_precompiled_headers(<name> <compile options> <more headers>)
+  function(puck_precompiled_headers name options headers)
+    add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+    target_compile_options(${name} PRIVATE ${options})
+    target_link_libraries(${name} PRIVATE puck_options)
+    target_precompile_headers(${name} PRIVATE ${puck_common_headers} ${headers})
+  endfunction()
+  puck_precompiled_headers(puck_precompiled "" "")
+  if(NOT PUCK_CORE_ONLY)
+    puck_precompiled_headers(puck_precompiled_tests "${puck_quick_options}" <doctest/doctest.h>)
+    find_package(doctest REQUIRED)
+    target_link_libraries(puck_precompiled_tests PRIVATE doctest::doctest)
+  endif()
+  if(PUCK_SANITIZE)
+    puck_precompiled_headers(puck_precompiled_computing -O2 "")
+  endif()
 endif()
 
-# puck_precompile(<target> <headers>): compiles it with those of puck_precompiled or
-# puck_precompiled_tests.
+# puck_precompile(<target> <headers>): compiles it with those of one of the targets above.
 function(puck_precompile name headers)
   if(PUCK_PRECOMPILE)
     target_precompile_headers(${name} REUSE_FROM ${headers})
@@ -76,24 +85,29 @@ function(puck_compile_quickly)
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${puck_quick_options}")
 endfunction()
 
-# puck_compile_plainly(<source>...): sources of the current folder with much code of headers, which
-# Clang takes long to optimise instrumented. Sanitizer builds leave it as it is.
+# puck_compile_plainly(<source>...): sources of a COMPUTES library with so much code of headers that
+# Clang takes longer to optimise it than it runs.
 function(puck_compile_plainly)
   if(PUCK_SANITIZE)
-    set_source_files_properties(${ARGN} PROPERTIES
-      COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
   endif()
 endfunction()
 
-# puck_library(<name> [LINKS <library>...] [PRIVATE_LINKS <library>...])
+# puck_library(<name> [COMPUTES] [LINKS <library>...] [PRIVATE_LINKS <library>...])
 # A static library of all the sources in the current folder.
+# COMPUTES: tests spend their time in it, so sanitizer builds optimise it, too.
 function(puck_library name)
-  cmake_parse_arguments(arg "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(arg "COMPUTES" "" "LINKS;PRIVATE_LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(sources)
     add_library(${name} STATIC ${sources})
-    puck_precompile(${name} puck_precompiled)
+    if(arg_COMPUTES AND PUCK_SANITIZE)
+      target_compile_options(${name} PRIVATE -O2)
+      puck_precompile(${name} puck_precompiled_computing)
+    else()
+      puck_precompile(${name} puck_precompiled)
+    endif()
     target_link_libraries(${name} PUBLIC puck_options ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
   else()
     add_library(${name} INTERFACE)
@@ -111,7 +125,6 @@ function(puck_program name)
   add_executable(${name} main.cpp)
   puck_precompile(${name} puck_precompiled)
   puck_compile_quickly(main.cpp)
-  puck_compile_plainly(main.cpp)
   target_link_libraries(${name} PRIVATE puck_options ${arg_LINKS})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
   add_dependencies(puck_programs ${name})
