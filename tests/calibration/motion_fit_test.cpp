@@ -163,8 +163,9 @@ TEST_CASE("Too little to fit is refused with the reason") {
       puck = motion.advance(puck, 0.004).track;
     }
   }
-  CHECK(contains(refusal_of(straight), "too few bounces, or too much alike"));
-  CHECK(contains(refusal_of(straight), "rail_grip"));
+  const std::string refusal = refusal_of(straight);
+  CHECK(contains(refusal, "too few bounces, or too much alike"));
+  CHECK(contains(refusal, "rail_grip"));
 }
 
 TEST_CASE("What is no puck's motion does not spoil the fit") {
