@@ -54,7 +54,8 @@ if(PUCK_PRECOMPILE)
   # Precompiled headers belong to a target, and a target has a source.
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
   # With its time in it, no two are the same to ccache.
-  target_compile_options(puck_options INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
+  target_compile_options(puck_options INTERFACE
+    "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
   # puck_precompiled_headers(<name> <compile options> <more headers>)
   function(puck_precompiled_headers name options headers)
     add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
@@ -83,6 +84,12 @@ endfunction()
 # puck_compile_quickly(<source>...): sources of the current folder that need not be fast.
 function(puck_compile_quickly)
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${puck_quick_options}")
+endfunction()
+
+# puck_compile_without_precompiled(<source>...): of sources of the current folder. With precompiled
+# headers GCC 12 says of a std::string in them that it is copied beyond its end, which it is not.
+function(puck_compile_without_precompiled)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # puck_compile_plainly(<source>...): sources of a COMPUTES library with so much code of headers that
