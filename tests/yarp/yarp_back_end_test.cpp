@@ -576,13 +576,14 @@ TEST_CASE("A board that will never fit is a fault before the first connection, a
   TestBoard board;
   YarpParams wide = params_for(board);
   wide.highest_deg[2] = 91;
-  for (const auto& [params, reason] :
+  for (const auto& unfit :
        {std::pair{params_for(board, {0, 7}), "there is no joint 7 of arm.yarp.joints among its 7"},
         std::pair{wide,
                   "joint 2 \"joint2\" may go from -90 deg to 90 deg: our limits are wider, from "
                   "-80 deg to 91 deg"}}) {
+    const std::string reason = unfit.second;
     CAPTURE(reason);
-    Loop loop(params);
+    Loop loop(unfit.first);
     std::string fault;
     CHECK(until([&] { return !(fault = loop.fault()).empty(); }));
     CHECK(fault.find(reason) != std::string::npos);
