@@ -10,9 +10,9 @@ if(PUCK_CCACHE)
   endif()
 endif()
 
-# Sanitizer builds: enough symbols to read a report. Optimised are only libraries that COMPUTE (see
-# puck_library): to optimise what is instrumented takes longer than most tests run.
-set(CMAKE_CXX_FLAGS_SANITIZE "-g1 -fno-omit-frame-pointer")
+# Sanitizer builds: enough symbols to read a report, and enough optimisation for what keeps time. More
+# of it have only libraries that COMPUTE (see puck_library): it takes longer than most tests run.
+set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1 -fno-omit-frame-pointer")
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 
 # SIMD for the core, whose only dependency it is.
@@ -102,7 +102,7 @@ endfunction()
 
 # puck_library(<name> [COMPUTES] [LINKS <library>...] [PRIVATE_LINKS <library>...])
 # A static library of all the sources in the current folder.
-# COMPUTES: tests spend their time in it, so sanitizer builds optimise it, too.
+# COMPUTES: tests spend their time in it, so sanitizer builds optimise it with -O2.
 function(puck_library name)
   cmake_parse_arguments(arg "COMPUTES" "" "LINKS;PRIVATE_LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
