@@ -26,10 +26,8 @@ class StuckPipe {
     while (write(descriptor_, page.data(), page.size()) > 0) continue;
     if (fcntl(descriptor_, F_SETFL, 0) != 0) throw std::runtime_error("no pipe that blocks");
   }
-  ~StuckPipe() {
-    close(reader_);
-    close(descriptor_);
-  }
+  // The end that is written to stays open, since somebody may hang in it.
+  ~StuckPipe() { close(reader_); }
   StuckPipe(const StuckPipe&) = delete;
   StuckPipe& operator=(const StuckPipe&) = delete;
 
