@@ -92,8 +92,8 @@ function(puck_compile_without_precompiled)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
-# puck_compile_plainly(<source>...): sources of a COMPUTES library with so much code of headers that
-# Clang takes longer to optimise it than it runs.
+# puck_compile_plainly(<source>...): sources of the current folder with so much code of headers that
+# Clang takes longer to optimise it instrumented than it runs. Sanitizer builds leave it as it is.
 function(puck_compile_plainly)
   if(PUCK_SANITIZE)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
@@ -132,6 +132,7 @@ function(puck_program name)
   add_executable(${name} main.cpp)
   puck_precompile(${name} puck_precompiled)
   puck_compile_quickly(main.cpp)
+  puck_compile_plainly(main.cpp)
   target_link_libraries(${name} PRIVATE puck_options ${arg_LINKS})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
   add_dependencies(puck_programs ${name})
