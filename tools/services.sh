@@ -102,5 +102,5 @@ play_game() { # URL SECONDS [CAMERA_OPTION...]
   done
   # The camera first, so that everything it sent arrives; the logger last.
   for name in puck-camera puck-bridge puck-arm puck-tracker puck-logger; do stop "$name"; done
-  grep -h "late\|behind\|slower" "$work/puck-camera.log" | tail -n 1 || true
+  grep -h "warning: .*cannot keep up" "$work/puck-camera.log" | tail -n 1 || true
 }

@@ -19,6 +19,7 @@
 #include "tests/support/environment.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/skewed_machine.h"
+#include "tests/support/status_counter.h"
 #include "tests/support/test_url.h"
 #include "tests/support/thread_wake_ups.h"
 
@@ -87,14 +88,9 @@ class RunningArm {
         });
   }
 
-  /// -1: it is not reported. Once it has stopped.
-  std::int64_t counter(const std::string& name) const {
-    StatusReport report;
-    bench.service->report(report);
-    for (const auto& [its_name, count] : report.counters) {
-      if (its_name == name) return count;
-    }
-    return -1;
+  /// Once it has stopped.
+  std::optional<std::int64_t> counter(const std::string& name) const {
+    return test::counter(*bench.service, name);
   }
 
   ServiceBench bench;

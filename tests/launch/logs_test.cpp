@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -10,11 +9,14 @@
 
 #include "services/launch/bus_watch.h"
 #include "services/launch/rate_limited_log.h"
+#include "tests/support/status_counter.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_url.h"
 
 namespace puck {
 namespace {
+
+using test::counter;
 
 /// A log whose lines can be read.
 struct ReadableLog {
@@ -23,13 +25,6 @@ struct ReadableLog {
 
   ReadableLog() { log.set_pattern("%v"); }
 };
-
-std::optional<std::int64_t> counter(const StatusReport& report, const std::string& name) {
-  for (const auto& [key, value] : report.counters) {
-    if (key == name) return value;
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 

@@ -68,10 +68,10 @@ TEST_CASE("a tracker that is flooded keeps to the newest events, and counts thos
   CHECK(last.events_applied - applied_in_flood < sent * kEvents / 2);
 
   tracker.stop();
-  const std::int64_t skipped = counter(tracker.service(), "events_skipped");
-  const std::int64_t received = counter(tracker.service(), "events_received");
+  const std::int64_t skipped = counter(tracker.service(), "events_skipped").value();
+  const std::int64_t received = counter(tracker.service(), "events_received").value();
   CHECK(skipped > 0);
-  CHECK(skipped == counter(tracker.service(), "packets_skipped") * kEvents);
+  CHECK(skipped == counter(tracker.service(), "packets_skipped").value() * kEvents);
   CHECK(received == (1 + kProbes + sent) * kEvents + 150);
   CHECK(last.events_skipped == skipped);
   CHECK(last.events_applied == received - skipped);

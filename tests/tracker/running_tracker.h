@@ -13,6 +13,7 @@
 
 #include "common/messaging/event_packing.h"
 #include "services/tracker/tracker_service.h"
+#include "tests/support/status_counter.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck::test {
@@ -87,15 +88,6 @@ class RunningTracker {
 
 inline EventPacket puck_at(Pixel centre, std::int64_t t_us) {
   return {{t_us}, contour_events(kSensor, centre, {25, 17}, 150)};
-}
-
-inline std::int64_t counter(const TrackerService& service, const std::string& name) {
-  StatusReport report;
-  service.report(report);
-  for (const auto& [key, value] : report.counters) {
-    if (key == name) return value;
-  }
-  return -1;
 }
 
 }  // namespace puck::test

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/messaging/status_reporter.h"
+
+namespace puck::test {
+
+/// Empty when it is not reported.
+inline std::optional<std::int64_t> counter(const StatusReport& report, const std::string& name) {
+  for (const auto& [its_name, count] : report.counters) {
+    if (its_name == name) return count;
+  }
+  return std::nullopt;
+}
+
+/// What a service that has stopped, or whose reports any thread may ask for, would report now.
+template <typename ServiceType>
+std::optional<std::int64_t> counter(const ServiceType& service, const std::string& name) {
+  StatusReport report;
+  service.report(report);
+  return counter(report, name);
+}
+
+}  // namespace puck::test
