@@ -2,17 +2,24 @@
 # Sees to it that the image debian:bookworm-slim is on this machine, and says how: it was there, was
 # pulled, or, where there is no registry, was made from Debian's packages (as root or with sudo; half
 # a minute). What it makes it keeps in build/docker, so that the next time takes seconds.
+#
+#   docker/base-image.sh [--name]      --name: only says its name
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 image=debian:bookworm-slim
+if [ "${1-}" = --name ]; then
+  echo "$image"
+  exit 0
+fi
 archive=build/docker/bookworm.tar
 
 if docker image inspect "$image" >/dev/null 2>&1; then
   echo "base image $image: is there"
   exit 0
 fi
-if timeout 180 docker pull -q "$image" >/dev/null 2>&1; then
+# In the foreground, so that it ends, too, when this script is ended with all that it runs.
+if timeout --foreground 180 docker pull -q "$image" >/dev/null 2>&1; then
   echo "base image $image: pulled"
   exit 0
 fi
@@ -21,7 +28,8 @@ if [ ! -e "$archive" ]; then
   as_root=()
   [ "$(id -u)" -eq 0 ] || as_root=(sudo)
   tree=$(mktemp -d)
-  trap '"${as_root[@]}" rm -rf "$tree" "$tree.log"' EXIT
+  trap '"${as_root[@]}" rm -rf --one-file-system "$tree" "$tree.log" "$archive.part"' EXIT
+  trap 'exit 143' TERM
   if ! "${as_root[@]}" debootstrap --variant=minbase --include=ca-certificates bookworm "$tree" \
     >"$tree.log" 2>&1; then
     tail -n 20 "$tree.log" >&2

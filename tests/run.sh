@@ -33,7 +33,46 @@ run() { # PRESET LABEL
   ctest --preset "$1" -L "^$2\$" -j "$jobs" --progress
 }
 
+# The containers' base image is bound by network and disk, so it is made beside the builds. As for
+# tests/containers/run.sh: one that was not there before is not there afterwards.
+base=$(docker/base-image.sh --name)
+base_log=build/base-image.log
+base_maker=
+begin_base_image() {
+  if docker image inspect "$base" >/dev/null 2>&1; then return; fi
+  mkdir -p "$(dirname "$base_log")"
+  trap remove_base_image EXIT
+  trap 'exit 130' INT
+  trap 'exit 143' TERM
+  # A process group of its own, to be ended as a whole.
+  setsid docker/base-image.sh >"$base_log" 2>&1 &
+  base_maker=$!
+}
+await_base_image() {
+  local code=0
+  [ -n "$base_maker" ] || return 0
+  wait "$base_maker" || code=$?
+  base_maker=
+  cat "$base_log"
+  return "$code"
+}
+remove_base_image() {
+  if [ -n "$base_maker" ]; then
+    kill -- "-$base_maker" 2>/dev/null || true
+    wait "$base_maker" || true
+  fi
+  docker image rm "$base" >/dev/null 2>&1 || true
+}
+
 tools/install-deps.sh
+
+containers=false
+if [ "$what" = containers ] || [ "$what" = all ]; then
+  if docker info >/dev/null 2>&1; then
+    containers=true
+    begin_base_image
+  fi
+fi
 
 build release
 if [ "$what" = unit ] || [ "$what" = all ]; then
@@ -48,11 +87,10 @@ fi
 if [ "$what" = system ] || [ "$what" = all ]; then
   run release system
 fi
-if [ "$what" = containers ] || [ "$what" = all ]; then
-  if docker info >/dev/null 2>&1; then
-    echo "== testing containers"
-    tests/containers/run.sh
-  else
-    echo "== containers: skipped, as there is no Docker that runs here"
-  fi
+if $containers; then
+  echo "== testing containers"
+  await_base_image
+  tests/containers/run.sh
+elif [ "$what" = containers ] || [ "$what" = all ]; then
+  echo "== containers: skipped, as there is no Docker that runs here"
 fi

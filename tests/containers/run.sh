@@ -39,7 +39,7 @@ else
 fi
 
 run=puck-test-$$
-base=debian:bookworm-slim
+base=$(docker/base-image.sh --name)
 work=$(mktemp -d)
 export PUCK_TEST_IMAGE=$run PUCK_NETWORK=$run PUCK_LOG=game.lcm
 url="udpm://239.255.76.67:7667?ttl=1"
