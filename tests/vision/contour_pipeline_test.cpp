@@ -154,13 +154,14 @@ TEST_CASE("a puck that stops keeps its place without events") {
 
 // As many for each px² as of 12,000 events a second in an image of 640 by 480.
 TEST_CASE("a puck that rests in noise keeps its place for half a minute, and is followed on") {
+  constexpr int kSeconds = kIsSanitized ? 8 : 30;
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     CAPTURE(seed);
     Table table(preset_params(Preset::kDefault), seed);
     table.glide({600, 100}, 200);
     table.glide({200, 30}, 50);
     table.glide({80, 10}, 50);
-    for (int second = 0; second < 30; ++second) {
+    for (int second = 0; second < kSeconds; ++second) {
       CAPTURE(second);
       table.rest(1000, 3);
       REQUIRE(table.estimate().state == TrackState::kTracking);
@@ -305,12 +306,13 @@ TEST_CASE("the same events give the same estimates, however often one asks") {
 }
 
 TEST_CASE("every ingredient can be left out") {
+  constexpr int kMs = kIsSanitized ? 60 : 150;
   for (const ContourIngredient& ingredient : kContourIngredients) {
     CAPTURE(std::string(ingredient.name));
     PipelineParams params = preset_params(Preset::kDefault);
     params.contour.ingredients.*ingredient.is_on = false;
     Table table(params);
-    CHECK(table.glide({700, 200}, 150) < 1);
+    CHECK(table.glide({700, 200}, kMs) < 1);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "common/vision/presets.h"
 #include "common/vision/puck_tracker.h"
 #include "tests/support/recordings.h"
+#include "tests/support/sanitizers.h"
 
 namespace puck {
 namespace {
@@ -81,9 +82,10 @@ void compare_at(ErosSurface& surface, Pixel expected, PuckSize size, Agreement& 
 }  // namespace
 
 TEST_CASE("the step finds OpenCV's maximum on random surfaces, all but a rare near tie") {
+  constexpr int kRounds = kIsSanitized ? 16 : 60;
   std::mt19937 random(8);
   Agreement agreement;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     ErosSurface surface({240, 200}, preset_params(Preset::kReference).eros);
     for (int i = 0; i < 200 << (round % 8); ++i) {
       surface.update(Event{static_cast<std::uint16_t>(random() % 240),
@@ -98,12 +100,13 @@ TEST_CASE("the step finds OpenCV's maximum on random surfaces, all but a rare ne
 TEST_CASE("the step finds OpenCV's maximum on surfaces of real recordings") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
+  constexpr int kPackets = kIsSanitized ? 6 : 20;
   Agreement agreement;
   for (const char* file : {"driving_gen41_1280x720_evt3.raw", "sparklers_gen31_640x480_evt2.raw"}) {
     const auto events = open_event_file(*recordings / file);
     ErosSurface surface(events->sensor_size(), preset_params(Preset::kReference).eros);
     EventPacket packet;
-    for (int i = 0; i < 20 && events->read(packet, 50'000); ++i) {
+    for (int i = 0; i < kPackets && events->read(packet, 50'000); ++i) {
       surface.update(packet);
       for (const PuckSize size : kSizes) {
         for (const Pixel place : {Pixel{200, 150}, {320, 240}, {500, 400}, {60, 470}}) {
