@@ -42,10 +42,10 @@ SearchWorker::~SearchWorker() {
   posted_.release();
 }
 
-void SearchWorker::begin(const Region& region, bool is_urgent) {
-  region_ = region;
+void SearchWorker::begin(const SearchRequest& request, bool is_urgent) {
+  request_ = request;
   at_once_pixels_ = is_urgent ? kBearablePixels : kSmallPixels;
-  snapshot_.region = search_.snapshot_region(region);
+  snapshot_.region = search_.snapshot_region(request.region);
   snapshot_.grey.resize(snapshot_.region.width, 0);
   stage_ = Stage::kCopying;
 }
@@ -84,7 +84,7 @@ void SearchWorker::run(const std::stop_token& stop) {
 }
 
 void SearchWorker::search() {
-  result_ = search_.search(snapshot_, region_);
+  result_ = search_.search(snapshot_, request_);
   done_.store(true, std::memory_order_release);
 }
 

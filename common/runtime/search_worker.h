@@ -7,7 +7,6 @@
 
 #include "common/runtime/shared_surface.h"
 #include "common/vision/puck_search.h"
-#include "common/vision/region.h"
 #include "common/vision/surface_snapshot.h"
 #include "common/vision/tracking_pipeline.h"
 
@@ -16,7 +15,7 @@ namespace puck {
 /// A thread of low priority that searches copies of the surface, so that a search never delays the
 /// tracking, however long it takes. One search at a time, in three steps:
 ///
-///     worker.begin(region);
+///     worker.begin(request);
 ///     while (worker.is_copying()) worker.copy_more(surface);  // the tracking goes on in between
 ///     … worker.poll() …                                       // until there is the result
 ///
@@ -37,10 +36,10 @@ class SearchWorker {
   /// True while the surface is being copied for the search.
   bool is_copying() const { return stage_ == Stage::kCopying; }
 
-  /// Begins to search for the puck in `region`, which is not empty. Only when idle. `is_urgent`:
-  /// there is no track that could be delayed, so that all but a very large image is searched at
-  /// once, however busy the machine is.
-  void begin(const Region& region, bool is_urgent = false);
+  /// Begins a search, whose region is not empty. Only when idle. `is_urgent`: there is no track
+  /// that could be delayed, so that all but a very large image is searched at once, however busy
+  /// the machine is.
+  void begin(const SearchRequest& request, bool is_urgent = false);
 
   /// Copies the next few rows; with the last ones the search starts, or, if it is small, is made.
   /// Only while copying. A few rows at a time, because both the event and the tracking thread stand
@@ -62,7 +61,7 @@ class SearchWorker {
   // Of whoever makes the step until it releases `posted_`; then the worker's until it sets `done_`.
   PuckSearch search_;
   SurfaceSnapshot snapshot_;
-  Region region_;
+  SearchRequest request_;
   SearchResult result_;
   std::counting_semaphore<2> posted_{0};  // one for a search, one for the end
   // Set with release after the result is written, seen with acquire before it is read.

@@ -180,9 +180,9 @@ bool TrackingThread::take_events(microseconds longest_take) {
 
 void TrackingThread::begin_search_if_wanted() {
   if (!worker_.is_idle()) return;
-  const Region wanted = pipeline_->search_wanted();
+  const SearchRequest wanted = pipeline_->search_wanted();
   const bool has_track = newest_.estimate.state == TrackState::kTracking;
-  if (!wanted.empty()) worker_.begin(wanted, !has_track);
+  if (!wanted.region.empty()) worker_.begin(wanted, !has_track);
 }
 
 void TrackingThread::publish_if_due() {

@@ -58,6 +58,7 @@ void Background::forget() {
   activity_ = {};
   taken_.clear();
   is_known_ = false;
+  unknown_us_ = 0;
   is_empty_ = true;
 }
 
@@ -118,6 +119,8 @@ void Background::note_activity(std::int64_t passed_us) {
   }
   is_known_ = std::count_if(activity_.begin(), activity_.end(),
                             [](double cell) { return cell > kActive; }) >= kLeastActiveCells;
+  // Of the first one it is not known when it began.
+  unknown_us_ = is_known_ ? 0 : unknown_us_ + std::min(passed_us, kPeriod_us);
 }
 
 double Background::still_share(const ContourRing& ring, Pixel centre) const {

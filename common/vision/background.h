@@ -36,6 +36,9 @@ class Background {
   /// still camera only a hand might have drawn it.
   bool is_known() const { return is_known_; }
 
+  /// It has been looked at for so long without becoming known that the head must be at rest.
+  bool head_rests() const { return unknown_us_ > kRestsAfter_us; }
+
   /// Whether an event here is of something that stands still.
   bool is_still(double x, double y) const {
     return is_known_ && map_.level(turn_.then_of({x, y})) > kStill;
@@ -49,6 +52,8 @@ class Background {
   static constexpr std::size_t kMostEvents = 1'000;
   // Of an edge that passes once, and leaves a few events at each pixel, there is less.
   static constexpr double kStill = 15;
+  // A scene that moves as one is known sooner.
+  static constexpr std::int64_t kRestsAfter_us = 300'000;
   static constexpr int kColumns = 8;
   static constexpr int kRows = 6;
   using Cells = std::array<double, static_cast<std::size_t>(kColumns* kRows)>;  // of the image
@@ -70,6 +75,7 @@ class Background {
   std::int64_t aligned_us_ = 0;
   Cells activity_{};
   bool is_known_ = false;
+  std::int64_t unknown_us_ = 0;  // for how long it has been looked at without being known
   bool is_empty_ = true;
 };
 

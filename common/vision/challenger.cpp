@@ -1,5 +1,6 @@
 #include "common/vision/challenger.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace puck {
@@ -10,6 +11,14 @@ bool Challenger::leads() const {
   constexpr double kOwnShare = 0.3;
   return lead_ > kSigma * std::sqrt(lead_variance_) + kLeast &&
          total_ > kOwnShare * total_variance_;
+}
+
+void Challenger::note_found(const Found& again) {
+  if (again.is_conjecture == found_.is_conjecture) {
+    found_.score = std::max(found_.score, again.score);
+  } else if (found_.is_conjecture) {
+    found_ = again;
+  }
 }
 
 std::int64_t Challenger::convincing_for_us(bool convinces, std::int64_t time_us) {

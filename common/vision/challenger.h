@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "common/vision/contour_track.h"
@@ -17,10 +16,16 @@ class Challenger {
     kSearch,   ///< Where the correlation found something that looks like a puck.
   };
 
+  /// What a search says of it.
+  struct Found {
+    double score = 0;            ///< SearchCandidate::score.
+    bool is_conjecture = false;  ///< SoughtWall's: it has a wall that the puck may not have.
+  };
+
   Challenger(Kind kind, const ContourContext& context, const ContourFilter::Start& start,
-             std::int64_t time_us, double wall_share, double search_score = 0)
+             std::int64_t time_us, double wall_share, const Found& found)
       : kind_(kind),
-        search_score_(search_score),
+        found_(found),
         has_other_wall_(wall_share != context.contour.calibrated_wall_share()),
         born_us_(time_us),
         track_(context, start, time_us, wall_share) {}
@@ -46,12 +51,12 @@ class Challenger {
   /// Notes whether it convinces at this decision; since when it does without a break, µs, 0 if not.
   std::int64_t convincing_for_us(bool convinces, std::int64_t time_us);
 
-  /// A later search found it again.
-  void note_found(double search_score) { search_score_ = std::max(search_score_, search_score); }
+  /// A later search found it again. What is more than a conjecture counts alone.
+  void note_found(const Found& again);
 
   Kind kind() const { return kind_; }
-  /// The highest SearchCandidate::score, of what the search found.
-  double search_score() const { return search_score_; }
+  /// By the best that found it, with the highest score.
+  const Found& found() const { return found_; }
   /// Whether it is of the other opinion on the puck's side wall than the calibration.
   bool has_other_wall() const { return has_other_wall_; }
   std::int64_t age_us(std::int64_t time_us) const { return time_us - born_us_; }
@@ -59,7 +64,7 @@ class Challenger {
 
  private:
   Kind kind_;
-  double search_score_;
+  Found found_;
   bool has_other_wall_;
   std::int64_t born_us_;
   std::int64_t convincing_since_us_ = -1;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace puck {
 namespace {
@@ -76,40 +77,42 @@ Challengers::Challengers() { challengers_.reserve(kMostChallengers); }
 
 void Challengers::add(Challenger::Kind kind, const ContourContext& context,
                       const ContourFilter::Start& start, std::int64_t time_us, double wall_share,
-                      double search_score) {
+                      const Challenger::Found& found) {
   const auto of_kind = std::count_if(challengers_.begin(), challengers_.end(),
                                      [&](const Challenger& other) { return other.kind() == kind; });
   if (of_kind < most_of(kind)) {
-    challengers_.emplace_back(kind, context, start, time_us, wall_share, search_score);
+    challengers_.emplace_back(kind, context, start, time_us, wall_share, found);
   }
 }
 
-void Challengers::add_found(const SearchResult& result, const std::optional<Pixel>& main,
-                            const ContourContext& context, std::int64_t time_us) {
+void Challengers::add_found(const SearchResult& result, bool is_conjecture,
+                            const std::optional<Pixel>& main, const ContourContext& context,
+                            std::int64_t time_us) {
+  double sought = context.contour.calibrated_wall_share();
+  double not_sought = context.contour.other_wall_share();
+  if (result.request.other_wall) std::swap(sought, not_sought);
   for (const SearchCandidate& candidate : result.candidates) {
+    const Challenger::Found found{candidate.score, is_conjecture};
     if (main && distance_px(candidate.position, *main) < kSame_px) continue;
-    if (note_known(candidate)) continue;
+    if (note_known(candidate.position, found)) continue;
     if (refuted_.contains(candidate.position, candidate.score, time_us)) continue;
     if (candidate.score > kEvidentScore) make_room();
-    const double calibrated = context.contour.calibrated_wall_share();
     ContourFilter::Start start;
     start.position = candidate.position;
-    add(Challenger::Kind::kSearch, context, start, time_us, calibrated, candidate.score);
+    add(Challenger::Kind::kSearch, context, start, time_us, sought, found);
     if (!context.ingredients.wall) continue;
-    const double other = context.contour.other_wall_share();
-    start.position = context.contour.centre_with_wall(start.position, calibrated, other);
-    add(Challenger::Kind::kSearch, context, start, time_us, other, candidate.score);
+    start.position = context.contour.centre_with_wall(start.position, sought, not_sought);
+    add(Challenger::Kind::kSearch, context, start, time_us, not_sought, found);
   }
 }
 
-bool Challengers::note_known(const SearchCandidate& candidate) {
+bool Challengers::note_known(Pixel position, const Challenger::Found& found) {
   bool is_known = false;
   for (Challenger& challenger : challengers_) {
-    if (!is_found(challenger) ||
-        distance_px(candidate.position, position_of(challenger)) >= 2 * kSame_px) {
+    if (!is_found(challenger) || distance_px(position, position_of(challenger)) >= 2 * kSame_px) {
       continue;
     }
-    challenger.note_found(candidate.score);
+    challenger.note_found(found);
     is_known = true;
   }
   return is_known;
@@ -120,7 +123,7 @@ void Challengers::make_room() {
   while (std::count_if(challengers_.begin(), challengers_.end(), is_found) > kMostFound - 2) {
     const auto worst = std::min_element(
         challengers_.begin(), challengers_.end(), [](const Challenger& a, const Challenger& b) {
-          return is_found(a) && (!is_found(b) || a.search_score() < b.search_score());
+          return is_found(a) && (!is_found(b) || a.found().score < b.found().score);
         });
     challengers_.erase(worst);
   }
@@ -132,7 +135,7 @@ void Challengers::decide(std::int64_t time_us, const ContourContext& context) {
 
 const Challenger* Challengers::successor(const Defence& main, std::int64_t time_us) {
   for (Challenger& challenger : challengers_) {
-    const Claim claim = claim_of(challenger, time_us);
+    const Claim claim = claim_of(challenger, main.head_rests, time_us);
     const bool wins = is_found(challenger)
                           ? challenger.convincing_for_us(is_convincing(claim, main), time_us) >=
                                 kConvincedAfter_us
@@ -142,10 +145,12 @@ const Challenger* Challengers::successor(const Defence& main, std::int64_t time_
   return nullptr;
 }
 
-const Challenger* Challengers::first(std::int64_t searched_us, std::int64_t time_us) {
+const Challenger* Challengers::first(bool head_rests, std::int64_t searched_us,
+                                     std::int64_t time_us) {
   const Challenger* best = nullptr;
   for (Challenger& challenger : challengers_) {
-    const bool convinces = is_convincing_as_first(claim_of(challenger, time_us), searched_us);
+    const bool convinces =
+        is_convincing_as_first(claim_of(challenger, head_rests, time_us), searched_us);
     if (challenger.convincing_for_us(convinces, time_us) >= kConvincedAfter_us &&
         (best == nullptr || challenger.track().quality() > best->track().quality())) {
       best = &challenger;
@@ -157,7 +162,7 @@ const Challenger* Challengers::first(std::int64_t searched_us, std::int64_t time
 void Challengers::dismiss_hopeless(std::int64_t time_us) {
   std::erase_if(challengers_, [&](const Challenger& challenger) {
     const bool is_over = is_found(challenger) && is_hopeless(challenger, time_us);
-    if (is_over) refuted_.add(position_of(challenger), challenger.search_score(), time_us);
+    if (is_over) refuted_.add(position_of(challenger), challenger.found().score, time_us);
     return is_over;
   });
 }

@@ -27,11 +27,11 @@ class Challengers {
 
   /// Adds one, unless there are enough of its kind.
   void add(Challenger::Kind kind, const ContourContext& context, const ContourFilter::Start& start,
-           std::int64_t time_us, double wall_share, double search_score = 0);
+           std::int64_t time_us, double wall_share, const Challenger::Found& found = {});
 
   /// Adds what a search found and is neither the main track, nor known, nor refuted of late: once
   /// for each opinion on the puck's side wall. What is known is noted to have been found again.
-  void add_found(const SearchResult& result, const std::optional<Pixel>& main,
+  void add_found(const SearchResult& result, bool is_conjecture, const std::optional<Pixel>& main,
                  const ContourContext& context, std::int64_t time_us);
 
   void decide(std::int64_t time_us, const ContourContext& context);
@@ -39,7 +39,8 @@ class Challengers {
   /// The first that takes the main track's place.
   const Challenger* successor(const Defence& main, std::int64_t time_us);
   /// Without a main track: the best that convinces, `searched_us` after the first search began.
-  const Challenger* first(std::int64_t searched_us, std::int64_t time_us);
+  /// `head_rests`: Background's.
+  const Challenger* first(bool head_rests, std::int64_t searched_us, std::int64_t time_us);
 
   /// Gives up what the search found by mistake, and remembers where that was.
   void dismiss_hopeless(std::int64_t time_us);
@@ -53,7 +54,7 @@ class Challengers {
   std::vector<Challenger>::const_iterator end() const { return challengers_.end(); }
 
  private:
-  bool note_known(const SearchCandidate& candidate);
+  bool note_known(Pixel position, const Challenger::Found& found);
   void make_room();
 
   std::vector<Challenger> challengers_;

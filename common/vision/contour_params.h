@@ -19,6 +19,7 @@ struct ContourIngredients {
   bool sector_saturation = true;  ///< Events in one direction count less and less.
   bool twins = true;              ///< A twin at rest is always ready to take over at a bounce.
   bool wall = true;               ///< Whether the puck's side wall makes events is found out.
+  bool wall_search = true;        ///< … and the search looks for it as it was found to be.
   bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
   bool search = true;       ///< A doubtful track is challenged by the correlation near it.
   bool wide_search = true;  ///< … and, when it is bad, everywhere.
@@ -29,6 +30,7 @@ struct ContourIngredients {
   bool clear_rings = true;  ///< … unless a faint puck is sought, and it is a clear ring.
   bool faint_rests = true;  ///< What may be a faint puck at rest is looked for elsewhere, too.
   bool overtaking = true;   ///< What moves by itself takes over from a track that has gone bad.
+  bool slow_movers = true;  ///< While the head rests, even what moves slowly moves by itself.
 };
 
 struct ContourIngredient {
@@ -37,7 +39,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 20> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 22> kContourIngredients{{
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
     {"lag", &ContourIngredients::lag},
@@ -48,6 +50,7 @@ inline constexpr std::array<ContourIngredient, 20> kContourIngredients{{
     {"sector-saturation", &ContourIngredients::sector_saturation},
     {"twins", &ContourIngredients::twins},
     {"wall", &ContourIngredients::wall},
+    {"wall-search", &ContourIngredients::wall_search},
     {"witness", &ContourIngredients::witness},
     {"search", &ContourIngredients::search},
     {"wide-search", &ContourIngredients::wide_search},
@@ -58,6 +61,7 @@ inline constexpr std::array<ContourIngredient, 20> kContourIngredients{{
     {"clear-rings", &ContourIngredients::clear_rings},
     {"faint-rests", &ContourIngredients::faint_rests},
     {"overtaking", &ContourIngredients::overtaking},
+    {"slow-movers", &ContourIngredients::slow_movers},
 }};
 
 }  // namespace puck

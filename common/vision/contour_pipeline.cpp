@@ -126,6 +126,17 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   if (main_->is_good() && main_->shape_quality() > kLearnable) {
     context_.signature.learn(sample, passed_us);
   }
+  if (shows_wall()) {
+    sought_wall_.learn(main_->wall_share() != context_.contour.calibrated_wall_share());
+  }
+}
+
+// A faint puck's track is seldom sound; of others a mallet's may be good for a moment.
+bool ContourPipeline::shows_wall() const {
+  if (!trust_.is_trusted() || !trust_.is_proven()) return false;
+  const TrackLooks looks = main_->looks();
+  return context_.signature.may_be_faint() ? looks.is_good()
+                                           : looks.quality > TrackTrust::kSound && looks.is_fast();
 }
 
 void ContourPipeline::challenge_main(std::int64_t time_us) {
@@ -135,6 +146,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
                         .is_proven = trust_.is_proven(),
                         .may_be_overtaken = context_.ingredients.overtaking,
                         .is_resting = keeps_still(),
+                        .head_rests = head_rests(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
                         .may_be_faint = rest_may_be_wrong(),
                         .since_good_us = trust_.since_good_us(time_us),
@@ -147,6 +159,10 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
   challengers_.dismiss_idle(main_->filter(), time_us);
 }
 
+bool ContourPipeline::head_rests() const {
+  return context_.ingredients.slow_movers && background_.head_rests();
+}
+
 // A faint puck falls silent while it moves, too.
 bool ContourPipeline::rest_may_be_wrong() const {
   return context_.ingredients.faint_rests ? context_.signature.may_be_faint()
@@ -155,7 +171,7 @@ bool ContourPipeline::rest_may_be_wrong() const {
 
 void ContourPipeline::find_first(std::int64_t time_us) {
   const std::int64_t searched_us = search_plan_.searched_us(time_us);
-  if (const Challenger* first = challengers_.first(searched_us, time_us)) {
+  if (const Challenger* first = challengers_.first(head_rests(), searched_us, time_us)) {
     enthrone(*first, time_us);
     return;
   }
@@ -168,7 +184,8 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
   if (kind != Challenger::Kind::kTwin) trust_.note_takeover(time_us);
   if (kind == Challenger::Kind::kSearch) {
     const auto deposed = main_ ? std::optional(main_->looks()) : std::nullopt;
-    trust_.note_found(is_weakly_found(claim_of(challenger, time_us), deposed), time_us);
+    trust_.note_found(is_weakly_found(claim_of(challenger, head_rests(), time_us), deposed),
+                      time_us);
     witness_.put(challenger.track().filter().position(), time_us);
   }
   main_ = challenger.track();
@@ -219,6 +236,18 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
   }
 }
 
+SearchRequest ContourPipeline::search_wanted() {
+  SearchRequest request{.region = search_plan_.give_out()};
+  if (!request.region.empty() && context_.ingredients.wall && context_.ingredients.wall_search) {
+    const PuckSignature& signature = context_.signature;
+    request.other_wall =
+        sought_wall_.next({.is_early = !main_ && search_plan_.searched_us(now_us_) < kPatience_us,
+                           .is_trusted = context_.is_trusted,
+                           .may_be_faint = signature.may_be_faint()});
+  }
+  return request;
+}
+
 void ContourPipeline::take(const SearchResult& result) {
   search_plan_.note_answer();
   const auto main = main_ ? std::optional(main_->filter().position()) : std::nullopt;
@@ -228,7 +257,8 @@ void ContourPipeline::take(const SearchResult& result) {
       (!context_.signature.knows_multiplicity() || context_.signature.may_be_faint());
   put_still_last(found_.candidates, background_, context_.contour,
                  keeps_clear ? kClearRingScore : 1);
-  challengers_.add_found(found_, main, context_, now_us_);
+  const bool is_conjecture = found_.request.other_wall && sought_wall_.is_conjecture();
+  challengers_.add_found(found_, is_conjecture, main, context_, now_us_);
 }
 
 PuckEstimate ContourPipeline::step(const SurfaceSnapshot& snapshot) {

@@ -13,6 +13,7 @@
 #include "common/vision/puck_size_model.h"
 #include "common/vision/search_plan.h"
 #include "common/vision/settling.h"
+#include "common/vision/sought_wall.h"
 #include "common/vision/track_standing.h"
 #include "common/vision/track_trust.h"
 #include "common/vision/tracking_pipeline.h"
@@ -46,7 +47,7 @@ class ContourPipeline final : public TrackingPipeline {
   void take(Timestamp start, std::span<const Event> events) override;
   Region region_needed() const override { return {}; }
   PuckEstimate step(const SurfaceSnapshot& snapshot) override;
-  Region search_wanted() override { return search_plan_.give_out(); }
+  SearchRequest search_wanted() override;
   void take(const SearchResult& result) override;
 
  private:
@@ -55,6 +56,9 @@ class ContourPipeline final : public TrackingPipeline {
   void decide(std::int64_t time_us);
   void judge_main(std::int64_t time_us);
   void challenge_main(std::int64_t time_us);
+  /// The main track is the puck's beyond doubt, so that its opinion on the side wall is, too.
+  bool shows_wall() const;
+  bool head_rests() const;
   bool rest_may_be_wrong() const;
   void find_first(std::int64_t time_us);
   void enthrone(const Challenger& challenger, std::int64_t time_us);
@@ -77,6 +81,7 @@ class ContourPipeline final : public TrackingPipeline {
   Twins twins_;
   Challengers challengers_;
   SearchPlan search_plan_;
+  SoughtWall sought_wall_;
   SearchResult found_;
   Background background_;
 

@@ -75,10 +75,10 @@ PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {
   return estimate(snapshot);
 }
 
-Region PuckPipeline::search_wanted() {
+SearchRequest PuckPipeline::search_wanted() {
   if (search_.empty()) return {};
   if (params_.loss.enabled) next_search_ = now_ + params_.loss.search_period_us;
-  return std::exchange(search_, {});
+  return {.region = std::exchange(search_, {})};
 }
 
 void PuckPipeline::take(const SearchResult& result) {
@@ -87,7 +87,7 @@ void PuckPipeline::take(const SearchResult& result) {
   const double score = result.candidates.front().score;
   if (params_.loss.enabled && score < params_.loss.lowest_start_score) return;
   begin_track(result.candidates.front(), result.time);
-  looked_at_ = result.region;
+  looked_at_ = result.request.region;
 }
 
 void PuckPipeline::track(const SurfaceSnapshot& snapshot) {

@@ -78,7 +78,7 @@ class PuckPipeline final : public TrackingPipeline {
   Region region_needed() const override;
   PuckEstimate step(const SurfaceSnapshot& snapshot) override;
 
-  Region search_wanted() override;
+  SearchRequest search_wanted() override;
   void take(const SearchResult& result) override;
 
  private:

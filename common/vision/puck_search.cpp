@@ -3,44 +3,90 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/vision/puck_contour.h"
+
 namespace puck {
+namespace {
+
+// The kernels are of the puck's size, however its wall is calibrated, as the paper has it; with the
+// other wall the contour is so much lower, as a share of its width.
+double lower_by(const ContourCalibration& calibration, double wall_share) {
+  return wall_share - calibration.wall_share;
+}
+
+PuckSizeModel lowered(PuckSizeModel model, double share_of_width) {
+  model.height_0 -= share_of_width * model.width_0;
+  model.height_x -= share_of_width * model.width_x;
+  model.height_y -= share_of_width * model.width_y;
+  return model;
+}
+
+ContourCalibration with_wall(ContourCalibration calibration, double wall_share) {
+  calibration.wall_share = wall_share;
+  return calibration;
+}
+
+double other_wall_share(SensorSize sensor, const PipelineParams& params,
+                        const PuckSizeModel& size_model) {
+  return PuckContour(sensor, size_model, params.contour.calibration, params.tracker.ring.sheared)
+      .other_wall_share();
+}
+
+}  // namespace
+
+PuckSearch::Look::Look(SensorSize sensor, const PipelineParams& params,
+                       const PuckSizeModel& size_model, double wall_share)
+    : contour_size(lowered(size_model, lower_by(params.contour.calibration, wall_share))),
+      rise_of_width(lower_by(params.contour.calibration, wall_share) / 2),
+      detector(params.detector, contour_size),
+      ring(sensor, params.tracker.ring, size_model,
+           with_wall(params.contour.calibration, wall_share)) {}
 
 PuckSearch::PuckSearch(SensorSize sensor, const PipelineParams& params,
                        const PuckSizeModel& size_model)
     : sensor_(sensor),
-      size_model_(size_model),
       kernels_(params.kernels),
-      detector_(params.detector, size_model),
       has_ring_(params.tracker.ring.enabled),
-      ring_(sensor, params.tracker.ring, size_model, params.contour.calibration) {}
+      calibrated_(sensor, params, size_model, params.contour.calibration.wall_share),
+      other_wall_(sensor, params, size_model, other_wall_share(sensor, params, size_model)) {}
 
 Region PuckSearch::snapshot_region(const Region& search) const {
   if (search.empty()) return {};
-  const int reach = std::max(detector_.reach(), kernels_.reach_beyond(search, size_model_));
+  const int reach = std::max({calibrated_.detector.reach(),
+                              kernels_.reach_beyond(search, calibrated_.contour_size),
+                              kernels_.reach_beyond(search, other_wall_.contour_size)});
   return search.inflated(reach + GaussianBlur::kRadius).intersect(Region::all_of(sensor_));
 }
 
-SearchResult PuckSearch::search(const SurfaceSnapshot& snapshot, const Region& search) {
-  SearchResult result{snapshot.newest_event, search, {}};
+SearchResult PuckSearch::search(const SurfaceSnapshot& snapshot, const SearchRequest& request) {
+  SearchResult result{snapshot.newest_event, request, {}};
   if (snapshot.region.empty()) return result;
   picture_.set_surface(snapshot.grey.view(), snapshot.region);
-  for (const PuckDetector::Detection& found : detector_.detect(picture_, search, kernels_)) {
-    if (has_ring_) {
-      // As the tracker will see the place: finer, and with the score that it goes by.
-      const SoftRing::Fit fit = ring_.fit(snapshot.grey.view(), snapshot.region, found.position);
-      result.candidates.push_back({fit.position, fit.score});
-      continue;
-    }
-    // The score says the same for every preset, whatever its detection kernel answers.
-    const double score = picture_.contrast_at(kernels_.nearest(size_model_.at(found.position)),
-                                              static_cast<int>(std::lround(found.position.x)),
-                                              static_cast<int>(std::lround(found.position.y)));
-    result.candidates.push_back({found.position, score});
+  Look& look = request.other_wall ? other_wall_ : calibrated_;
+  for (const PuckDetector::Detection& found :
+       look.detector.detect(picture_, request.region, kernels_)) {
+    result.candidates.push_back(candidate_at(snapshot, look, found.position));
   }
   std::stable_sort(
       result.candidates.begin(), result.candidates.end(),
       [](const SearchCandidate& a, const SearchCandidate& b) { return a.score > b.score; });
   return result;
+}
+
+SearchCandidate PuckSearch::candidate_at(const SurfaceSnapshot& snapshot, Look& look,
+                                         Pixel detected) {
+  const PuckSize size = look.contour_size.at(detected);
+  const Pixel centre{detected.x, detected.y + look.rise_of_width * size.width};
+  if (has_ring_) {
+    // As the tracker will see the place: finer, and with the score that it goes by.
+    const SoftRing::Fit fit = look.ring.fit(snapshot.grey.view(), snapshot.region, centre);
+    return {fit.position, fit.score};
+  }
+  // The score says the same for every preset, whatever its detection kernel answers.
+  const double score =
+      picture_.contrast_at(kernels_.nearest(size), static_cast<int>(std::lround(detected.x)),
+                           static_cast<int>(std::lround(detected.y)));
+  return {centre, score};
 }
 
 }  // namespace puck

@@ -25,16 +25,28 @@ class PuckSearch {
   /// beyond it, and the blur a little more.
   Region snapshot_region(const Region& search) const;
 
-  /// Looks for the puck with its centre in `search`. `snapshot` shows snapshot_region(search).
-  SearchResult search(const SurfaceSnapshot& snapshot, const Region& search);
+  /// Looks for the puck. `snapshot` shows snapshot_region(request.region).
+  SearchResult search(const SurfaceSnapshot& snapshot, const SearchRequest& request);
 
  private:
+  /// What a puck looks like, by one opinion on its side wall.
+  struct Look {
+    Look(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
+         double wall_share);
+
+    PuckSizeModel contour_size;  ///< As many px lower than the puck as its contour.
+    double rise_of_width;        ///< How far the contour's centre lies above the puck's.
+    PuckDetector detector;
+    SoftRing ring;
+  };
+
+  SearchCandidate candidate_at(const SurfaceSnapshot& snapshot, Look& look, Pixel detected);
+
   SensorSize sensor_;
-  PuckSizeModel size_model_;
   KernelBank kernels_;
-  PuckDetector detector_;
   bool has_ring_;
-  SoftRing ring_;
+  Look calibrated_;
+  Look other_wall_;
   Correlation picture_;
 };
 

@@ -52,9 +52,9 @@ void SurfaceTracker::take(Timestamp start, std::span<const Event> piece) {
 }
 
 bool SurfaceTracker::search_if_wanted() {
-  const Region wanted = pipeline_->search_wanted();
-  if (wanted.empty()) return false;
-  surface_.snapshot(search_.snapshot_region(wanted), searched_);
+  const SearchRequest wanted = pipeline_->search_wanted();
+  if (wanted.region.empty()) return false;
+  surface_.snapshot(search_.snapshot_region(wanted.region), searched_);
   pipeline_->take(search_.search(searched_, wanted));
   return true;
 }

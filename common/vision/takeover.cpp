@@ -13,8 +13,8 @@ constexpr std::int64_t kWallTwinAge_us = 15'000;
 constexpr std::int64_t kUnsoundFor_us = 150'000;
 // A bounce or a mallet that passes is over sooner.
 constexpr std::int64_t kBadFor_us = 20'000;
-// How long an evident puck is waited for before anything less is believed.
-constexpr std::int64_t kPatience_us = 150'000;
+// Of what moves slower, noise makes too much.
+constexpr double kSlow_px_s = 100;
 // How far the puck may be from a track that has just been good, and how much farther it gets.
 constexpr double kTakeoverRadius_px = 12;
 constexpr double kTakeoverGrowth_px_us = 1.5e-3;
@@ -22,9 +22,9 @@ constexpr double kFarthestTakeover_px = 60;
 
 }  // namespace
 
-Claim claim_of(const Challenger& challenger, std::int64_t time_us) {
-  return {challenger.track().looks(), challenger.age_us(time_us), challenger.search_score(),
-          challenger.leads(), challenger.has_other_wall()};
+Claim claim_of(const Challenger& challenger, bool head_rests, std::int64_t time_us) {
+  return {challenger.track().looks(), challenger.age_us(time_us),  challenger.found(),
+          challenger.leads(),         challenger.has_other_wall(), head_rests};
 }
 
 bool wins_test(Challenger::Kind kind, const Claim& claim) {
@@ -42,13 +42,17 @@ bool wins_test(Challenger::Kind kind, const Claim& claim) {
 }
 
 bool is_evident(const Claim& claim) {
-  return claim.search_score > kEvidentScore && claim.age_us > 5'000 && claim.looks.quality > 0.65 &&
+  return claim.found.score > kEvidentScore && claim.age_us > 5'000 && claim.looks.quality > 0.65 &&
          claim.looks.strength > 10;
 }
 
 bool moves_by_itself(const Claim& claim) {
-  return claim.age_us > 12'000 && claim.looks.quality > 0.75 && claim.looks.strength > 25 &&
-         claim.looks.cover > 0.35 && claim.looks.is_fast();
+  const TrackLooks& looks = claim.looks;
+  if (claim.age_us <= 12'000 || looks.quality <= 0.75 || looks.strength <= 25) return false;
+  // A hand or a mallet, which may be slow as well, is no such ring, or a larger one.
+  const bool is_slow_puck = claim.head_rests && looks.speed_px_s > kSlow_px_s &&
+                            looks.cover > 0.5 && looks.growth_px < 0.35;
+  return is_slow_puck || (looks.is_fast() && looks.cover > 0.35);
 }
 
 bool outshines(const Claim& claim, const Defence& main) {
@@ -99,6 +103,10 @@ bool outruns_rest(const Claim& claim, const Defence& main) {
 }
 
 bool is_convincing(const Claim& claim, const Defence& main) {
+  if (claim.found.is_conjecture && !moves_by_itself(claim) &&
+      main.since_sound_us <= kUnsoundFor_us) {
+    return false;
+  }
   // Whatever makes events is stronger than a puck at rest, a mallet as well.
   if (main.is_resting && (main.is_proven || main.is_trusted)) {
     return is_evident(claim) || outruns_rest(claim, main);

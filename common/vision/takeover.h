@@ -11,6 +11,8 @@ namespace puck {
 
 /// Of a puck of good contrast the correlation's score is above this, of all else below.
 inline constexpr double kEvidentScore = 0.65;
+/// How long an evident puck is waited for before anything less is believed.
+inline constexpr std::int64_t kPatience_us = 150'000;
 /// What the search found must convince for so long without a break.
 inline constexpr std::int64_t kConvincedAfter_us = 3'000;
 
@@ -18,12 +20,13 @@ inline constexpr std::int64_t kConvincedAfter_us = 3'000;
 struct Claim {
   TrackLooks looks;
   std::int64_t age_us = 0;
-  double search_score = 0;      ///< Challenger::search_score.
+  Challenger::Found found;
   bool leads = false;           ///< Challenger::leads.
   bool has_other_wall = false;  ///< Challenger::has_other_wall.
+  bool head_rests = false;      ///< Background's: whatever moves in the image moves by itself.
 };
 
-Claim claim_of(const Challenger& challenger, std::int64_t time_us);
+Claim claim_of(const Challenger& challenger, bool head_rests, std::int64_t time_us);
 
 /// What speaks for the main track.
 struct Defence {
@@ -32,6 +35,7 @@ struct Defence {
   bool is_proven = false;           ///< TrackTrust's.
   bool may_be_overtaken = false;    ///< Ingredient `overtaking`.
   bool is_resting = false;          ///< TrackStanding's.
+  bool head_rests = false;          ///< Background's.
   bool is_witnessed = false;        ///< WitnessCheck vouches for it.
   bool may_be_faint = false;        ///< PuckSignature's.
   std::int64_t since_good_us = 0;   ///< TrackTrust's.
@@ -43,7 +47,8 @@ bool wins_test(Challenger::Kind kind, const Claim& claim);
 
 /// To the correlation it looks like nothing but a puck, and its events do not say otherwise.
 bool is_evident(const Claim& claim);
-/// Nothing that is fixed to the table moves so fast in the image, however the head turns.
+/// Nothing that is fixed to the table moves so fast in the image, however the head turns; or, while
+/// the head rests, it moves at all, and is a puck in every respect.
 bool moves_by_itself(const Claim& claim);
 
 /// It is by far the stronger, wherever it is, and the main track has not been sound for long or it
@@ -65,7 +70,7 @@ bool succeeds_nearby(const Claim& claim, const Defence& main);
 bool outruns_rest(const Claim& claim, const Defence& main);
 
 /// Any of the first five; against a puck at rest, which makes no events, that it is evident or
-/// outruns it.
+/// outruns it. A conjecture must move by itself, unless the main track has not been sound for long.
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident nor

@@ -13,16 +13,26 @@
 
 namespace puck {
 
+/// What the surface is searched for, and where.
+struct SearchRequest {
+  Region region;  ///< Of the puck's centre; empty: nothing is searched for.
+  /// A puck whose side wall makes events where the calibration says that it does not, or the other
+  /// way round (PuckContour::other_wall_share): its contour is of another height.
+  bool other_wall = false;
+
+  friend bool operator==(const SearchRequest&, const SearchRequest&) = default;
+};
+
 /// A place that looks like the puck.
 struct SearchCandidate {
-  Pixel position;
+  Pixel position;    ///< Of the puck's centre, if it has the side wall that was searched for.
   double score = 0;  ///< EllipseKernel::contrast there, 0 to 1.
 };
 
 /// What a search of a part of the surface found.
 struct SearchResult {
-  Timestamp time;  ///< Newest event on the surface that was searched.
-  Region region;   ///< Where the puck was searched for.
+  Timestamp time;         ///< Newest event on the surface that was searched.
+  SearchRequest request;  ///< What was searched for.
   /// Best first, each at least half a puck from the others; empty: nothing looks like the puck.
   std::vector<SearchCandidate> candidates;
 };
@@ -62,9 +72,9 @@ class TrackingPipeline {
   /// Makes an estimate on a snapshot of region_needed(). Times never go backwards.
   virtual PuckEstimate step(const SurfaceSnapshot& snapshot) = 0;
 
-  /// Where the puck is to be searched for now; empty: nowhere. Asked after each take of events and
-  /// each step, but not from when it has answered until the result has come.
-  virtual Region search_wanted() = 0;
+  /// What is to be searched for now, if anything. Asked after each take of events and each step,
+  /// but not from when it has answered until the result has come.
+  virtual SearchRequest search_wanted() = 0;
 
   /// Takes the result of the search that was wanted. Live, it may be older than what has been
   /// tracked since.

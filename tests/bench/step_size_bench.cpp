@@ -56,7 +56,7 @@ void measure(benchmark::State& state, int kernel_px) {
   ErosSurface surface(kSensor, params.eros);
   surface.update(Timestamp{0}, events_around(diameter_px));
   PuckPipeline pipeline(kSensor, params, size_model);
-  pipeline.take({.time = {0}, .region = Region::all_of(kSensor), .candidates = {{kCentre, 1}}});
+  pipeline.take({.time = {0}, .request = {Region::all_of(kSensor)}, .candidates = {{kCentre, 1}}});
 
   SurfaceSnapshot snapshot;
   std::int64_t steps = 0;

@@ -46,15 +46,15 @@ TEST_CASE("a worker finds the same as a search at once, far and near, time after
     const Region where = i % 2 == 0 ? Region::all_of(kSensor) : Region::around(puck, 31, 21);
 
     REQUIRE(worker.is_idle());
-    worker.begin(where);
+    worker.begin({where, i % 3 == 0});
     CHECK(worker.poll() == nullptr);
     const SearchResult found = result_of(worker, shared);
 
     SurfaceSnapshot snapshot;
     alone.snapshot(at_once.snapshot_region(where), snapshot);
-    const SearchResult expected = at_once.search(snapshot, where);
+    const SearchResult expected = at_once.search(snapshot, {where, i % 3 == 0});
     CHECK(found.time == Timestamp{i * 1000});
-    CHECK(found.region == where);
+    CHECK(found.request == SearchRequest{where, i % 3 == 0});
     REQUIRE(found.candidates.size() == expected.candidates.size());
     REQUIRE_FALSE(found.candidates.empty());
     CHECK(found.candidates[0].position == expected.candidates[0].position);
@@ -67,7 +67,7 @@ TEST_CASE("a large surface is copied a few rows at a time") {
   SharedSurface shared(kSensor, {});
   shared.update({{7}, {{990, 390, 1, 0}}}, {});
   SearchWorker worker(search_for(kSensor));
-  worker.begin(Region::all_of(kSensor));
+  worker.begin({Region::all_of(kSensor)});
   int copies = 0;
   while (worker.is_copying()) {
     worker.copy_more(shared);
@@ -83,10 +83,10 @@ TEST_CASE("a worker ends while it searches, copies, or has nothing to do") {
   const SearchWorker idle(search_for(kSensor));
   CHECK(idle.is_idle());
   SearchWorker copying(search_for(kSensor));
-  copying.begin(Region::all_of(kSensor));
+  copying.begin({Region::all_of(kSensor)});
   CHECK(copying.is_copying());
   SearchWorker searching(search_for(kSensor));
-  searching.begin(Region::all_of(kSensor));
+  searching.begin({Region::all_of(kSensor)});
   while (searching.is_copying()) searching.copy_more(shared);
   CHECK_FALSE(searching.is_idle());
 }

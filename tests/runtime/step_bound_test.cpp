@@ -69,7 +69,7 @@ class ConductedPipeline final : public TrackingPipeline {
     estimate.newest_event = snapshot.newest_event;
     return estimate;
   }
-  Region search_wanted() override { return {}; }
+  SearchRequest search_wanted() override { return {}; }
   void take(const SearchResult&) override {}
 
  private:

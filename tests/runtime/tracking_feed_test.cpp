@@ -1,5 +1,3 @@
-#include "common/runtime/tracking_thread.h"
-
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -8,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/runtime/tracking_thread.h"
 #include "common/vision/presets.h"
 #include "common/vision/puck_search.h"
 #include "tests/runtime/tracking_fixtures.h"
@@ -53,12 +52,12 @@ class LivingPipeline final : public TrackingPipeline {
     estimate.newest_event = snapshot.newest_event;
     return estimate;
   }
-  Region search_wanted() override {
+  SearchRequest search_wanted() override {
     steps_ = 0;
-    return search_;
+    return {search_};
   }
   void take(const SearchResult& result) override {
-    CHECK(result.region == search_);
+    CHECK(result.request.region == search_);
     life_.steps_during_search = std::max(life_.steps_during_search.load(), steps_);
     ++life_.results;
   }
@@ -101,9 +100,8 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
     }
     surface.update({{101'000}, {{50, 50, 1, 0}}}, {});
     sent.push_back(101'000);
-    CHECK(eventually([&] {
-      return published.all().back().estimate.newest_event == Timestamp{101'000};
-    }));
+    CHECK(eventually(
+        [&] { return published.all().back().estimate.newest_event == Timestamp{101'000}; }));
   }
   CHECK(surface.events_thinned() == 0);
   CHECK(life.event_times == sent);
@@ -187,10 +185,9 @@ TEST_CASE("a search that ends when there is nothing new is told all the same") {
     CAPTURE(sensor.width);
     SharedSurface surface(sensor, params.eros);
     Published published;
-    const TrackingThread thread(
-        surface, make_pipeline(sensor, params, kSizeModel),
-        PuckSearch(sensor, params, kSizeModel), {},
-        [&](const TrackedEstimate& e) { published.add(e); });
+    const TrackingThread thread(surface, make_pipeline(sensor, params, kSizeModel),
+                                PuckSearch(sensor, params, kSizeModel), {},
+                                [&](const TrackedEstimate& e) { published.add(e); });
     surface.update({{1000}, test::contour_events(sensor, {60, 50}, kSizeModel.at({}), 150)}, {});
     CHECK(eventually([&] {
       const auto all = published.all();

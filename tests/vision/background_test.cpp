@@ -45,6 +45,30 @@ TEST_CASE("Of a hand alone nothing is known") {
   CHECK_FALSE(background.is_still(105, 220));
 }
 
+TEST_CASE("The head rests when, looked at for 300 ms, nothing is known, and not before") {
+  Background background(TurningScene::kSensor);
+  std::int64_t time_us = 10'000'000;
+  const auto look = [&](int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) background.decide(time_us += 1'000);
+  };
+  look(299);
+  CHECK_FALSE(background.head_rests());
+  look(2);
+  CHECK(background.head_rests());
+  background.forget();
+  CHECK_FALSE(background.head_rests());
+  time_us += 5'000'000;
+  look(299);
+  CHECK_FALSE(background.head_rests());
+
+  Background turning(TurningScene::kSensor);
+  TurningScene scene;
+  for (int i = 0; i < 20; ++i) {
+    scene.show(turning, 50);
+    REQUIRE_FALSE(turning.head_rests());
+  }
+}
+
 TEST_CASE("A hand with more events than all that stands still does not draw the map along") {
   Background background(TurningScene::kSensor);
   TurningScene scene;

@@ -16,7 +16,7 @@ constexpr ContourFilter::Start kStart{.position = {300, 200}};
 
 void find(Challengers& challengers, const std::vector<SearchCandidate>& candidates,
           std::int64_t time_us = 0) {
-  challengers.add_found({{}, {}, candidates}, Pixel{600, 400}, kContext, time_us);
+  challengers.add_found({{}, {}, candidates}, false, Pixel{600, 400}, kContext, time_us);
 }
 
 TEST_CASE("There are at most so many challengers of each kind") {
@@ -47,7 +47,7 @@ TEST_CASE("What is found is tried with both opinions on the wall, on the same ri
   ContourContext plain = kContext;
   plain.ingredients.wall = false;
   Challengers of_one_opinion;
-  of_one_opinion.add_found({{}, {}, {{{300, 200}, 0.5}}}, {}, plain, 0);
+  of_one_opinion.add_found({{}, {}, {{{300, 200}, 0.5}}}, false, {}, plain, 0);
   CHECK(test::count(of_one_opinion) == 1);
 }
 
@@ -90,7 +90,23 @@ TEST_CASE("What is found again has the highest of its scores") {
   find(challengers, {{{301, 200}, 0.7}});
   find(challengers, {{{300, 200}, 0.6}});
   REQUIRE(test::count(challengers) == 2);
-  for (const Challenger& challenger : challengers) CHECK(challenger.search_score() == 0.7);
+  for (const Challenger& challenger : challengers) CHECK(challenger.found().score == 0.7);
+}
+
+TEST_CASE("What is found again by more than a conjecture is no longer one, and has that score") {
+  Challengers challengers;
+  const auto find_other_wall = [&](double score, bool is_conjecture) {
+    const SearchRequest request{.other_wall = true};
+    challengers.add_found({{}, request, {{{300, 200}, score}}}, is_conjecture, {}, kContext, 0);
+    REQUIRE(test::count(challengers) == 2);
+    return challengers.begin()->found();
+  };
+  CHECK(find_other_wall(0.8, true).is_conjecture);
+  CHECK(challengers.begin()->track().wall_share() == kContext.contour.other_wall_share());
+  const Challenger::Found found = find_other_wall(0.5, false);
+  CHECK_FALSE(found.is_conjecture);
+  CHECK(found.score == 0.5);
+  CHECK(find_other_wall(0.9, true).score == 0.5);
 }
 
 TEST_CASE("Those born of the main track go with it, those that were found stay") {
@@ -125,7 +141,7 @@ TEST_CASE("What is evident takes the place of the least likely") {
   CHECK(test::count(challengers) == 36);
   const auto has = [&](double score) {
     return std::count_if(challengers.begin(), challengers.end(),
-                         [&](const Challenger& one) { return one.search_score() == score; });
+                         [&](const Challenger& one) { return one.found().score == score; });
   };
   CHECK(has(0.3) == 0);
   CHECK(has(0.31) == 2);
@@ -164,7 +180,7 @@ std::int64_t first_found_us(double score, PixelVelocity velocity) {
       challengers.take(event, 0, kContext);
     }
     challengers.decide(t + 1'000, kContext);
-    const Challenger* first = challengers.first(0, t + 1'000);
+    const Challenger* first = challengers.first(false, 0, t + 1'000);
     if (first == nullptr) continue;
     CHECK(distance_px(first->track().filter().position(), puck.position_at(t + 1'000)) < 2);
     return t + 1'000;

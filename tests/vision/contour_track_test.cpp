@@ -95,8 +95,8 @@ TEST_CASE("A twin at rest overtakes a track that missed a bounce, and only then"
   const auto twin_leads = [&](PixelVelocity after) {
     ContourTrack main = track;
     test::MovingContour puck(all.contour, wall, after);
-    Challenger twin(Challenger::Kind::kTwin, all, {.position = main.filter().position()}, 20'000,
-                    0);
+    Challenger twin(Challenger::Kind::kTwin, all, {.position = main.filter().position()}, 20'000, 0,
+                    {});
     for (ContourEvent event : puck.events(0, 4'000)) {
       event.time_us += 20'000;
       twin.take(event, main.take(event, all), all);
@@ -122,7 +122,7 @@ TEST_CASE("A hot pixel neither moves a puck at rest nor makes it look disturbed"
 
 TEST_CASE("A challenger convinces for as long as it does so without a break") {
   const ContourContext all = test::contour_context();
-  Challenger challenger(Challenger::Kind::kSearch, all, {.position = {300, 200}}, 0, 0);
+  Challenger challenger(Challenger::Kind::kSearch, all, {.position = {300, 200}}, 0, 0, {});
   CHECK(challenger.convincing_for_us(true, 1000) == 0);
   CHECK(challenger.convincing_for_us(true, 3000) == 2000);
   CHECK(challenger.convincing_for_us(false, 4000) == 0);

@@ -4,6 +4,7 @@
 
 #include "common/vision/eros_surface.h"
 #include "common/vision/presets.h"
+#include "common/vision/puck_contour.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -25,7 +26,7 @@ SearchResult search_for_puck_at(Pixel truth, const Region& where, Preset preset)
   PuckSearch search = search_of(preset);
   SurfaceSnapshot snapshot;
   surface.snapshot(search.snapshot_region(where), snapshot);
-  return search.search(snapshot, where);
+  return search.search(snapshot, {where});
 }
 
 }  // namespace
@@ -45,6 +46,36 @@ TEST_CASE("a search finds the puck anywhere, and a part of the surface answers l
     REQUIRE_FALSE(near.candidates.empty());
     CHECK(near.candidates.front().position == best.position);
     CHECK(near.candidates.front().score == best.score);
+  }
+}
+
+TEST_CASE("a puck of another side wall than calibrated is found where it is by a search for it") {
+  for (const double calibrated : {0.0, 0.165}) {
+    CAPTURE(calibrated);
+    PipelineParams params = preset_params(Preset::kDefault);
+    params.contour.calibration.wall_share = calibrated;
+    const PuckContour contour(kSensor, kSizeModel, params.contour.calibration, true);
+    PuckSearch search(kSensor, params, kSizeModel);
+    for (const Pixel truth : {Pixel{200, 60}, {320, 190}, {330, 400}}) {
+      CAPTURE(truth.x);
+      const ContourRing ring = contour.ring_at(truth, contour.other_wall_share());
+      ErosSurface surface(kSensor, params.eros);
+      surface.update(EventPacket{{7000},
+                                 test::contour_events(kSensor, {truth.x, truth.y - ring.rise},
+                                                      {2 * ring.semi_x, 2 * ring.semi_y}, 200)});
+      SurfaceSnapshot snapshot;
+      surface.snapshot(Region::all_of(kSensor), snapshot);
+      const auto best_of = [&](bool other_wall) {
+        const SearchRequest request{Region::all_of(kSensor), other_wall};
+        const SearchResult result = search.search(snapshot, request);
+        CHECK(result.request == request);
+        REQUIRE_FALSE(result.candidates.empty());
+        return result.candidates.front();
+      };
+      const SearchCandidate best = best_of(true);
+      CHECK(std::hypot(best.position.x - truth.x, best.position.y - truth.y) < 1);
+      CHECK(best.score > best_of(false).score);
+    }
   }
 }
 

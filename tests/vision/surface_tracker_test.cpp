@@ -41,7 +41,7 @@ class Recorder final : public TrackingPipeline {
     estimate.newest_event = snapshot.newest_event;
     return estimate;
   }
-  Region search_wanted() override { return std::exchange(search_, {}); }
+  SearchRequest search_wanted() override { return {std::exchange(search_, {})}; }
   void take(const SearchResult& result) override { record_.results.push_back(result); }
 
  private:
@@ -110,7 +110,7 @@ TEST_CASE("a search is made at once, on the surface as it was when it was wanted
     tracker.estimate();
     REQUIRE(record.results.size() == 1);
     CHECK(record.results[0].time == Timestamp{takes_events ? 3000 : 3500});
-    CHECK(record.results[0].region == all);
+    CHECK(record.results[0].request == SearchRequest{all});
     REQUIRE_FALSE(record.results[0].candidates.empty());
     const SearchCandidate best = record.results[0].candidates.front();
     CHECK(std::abs(best.position.x - puck.x) <= 1);

@@ -35,10 +35,10 @@ TEST_CASE("A twin and a witness win by a lead, the other opinion on the wall as 
 
 TEST_CASE("What the correlation scores above 0.65 is evident after 5 ms if its events agree") {
   const Claim evident{
-      .looks = {.quality = 0.66, .strength = 11}, .age_us = 5'001, .search_score = 0.66};
+      .looks = {.quality = 0.66, .strength = 11}, .age_us = 5'001, .found = {.score = 0.66}};
   CHECK(is_evident(evident));
   Claim claim = evident;
-  claim.search_score = 0.65;
+  claim.found.score = 0.65;
   CHECK_FALSE(is_evident(claim));
   claim = evident;
   claim.looks.quality = 0.65;
@@ -61,6 +61,26 @@ TEST_CASE("What is faster than 300 px/s in all directions moves by itself") {
   CHECK_FALSE(moves_by_itself(claim));
 }
 
+TEST_CASE("While the head rests a whole ring of the right size moves by itself from 100 px/s") {
+  Claim slow = kMoving;
+  slow.looks.speed_px_s = 101;
+  slow.looks.cover = 0.51;
+  slow.head_rests = true;
+  CHECK(moves_by_itself(slow));
+  Claim claim = slow;
+  claim.head_rests = false;
+  CHECK_FALSE(moves_by_itself(claim));
+  claim = slow;
+  claim.looks.speed_px_s = 100;
+  CHECK_FALSE(moves_by_itself(claim));
+  claim = slow;
+  claim.looks.cover = 0.5;
+  CHECK_FALSE(moves_by_itself(claim));
+  claim = slow;
+  claim.looks.growth_px = 0.35;
+  CHECK_FALSE(moves_by_itself(claim));
+}
+
 TEST_CASE(
     "What is three times as strong takes over wherever it is, from a sound track if evident") {
   Claim claim{.looks = {.position = {500, 0}, .quality = 0.76, .strength = 301}, .age_us = 10'001};
@@ -72,7 +92,7 @@ TEST_CASE(
   claim.looks.strength = 300;
   CHECK_FALSE(is_convincing(claim, main));
   claim.looks.strength = 301;
-  claim.search_score = 0.66;
+  claim.found.score = 0.66;
   CHECK(is_convincing(claim, kStrongMain));
 }
 
@@ -83,7 +103,7 @@ TEST_CASE("A puck at rest gives way to what is evident only, however weak it loo
   CHECK(is_convincing(mallet, main));
   main.is_resting = true;
   CHECK_FALSE(is_convincing(mallet, main));
-  mallet.search_score = 0.66;
+  mallet.found.score = 0.66;
   CHECK(is_convincing(mallet, main));
 }
 
@@ -139,10 +159,28 @@ TEST_CASE("What moves by itself takes over from what never has") {
   CHECK_FALSE(is_convincing(kMoving, main));
 }
 
+TEST_CASE("A conjecture must move by itself, unless the main track has not been sound for long") {
+  Claim claim{.looks = {.quality = 0.7, .strength = 20},
+              .age_us = 6'000,
+              .found = {.score = 0.7, .is_conjecture = true}};
+  Defence main = kBadMain;
+  main.is_trusted = false;
+  main.since_sound_us = 150'000;
+  CHECK_FALSE(is_convincing(claim, main));
+  main.since_sound_us = 150'001;
+  CHECK(is_convincing(claim, main));
+  main.since_sound_us = 0;
+  claim.found.is_conjecture = false;
+  CHECK(is_convincing(claim, main));
+  claim = kMoving;
+  claim.found.is_conjecture = true;
+  CHECK(is_convincing(claim, main));
+}
+
 TEST_CASE("An evident puck takes over from a track that is not trusted or long unsound") {
   const Claim claim{.looks = {.position = {500, 0}, .quality = 0.7, .strength = 20},
                     .age_us = 6'000,
-                    .search_score = 0.7};
+                    .found = {.score = 0.7}};
   Defence main = kStrongMain;
   main.looks.quality = 0.5;
   main.since_sound_us = 150'000;
@@ -213,10 +251,11 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
   CHECK(is_convincing_as_first(claim, 150'001));
   claim.looks.growth_px = 0.6;
   CHECK_FALSE(is_convincing_as_first(claim, 150'001));
-  claim.search_score = 0.7;
+  claim.found.score = 0.7;
   CHECK(is_convincing_as_first(claim, 0));
   CHECK(is_convincing_as_first(kMoving, 0));
-  Claim evident{.looks = {.quality = 0.9, .strength = 200}, .age_us = 8'000, .search_score = 0.8};
+  Claim evident{
+      .looks = {.quality = 0.9, .strength = 200}, .age_us = 8'000, .found = {.score = 0.8}};
   CHECK(is_convincing_as_first(evident, 0));
   evident.has_other_wall = true;
   CHECK_FALSE(is_convincing_as_first(evident, 150'000));
