@@ -96,10 +96,12 @@ void ContourFilter::correct(double distance_px, double normal_x, double normal_y
     for (std::size_t j = 0; j < kSize; ++j) cov(i, j) -= ph[i] * ph[j] * per_innovation;
   }
   state_[4] = std::clamp(state_[4], params_.smallest_growth_px, params_.largest_growth_px);
-  const double speed = speed_px_s();
-  if (speed > params_.max_speed_px_s) {
-    state_[2] *= params_.max_speed_px_s / speed;
-    state_[3] *= params_.max_speed_px_s / speed;
+  // A square root only where there is something to bound: this is done for every event.
+  const double squared_speed = state_[2] * state_[2] + state_[3] * state_[3];
+  if (squared_speed > params_.max_speed_px_s * params_.max_speed_px_s) {
+    const double keep = params_.max_speed_px_s / std::sqrt(squared_speed);
+    state_[2] *= keep;
+    state_[3] *= keep;
   }
 }
 
