@@ -11,6 +11,7 @@
 #include "common/messaging/host_time.h"
 #include "common/messaging/wire_layout.h"
 #include "common/vision/surface_tracker.h"
+#include "services/launch/short_turns.h"
 
 namespace puck {
 namespace {
@@ -52,6 +53,8 @@ TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContex
 }
 
 void TrackerService::run(std::stop_token stop) {
+  // The camera, above all, is not to keep its packets from us until it has prepared the next one.
+  take_short_turns();
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
     take_held();
