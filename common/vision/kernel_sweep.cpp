@@ -48,12 +48,15 @@ class Strip {
       : plan_(plan), x_(x), lanes_(hn::Lanes(Sums())) {
     const auto none = hn::Set(Totals(), std::numeric_limits<std::int32_t>::max());
     for (auto& lowest : lowest_) lowest = none;
+    const auto canvas_bits = static_cast<std::uint16_t>(plan.weights.canvas);
+    const auto outer_bits = static_cast<std::uint16_t>(plan.weights.outer);
+    both_weights_ =
+        hn::Set(Totals(), static_cast<std::int32_t>(std::uint32_t{outer_bits} << 16 | canvas_bits));
+    inner_weight_ = hn::Set(Totals(), static_cast<std::uint16_t>(plan.weights.inner));
   }
 
   HWY_INLINE std::int32_t sweep() {
     const std::uint16_t* place = plan_.first + x_;
-    sum_ellipses(place, plan_.outer, outer_);
-    sum_ellipses(place, plan_.inner, inner_);
     begin_totals(place);
     put(0);
     for (int row = 1; row < plan_.rows; ++row) {
@@ -65,15 +68,51 @@ class Strip {
   }
 
  private:
-  template <typename V>
-  static HWY_INLINE TotalVector half_of(V values, int half) {
+  // One half of the values with 32 bits each. Without moving any from one block of 16 bytes to
+  // another, which takes longer, so that both halves have some of each block; see put_in_order.
+  static HWY_INLINE TotalVector half_of(SumVector values, int half) {
 #if HWY_TARGET == HWY_SCALAR
     static_cast<void>(half);
     return hn::PromoteTo(Totals(), values);
 #else
-    return half == 0 ? hn::PromoteTo(Totals(), hn::LowerHalf(values))
-                     : hn::PromoteTo(Totals(), hn::UpperHalf(hn::Half<hn::DFromV<V> >(), values));
+    return hn::BitCast(Totals(), interleaved(values, hn::Zero(Sums()), half));
 #endif
+  }
+
+  // The same of what the values stand for as signed numbers.
+  static HWY_INLINE TotalVector signed_half_of(SumVector values, int half) {
+#if HWY_TARGET == HWY_SCALAR
+    static_cast<void>(half);
+    return hn::PromoteTo(Totals(), hn::BitCast(Changes(), values));
+#else
+    return hn::ShiftRight<16>(hn::BitCast(Totals(), interleaved(values, values, half)));
+#endif
+  }
+
+#if HWY_TARGET != HWY_SCALAR
+  static HWY_INLINE SumVector interleaved(SumVector a, SumVector b, int half) {
+    return half == 0 ? hn::InterleaveLower(Sums(), a, b) : hn::InterleaveUpper(Sums(), a, b);
+  }
+#endif
+
+  // Writes the halves of some values in the values' order.
+  template <typename Tag>
+  static HWY_INLINE void put_in_order(Tag tag, const hn::Vec<Tag>* halves, std::int32_t* to) {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (hn::MaxLanes(Tag()) * sizeof(std::int32_t) > 16) {
+      const hn::Half<Tag> half;
+      const hn::Vec<hn::Half<Tag> > lower[] = {hn::LowerHalf(half, halves[0]),
+                                               hn::LowerHalf(half, halves[1])};
+      const hn::Vec<hn::Half<Tag> > upper[] = {hn::UpperHalf(half, halves[0]),
+                                               hn::UpperHalf(half, halves[1])};
+      put_in_order(half, lower, to);
+      put_in_order(half, upper, to + hn::Lanes(tag));
+      return;
+    }
+#endif
+    for (int half = 0; half < kHalves; ++half) {
+      hn::StoreU(halves[half], tag, to + static_cast<std::size_t>(half) * hn::Lanes(tag));
+    }
   }
 
   static HWY_INLINE SumVector run_at(const std::uint16_t* place, const SumRun& run) {
@@ -91,20 +130,29 @@ class Strip {
     }
   }
 
-  // The first row's sums exceed 16 bits, those of its runs do not.
   HWY_INLINE void begin_totals(const std::uint16_t* place) {
     for (auto& total : totals_) total = hn::Zero(Totals());
-    for (int row = 0; row < plan_.canvas_height; ++row) {
-      add_run(place + row * plan_.stride, plan_.canvas_row, 0, plan_.weights.canvas);
-    }
-    for (const SumRun& run : plan_.outer) add_run(place, run, 1, plan_.weights.outer);
-    for (const SumRun& run : plan_.inner) add_run(place, run, 2, plan_.weights.inner);
+    SumVector canvas[kVectors];
+    begin_totals(place, plan_.canvas, 0, plan_.weights.canvas, canvas);
+    begin_totals(place, plan_.outer, 1, plan_.weights.outer, outer_);
+    begin_totals(place, plan_.inner, 2, plan_.weights.inner, inner_);
   }
 
-  HWY_INLINE void add_run(const std::uint16_t* place, const SumRun& run, int shape,
-                          std::int32_t weight) {
-    for (int v = 0; v < kVectors; ++v) {
-      add(run_at(place + static_cast<std::size_t>(v) * lanes_, run), v, shape, weight);
+  // The first row's sums may exceed 16 bits: as many runs at once as do not.
+  HWY_INLINE void begin_totals(const std::uint16_t* place, std::span<const SumRun> runs, int shape,
+                               std::int32_t weight, SumVector* sums) {
+    for (int v = 0; v < kVectors; ++v) sums[v] = hn::Zero(Sums());
+    while (!runs.empty()) {
+      const std::size_t count = std::min(runs.size(), plan_.runs_at_once);
+      SumVector some[kVectors];
+      sum_ellipses(place, runs.first(count), some);
+      runs = runs.subspan(count);
+      for (int v = 0; v < kVectors; ++v) {
+        sums[v] = hn::Add(sums[v], some[v]);
+        for (int half = 0; half < kHalves; ++half) {
+          add(half_of(some[v], half), v, half, shape, weight);
+        }
+      }
     }
   }
 
@@ -118,30 +166,43 @@ class Strip {
     for (int v = 0; v < kVectors; ++v) {
       const std::size_t x = static_cast<std::size_t>(v) * lanes_;
       const auto canvas =
-          hn::Sub(run_at(gained + x, plan_.canvas_row), run_at(lost + x, plan_.canvas_row));
-      add(change(canvas), v, 0, plan_.weights.canvas);
-      add(change(hn::Sub(outer[v], outer_[v])), v, 1, plan_.weights.outer);
-      add(change(hn::Sub(inner[v], inner_[v])), v, 2, plan_.weights.inner);
+          hn::Sub(run_at(gained + x, plan_.canvas.front()), run_at(lost + x, plan_.canvas.front()));
+      add_changes(canvas, hn::Sub(outer[v], outer_[v]), hn::Sub(inner[v], inner_[v]), v);
       outer_[v] = outer[v];
       inner_[v] = inner[v];
     }
   }
 
-  static HWY_INLINE hn::Vec<Changes> change(SumVector difference) {
-    return hn::BitCast(Changes(), difference);
+  HWY_INLINE void add_changes(SumVector canvas, SumVector outer, SumVector inner, int v) {
+    for (int half = 0; half < kHalves; ++half) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+      if constexpr (kShapes == 1) {
+        // On x86 that is the sum of two neighbouring products.
+        auto& total = totals_[v * kHalves + half];
+        TotalVector unused;
+        const auto sum_products = [&](SumVector a, SumVector b, TotalVector weights) HWY_ATTR {
+          total = hn::ReorderWidenMulAccumulate(Totals(),
+                                                hn::BitCast(Changes(), interleaved(a, b, half)),
+                                                hn::BitCast(Changes(), weights), total, unused);
+        };
+        sum_products(canvas, outer, both_weights_);
+        sum_products(inner, inner, inner_weight_);
+        continue;
+      }
+#endif
+      add(signed_half_of(canvas, half), v, half, 0, plan_.weights.canvas);
+      add(signed_half_of(outer, half), v, half, 1, plan_.weights.outer);
+      add(signed_half_of(inner, half), v, half, 2, plan_.weights.inner);
+    }
   }
 
-  template <typename V>
-  HWY_INLINE void add(V values, int v, int shape, std::int32_t weight) {
-    for (int half = 0; half < kHalves; ++half) {
-      const auto wide = half_of(values, half);
-      if constexpr (kShapes == 1) {
-        auto& total = totals_[v * kHalves + half];
-        total = hn::Add(total, hn::Mul(wide, hn::Set(Totals(), weight)));
-      } else {
-        auto& total = totals_[(shape * kVectors + v) * kHalves + half];
-        total = hn::Add(total, wide);
-      }
+  HWY_INLINE void add(TotalVector values, int v, int half, int shape, std::int32_t weight) {
+    if constexpr (kShapes == 1) {
+      auto& total = totals_[v * kHalves + half];
+      total = hn::Add(total, hn::Mul(values, hn::Set(Totals(), weight)));
+    } else {
+      auto& total = totals_[(shape * kVectors + v) * kHalves + half];
+      total = hn::Add(total, values);
     }
   }
 
@@ -153,9 +214,9 @@ class Strip {
     for (int shape = 0; shape < kShapes; ++shape) {
       std::int32_t* to = plan_.out[static_cast<std::size_t>(shape)] +
                          (row - plan_.kept_first) * plan_.out_stride + x_;
-      for (int i = 0; i < kVectors * kHalves; ++i) {
-        hn::StoreU(totals_[shape * kVectors * kHalves + i], Totals(),
-                   to + static_cast<std::size_t>(i) * hn::Lanes(Totals()));
+      for (int v = 0; v < kVectors; ++v) {
+        put_in_order(Totals(), totals_ + (shape * kVectors + v) * kHalves,
+                     to + static_cast<std::size_t>(v) * lanes_);
       }
     }
   }
@@ -164,11 +225,14 @@ class Strip {
   HWY_INLINE std::int32_t lowest() const {
     const auto none = hn::Set(Totals(), std::numeric_limits<std::int32_t>::max());
     auto all = none;
-    for (int i = 0; i < kVectors * kHalves; ++i) {
-      const std::size_t x = x_ + static_cast<std::size_t>(i) * hn::Lanes(Totals());
+    for (int v = 0; v < kVectors; ++v) {
+      const std::size_t x = x_ + static_cast<std::size_t>(v) * lanes_;
       if (x >= plan_.width) break;
-      const auto inside = hn::FirstN(Totals(), plan_.width - x);
-      all = hn::Min(all, hn::IfThenElse(inside, lowest_[i], none));
+      const auto width = hn::Set(Totals(), static_cast<std::int32_t>(plan_.width - x));
+      for (int half = 0; half < kHalves; ++half) {
+        const auto inside = hn::Lt(half_of(hn::Iota(Sums(), 0), half), width);
+        all = hn::Min(all, hn::IfThenElse(inside, lowest_[v * kHalves + half], none));
+      }
     }
     return hn::GetLane(hn::MinOfLanes(Totals(), all));
   }
@@ -180,6 +244,8 @@ class Strip {
   SumVector inner_[kVectors];
   TotalVector totals_[kShapes * kVectors * kHalves];
   TotalVector lowest_[kVectors * kHalves];
+  TotalVector both_weights_;  // Of the canvas and the outer ellipse, 16 bits each by turns.
+  TotalVector inner_weight_;  // By turns with 0.
 };
 
 template <typename Sums, int kShapes>
@@ -240,9 +306,11 @@ void KernelSweep::Totals::make_room(const Region& candidates, const Region& kept
 
 SweepPlan KernelSweep::plan_for(const RowSums& picture, const EllipseKernel& kernel,
                                 const Region& candidates, const Region& kept) {
+  canvas_.clear();
   outer_.clear();
   inner_.clear();
   for (int row = 0; row < kernel.height(); ++row) {
+    add_run(canvas_, row * picture.stride(), {0, static_cast<std::int16_t>(kernel.width())});
     add_run(outer_, row * picture.stride(), kernel.outer_run(row));
     add_run(inner_, row * picture.stride(), kernel.inner_run(row));
   }
@@ -253,9 +321,11 @@ SweepPlan KernelSweep::plan_for(const RowSums& picture, const EllipseKernel& ker
   plan.width = static_cast<std::size_t>(candidates.width);
   plan.rows = candidates.height;
   plan.canvas_height = kernel.height();
-  plan.canvas_row = {kernel.width(), 0};
+  plan.canvas = canvas_;
   plan.kept_first = kept.y - candidates.y;
   plan.kept_last = plan.kept_first + kept.height;
+  plan.runs_at_once =
+      std::numeric_limits<std::uint16_t>::max() / (255 * static_cast<std::size_t>(kernel.width()));
   plan.outer = outer_;
   plan.inner = inner_;
   return plan;

@@ -58,6 +58,7 @@ class KernelSweep {
   SweepPlan plan_for(const RowSums& picture, const EllipseKernel& kernel, const Region& candidates,
                      const Region& kept);
 
+  std::vector<SumRun> canvas_;
   std::vector<SumRun> outer_;
   std::vector<SumRun> inner_;
 };

@@ -22,7 +22,8 @@ struct SweepPlan {
   std::size_t width = 0;                 ///< Candidates in a row.
   int rows = 0;                          ///< Rows of candidates.
   int canvas_height = 0;
-  SumRun canvas_row;
+  std::size_t runs_at_once = 1;  ///< So many have a sum of 16 bits.
+  std::span<const SumRun> canvas;
   std::span<const SumRun> outer;
   std::span<const SumRun> inner;
   EllipseKernel::WholeWeights weights;  ///< Unless the sums are separate.
