@@ -52,7 +52,11 @@ void Correlation::cover(const Region& region) {
     blur_.apply(picture_, {shown.x - region_.x, shown.y - region_.y, shown.width, shown.height},
                 pixels.part(shown.x - region.x, shown.y - region.y, shown.width, shown.height));
   }
-  sums_of_rows_.sum_up();
+  if (shown.empty()) {
+    sums_of_rows_.sum_up_rows(0, 0);
+  } else {
+    sums_of_rows_.sum_up_rows(shown.y - region.y, shown.bottom() - region.y);
+  }
   ready_ = true;
 }
 

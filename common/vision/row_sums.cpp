@@ -1,5 +1,6 @@
 #include "common/vision/row_sums.h"
 
+#include <algorithm>
 #include <type_traits>
 
 // Everything in this file is compiled once for each instruction set.
@@ -131,7 +132,17 @@ void RowSums::resize(const Region& place) {
   if (sums_.size() < size) sums_.resize(size);
 }
 
-void RowSums::sum_up() { HWY_DYNAMIC_DISPATCH(sum_picture)(picture(), sums_.data(), stride_); }
+void RowSums::sum_up_rows(int first, int last) {
+  const auto leave_dark = [this](int from, int to) {
+    for (int y = from; y < to; ++y) {
+      std::fill_n(sums_.data() + y * stride_, place_.width + 1, std::uint16_t{0});
+    }
+  };
+  leave_dark(0, first);
+  leave_dark(last, place_.height);
+  HWY_DYNAMIC_DISPATCH(sum_picture)
+  (picture().part(0, first, place_.width, last - first), sums_.data() + first * stride_, stride_);
+}
 
 }  // namespace puck
 #endif

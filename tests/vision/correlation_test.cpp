@@ -58,6 +58,28 @@ TEST_CASE("correlation equals the dense sum at every candidate, over the picture
   }
 }
 
+TEST_CASE("what was correlated before leaves nothing behind where the next picture is dark") {
+  const Image<std::uint8_t> picture = noise(40, 30);
+  const KernelBank bank(KernelBankParams{});
+  const EllipseKernel& kernel = bank.nearest({15, 11});
+  // The same region, over the picture, its lower end, and none of it.
+  const Region candidates{100, 50, 40, 30};
+  Correlation correlation;
+  CorrelationMap map;
+  for (const Region& region : {Region{100, 50, 40, 30}, {100, 75, 40, 30}, {300, 50, 40, 30}}) {
+    CAPTURE(region.x);
+    correlation.set_picture(picture.view(), region);
+    correlation.correlate(kernel, candidates, map);
+    for (int y = 0; y < candidates.height; ++y) {
+      for (int x = 0; x < candidates.width; ++x) {
+        REQUIRE(map.response(x, y) ==
+                doctest::Approx(
+                    dense_response(picture, region, kernel, candidates.x + x, candidates.y + y)));
+      }
+    }
+  }
+}
+
 TEST_CASE("correlation equals OpenCV's filter2D where the kernel lies inside the picture") {
   const Region region{0, 0, 80, 60};
   Image<std::uint8_t> picture = noise(region.width, region.height);
