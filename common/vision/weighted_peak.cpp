@@ -13,8 +13,9 @@ HWY_BEFORE_NAMESPACE();
 namespace puck::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The highest and the lowest weighted response of each row. No product is added to anything here,
-// so that every instruction set rounds alike.
+// The highest and, if it is to, the lowest weighted response of each row. No product is added to
+// anything here, so that every instruction set rounds alike.
+template <bool kLows>
 void find_row_extremes(ImageView<const double> response, double lowest, const double* columns,
                        const double* rows, double* highs, double* lows) {
   const auto look = [&](auto d) HWY_ATTR {
@@ -33,10 +34,10 @@ void find_row_extremes(ImageView<const double> response, double lowest, const do
         const auto shifted = hn::Max(zero, hn::Sub(hn::LoadU(d, row + x), shift));
         const auto weighted = hn::Mul(hn::Mul(shifted, row_weight), hn::LoadU(d, columns + x));
         high = hn::Max(high, weighted);
-        low = hn::Min(low, weighted);
+        if constexpr (kLows) low = hn::Min(low, weighted);
       }
       highs[y] = hn::GetLane(hn::MaxOfLanes(d, high));
-      lows[y] = hn::GetLane(hn::MinOfLanes(d, low));
+      if constexpr (kLows) lows[y] = hn::GetLane(hn::MinOfLanes(d, low));
     }
   };
   const hn::ScalableTag<double> wide;
@@ -47,6 +48,16 @@ void find_row_extremes(ImageView<const double> response, double lowest, const do
   }
 }
 
+void find_row_highs(ImageView<const double> response, double lowest, const double* columns,
+                    const double* rows, double* highs) {
+  find_row_extremes<false>(response, lowest, columns, rows, highs, nullptr);
+}
+
+void find_row_highs_and_lows(ImageView<const double> response, double lowest, const double* columns,
+                             const double* rows, double* highs, double* lows) {
+  find_row_extremes<true>(response, lowest, columns, rows, highs, lows);
+}
+
 }  // namespace puck::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -54,7 +65,8 @@ HWY_AFTER_NAMESPACE();
 namespace puck {
 namespace {
 
-HWY_EXPORT(find_row_extremes);
+HWY_EXPORT(find_row_highs);
+HWY_EXPORT(find_row_highs_and_lows);
 
 constexpr double kHighestLevel = 255;
 
@@ -98,15 +110,22 @@ std::optional<WeightedPeak> WeightedPeakFinder::find_between(const WeightedWindo
 }
 
 WeightedPeakFinder::Found WeightedPeakFinder::look(const WeightedWindow& window, double lowest) {
+  const double* columns = window.columns->data();
+  const double* rows = window.rows->data();
   row_highs_.resize(window.rows->size());
-  row_lows_.resize(window.rows->size());
-  HWY_DYNAMIC_DISPATCH(find_row_extremes)
-  (window.response, lowest, window.columns->data(), window.rows->data(), row_highs_.data(),
-   row_lows_.data());
+  double low = 0;
+  if (window.quantised) {
+    row_lows_.resize(window.rows->size());
+    HWY_DYNAMIC_DISPATCH(find_row_highs_and_lows)
+    (window.response, lowest, columns, rows, row_highs_.data(), row_lows_.data());
+    low = *std::min_element(row_lows_.begin(), row_lows_.end());
+  } else {
+    HWY_DYNAMIC_DISPATCH(find_row_highs)
+    (window.response, lowest, columns, rows, row_highs_.data());
+  }
   const double high = *std::max_element(row_highs_.begin(), row_highs_.end());
-  const double low = *std::min_element(row_lows_.begin(), row_lows_.end());
   Found found;
-  if (!(high > 0) || (window.quantised && !(high > low))) return found;
+  if (!(high > low)) return found;
   found.highest = place_of(window, lowest, high, row_highs_);
   Place peak = found.highest;
   if (window.quantised) {
