@@ -27,7 +27,7 @@ struct CameraSettings {
   bool rotate_180 = false;
   int packet_bytes = 0;             ///< 0: what suits the bus.
   double arrival_limit_mev_s = 40;  ///< What is published on arrival at most; 0: any.
-  int flush_us = 500;         ///< Host time that the first event of a packet waits for others.
+  int flush_us = 250;         ///< Host time that the first event of a packet waits for others.
   int quiet_flush_us = 5000;  ///< The same while there are fewer than EventBatcher::kFew.
 
   SimulationParams simulation;

@@ -10,7 +10,7 @@ namespace puck {
 namespace {
 
 // As puck-camera gathers events: camera.flush_us, and camera.quiet_flush_us for a few of them.
-constexpr std::int64_t kFlushUs = 500;
+constexpr std::int64_t kFlushUs = 250;
 constexpr std::int64_t kQuietFlushUs = 5000;
 constexpr std::size_t kFew = 32;
 
