@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <sched.h>
-#include <sys/resource.h>
-#include <unistd.h>
+#include "common/runtime/scheduling.h"
 
 namespace puck {
 namespace {
@@ -17,17 +15,6 @@ constexpr int kPixelsAtOnce = 65'536;
 // two heartbeats, while there is no track to be delayed and a late result would be of no use.
 constexpr int kSmallPixels = 24'576;
 constexpr int kBearablePixels = 400'000;
-
-// A tenth of what others get when there is not enough for all: little enough that whoever wakes up
-// comes first at once, enough not to starve beside a busy process.
-constexpr int kNice = 10;
-
-// Of the calling thread. To be less important needs no permission, so nothing can go wrong.
-void lower_priority() {
-  const sched_param none{};
-  sched_setscheduler(gettid(), SCHED_BATCH, &none);
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
-}
 
 }  // namespace
 
@@ -75,7 +62,7 @@ const SearchResult* SearchWorker::poll() {
 }
 
 void SearchWorker::run(const std::stop_token& stop) {
-  lower_priority();
+  take_turns_behind_others();
   while (true) {
     posted_.acquire();
     if (stop.stop_requested()) return;

@@ -10,8 +10,8 @@
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
 #include "common/messaging/wire_layout.h"
+#include "common/runtime/scheduling.h"
 #include "common/vision/surface_tracker.h"
-#include "services/launch/short_turns.h"
 
 namespace puck {
 namespace {
