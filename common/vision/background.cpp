@@ -23,6 +23,10 @@ constexpr double kSpeedGain = 0.04;
 constexpr double kActivityMemory_us = 50'000;
 constexpr double kActive = 5;
 constexpr int kLeastActiveCells = 10;
+// … and of all events, which a hand and two mallets have in fewer cells, and noise from 60 kev/s
+// on.
+constexpr double kBusy = 60;
+constexpr int kLeastBusyCells = 16;
 
 using Steps = CameraTurn::Steps;
 
@@ -56,9 +60,10 @@ void Background::forget() {
   map_.clear();
   speed_ = {};
   activity_ = {};
+  events_ = {};
   taken_.clear();
   is_known_ = false;
-  unknown_us_ = 0;
+  calm_us_ = 0;
   is_empty_ = true;
 }
 
@@ -113,14 +118,19 @@ void Background::align() {
 void Background::note_activity(std::int64_t passed_us) {
   const double keep = std::exp(-static_cast<double>(passed_us) / kActivityMemory_us);
   for (double& cell : activity_) cell *= keep;
+  for (double& cell : events_) cell *= keep;
   for (const Pixel& event : taken_) {
-    if (map_.level(turn_.then_of(event)) <= kStill) continue;
-    activity_[cell_of(event)] += 1;
+    const std::size_t cell = cell_of(event);
+    events_[cell] += 1;
+    if (map_.level(turn_.then_of(event)) > kStill) activity_[cell] += 1;
   }
-  is_known_ = std::count_if(activity_.begin(), activity_.end(),
-                            [](double cell) { return cell > kActive; }) >= kLeastActiveCells;
-  // Of the first one it is not known when it began.
-  unknown_us_ = is_known_ ? 0 : unknown_us_ + std::min(passed_us, kPeriod_us);
+  const auto count_above = [](const Cells& cells, double least) {
+    return std::count_if(cells.begin(), cells.end(), [&](double cell) { return cell > least; });
+  };
+  is_known_ = count_above(activity_, kActive) >= kLeastActiveCells;
+  const bool is_calm = !is_known_ && count_above(events_, kBusy) < kLeastBusyCells;
+  // Of the first period it is not known when it began.
+  calm_us_ = is_calm ? calm_us_ + std::min(passed_us, kPeriod_us) : 0;
 }
 
 double Background::still_share(const ContourRing& ring, Pixel centre) const {

@@ -36,8 +36,9 @@ class Background {
   /// still camera only a hand might have drawn it.
   bool is_known() const { return is_known_; }
 
-  /// It has been looked at for so long without becoming known that the head must be at rest.
-  bool head_rests() const { return unknown_us_ > kRestsAfter_us; }
+  /// For long nothing has been known to stand still and little of the image has been busy, so that
+  /// the head is at rest: all that is seen of a table is busy at once when it turns.
+  bool head_rests() const { return calm_us_ > kRestsAfter_us; }
 
   /// Whether an event here is of something that stands still.
   bool is_still(double x, double y) const {
@@ -52,7 +53,7 @@ class Background {
   static constexpr std::size_t kMostEvents = 1'000;
   // Of an edge that passes once, and leaves a few events at each pixel, there is less.
   static constexpr double kStill = 15;
-  // A scene that moves as one is known sooner.
+  // A scene that moves as one is known, or busy, sooner.
   static constexpr std::int64_t kRestsAfter_us = 300'000;
   static constexpr int kColumns = 8;
   static constexpr int kRows = 6;
@@ -73,9 +74,10 @@ class Background {
   std::uint64_t seen_ = 0;  // in this period
   std::uint64_t stride_ = 1;
   std::int64_t aligned_us_ = 0;
-  Cells activity_{};
+  Cells activity_{};  // events on the map, fading
+  Cells events_{};    // all events, fading
   bool is_known_ = false;
-  std::int64_t unknown_us_ = 0;  // for how long it has been looked at without being known
+  std::int64_t calm_us_ = 0;  // see head_rests
   bool is_empty_ = true;
 };
 

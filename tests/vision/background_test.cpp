@@ -61,12 +61,23 @@ TEST_CASE("The head rests when, looked at for 300 ms, nothing is known, and not 
   look(299);
   CHECK_FALSE(background.head_rests());
 
-  Background turning(TurningScene::kSensor);
   TurningScene scene;
+  Background turning(TurningScene::kSensor);
   for (int i = 0; i < 20; ++i) {
     scene.show(turning, 50);
     REQUIRE_FALSE(turning.head_rests());
   }
+}
+
+TEST_CASE("The head no longer rests a few milliseconds after it has begun to turn") {
+  TurningScene scene;
+  Background unused(TurningScene::kSensor);
+  scene.show(unused, 400);
+  Background background(TurningScene::kSensor);
+  for (int i = 1; i <= 400; ++i) background.decide(i * 1'000);
+  REQUIRE(background.head_rests());
+  scene.show(background, 12);
+  CHECK_FALSE(background.head_rests());
 }
 
 TEST_CASE("A hand with more events than all that stands still does not draw the map along") {
