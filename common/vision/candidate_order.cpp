@@ -4,12 +4,15 @@
 
 namespace puck {
 
-void put_still_last(std::vector<SearchCandidate>& candidates, const Background& background,
-                    const PuckContour& contour, double clear_score) {
+void put_still_last(SearchResult& found, const Background& background, const PuckContour& contour,
+                    double clear_score) {
   constexpr double kStillShare = 0.6;
+  const double wall_share =
+      found.request.other_wall ? contour.other_wall_share() : contour.calibrated_wall_share();
+  std::vector<SearchCandidate>& candidates = found.candidates;
   const auto is_still = [&](const SearchCandidate& candidate) {
     if (candidate.score > clear_score) return false;
-    const ContourRing ring = contour.ring_at(candidate.position, contour.calibrated_wall_share());
+    const ContourRing ring = contour.ring_at(candidate.position, wall_share);
     return background.still_share(ring, candidate.position) >= kStillShare;
   };
   // std::stable_partition would ask for memory, which no tracking thread does.

@@ -15,7 +15,7 @@ inline constexpr double kClearRingScore = 0.6;
 /// Of what a search has found, what lies on the background is tried when there is nothing else: it
 /// is likely a part of it. What scores more than `clear_score` keeps its place wherever it lies.
 /// Otherwise the order stays.
-void put_still_last(std::vector<SearchCandidate>& candidates, const Background& background,
-                    const PuckContour& contour, double clear_score = 1);
+void put_still_last(SearchResult& found, const Background& background, const PuckContour& contour,
+                    double clear_score = 1);
 
 }  // namespace puck

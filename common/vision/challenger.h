@@ -19,7 +19,7 @@ class Challenger {
   /// What a search says of it.
   struct Found {
     double score = 0;            ///< SearchCandidate::score.
-    bool is_conjecture = false;  ///< SoughtWall's: it has a wall that the puck may not have.
+    bool is_conjecture = false;  ///< Only a search for a wall that the puck may not have found it.
   };
 
   Challenger(Kind kind, const ContourContext& context, const ContourFilter::Start& start,

@@ -133,9 +133,10 @@ void Challengers::decide(std::int64_t time_us, const ContourContext& context) {
   for (Challenger& challenger : challengers_) challenger.decide(time_us, context);
 }
 
-const Challenger* Challengers::successor(const Defence& main, std::int64_t time_us) {
+const Challenger* Challengers::successor(const Defence& main, bool head_rests,
+                                         std::int64_t time_us) {
   for (Challenger& challenger : challengers_) {
-    const Claim claim = claim_of(challenger, main.head_rests, time_us);
+    const Claim claim = claim_of(challenger, head_rests, time_us);
     const bool wins = is_found(challenger)
                           ? challenger.convincing_for_us(is_convincing(claim, main), time_us) >=
                                 kConvincedAfter_us

@@ -36,8 +36,8 @@ class Challengers {
 
   void decide(std::int64_t time_us, const ContourContext& context);
 
-  /// The first that takes the main track's place.
-  const Challenger* successor(const Defence& main, std::int64_t time_us);
+  /// The first that takes the main track's place. `head_rests`: Background's.
+  const Challenger* successor(const Defence& main, bool head_rests, std::int64_t time_us);
   /// Without a main track: the best that convinces, `searched_us` after the first search began.
   /// `head_rests`: Background's.
   const Challenger* first(bool head_rests, std::int64_t searched_us, std::int64_t time_us);

@@ -20,6 +20,16 @@ struct ContourCalibration {
   /// the edge has covered some of it, more of it where the contrast is low.
   double trail_px = 0.1;
 
+  /// How much of its width a puck's side wall adds to its height: the image of an ordinary puck,
+  /// seen from 30° above, whose thickness is a fifth of its diameter.
+  static constexpr double kWallOfWidth = 0.165;
+
+  /// What `wall_share` would be if the wall made events where it is said not to, or the other way
+  /// round.
+  constexpr double other_wall_share() const {
+    return wall_share > kWallOfWidth / 2 ? 0 : kWallOfWidth;
+  }
+
   /// How far behind the contour an event is to be expected, px: inside where the contour moves
   /// outwards with this speed along its normal, outside where the speed is negative.
   constexpr double behind_px(double normal_speed_px_s) const {

@@ -30,7 +30,8 @@ struct ContourIngredients {
   bool clear_rings = true;  ///< … unless a faint puck is sought, and it is a clear ring.
   bool faint_rests = true;  ///< What may be a faint puck at rest is looked for elsewhere, too.
   bool overtaking = true;   ///< What moves by itself takes over from a track that has gone bad.
-  bool slow_movers = true;  ///< While the head rests, even what moves slowly moves by itself.
+  /// While the head rests, which the background tells, even what moves slowly moves by itself.
+  bool slow_movers = true;
 };
 
 struct ContourIngredient {

@@ -146,12 +146,11 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
                         .is_proven = trust_.is_proven(),
                         .may_be_overtaken = context_.ingredients.overtaking,
                         .is_resting = keeps_still(),
-                        .head_rests = head_rests(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
                         .may_be_faint = rest_may_be_wrong(),
                         .since_good_us = trust_.since_good_us(time_us),
                         .since_sound_us = trust_.since_sound_us(time_us)};
-  if (const Challenger* successor = challengers_.successor(defence, time_us)) {
+  if (const Challenger* successor = challengers_.successor(defence, head_rests(), time_us)) {
     enthrone(*successor, time_us);
     return;
   }
@@ -255,8 +254,7 @@ void ContourPipeline::take(const SearchResult& result) {
   const bool keeps_clear =
       context_.ingredients.clear_rings && main_ &&
       (!context_.signature.knows_multiplicity() || context_.signature.may_be_faint());
-  put_still_last(found_.candidates, background_, context_.contour,
-                 keeps_clear ? kClearRingScore : 1);
+  put_still_last(found_, background_, context_.contour, keeps_clear ? kClearRingScore : 1);
   const bool is_conjecture = found_.request.other_wall && sought_wall_.is_conjecture();
   challengers_.add_found(found_, is_conjecture, main, context_, now_us_);
 }

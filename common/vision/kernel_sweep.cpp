@@ -162,7 +162,8 @@ class Strip {
     sum_ellipses(place, plan_.outer, outer);
     sum_ellipses(place, plan_.inner, inner);
     const std::uint16_t* lost = place - plan_.stride;
-    const std::uint16_t* gained = lost + plan_.canvas_height * plan_.stride;
+    const std::uint16_t* gained =
+        lost + static_cast<std::ptrdiff_t>(plan_.canvas.size()) * plan_.stride;
     for (int v = 0; v < kVectors; ++v) {
       const std::size_t x = static_cast<std::size_t>(v) * lanes_;
       const auto canvas =
@@ -175,7 +176,7 @@ class Strip {
 
   HWY_INLINE void add_changes(SumVector canvas, SumVector outer, SumVector inner, int v) {
     for (int half = 0; half < kHalves; ++half) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
       if constexpr (kShapes == 1) {
         // On x86 that is the sum of two neighbouring products.
         auto& total = totals_[v * kHalves + half];
@@ -320,7 +321,6 @@ SweepPlan KernelSweep::plan_for(const RowSums& picture, const EllipseKernel& ker
                (candidates.x - kernel.anchor_x() - picture.place().x);
   plan.width = static_cast<std::size_t>(candidates.width);
   plan.rows = candidates.height;
-  plan.canvas_height = kernel.height();
   plan.canvas = canvas_;
   plan.kept_first = kept.y - candidates.y;
   plan.kept_last = plan.kept_first + kept.height;

@@ -19,8 +19,8 @@ namespace puck {
 /// They are made in 16 bits, which is enough for what a sum changes by from one row of candidates
 /// to the next: at most a pixel a column on a canvas of `kWidest` columns, 128 · 255 = 32640. So
 /// the difference of two such sums is the true one, and the total, in 32 bits, follows from the
-/// first row's, which is summed up in 32 bits. A canvas's sum changes by its last row and by the
-/// one above its first.
+/// first row's, which is summed up in 16 bits for as many runs at once as fit, and then in 32. A
+/// canvas's sum changes by its last row and by the one above its first.
 class KernelSweep {
  public:
   static constexpr int kWidest = 128;

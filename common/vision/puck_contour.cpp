@@ -8,9 +8,6 @@ namespace {
 
 // The smallest puck whose contour still has an inside.
 constexpr double kSmallestSemi_px = 2;
-// How much of its width a puck's side wall adds to its height: the image of an ordinary puck, seen
-// from 30° above, whose thickness is a fifth of its diameter.
-constexpr double kWallOfWidth = 0.165;
 // A plane seen in perspective makes the width grow at least so much from row to row, px per px.
 constexpr double kLeastSlope = 0.01;
 
@@ -42,10 +39,6 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
   }
 }
 
-double PuckContour::other_wall_share() const {
-  return calibration_.wall_share > kWallOfWidth / 2 ? 0 : kWallOfWidth;
-}
-
 ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
   const PuckSize size = size_model_.at(centre);
   const double width = size.width + calibration_.grow_px;
@@ -57,8 +50,9 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
   ring.rise = wall_share * width / 2;
   const double below_horizon = centre.y - horizon_row_;
   if (sheared_ && below_horizon > width) {
-    ring.shear = (centre.x - middle_column_) / below_horizon *
-                 std::clamp((silhouette - kWallOfWidth * width) / height, 0.0, 1.0);
+    ring.shear =
+        (centre.x - middle_column_) / below_horizon *
+        std::clamp((silhouette - ContourCalibration::kWallOfWidth * width) / height, 0.0, 1.0);
     const double sheared = ring.shear * ring.semi_y;
     ring.semi_x = std::sqrt(std::max(ring.semi_x * ring.semi_x - sheared * sheared,
                                      kSmallestSemi_px * kSmallestSemi_px));

@@ -72,9 +72,7 @@ class PuckContour {
   /// the puck's side wall makes no events: calibrated_wall_share() or other_wall_share().
   ContourRing ring_at(Pixel centre, double wall_share) const;
   double calibrated_wall_share() const { return calibration_.wall_share; }
-  /// What it would be if the wall made events where the calibration says that it does not, or the
-  /// other way round.
-  double other_wall_share() const;
+  double other_wall_share() const { return calibration_.other_wall_share(); }
   /// Where the puck is if it makes a ring that, with wall share `from`, would be one at `centre`,
   /// but with wall share `to`: the ring stays in its place, the puck's centre does not.
   Pixel centre_with_wall(Pixel centre, double from, double to) const {

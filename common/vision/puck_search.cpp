@@ -3,16 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/vision/puck_contour.h"
-
 namespace puck {
 namespace {
-
-// The kernels are of the puck's size, however its wall is calibrated, as the paper has it; with the
-// other wall the contour is so much lower, as a share of its width.
-double lower_by(const ContourCalibration& calibration, double wall_share) {
-  return wall_share - calibration.wall_share;
-}
 
 PuckSizeModel lowered(PuckSizeModel model, double share_of_width) {
   model.height_0 -= share_of_width * model.width_0;
@@ -26,29 +18,26 @@ ContourCalibration with_wall(ContourCalibration calibration, double wall_share) 
   return calibration;
 }
 
-double other_wall_share(SensorSize sensor, const PipelineParams& params,
-                        const PuckSizeModel& size_model) {
-  return PuckContour(sensor, size_model, params.contour.calibration, params.tracker.ring.sheared)
-      .other_wall_share();
-}
-
 }  // namespace
 
 PuckSearch::Look::Look(SensorSize sensor, const PipelineParams& params,
-                       const PuckSizeModel& size_model, double wall_share)
-    : contour_size(lowered(size_model, lower_by(params.contour.calibration, wall_share))),
-      rise_of_width(lower_by(params.contour.calibration, wall_share) / 2),
+                       const PuckSizeModel& size_model, double kernel_wall_share,
+                       double ring_wall_share)
+    : contour_size(lowered(size_model, kernel_wall_share)),
+      rise_of_width(kernel_wall_share / 2),
       detector(params.detector, contour_size),
       ring(sensor, params.tracker.ring, size_model,
-           with_wall(params.contour.calibration, wall_share)) {}
+           with_wall(params.contour.calibration, ring_wall_share)) {}
 
+// The kernels of the calibrated wall are of the puck's size, as the paper has it.
 PuckSearch::PuckSearch(SensorSize sensor, const PipelineParams& params,
                        const PuckSizeModel& size_model)
     : sensor_(sensor),
       kernels_(params.kernels),
       has_ring_(params.tracker.ring.enabled),
-      calibrated_(sensor, params, size_model, params.contour.calibration.wall_share),
-      other_wall_(sensor, params, size_model, other_wall_share(sensor, params, size_model)) {}
+      calibrated_(sensor, params, size_model, 0, params.contour.calibration.wall_share),
+      other_wall_(sensor, params, size_model, params.contour.calibration.other_wall_share(),
+                  params.contour.calibration.other_wall_share()) {}
 
 Region PuckSearch::snapshot_region(const Region& search) const {
   if (search.empty()) return {};

@@ -32,10 +32,10 @@ class PuckSearch {
   /// What a puck looks like, by one opinion on its side wall.
   struct Look {
     Look(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
-         double wall_share);
+         double kernel_wall_share, double ring_wall_share);
 
-    PuckSizeModel contour_size;  ///< As many px lower than the puck as its contour.
-    double rise_of_width;        ///< How far the contour's centre lies above the puck's.
+    PuckSizeModel contour_size;  ///< Of the contour that the kernels show.
+    double rise_of_width;        ///< How far its centre lies above the puck's.
     PuckDetector detector;
     SoftRing ring;
   };

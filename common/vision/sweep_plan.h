@@ -21,8 +21,7 @@ struct SweepPlan {
   std::ptrdiff_t stride = 0;             ///< Of the sums.
   std::size_t width = 0;                 ///< Candidates in a row.
   int rows = 0;                          ///< Rows of candidates.
-  int canvas_height = 0;
-  std::size_t runs_at_once = 1;  ///< So many have a sum of 16 bits.
+  std::size_t runs_at_once = 1;          ///< So many have a sum of 16 bits.
   std::span<const SumRun> canvas;
   std::span<const SumRun> outer;
   std::span<const SumRun> inner;

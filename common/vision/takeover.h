@@ -35,7 +35,6 @@ struct Defence {
   bool is_proven = false;           ///< TrackTrust's.
   bool may_be_overtaken = false;    ///< Ingredient `overtaking`.
   bool is_resting = false;          ///< TrackStanding's.
-  bool head_rests = false;          ///< Background's.
   bool is_witnessed = false;        ///< WitnessCheck vouches for it.
   bool may_be_faint = false;        ///< PuckSignature's.
   std::int64_t since_good_us = 0;   ///< TrackTrust's.

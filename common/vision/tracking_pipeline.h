@@ -17,7 +17,7 @@ namespace puck {
 struct SearchRequest {
   Region region;  ///< Of the puck's centre; empty: nothing is searched for.
   /// A puck whose side wall makes events where the calibration says that it does not, or the other
-  /// way round (PuckContour::other_wall_share): its contour is of another height.
+  /// way round (ContourCalibration::other_wall_share): its contour is of another height.
   bool other_wall = false;
 
   friend bool operator==(const SearchRequest&, const SearchRequest&) = default;

@@ -204,7 +204,7 @@ TEST_CASE("The successor of a track without events is the one that has them") {
   find(challengers, {{{100, 400}, 0.5}, {{300, 200}, 0.5}});
   Defence main;
   std::int64_t t = 0;
-  while (challengers.successor(main, t) == nullptr && t < 60'000) {
+  while (challengers.successor(main, false, t) == nullptr && t < 60'000) {
     for (const ContourEvent& event : puck.events(t, t + 1'000)) {
       challengers.take(event, 0, kContext);
     }
