@@ -3,12 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "common/vision/event_pieces.h"
+#include "common/vision/make_pipeline.h"
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
+#include "common/vision/takeover.h"
 #include "tests/support/sanitizers.h"
 #include "tests/vision/contour_world.h"
 
@@ -21,18 +29,46 @@ constexpr std::uint32_t kSeeds = kIsSanitized ? 1 : 3;
 constexpr SensorSize kSensor{320, 240};
 constexpr PuckSizeModel kSizeModel{16, 0, 0.08, 8, 0, 0.08};
 
+// A pipeline, and what it wanted to be searched for: o for the other wall, c for the calibrated
+// one.
+class NotedSearches final : public TrackingPipeline {
+ public:
+  NotedSearches(std::unique_ptr<TrackingPipeline> pipeline, std::string& noted)
+      : pipeline_(std::move(pipeline)), noted_(noted) {}
+
+  Region events_needed() const override { return pipeline_->events_needed(); }
+  std::int64_t decision_period_us() const override { return pipeline_->decision_period_us(); }
+  void take(Timestamp start, std::span<const Event> events) override {
+    pipeline_->take(start, events);
+  }
+  Region region_needed() const override { return pipeline_->region_needed(); }
+  PuckEstimate step(const SurfaceSnapshot& snapshot) override { return pipeline_->step(snapshot); }
+  SearchRequest search_wanted() override {
+    const SearchRequest wanted = pipeline_->search_wanted();
+    if (!wanted.region.empty()) noted_ += wanted.other_wall ? 'o' : 'c';
+    return wanted;
+  }
+  void take(const SearchResult& result) override { pipeline_->take(result); }
+
+ private:
+  std::unique_ptr<TrackingPipeline> pipeline_;
+  std::string& noted_;
+};
+
 // Shows a tracker of preset `default` a dark puck that glides, rests, jumps or hides.
 class Table {
  public:
   explicit Table(const PipelineParams& params = preset_params(Preset::kDefault),
                  std::uint32_t seed = 1)
       : contour_(kSensor, kSizeModel, exact(), true),
-        tracker_(kSensor, with_exact(params), kSizeModel),
+        tracker_(kSensor, with_exact(params), kSizeModel,
+                 std::make_unique<NotedSearches>(
+                     make_pipeline(kSensor, with_exact(params), kSizeModel), searches_)),
         random_(seed) {}
 
   // Lets the puck glide for so long; the mean error of the last half, px.
   double glide(PixelVelocity velocity, int milliseconds) {
-    test::MovingContour puck(contour_, puck_, velocity, density);
+    test::MovingContour puck(contour_, puck_, velocity, density, wall_share_);
     double sum = 0;
     for (int i = 0; i < milliseconds; ++i) {
       const std::int64_t from_us = i * 1000;
@@ -96,12 +132,16 @@ class Table {
 
   // Events that a px of contour makes on each px of its way.
   double density = 3;
+  // The puck's side wall makes events where the calibration says that it does not.
+  void show_other_wall() { wall_share_ = contour_.other_wall_share(); }
   void put(Pixel position) { puck_ = position; }
   double error_px() const {
     if (!estimate_.position) return 100;
     return distance_px(*estimate_.position, puck_);
   }
   const PuckEstimate& estimate() const { return estimate_; }
+  // NotedSearches since the last call.
+  std::string searches() { return std::exchange(searches_, {}); }
 
  private:
   static ContourCalibration exact() { return {0, 0, 0}; }
@@ -117,6 +157,8 @@ class Table {
   }
 
   PuckContour contour_;
+  double wall_share_ = 0;
+  std::string searches_;
   SurfaceTracker tracker_;
   Pixel puck_{60, 100};
   PuckEstimate estimate_;
@@ -280,6 +322,93 @@ TEST_CASE("random events are never a puck") {
   table.cover(300);
   table.rest(100);
   CHECK(table.estimate().state == TrackState::kSearching);
+}
+
+TEST_CASE("the search looks for the side wall that a track beyond doubt has shown") {
+  for (const bool is_other : {false, true}) {
+    CAPTURE(is_other);
+    Table table;
+    if (is_other) table.show_other_wall();
+    CHECK(table.glide({700, 200}, 300) < 0.2);
+    table.searches();
+    table.cover(100);
+    REQUIRE(table.estimate().state == TrackState::kLost);
+    const std::string while_trusted = table.searches();
+    CHECK(while_trusted == std::string(while_trusted.size(), is_other ? 'o' : 'c'));
+    CHECK(while_trusted.size() > 10);
+    table.cover(200);
+    // SoughtWall's doubts.
+    CHECK((table.searches().find("ooocoooc") != std::string::npos) == is_other);
+  }
+}
+
+TEST_CASE("a slow track, which may be a mallet's, shows no side wall") {
+  Table table;
+  CHECK(table.glide({200, 50}, 300) < 0.2);
+  table.searches();
+  table.cover(100);
+  const std::string searches = table.searches();
+  CHECK(std::abs(2 * std::ranges::count(searches, 'o') - std::ssize(searches)) <= 1);
+  CHECK(searches.size() > 5);
+}
+
+TEST_CASE("before anything has been found the other side wall is looked for only after a while") {
+  Table table;
+  table.cover(kPatience_us / 1000);
+  const std::string early = table.searches();
+  CHECK(early == std::string(early.size(), 'c'));
+  CHECK(early.size() > 5);
+  table.cover(100);
+  CHECK(table.searches() == "cococ");
+}
+
+TEST_CASE("without ingredient wall-search only the calibrated side wall is looked for") {
+  PipelineParams params = preset_params(Preset::kDefault);
+  params.contour.ingredients.wall_search = false;
+  Table table(params);
+  table.show_other_wall();
+  CHECK(table.glide({700, 200}, 300) < 0.2);
+  table.cover(300);
+  const std::string searches = table.searches();
+  CHECK(searches == std::string(searches.size(), 'c'));
+  CHECK(searches.size() > 10);
+}
+
+TEST_CASE("what a search for an unseen side wall finds moves too slowly to be believed at once") {
+  const PuckContour contour(kSensor, kSizeModel, {0, 0, 0}, true);
+  ContourPipelineParams params = preset_params(Preset::kDefault).contour;
+  params.calibration = {0, 0, 0};
+  for (const bool is_other : {false, true}) {
+    CAPTURE(is_other);
+    ContourPipeline pipeline(kSensor, params, {}, kSizeModel);
+    std::int64_t now_us = 0;
+    // Lets it glide for so long, and every search find it; how far the track is from it then.
+    const auto glide = [&](Pixel start, PixelVelocity velocity, int milliseconds,
+                           bool is_other_wall) {
+      test::MovingContour puck(contour, start, velocity);
+      const std::int64_t start_us = now_us;
+      for (; now_us < start_us + milliseconds * 1000; now_us += 1000) {
+        const std::int64_t from_us = now_us - start_us;
+        const EventPacket packet =
+            test::packet_of(puck.events(from_us, from_us + 1000), kSensor, now_us, from_us);
+        for_each_piece(packet.start, packet.events, pipeline.decision_period_us(),
+                       [&](std::span<const Event> piece) {
+                         pipeline.take(packet.start, piece);
+                         const Region region = pipeline.search_wanted().region;
+                         if (region.empty()) return;
+                         pipeline.take({.time = packet.start,
+                                        .request = {region, is_other_wall},
+                                        .candidates = {{puck.position_at(from_us), 0.9}}});
+                       });
+      }
+      const PuckEstimate estimate = pipeline.step({.newest_event = {now_us}});
+      REQUIRE(estimate.position.has_value());
+      return distance_px(*estimate.position, puck.position_at(now_us - start_us));
+    };
+    // Not fast enough to show its wall.
+    CHECK(glide({60, 60}, {250, 30}, 150, false) < 0.5);
+    CHECK((glide({200, 180}, {80, 10}, 50, is_other) > 100) == is_other);
+  }
 }
 
 TEST_CASE("the same events give the same estimates, however often one asks") {

@@ -12,10 +12,16 @@ namespace puck::test {
 
 /// What an ideal sensor would see of a puck that glides at constant velocity: events on its
 /// contour, as many as the contour sweeps px² times `per_px2`, with the signs of a dark puck.
+/// `wall_share`: PuckContour::ring_at's.
 class MovingContour {
  public:
-  MovingContour(const PuckContour& contour, Pixel start, PixelVelocity velocity, double per_px2 = 3)
-      : contour_(contour), start_(start), velocity_(velocity), per_px2_(per_px2) {}
+  MovingContour(const PuckContour& contour, Pixel start, PixelVelocity velocity, double per_px2 = 3,
+                double wall_share = 0)
+      : contour_(contour),
+        start_(start),
+        velocity_(velocity),
+        per_px2_(per_px2),
+        wall_share_(wall_share) {}
 
   Pixel position_at(std::int64_t time_us) const {
     const double s = static_cast<double>(time_us) * 1e-6;
@@ -27,7 +33,7 @@ class MovingContour {
     std::vector<ContourEvent> made;
     for (std::int64_t t = from_us; t < to_us; t += 10) {
       const Pixel centre = position_at(t);
-      const ContourRing ring = contour_.ring_at(centre, 0);
+      const ContourRing ring = contour_.ring_at(centre, wall_share_);
       constexpr int kPlaces = 90;
       for (int i = 0; i < kPlaces; ++i) {
         const double angle = 2 * std::numbers::pi * (i + uniform()) / kPlaces;
@@ -56,6 +62,7 @@ class MovingContour {
   Pixel start_;
   PixelVelocity velocity_;
   double per_px2_;
+  double wall_share_;
   std::uint64_t state_ = 1;
 };
 
