@@ -59,22 +59,31 @@ TEST_CASE("correlation equals the dense sum at every candidate, over the picture
 }
 
 TEST_CASE("what was correlated before leaves nothing behind where the next picture is dark") {
-  const Image<std::uint8_t> picture = noise(40, 30);
   const KernelBank bank(KernelBankParams{});
   const EllipseKernel& kernel = bank.nearest({15, 11});
-  // The same region, over the picture, its lower end, and none of it.
-  const Region candidates{100, 50, 40, 30};
-  Correlation correlation;
-  CorrelationMap map;
-  for (const Region& region : {Region{100, 50, 40, 30}, {100, 75, 40, 30}, {300, 50, 40, 30}}) {
-    CAPTURE(region.x);
-    correlation.set_picture(picture.view(), region);
-    correlation.correlate(kernel, candidates, map);
-    for (int y = 0; y < candidates.height; ++y) {
-      for (int x = 0; x < candidates.width; ++x) {
-        REQUIRE(map.response(x, y) ==
-                doctest::Approx(
-                    dense_response(picture, region, kernel, candidates.x + x, candidates.y + y)));
+  // What is covered is made dark at once up to 4 KiB, beyond that row by row.
+  for (const Region& candidates : {Region{100, 50, 40, 30}, {100, 50, 100, 60}}) {
+    const auto [left, top, width, height] = candidates;
+    const Image<std::uint8_t> picture = noise(width, height);
+    Correlation correlation;
+    CorrelationMap map;
+    // Leaves dark what is above and left of it; below and right; all but the lower end; all.
+    for (const Region& region : {Region{left + 10, top + 10, width, height},
+                                 {left - 10, top - 10, width, height},
+                                 {left, top + height - 5, width, height},
+                                 {left + 200, top, width, height}}) {
+      CAPTURE(candidates.width);
+      CAPTURE(region.x);
+      correlation.set_picture(picture.view(), candidates);
+      correlation.correlate(kernel, candidates, map);
+      correlation.set_picture(picture.view(), region);
+      correlation.correlate(kernel, candidates, map);
+      for (int y = 0; y < candidates.height; ++y) {
+        for (int x = 0; x < candidates.width; ++x) {
+          REQUIRE(map.response(x, y) ==
+                  doctest::Approx(
+                      dense_response(picture, region, kernel, candidates.x + x, candidates.y + y)));
+        }
       }
     }
   }
