@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stop_token>
 #include <string>
@@ -15,6 +16,7 @@
 #include "common/messaging/event_packing.h"
 #include "services/camera/camera_service.h"
 #include "tests/camera/camera_fixtures.h"
+#include "tests/support/status_counter.h"
 
 namespace puck {
 
@@ -54,12 +56,8 @@ class CameraRun {
     while (bus_.handle(std::chrono::milliseconds(10)) > 0) continue;
   }
 
-  std::int64_t last_counter(const std::string& name) const {
-    const service_status_t& status = statuses_.back();
-    for (std::size_t i = 0; i < status.counter_name.size(); ++i) {
-      if (status.counter_name[i] == name) return status.counter_value[i];
-    }
-    return -1;
+  std::optional<std::int64_t> last_counter(const std::string& name) const {
+    return test::counter(statuses_.back(), name);
   }
 
   bool in_order_ = true;

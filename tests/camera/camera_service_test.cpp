@@ -163,7 +163,7 @@ TEST_CASE(
   REQUIRE(!run.events_.empty());
   CHECK(run.events_.size() < kEvents);
   CHECK(run.in_order_);
-  const std::int64_t dropped = run.last_counter("events_dropped");
+  const std::int64_t dropped = run.last_counter("events_dropped").value();
   CHECK(dropped > 0);
   CHECK(static_cast<std::int64_t>(run.events_.size()) + dropped == kEvents);
   CHECK(run.packets_.back().events_dropped == dropped);

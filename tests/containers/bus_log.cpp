@@ -7,6 +7,7 @@
 #include "common/messaging/message_check.h"
 #include "common/messaging/message_codec.h"
 #include "common/messaging/status_reporter.h"
+#include "tests/support/status_counter.h"
 
 namespace puck {
 namespace {
@@ -64,9 +65,7 @@ BusLog read_bus_log(const std::filesystem::path& path, const std::string& prefix
 }
 
 std::optional<std::int64_t> ServiceRun::counter(const std::string& name) const {
-  const auto found = std::find(last.counter_name.begin(), last.counter_name.end(), name);
-  if (found == last.counter_name.end()) return std::nullopt;
-  return last.counter_value[static_cast<std::size_t>(found - last.counter_name.begin())];
+  return test::counter(last, name);
 }
 
 std::optional<std::int64_t> ServiceRun::rare_counter(const std::string& name) const {

@@ -11,6 +11,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/crowd_publisher.h"
 #include "tests/support/environment.h"
+#include "tests/support/status_counter.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_url.h"
 
@@ -18,13 +19,6 @@ namespace puck {
 namespace {
 
 using std::chrono::milliseconds;
-
-std::int64_t counter(const service_status_t& status, const std::string& name) {
-  for (std::size_t i = 0; i < status.counter_name.size(); ++i) {
-    if (status.counter_name[i] == name) return status.counter_value[i];
-  }
-  return -1;
-}
 
 struct LoggedPackets {
   std::int64_t messages = 0;
@@ -62,7 +56,7 @@ TEST_CASE("a logger that is killed leaves all that it said it wrote, in a log th
     Bus bus({.url = url});
     std::int64_t said = -1;
     bus.subscribe<service_status_t>([&](const service_status_t& status, const Receipt&) {
-      said = counter(status, "messages_written");
+      said = test::counter(status, "messages_written").value_or(-1);
     });
     REQUIRE(bus.start({}, [](const std::string&) {}));
     CrowdPublisher camera(url);

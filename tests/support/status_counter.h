@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "common/messaging/status_reporter.h"
+#include "puck/service_status_t.hpp"
 
 namespace puck::test {
 
@@ -12,6 +14,15 @@ namespace puck::test {
 inline std::optional<std::int64_t> counter(const StatusReport& report, const std::string& name) {
   for (const auto& [its_name, count] : report.counters) {
     if (its_name == name) return count;
+  }
+  return std::nullopt;
+}
+
+/// The same of a report as it is received over the bus.
+inline std::optional<std::int64_t> counter(const service_status_t& status,
+                                           const std::string& name) {
+  for (std::size_t i = 0; i < status.counter_name.size(); ++i) {
+    if (status.counter_name[i] == name) return status.counter_value[i];
   }
   return std::nullopt;
 }

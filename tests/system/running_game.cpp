@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/support/status_counter.h"
+
 namespace puck {
 namespace {
 
@@ -114,10 +116,7 @@ std::string RunningGame::state_text(const std::string& name) const {
 std::int64_t RunningGame::counter(const std::string& name, const std::string& counter) const {
   const auto found = statuses_.find(name);
   if (found == statuses_.end()) return -1;
-  const service_status_t& status = found->second;
-  const auto at = std::find(status.counter_name.begin(), status.counter_name.end(), counter);
-  if (at == status.counter_name.end()) return -1;
-  return status.counter_value[static_cast<std::size_t>(at - status.counter_name.begin())];
+  return test::counter(found->second, counter).value_or(-1);
 }
 
 std::string RunningGame::name_and_place(const std::string& name) const {

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/status_counter.h"
+
 namespace puck {
 std::string program(const std::string& name) { return program_path(name); }
 
@@ -85,10 +87,7 @@ std::optional<service_status_t> BusListener::status(const std::string& service) 
 std::int64_t BusListener::counter(const std::string& service, const std::string& name) const {
   const auto found = statuses_.find(service);
   if (found == statuses_.end()) return -1;
-  const service_status_t& status = found->second;
-  const auto at = std::find(status.counter_name.begin(), status.counter_name.end(), name);
-  if (at == status.counter_name.end()) return -1;
-  return status.counter_value[static_cast<std::size_t>(at - status.counter_name.begin())];
+  return test::counter(found->second, name).value_or(-1);
 }
 
 }  // namespace puck

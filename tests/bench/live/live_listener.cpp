@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tests/support/status_counter.h"
+
 namespace puck {
 
 double EstimateTally::rate_hz() const {
@@ -50,11 +52,9 @@ const service_status_t* LiveListener::status(const std::string& service) const {
 std::int64_t LiveListener::counter(const std::string& service, const std::string& name) const {
   const service_status_t* its = status(service);
   if (its == nullptr) throw std::runtime_error(service + " has not spoken");
-  const auto at = std::find(its->counter_name.begin(), its->counter_name.end(), name);
-  if (at == its->counter_name.end()) {
-    throw std::runtime_error("the STATUS of " + service + " does not have " + name);
-  }
-  return its->counter_value[static_cast<std::size_t>(at - its->counter_name.begin())];
+  const auto count = test::counter(*its, name);
+  if (!count) throw std::runtime_error("the STATUS of " + service + " does not have " + name);
+  return *count;
 }
 
 void LiveListener::hear(const puck_estimate_t& estimate) {
