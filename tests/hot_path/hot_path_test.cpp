@@ -146,7 +146,7 @@ TEST_CASE("what a search found, however much, is taken up without asking for mem
   ContourPipeline pipeline(kSensor, params.contour, {}, kSizeModel);
   const EventPacket packet = packet_of(1);
   pipeline.take(packet.start, packet.events);
-  SearchResult result{packet.newest(), Region::all_of(kSensor), {}};
+  SearchResult result{packet.newest(), {Region::all_of(kSensor)}, {}};
   const std::int64_t before = test::own_allocations();
   pipeline.take(result);
   CHECK(test::own_allocations() == before);
