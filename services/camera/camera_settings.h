@@ -14,8 +14,8 @@ struct CameraSettings {
   std::string source = "simulated";  ///< simulated, file, log, stdin or tcp.
   /// Whether the events are not of now, however fast they are played.
   bool is_recorded() const { return source == "file" || source == "log"; }
-  FileSourceParams file;             ///< Its options are those of all streams of bytes.
-  std::string log_prefix;            ///< Of the channels in a log.
+  FileSourceParams file;   ///< Its options are those of all streams of bytes.
+  std::string log_prefix;  ///< Of the channels in a log.
   std::string tcp_host = "localhost";
   int tcp_port = 3333;
 
