@@ -1,5 +1,6 @@
 #include "common/runtime/scheduling.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include <sched.h>
@@ -22,7 +23,7 @@ struct SchedulingAttributes {
 };
 
 constexpr std::uint64_t kShortestTurnNs = 100'000;
-constexpr int kNice = 10;
+constexpr std::int32_t kNice = 10;
 
 // Of the calling thread. What has a policy of the real-time kind was given it on purpose.
 template <typename Change>
@@ -43,7 +44,7 @@ void take_short_turns() {
 void take_turns_behind_others() {
   change_attributes([](SchedulingAttributes& its) {
     its.policy = SCHED_BATCH;
-    its.nice = kNice;
+    its.nice = std::max(its.nice, kNice);  // To ask for more than it has could be refused.
     its.turn_ns = 0;
   });
 }

@@ -11,9 +11,9 @@ namespace puck {
 void take_short_turns();
 
 /// Makes the calling thread one that does long work whenever others leave it the processor: turns
-/// of the usual length, woken up behind others, and of a tenth the weight when there is not enough
-/// for all, which is little enough that whoever wakes up comes first at once, and enough not to
-/// starve beside a busy process.
+/// of the usual length, woken up behind others, and of at most a tenth the weight when there is not
+/// enough for all, which is little enough that whoever wakes up comes first at once, and enough not
+/// to starve beside a busy process.
 void take_turns_behind_others();
 
 }  // namespace puck

@@ -54,4 +54,12 @@ TEST_CASE("a thread behind others takes usual turns, whatever whoever started it
   }).join();
 }
 
+TEST_CASE("a thread behind others has no more weight than before") {
+  std::thread([] {
+    CHECK(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 15) == 0);
+    take_turns_behind_others();
+    CHECK(nice_value() == 15);
+  }).join();
+}
+
 }  // namespace puck
