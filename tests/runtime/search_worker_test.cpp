@@ -46,15 +46,16 @@ TEST_CASE("a worker finds the same as a search at once, far and near, time after
     const Region where = i % 2 == 0 ? Region::all_of(kSensor) : Region::around(puck, 31, 21);
 
     REQUIRE(worker.is_idle());
-    worker.begin({where, i % 3 == 0});
+    const SearchRequest request{where, i % 3 == 0};
+    worker.begin(request);
     CHECK(worker.poll() == nullptr);
     const SearchResult found = result_of(worker, shared);
 
     SurfaceSnapshot snapshot;
     alone.snapshot(at_once.snapshot_region(where), snapshot);
-    const SearchResult expected = at_once.search(snapshot, {where, i % 3 == 0});
+    const SearchResult expected = at_once.search(snapshot, request);
     CHECK(found.time == Timestamp{i * 1000});
-    CHECK(found.request == SearchRequest{where, i % 3 == 0});
+    CHECK(found.request == request);
     REQUIRE(found.candidates.size() == expected.candidates.size());
     REQUIRE_FALSE(found.candidates.empty());
     CHECK(found.candidates[0].position == expected.candidates[0].position);

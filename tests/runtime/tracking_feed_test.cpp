@@ -1,3 +1,5 @@
+#include "common/runtime/tracking_thread.h"
+
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -6,7 +8,6 @@
 
 #include <doctest/doctest.h>
 
-#include "common/runtime/tracking_thread.h"
 #include "common/vision/presets.h"
 #include "common/vision/puck_search.h"
 #include "tests/runtime/tracking_fixtures.h"
@@ -100,8 +101,9 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
     }
     surface.update({{101'000}, {{50, 50, 1, 0}}}, {});
     sent.push_back(101'000);
-    CHECK(eventually(
-        [&] { return published.all().back().estimate.newest_event == Timestamp{101'000}; }));
+    CHECK(eventually([&] {
+      return published.all().back().estimate.newest_event == Timestamp{101'000};
+    }));
   }
   CHECK(surface.events_thinned() == 0);
   CHECK(life.event_times == sent);
@@ -185,9 +187,10 @@ TEST_CASE("a search that ends when there is nothing new is told all the same") {
     CAPTURE(sensor.width);
     SharedSurface surface(sensor, params.eros);
     Published published;
-    const TrackingThread thread(surface, make_pipeline(sensor, params, kSizeModel),
-                                PuckSearch(sensor, params, kSizeModel), {},
-                                [&](const TrackedEstimate& e) { published.add(e); });
+    const TrackingThread thread(
+        surface, make_pipeline(sensor, params, kSizeModel),
+        PuckSearch(sensor, params, kSizeModel), {},
+        [&](const TrackedEstimate& e) { published.add(e); });
     surface.update({{1000}, test::contour_events(sensor, {60, 50}, kSizeModel.at({}), 150)}, {});
     CHECK(eventually([&] {
       const auto all = published.all();
