@@ -20,6 +20,10 @@ case "$what" in
 esac
 jobs=$(nproc)
 
+wants() { # PART
+  [ "$what" = "$1" ] || [ "$what" = all ]
+}
+
 build() { # PRESET [TARGET...]
   local preset=$1
   shift
@@ -67,7 +71,7 @@ remove_base_image() {
 tools/install-deps.sh
 
 containers=false
-if [ "$what" = containers ] || [ "$what" = all ]; then
+if wants containers; then
   if docker info >/dev/null 2>&1; then
     containers=true
     begin_base_image
@@ -75,7 +79,7 @@ if [ "$what" = containers ] || [ "$what" = all ]; then
 fi
 
 build release
-if [ "$what" = unit ] || [ "$what" = all ]; then
+if wants unit; then
   run release unit
   build asan puck_unit_tests puck_fuzzers
   run asan unit
@@ -84,13 +88,13 @@ if [ "$what" = unit ] || [ "$what" = all ]; then
   echo "== fuzzing"
   tests/fuzz/run.sh
 fi
-if [ "$what" = system ] || [ "$what" = all ]; then
+if wants system; then
   run release system
 fi
 if $containers; then
   echo "== testing containers"
   await_base_image
   tests/containers/run.sh
-elif [ "$what" = containers ] || [ "$what" = all ]; then
+elif wants containers; then
   echo "== containers: skipped, as there is no Docker that runs here"
 fi
