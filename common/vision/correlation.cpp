@@ -59,9 +59,9 @@ void Correlation::cover(const Region& region) {
                 pixels.part(shown.x - region.x, shown.y - region.y, shown.width, shown.height));
   }
   if (shown.empty()) {
-    sums_of_rows_.sum_up_rows(0, 0);
+    sums_of_rows_.sum_up(0, 0);
   } else {
-    sums_of_rows_.sum_up_rows(shown.y - region.y, shown.bottom() - region.y);
+    sums_of_rows_.sum_up(shown.y - region.y, shown.bottom() - region.y);
   }
   ready_ = true;
 }

@@ -132,7 +132,7 @@ void RowSums::resize(const Region& place) {
   if (sums_.size() < size) sums_.resize(size);
 }
 
-void RowSums::sum_up_rows(int first, int last) {
+void RowSums::sum_up(int first, int last) {
   const auto leave_dark = [this](int from, int to) {
     for (int y = from; y < to; ++y) {
       std::fill_n(sums_.data() + y * stride_, place_.width + 1, std::uint16_t{0});

@@ -22,14 +22,13 @@ class RowSums {
   static constexpr int kStep = 16;
 
   /// Makes room for a picture of `place`. The caller writes all its pixels, row by row, to
-  /// `pixels()`, and then calls `sum_up()`, or sum_up_rows() where the rows before `first` and from
-  /// `last` on are all dark.
+  /// `pixels()`, and then calls `sum_up()`: the rows before `first` and from `last` on are all
+  /// dark.
   void resize(const Region& place);
   ImageView<std::uint8_t> pixels() {
     return {pixels_.data(), place_.width, place_.height, pixel_stride_};
   }
-  void sum_up() { sum_up_rows(0, place_.height); }
-  void sum_up_rows(int first, int last);
+  void sum_up(int first, int last);
 
   const Region& place() const { return place_; }
   /// The sums of row y, from the top of the place: [x] is that of the pixels left of column x.

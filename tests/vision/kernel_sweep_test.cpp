@@ -27,7 +27,7 @@ void show(RowSums& sums_of_rows, const Image<std::uint8_t>& picture) {
   for (int y = 0; y < picture.height(); ++y) {
     std::copy_n(picture.row(y), picture.width(), pixels.row(y));
   }
-  sums_of_rows.sum_up();
+  sums_of_rows.sum_up(0, picture.height());
 }
 
 // All candidates for which the kernel lies inside the picture.
