@@ -7,8 +7,7 @@ namespace puck {
 void put_still_last(SearchResult& found, const Background& background, const PuckContour& contour,
                     double clear_score) {
   constexpr double kStillShare = 0.6;
-  const double wall_share =
-      found.request.other_wall ? contour.other_wall_share() : contour.calibrated_wall_share();
+  const double wall_share = contour.wall_share(found.request.other_wall);
   std::vector<SearchCandidate>& candidates = found.candidates;
   const auto is_still = [&](const SearchCandidate& candidate) {
     if (candidate.score > clear_score) return false;

@@ -26,7 +26,7 @@ class Challenger {
              std::int64_t time_us, double wall_share, const Found& found)
       : kind_(kind),
         found_(found),
-        has_other_wall_(wall_share != context.contour.calibrated_wall_share()),
+        has_other_wall_(context.contour.is_other_wall(wall_share)),
         born_us_(time_us),
         track_(context, start, time_us, wall_share) {}
 

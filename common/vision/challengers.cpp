@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace puck {
 namespace {
@@ -88,9 +87,8 @@ void Challengers::add(Challenger::Kind kind, const ContourContext& context,
 void Challengers::add_found(const SearchResult& result, bool is_conjecture,
                             const std::optional<Pixel>& main, const ContourContext& context,
                             std::int64_t time_us) {
-  double sought = context.contour.calibrated_wall_share();
-  double not_sought = context.contour.other_wall_share();
-  if (result.request.other_wall) std::swap(sought, not_sought);
+  const double sought = context.contour.wall_share(result.request.other_wall);
+  const double not_sought = context.contour.wall_share(!result.request.other_wall);
   for (const SearchCandidate& candidate : result.candidates) {
     const Challenger::Found found{candidate.score, is_conjecture};
     if (main && distance_px(candidate.position, *main) < kSame_px) continue;

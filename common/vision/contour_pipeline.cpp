@@ -127,7 +127,7 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
     context_.signature.learn(sample, passed_us);
   }
   if (shows_wall()) {
-    sought_wall_.learn(main_->wall_share() != context_.contour.calibrated_wall_share());
+    sought_wall_.learn(context_.contour.is_other_wall(main_->wall_share()));
   }
 }
 

@@ -73,6 +73,12 @@ class PuckContour {
   ContourRing ring_at(Pixel centre, double wall_share) const;
   double calibrated_wall_share() const { return calibration_.wall_share; }
   double other_wall_share() const { return calibration_.other_wall_share(); }
+  /// Of the other wall, or of the calibrated one.
+  double wall_share(bool is_other) const {
+    return is_other ? other_wall_share() : calibrated_wall_share();
+  }
+  /// Whether that is the other wall's.
+  bool is_other_wall(double wall_share) const { return wall_share != calibrated_wall_share(); }
   /// Where the puck is if it makes a ring that, with wall share `from`, would be one at `centre`,
   /// but with wall share `to`: the ring stays in its place, the puck's centre does not.
   Pixel centre_with_wall(Pixel centre, double from, double to) const {

@@ -27,9 +27,7 @@ void Twins::bear_of_other_wall(const ContourTrack& main, const ContourContext& c
   if (!context.ingredients.wall || time_us - of_other_wall_us_ < period_us) return;
   of_other_wall_us_ = time_us;
   const PuckContour& contour = context.contour;
-  const double share = main.wall_share() == contour.calibrated_wall_share()
-                           ? contour.other_wall_share()
-                           : contour.calibrated_wall_share();
+  const double share = contour.wall_share(!contour.is_other_wall(main.wall_share()));
   ContourFilter::Start start;
   start.position = contour.centre_with_wall(main.filter().position(), main.wall_share(), share);
   start.velocity = main.filter().velocity();
