@@ -1,6 +1,7 @@
 #include "common/yarp/joint_hold.h"
 
 #include <chrono>
+#include <utility>
 
 #include "common/yarp/board_error.h"
 
@@ -59,10 +60,13 @@ std::string JointHold::wrong_mode(const std::vector<std::string>& modes) const {
 
 void JointHold::begin_to_take() {
   state_ = State::kAsking;
+  was_asked_before_ = requests_.is_waiting();
+  was_withdrawn_ = false;
   next_look_at_ = SteadyClock::now();
 }
 
 bool JointHold::attend(bool wants) {
+  if (!wants) was_withdrawn_ = true;
   const auto answer = requests_.answer_now();
   if (answer) heed(*answer);
   const Deadline now = SteadyClock::now();
@@ -70,7 +74,11 @@ bool JointHold::attend(bool wants) {
     if (now <= requests_.late_at()) return false;
     throw BoardError("no answer in time, asked " + in_quotes(requests_.asked()));
   }
-  if (!wants && (state_ == State::kAsking || state_ == State::kTaking)) state_ = State::kNone;
+  // Who wants them again begins anew.
+  if (std::exchange(was_withdrawn_, false) &&
+      (state_ == State::kAsking || state_ == State::kTaking)) {
+    state_ = State::kNone;
+  }
   if (state_ == State::kTaking && joints_put_ < params_.joints.size()) {
     has_put_ = true;
     requests_.begin_set_mode(params_.joints[joints_put_], kDirect);
@@ -92,9 +100,10 @@ void JointHold::heed(const BoardAnswer& answer) {
 }
 
 void JointHold::heed_modes(const std::vector<std::string>& modes) {
+  const bool is_of_before = std::exchange(was_asked_before_, false);
   if (state_ == State::kNone || state_ == State::kAsking) {
     check_ready(modes);
-    if (state_ == State::kNone) return;
+    if (state_ == State::kNone || is_of_before) return;
     state_ = State::kTaking;
     joints_put_ = 0;
     taken_by_ = SteadyClock::now() + kModesWithin;

@@ -22,7 +22,7 @@ class JointHold {
  public:
   enum class State : std::uint8_t {
     kNone,    ///< The modes are only looked at.
-    kAsking,  ///< The next look decides whether the joints are taken.
+    kAsking,  ///< The next look that begins decides whether the joints are taken.
     kTaking,  ///< They are put into `posd`, one after the other.
     kTaken,   ///< They are in it.
   };
@@ -55,6 +55,8 @@ class JointHold {
   const BoardJoints& joints_;
   BoardRequests& requests_;
   State state_ = State::kNone;
+  bool was_asked_before_ = false;  // the question under way, before the joints were wanted
+  bool was_withdrawn_ = false;  // nobody has wanted them at some time since that was last looked at
   bool has_put_ = false;        // any joint into `posd`
   std::size_t joints_put_ = 0;  // by what the board answered
   Deadline next_look_at_;

@@ -543,6 +543,45 @@ TEST_CASE("Joints that leave position mode before they are taken are waited for,
   }
 }
 
+// Whatever answer is under way, joints that something else puts into `cal` are not taken.
+void check_not_taken_from_cal(TestBoard& board, Loop& loop) {
+  board.put_into_mode("cal");
+  CHECK(loop.insists_until(all(0), [&] {
+    loop.reading();
+    return !loop.back_end.awaited().empty();
+  }));
+  CHECK(loop.fault().empty());
+  CHECK(board.mode_requests() == 0);
+  CHECK(board.set_points() == 0);
+}
+
+TEST_CASE("What was asked before the joints were wanted does not say that they may be taken") {
+  TestBoard board({.late_ms = 1000});
+  YarpParams params = params_for(board);
+  params.check_modes_ms = 10;
+  Loop loop(params);
+  REQUIRE(loop.is_connected());
+  // The next answer is one of before: it says `pos`, and comes after the first set-point.
+  board.set_trouble(BoardTrouble::kRequestsLate);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  check_not_taken_from_cal(board, loop);
+}
+
+TEST_CASE("Nor does what was asked before they were withdrawn and wanted again") {
+  TestBoard board({.late_ms = 1000});
+  YarpParams params = params_for(board);
+  params.check_modes_ms = 10'000;
+  Loop loop(params);
+  REQUIRE(loop.is_connected());
+  board.set_trouble(BoardTrouble::kRequestsLate);
+  // The first set-point asks; its withdrawal is seen with the next encoders.
+  loop.command(all(0));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  loop.back_end.withdraw();
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  check_not_taken_from_cal(board, loop);
+}
+
 TEST_CASE("A hardware fault before the first set-point is a fault, and only a person ends it") {
   for (const char* mode : {"hwf", "hwfa"}) {
     for (const bool is_from_the_start : {true, false}) {
