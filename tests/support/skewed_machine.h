@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -30,7 +32,9 @@ class SkewedMachine {
         lcm_(lcm_create(url.c_str()), &lcm_destroy),
         bus_({.url = url}) {
     bus_.subscribe<service_status_t>([this](const service_status_t& status, const Receipt& at) {
-      if (status.session != session_) heard_[status.session] = {status.utime, at.utime};
+      if (status.session == session_) return;
+      heard_[status.session] = {status.utime, at.utime};
+      if (heard_.size() > kMostAnswered) heard_.erase(longest_silent());
     });
     if (!lcm_ || !bus_.start({}, [](const std::string&) {})) {
       throw std::runtime_error("no way to the network");
@@ -77,6 +81,16 @@ class SkewedMachine {
     std::int64_t sent_utime = 0;
     std::int64_t received_utime = 0;  // by our clock
   };
+  using Heard = std::map<std::int64_t, Times>;  // by session
+
+  // Fewer than a STATUS on the wire may have: one with too many is heard by nobody.
+  static constexpr std::size_t kMostAnswered = 16;
+
+  Heard::iterator longest_silent() {
+    return std::min_element(heard_.begin(), heard_.end(), [](const auto& a, const auto& b) {
+      return a.second.received_utime < b.second.received_utime;
+    });
+  }
 
   std::string service_;
   std::int64_t session_;
@@ -84,7 +98,7 @@ class SkewedMachine {
   bool answers_ = true;
   std::unique_ptr<lcm_t, void (*)(lcm_t*)> lcm_;
   Bus bus_;
-  std::map<std::int64_t, Times> heard_;  // by session
+  Heard heard_;
   std::map<Channel, std::int64_t> next_seq_;
   std::int64_t status_due_us_ = 0;  // CLOCK_MONOTONIC
   std::vector<std::uint8_t> buffer_;
