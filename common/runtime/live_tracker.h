@@ -17,7 +17,8 @@ struct LiveTracker {
   /// range.
   LiveTracker(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
               const TrackingThreadParams& thread_params, TrackingThread::Publish publish)
-      : surface(sensor, params.eros, params.roi_only),
+      : surface(sensor, params.eros,
+                {.roi_only = params.roi_only, .keeps_fresh = params.searches_fresh()}),
         thread(surface, make_pipeline(sensor, params, size_model),
                PuckSearch(sensor, params, size_model), thread_params, std::move(publish)) {}
 

@@ -43,7 +43,7 @@ void SearchWorker::copy_more(SharedSurface& surface) {
   const int at_once = std::max(1, kPixelsAtOnce / std::max(1, all.width));
   const int rows = std::min(at_once, all.height - copied);
   snapshot_.grey.resize(all.width, copied + rows);
-  surface.copy_part({all.x, all.y + copied, all.width, rows}, snapshot_);
+  surface.copy_part({all.x, all.y + copied, all.width, rows}, request_.fresh_only, snapshot_);
   if (copied + rows < all.height) return;
   stage_ = Stage::kSearching;
   if (all.width * all.height <= at_once_pixels_) {

@@ -18,6 +18,14 @@ constexpr int kTriesBeforeYielding = 32;
 
 }  // namespace
 
+SharedSurface::SharedSurface(SensorSize sensor, const ErosParams& params, const Options& options)
+    : surface_(sensor, params), roi_only_(options.roi_only) {
+  if (!options.keeps_fresh) return;
+  fresh_.emplace(sensor);
+  // Asks for its memory now.
+  fresh_->copy_rows({}, taken_fresh_);
+}
+
 void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin, bool wakes) {
   const std::span<const Event> events(packet.events);
   newest_packet_.store(origin.received.time_since_epoch().count(), std::memory_order_relaxed);
@@ -27,6 +35,7 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
     const std::span<const Event> handful =
         events.subspan(applied, std::min(kHandful, events.size() - applied));
     surface_.update(packet.start, handful);
+    if (fresh_) fresh_->take(packet.start, handful);
     applied += handful.size();
     const bool queued = !queued_.empty() && queue_.push(packet.start, handful, queued_) > 0;
     const bool watches_all = watched_.empty() && queued_.empty();
@@ -40,9 +49,10 @@ void SharedSurface::snapshot(const Region& region, const Region& events, SharedS
   surface_.develop(taken_, out.surface);
 }
 
-void SharedSurface::copy_part(const Region& part, SurfaceSnapshot& out) {
-  ask({.region = part});
+void SharedSurface::copy_part(const Region& part, bool fresh_only, SurfaceSnapshot& out) {
+  ask({.region = part, .fresh_only = fresh_only});
   surface_.develop_part(taken_, out);
+  if (fresh_only && fresh_) taken_fresh_.darken_stale(part, out.picture_of(part));
 }
 
 void SharedSurface::ask(const Request& request) {
@@ -91,6 +101,7 @@ void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
     surface_.keep_only(asked.empty() ? Region::all_of(size()) : asked);
   }
   surface_.take(request_.region, taken_);
+  if (request_.fresh_only && fresh_) fresh_->copy_rows(request_.region, taken_fresh_);
   if (request_.snapshot != nullptr) {
     SharedSnapshot& out = *request_.snapshot;
     // Cleared under the lock: what comes after the copy is news again.

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "common/events/sensor_size.h"
 #include "common/runtime/event_queue.h"
 #include "common/vision/eros_surface.h"
+#include "common/vision/fresh_pixels.h"
 #include "common/vision/region.h"
 #include "common/vision/surface_snapshot.h"
 
@@ -65,10 +67,16 @@ class SharedSurface {
   /// events; half as many may come at once without being thinned.
   static constexpr std::size_t kQueuedEvents = 8192;
 
-  /// `roi_only`: of the surface only the regions of the last snapshot are kept up to date, or all
-  /// of it while both are empty.
-  SharedSurface(SensorSize sensor, const ErosParams& params, bool roi_only = false)
-      : surface_(sensor, params), roi_only_(roi_only) {}
+  struct Options {
+    /// Of the surface only the regions of the last snapshot are kept up to date, or all of it while
+    /// both are empty.
+    bool roi_only = false;
+    /// Parts are asked for with `fresh_only`.
+    bool keeps_fresh = true;
+  };
+  SharedSurface(SensorSize sensor, const ErosParams& params, const Options& options);
+  SharedSurface(SensorSize sensor, const ErosParams& params)
+      : SharedSurface(sensor, params, Options{}) {}
 
   SensorSize size() const { return surface_.size(); }
 
@@ -86,7 +94,8 @@ class SharedSurface {
 
   /// By whoever makes the step. Copies `part`, which lies inside `out`'s region and picture, to its
   /// place there; the stamps become those of this copy. What is watched stays as it is.
-  void copy_part(const Region& part, SurfaceSnapshot& out);
+  /// `fresh_only`, with Options::keeps_fresh: pixels that have not fired of late are dark.
+  void copy_part(const Region& part, bool fresh_only, SurfaceSnapshot& out);
 
   /// By whoever makes the step. Takes at most `most` of the queue's events up to the position
   /// `until`, as EventQueue::pop.
@@ -121,6 +130,7 @@ class SharedSurface {
     Region region;
     Region events;
     SharedSnapshot* snapshot = nullptr;  // nullptr: a part, which carries no more than its stamps
+    bool fresh_only = false;
   };
 
   void ask(const Request& request);
@@ -130,7 +140,8 @@ class SharedSurface {
   // Held by the event thread while it applies a packet, and by whoever makes the step when it
   // serves itself.
   std::mutex surface_mutex_;
-  ErosSurface surface_;  // by surface_mutex_
+  ErosSurface surface_;               // by surface_mutex_
+  std::optional<FreshPixels> fresh_;  // by surface_mutex_
   const bool roi_only_;
   PacketOrigin origin_;  // by surface_mutex_
   Region watched_;       // by surface_mutex_
@@ -141,6 +152,7 @@ class SharedSurface {
   // holds surface_mutex_ after seeing it (acquire), finished by clearing it (release).
   Request request_;
   SurfaceExposure taken_;
+  FreshRows taken_fresh_;
   // On a cache line of its own, because the event thread looks at it all the time.
   alignas(64) std::atomic<bool> requested_{false};
 

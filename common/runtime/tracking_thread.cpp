@@ -61,7 +61,6 @@ void TrackingThread::look_now() {
   // Where the lock is not to be had, the thread may or may not see the news before it sleeps.
   if (const std::unique_lock lock(step_mutex_, std::try_to_lock);
       lock.owns_lock() && is_for_event_thread()) {
-    take_search_result();
     make_step(params_.longest_on_event_thread);
     leaves_work = unpublished_ || look_anyway_ || worker_.is_copying();
   }
@@ -131,7 +130,9 @@ void TrackingThread::look(microseconds longest_take) {
   newest_.tracking_started = system_clock::now();
   const auto began = Clock::now();
   surface_.snapshot(pipeline_->region_needed(), pipeline_->events_needed(), snapshot_);
-  look_anyway_ = !take_events(longest_take);
+  look_anyway_ = false;
+  const bool is_all_taken = take_events(longest_take);
+  if (!is_all_taken) look_anyway_ = true;
   newest_.estimate = pipeline_->step(snapshot_.surface);
   begin_search_if_wanted();
   if (snapshot_.origin.received != newest_.origin.received) {
@@ -141,7 +142,7 @@ void TrackingThread::look(microseconds longest_take) {
   newest_.backlog_us = snapshot_.backlog_us;
   newest_.backlog_events = snapshot_.backlog_events;
   // One that rests on a part of a packet lets the one on all of it go first, which is soon made.
-  const bool is_whole = snapshot_.backlog_events == 0 && !look_anyway_;
+  const bool is_whole = snapshot_.backlog_events == 0 && is_all_taken;
   if (is_whole) {
     publish_from_ = began;
   } else if (!unpublished_) {
@@ -182,7 +183,10 @@ void TrackingThread::begin_search_if_wanted() {
   if (!worker_.is_idle()) return;
   const SearchRequest wanted = pipeline_->search_wanted();
   const bool has_track = newest_.estimate.state == TrackState::kTracking;
-  if (!wanted.region.empty()) worker_.begin(wanted, !has_track);
+  if (wanted.region.empty()) return;
+  worker_.begin(wanted, !has_track);
+  // The events that it needs are asked for with the next look.
+  look_anyway_ = true;
 }
 
 void TrackingThread::publish_if_due() {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "common/vision/contour_track.h"
+#include "common/vision/missed_events.h"
 
 namespace puck {
 
@@ -28,7 +30,13 @@ class Challenger {
         found_(found),
         has_other_wall_(context.contour.is_other_wall(wall_share)),
         born_us_(time_us),
+        tried_since_us_(time_us),
         track_(context, start, time_us, wall_share) {}
+
+  /// What the search found must prove itself without what stands still.
+  bool is_blind_to(const ContourEvent& event) const {
+    return event.still && kind_ == Kind::kSearch;
+  }
 
   /// Takes an event that was worth `main_worth` to the main track.
   void take(const ContourEvent& event, double main_worth, const ContourContext& context) {
@@ -43,6 +51,11 @@ class Challenger {
   void decide(std::int64_t time_us, const ContourContext& context) {
     track_.decide(time_us, false, context);
   }
+
+  /// Takes what has happened since its birth, with decisions at multiples of `period_us` where
+  /// there are events, the last one at `decided_us`. Takes as long as there are events.
+  void catch_up(std::span<const MissedEvents::Missed> missed, std::int64_t period_us,
+                std::int64_t decided_us, const ContourContext& context);
 
   /// The sequential test on the events since its birth: it explains them better than the main
   /// track, by more than chance, and well by itself.
@@ -59,7 +72,10 @@ class Challenger {
   const Found& found() const { return found_; }
   /// Whether it is of the other opinion on the puck's side wall than the calibration.
   bool has_other_wall() const { return has_other_wall_; }
+  /// Of the events that it has taken.
   std::int64_t age_us(std::int64_t time_us) const { return time_us - born_us_; }
+  /// For how long it has been tried: not before it had caught up.
+  std::int64_t tried_us(std::int64_t time_us) const { return time_us - tried_since_us_; }
   const ContourTrack& track() const { return track_; }
 
  private:
@@ -67,6 +83,7 @@ class Challenger {
   Found found_;
   bool has_other_wall_;
   std::int64_t born_us_;
+  std::int64_t tried_since_us_;
   std::int64_t convincing_since_us_ = -1;
   ContourTrack track_;
   double total_ = 0;

@@ -16,6 +16,9 @@ constexpr std::size_t kMostChallengers = kMostTwins + kMostWitnesses + kMostWall
 constexpr std::int64_t kTwinLife_us = 8'000;
 constexpr std::int64_t kWallTwinLife_us = 40'000;
 constexpr std::int64_t kSearchLife_us = 60'000;
+// … and, if it thrives, is given longer while there is no main track; with one it is idle by then,
+// but not refuted, so that it may be found again.
+constexpr std::int64_t kThrivingLife_us = 150'000;
 
 // A challenger that has come so near to the main track is the same track.
 constexpr double kSame_px = 2;
@@ -56,10 +59,12 @@ bool is_found(const Challenger& challenger) {
 
 // What the search found by mistake makes room for others.
 bool is_hopeless(const Challenger& challenger, std::int64_t time_us) {
-  const std::int64_t age_us = challenger.age_us(time_us);
-  const double quality = challenger.track().quality();
-  return age_us > kSearchLife_us || (age_us > 10'000 && quality < 0.2) ||
-         (age_us > 25'000 && quality < 0.5);
+  const std::int64_t tried_us = challenger.tried_us(time_us);
+  const TrackLooks looks = challenger.track().looks();
+  const double quality = looks.quality;
+  const bool thrives = quality > 0.6 && looks.strength > 20 && !looks.is_oversized();
+  return tried_us > (thrives ? kThrivingLife_us : kSearchLife_us) ||
+         (tried_us > 10'000 && quality < 0.2) || (tried_us > 25'000 && quality < 0.5);
 }
 
 // Opinions on the wall are in the same place by nature.
@@ -74,40 +79,47 @@ bool is_same(const Challenger& challenger, const ContourFilter& main) {
 
 Challengers::Challengers() { challengers_.reserve(kMostChallengers); }
 
-void Challengers::add(Challenger::Kind kind, const ContourContext& context,
-                      const ContourFilter::Start& start, std::int64_t time_us, double wall_share,
-                      const Challenger::Found& found) {
+Challenger* Challengers::add(Challenger::Kind kind, const ContourContext& context,
+                             const ContourFilter::Start& start, std::int64_t time_us,
+                             double wall_share, const Challenger::Found& found) {
   const auto of_kind = std::count_if(challengers_.begin(), challengers_.end(),
                                      [&](const Challenger& other) { return other.kind() == kind; });
-  if (of_kind < most_of(kind)) {
-    challengers_.emplace_back(kind, context, start, time_us, wall_share, found);
-  }
+  if (of_kind >= most_of(kind)) return nullptr;
+  return &challengers_.emplace_back(kind, context, start, time_us, wall_share, found);
 }
 
-void Challengers::add_found(const SearchResult& result, bool is_conjecture,
-                            const std::optional<Pixel>& main, const ContourContext& context,
-                            std::int64_t time_us) {
+void Challengers::add_found(const Answer& answer, const ContourContext& context) {
+  const SearchResult& result = answer.result;
+  // What cannot catch up is tried from now on.
+  const std::int64_t seen_us =
+      answer.can_catch_up ? std::min(result.time.us, answer.time_us) : answer.time_us;
+  const auto try_one = [&](Pixel position, double wall_share, const Challenger::Found& found) {
+    ContourFilter::Start start;
+    start.position = position;
+    Challenger* added = add(Challenger::Kind::kSearch, context, start, seen_us, wall_share, found);
+    if (added) added->catch_up(answer.missed, answer.period_us, answer.decided_us, context);
+  };
   const double sought = context.contour.wall_share(result.request.other_wall);
   const double not_sought = context.contour.wall_share(!result.request.other_wall);
   for (const SearchCandidate& candidate : result.candidates) {
-    const Challenger::Found found{candidate.score, is_conjecture};
-    if (main && distance_px(candidate.position, *main) < kSame_px) continue;
-    if (note_known(candidate.position, found)) continue;
-    if (refuted_.contains(candidate.position, candidate.score, time_us)) continue;
+    const Challenger::Found found{candidate.score, answer.is_conjecture};
+    if (answer.main && distance_px(candidate.position, *answer.main) < kSame_px) continue;
+    if (note_known(candidate.position, found, seen_us)) continue;
+    if (refuted_.contains(candidate.position, candidate.score, answer.time_us)) continue;
     if (candidate.score > kEvidentScore) make_room();
-    ContourFilter::Start start;
-    start.position = candidate.position;
-    add(Challenger::Kind::kSearch, context, start, time_us, sought, found);
+    try_one(candidate.position, sought, found);
     if (!context.ingredients.wall) continue;
-    start.position = context.contour.centre_with_wall(start.position, sought, not_sought);
-    add(Challenger::Kind::kSearch, context, start, time_us, not_sought, found);
+    try_one(context.contour.centre_with_wall(candidate.position, sought, not_sought), not_sought,
+            found);
   }
 }
 
-bool Challengers::note_known(Pixel position, const Challenger::Found& found) {
+// Where the puck was when the snapshot was taken is compared with where the others were then.
+bool Challengers::note_known(Pixel position, const Challenger::Found& found, std::int64_t time_us) {
   bool is_known = false;
   for (Challenger& challenger : challengers_) {
-    if (!is_found(challenger) || distance_px(position, position_of(challenger)) >= 2 * kSame_px) {
+    if (!is_found(challenger) ||
+        distance_px(position, challenger.track().filter().position_at(time_us)) >= 2 * kSame_px) {
       continue;
     }
     challenger.note_found(found);
@@ -172,7 +184,7 @@ void Challengers::dismiss_born() {
 
 void Challengers::dismiss_idle(const ContourFilter& main, std::int64_t time_us) {
   std::erase_if(challengers_, [&](const Challenger& challenger) {
-    return challenger.age_us(time_us) > life_us(challenger.kind()) || is_same(challenger, main);
+    return challenger.tried_us(time_us) > life_us(challenger.kind()) || is_same(challenger, main);
   });
 }
 

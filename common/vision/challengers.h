@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/vision/challenger.h"
+#include "common/vision/missed_events.h"
 #include "common/vision/refuted_places.h"
 #include "common/vision/takeover.h"
 #include "common/vision/tracking_pipeline.h"
@@ -16,23 +18,35 @@ class Challengers {
  public:
   Challengers();
 
-  /// Hands an event that was worth `main_worth` to the main track to each of them. What the search
-  /// found must prove itself without what stands still.
+  /// Hands an event that was worth `main_worth` to the main track to each of them that is not blind
+  /// to it.
   void take(const ContourEvent& event, double main_worth, const ContourContext& context) {
     for (Challenger& challenger : challengers_) {
-      if (event.still && challenger.kind() == Challenger::Kind::kSearch) continue;
+      if (challenger.is_blind_to(event)) continue;
       challenger.take(event, main_worth, context);
     }
   }
 
-  /// Adds one, unless there are enough of its kind.
-  void add(Challenger::Kind kind, const ContourContext& context, const ContourFilter::Start& start,
-           std::int64_t time_us, double wall_share, const Challenger::Found& found = {});
+  /// Adds one, unless there are enough of its kind; returns it.
+  Challenger* add(Challenger::Kind kind, const ContourContext& context,
+                  const ContourFilter::Start& start, std::int64_t time_us, double wall_share,
+                  const Challenger::Found& found = {});
+
+  /// What there is to know when a search has an answer.
+  struct Answer {
+    const SearchResult& result;
+    bool is_conjecture = false;
+    std::optional<Pixel> main;  ///< Where the main track was when the search's snapshot was taken.
+    std::span<const MissedEvents::Missed> missed;  ///< Events since the search began.
+    bool can_catch_up = true;                      ///< They are the events that there were.
+    std::int64_t time_us = 0;                      ///< Now.
+    std::int64_t period_us = 0;                    ///< Between two decisions.
+    std::int64_t decided_us = 0;                   ///< Last decision.
+  };
 
   /// Adds what a search found and is neither the main track, nor known, nor refuted of late: once
   /// for each opinion on the puck's side wall. What is known is noted to have been found again.
-  void add_found(const SearchResult& result, bool is_conjecture, const std::optional<Pixel>& main,
-                 const ContourContext& context, std::int64_t time_us);
+  void add_found(const Answer& answer, const ContourContext& context);
 
   void decide(std::int64_t time_us, const ContourContext& context);
 
@@ -54,7 +68,7 @@ class Challengers {
   std::vector<Challenger>::const_iterator end() const { return challengers_.end(); }
 
  private:
-  bool note_known(Pixel position, const Challenger::Found& found);
+  bool note_known(Pixel position, const Challenger::Found& found, std::int64_t time_us);
   void make_room();
 
   std::vector<Challenger> challengers_;

@@ -105,6 +105,11 @@ void ContourFilter::correct(double distance_px, double normal_x, double normal_y
   }
 }
 
+Pixel ContourFilter::position_at(std::int64_t time_us) const {
+  const double dt = static_cast<double>(std::min<std::int64_t>(time_us - time_us_, 0)) * 1e-6;
+  return {state_[0] + dt * state_[2], state_[1] + dt * state_[3]};
+}
+
 double ContourFilter::speed_px_s() const { return std::hypot(state_[2], state_[3]); }
 
 std::array<double, 16> ContourFilter::covariance() const {

@@ -67,6 +67,8 @@ class ContourFilter {
 
   std::int64_t time_us() const { return time_us_; }
   Pixel position() const { return {state_[0], state_[1]}; }
+  /// Where it was at an earlier time, had it moved as it does now; at later ones: position().
+  Pixel position_at(std::int64_t time_us) const;
   PixelVelocity velocity() const { return {state_[2], state_[3]}; }
   double growth_px() const { return state_[4]; }
   double speed_px_s() const;

@@ -20,18 +20,21 @@ struct ContourIngredients {
   bool twins = true;              ///< A twin at rest is always ready to take over at a bounce.
   bool wall = true;               ///< Whether the puck's side wall makes events is found out.
   bool wall_search = true;        ///< … and the search looks for it as it was found to be.
-  bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
-  bool search = true;       ///< A doubtful track is challenged by the correlation near it.
-  bool wide_search = true;  ///< … and, when it is bad, everywhere.
-  bool stopping = true;     ///< A puck that falls silent is taken to have stopped.
-  bool settling = true;     ///< A puck whose events fade comes to rest where it was last clear.
-  bool holding = true;      ///< A puck at rest stays while something comes near.
-  bool background = true;   ///< What stands still while the head turns counts less.
-  bool clear_rings = true;  ///< … unless a faint puck is sought, and it is a clear ring.
-  bool faint_rests = true;  ///< What may be a faint puck at rest is looked for elsewhere, too.
-  bool overtaking = true;   ///< What moves by itself takes over from a track that has gone bad.
+  bool witness = true;       ///< A blob follows the puck more coarsely and checks on the track.
+  bool search = true;        ///< A doubtful track is challenged by the correlation near it.
+  bool wide_search = true;   ///< … and, when it is bad, everywhere.
+  bool fresh_search = true;  ///< The search sees what has made events of late only.
+  bool stopping = true;      ///< A puck that falls silent is taken to have stopped.
+  bool settling = true;      ///< A puck whose events fade comes to rest where it was last clear.
+  bool holding = true;       ///< A puck at rest stays while something comes near.
+  bool background = true;    ///< What stands still while the head turns counts less.
+  bool clear_rings = true;   ///< … unless a faint puck is sought, and it is a clear ring.
+  bool faint_rests = true;   ///< What may be a faint puck at rest is looked for elsewhere, too.
+  bool overtaking = true;    ///< What moves by itself takes over from a track that has gone bad.
   /// While the head rests, which the background tells, even what moves slowly moves by itself.
   bool slow_movers = true;
+  bool recognition = true;  ///< What the search and its events together say is the puck takes over.
+  bool silent_trust = true;  ///< A track keeps its trust while its events, though few, agree.
 };
 
 struct ContourIngredient {
@@ -40,7 +43,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 22> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 25> kContourIngredients{{
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
     {"lag", &ContourIngredients::lag},
@@ -55,6 +58,7 @@ inline constexpr std::array<ContourIngredient, 22> kContourIngredients{{
     {"witness", &ContourIngredients::witness},
     {"search", &ContourIngredients::search},
     {"wide-search", &ContourIngredients::wide_search},
+    {"fresh-search", &ContourIngredients::fresh_search},
     {"stopping", &ContourIngredients::stopping},
     {"settling", &ContourIngredients::settling},
     {"holding", &ContourIngredients::holding},
@@ -63,6 +67,8 @@ inline constexpr std::array<ContourIngredient, 22> kContourIngredients{{
     {"faint-rests", &ContourIngredients::faint_rests},
     {"overtaking", &ContourIngredients::overtaking},
     {"slow-movers", &ContourIngredients::slow_movers},
+    {"recognition", &ContourIngredients::recognition},
+    {"silent-trust", &ContourIngredients::silent_trust},
 }};
 
 }  // namespace puck

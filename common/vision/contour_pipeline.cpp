@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "common/vision/candidate_order.h"
+#include "common/vision/decision_time.h"
 #include "common/vision/honest_covariance.h"
 #include "common/vision/puck_detector.h"
+#include "common/vision/silent_trust.h"
 #include "common/vision/stopping.h"
 #include "common/vision/takeover.h"
 #include "common/vision/track_region.h"
@@ -18,6 +20,8 @@ constexpr std::int64_t kBlindAfter_us = 40'000;
 constexpr double kLearnable = 0.7;
 // How far around the puck events may be its own.
 constexpr int kPuckMargin_px = 6;
+// How far the events of a puck may lie beyond where its centre is searched for.
+constexpr int kSearchMargin_px = 40;
 
 }  // namespace
 
@@ -32,6 +36,7 @@ ContourPipeline::ContourPipeline(SensorSize sensor, const ContourPipelineParams&
       history_(sensor),
       standing_(sensor, params.coast_us),
       search_plan_(sensor, detection_region),
+      seen_score_(sensor),
       background_(sensor),
       events_needed_(Region::all_of(sensor)),
       near_(events_needed_) {
@@ -66,11 +71,11 @@ void ContourPipeline::take_event(const Event& event, std::int64_t time_us) {
   if (main_) witness_.take(event.x, event.y);
   const double worth = main_ ? main_->take(seen, context_) : 0;
   challengers_.take(seen, worth, context_);
+  missed_.take(seen, worth);
 }
 
-// Events at a multiple of the period belong to the decision at that time.
 void ContourPipeline::decide_before(std::int64_t time_us) {
-  const std::int64_t due_us = (time_us - 1) / params_.decision_us * params_.decision_us;
+  const std::int64_t due_us = decision_before(time_us, params_.decision_us);
   if (due_us > decided_us_) decide(due_us);
 }
 
@@ -120,15 +125,20 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
     main_->park();
     if (standing_.has_settled(time_us)) witness_.draw_to(main_->filter().position(), passed_us);
   }
-  trust_.judge(main_->looks(), standing_.is_resting(), time_us, passed_us);
+  trust_.judge(main_->looks(), is_unseen(time_us), time_us, passed_us);
   context_.is_trusted = trust_.is_trusted();
   if (trust_.is_exhausted()) context_.signature = {};
   if (main_->is_good() && main_->shape_quality() > kLearnable) {
     context_.signature.learn(sample, passed_us);
   }
   if (shows_wall()) {
-    sought_wall_.learn(context_.contour.is_other_wall(main_->wall_share()));
+    sought_wall_.learn(context_.contour.is_other_wall(main_->wall_share()), passed_us);
   }
+}
+
+bool ContourPipeline::is_unseen(std::int64_t time_us) const {
+  return standing_.is_resting() || (context_.ingredients.silent_trust &&
+                                    is_silent_puck(main_->looks(), trust_.since_good_us(time_us)));
 }
 
 // A faint puck's track is seldom sound; of others a mallet's may be good for a moment.
@@ -145,9 +155,13 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
                         .is_trusted = context_.is_trusted,
                         .is_proven = trust_.is_proven(),
                         .may_be_overtaken = context_.ingredients.overtaking,
+                        .knows_pucks = context_.ingredients.recognition,
                         .is_resting = keeps_still(),
+                        .is_lost = standing_.state() != TrackState::kTracking,
+                        .was_covered = trust_.was_covered(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
                         .may_be_faint = rest_may_be_wrong(),
+                        .score = seen_score_.value(),
                         .since_good_us = trust_.since_good_us(time_us),
                         .since_sound_us = trust_.since_sound_us(time_us)};
   if (const Challenger* successor = challengers_.successor(defence, head_rests(), time_us)) {
@@ -187,6 +201,10 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
                       time_us);
     witness_.put(challenger.track().filter().position(), time_us);
   }
+  // Twins are where the track is.
+  if (kind == Challenger::Kind::kSearch || kind == Challenger::Kind::kWitness) {
+    seen_score_.begin(challenger.found().score);
+  }
   main_ = challenger.track();
   held_rest_.forget();
   settling_.forget();
@@ -194,6 +212,7 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
   // succeeding one another.
   if (kind == Challenger::Kind::kSearch) {
     challengers_.clear();
+    missed_.end();
   } else {
     challengers_.dismiss_born();
   }
@@ -204,15 +223,16 @@ void ContourPipeline::plan_search(std::int64_t time_us) {
     search_plan_.plan_first(time_us);
     return;
   }
-  search_plan_.plan(
-      {.main = main_->looks(),
-       .is_lost = standing_.state() == TrackState::kLost,
-       .is_resting = standing_.is_resting(),
-       .is_trusted = context_.is_trusted,
-       .is_proven = trust_.is_proven(),
-       .may_be_faint = context_.ingredients.faint_rests && context_.signature.may_be_faint(),
-       .since_good_us = trust_.since_good_us(time_us)},
-      context_.ingredients, time_us);
+  search_plan_.plan({.main = main_->looks(),
+                     .is_lost = standing_.state() == TrackState::kLost,
+                     .is_resting = standing_.is_resting(),
+                     .is_trusted = context_.is_trusted,
+                     .is_proven = trust_.is_proven(),
+                     .may_rest_elsewhere =
+                         (context_.ingredients.overtaking && trust_.was_covered()) ||
+                         (context_.ingredients.faint_rests && context_.signature.may_be_faint()),
+                     .since_good_us = trust_.since_good_us(time_us)},
+                    context_.ingredients, time_us);
 }
 
 void ContourPipeline::plan_events(std::int64_t time_us) {
@@ -225,6 +245,11 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
   near_ = !main_ || awaits ? image
                            : region_of_tracks(*main_, challengers_, witness_.position(),
                                               context_.contour, sensor_);
+  // What is found will have events to catch up on, as many as are kept.
+  const Region searched = search_plan_.searched();
+  if (!searched.empty() && missed_.has_room()) {
+    near_ = near_.united(searched.inflated(kSearchMargin_px)).intersect(image);
+  }
   events_needed_ = watches_background_ ? image : near_;
   puck_ = {};
   if (main_ && main_->is_good()) {
@@ -236,8 +261,11 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
 }
 
 SearchRequest ContourPipeline::search_wanted() {
-  SearchRequest request{.region = search_plan_.give_out()};
-  if (!request.region.empty() && context_.ingredients.wall && context_.ingredients.wall_search) {
+  SearchRequest request{.region = search_plan_.give_out(),
+                        .fresh_only = context_.ingredients.fresh_search};
+  if (request.region.empty()) return request;
+  missed_.begin(request.region.inflated(kSearchMargin_px));
+  if (context_.ingredients.wall && context_.ingredients.wall_search) {
     const PuckSignature& signature = context_.signature;
     request.other_wall =
         sought_wall_.next({.is_early = !main_ && search_plan_.searched_us(now_us_) < kPatience_us,
@@ -249,14 +277,27 @@ SearchRequest ContourPipeline::search_wanted() {
 
 void ContourPipeline::take(const SearchResult& result) {
   search_plan_.note_answer();
-  const auto main = main_ ? std::optional(main_->filter().position()) : std::nullopt;
   found_ = result;
+  std::optional<Pixel> main;
+  if (main_) {
+    main = main_->filter().position_at(result.time.us);
+    seen_score_.note(result, *main, context_.contour.is_other_wall(main_->wall_share()));
+  }
   const bool keeps_clear =
       context_.ingredients.clear_rings && main_ &&
       (!context_.signature.knows_multiplicity() || context_.signature.may_be_faint());
   put_still_last(found_, background_, context_.contour, keeps_clear ? kClearRingScore : 1);
   const bool is_conjecture = found_.request.other_wall && sought_wall_.is_conjecture();
-  challengers_.add_found(found_, is_conjecture, main, context_, now_us_);
+  challengers_.add_found({.result = found_,
+                          .is_conjecture = is_conjecture,
+                          .main = main,
+                          .missed = missed_.events(),
+                          .can_catch_up = missed_.are_kept(),
+                          .time_us = now_us_,
+                          .period_us = params_.decision_us,
+                          .decided_us = decided_us_},
+                         context_);
+  missed_.end();
 }
 
 PuckEstimate ContourPipeline::step(const SurfaceSnapshot& snapshot) {

@@ -10,8 +10,10 @@
 #include "common/vision/contour_track.h"
 #include "common/vision/event_history.h"
 #include "common/vision/held_rest.h"
+#include "common/vision/missed_events.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/search_plan.h"
+#include "common/vision/seen_score.h"
 #include "common/vision/settling.h"
 #include "common/vision/sought_wall.h"
 #include "common/vision/track_standing.h"
@@ -55,6 +57,7 @@ class ContourPipeline final : public TrackingPipeline {
   void decide_before(std::int64_t time_us);
   void decide(std::int64_t time_us);
   void judge_main(std::int64_t time_us);
+  bool is_unseen(std::int64_t time_us) const;
   void challenge_main(std::int64_t time_us);
   /// The main track is the puck's beyond doubt, so that its opinion on the side wall is, too.
   bool shows_wall() const;
@@ -80,8 +83,10 @@ class ContourPipeline final : public TrackingPipeline {
   WitnessCheck witness_;
   Twins twins_;
   Challengers challengers_;
+  MissedEvents missed_;
   SearchPlan search_plan_;
   SoughtWall sought_wall_;
+  SeenScore seen_score_;
   SearchResult found_;
   Background background_;
 

@@ -165,6 +165,7 @@ TrackLooks ContourTrack::looks() const {
           .speed_px_s = filter_.speed_px_s(),
           .growth_px = filter_.growth_px(),
           .quality = quality_,
+          .agreement = evidence_.agreement(areas_),
           .strength = strength_,
           .cover = evidence_.cover(),
           .near_events = evidence_.near_events(),

@@ -94,9 +94,7 @@ void ErosSurface::develop_part(SurfaceExposure& taken, SurfaceSnapshot& out) con
   const Region& part = taken.counts.region;
   out.newest_event = taken.newest_event;
   out.events_applied = taken.events_applied;
-  grey_.develop(taken.counts,
-                out.grey.mutable_view().part(part.x - out.region.x, part.y - out.region.y,
-                                             part.width, part.height));
+  grey_.develop(taken.counts, out.picture_of(part));
 }
 
 }  // namespace puck

@@ -7,8 +7,6 @@ constexpr std::int64_t kLongestDisturbance_us = 100'000;
 // A puck that sets off makes events on both sides; a mallet beside it on one.
 constexpr double kDepartingStrength = 12;
 constexpr double kDepartingCover = 0.25;
-// So many events inside the contour are of something on the puck. They do not say that it moves.
-constexpr double kCovered = 12;
 
 }  // namespace
 
@@ -32,10 +30,11 @@ void HeldRest::judge(const TrackLooks& main, bool is_resting, std::int64_t time_
     return;
   }
   if (!is_held_) return;
-  const bool is_covered = main.inside_events > kCovered;
-  sets_off_ = !is_covered && main.strength > kDepartingStrength && main.cover > kDepartingCover;
+  // What is on the puck does not say that it moves.
+  sets_off_ =
+      !main.is_covered() && main.strength > kDepartingStrength && main.cover > kDepartingCover;
   const bool is_disturbed_for_long = time_us - quiet_us_ > kLongestDisturbance_us;
-  if (sets_off_ || is_covered || is_disturbed_for_long) is_held_ = false;
+  if (sets_off_ || main.is_covered() || is_disturbed_for_long) is_held_ = false;
 }
 
 }  // namespace puck

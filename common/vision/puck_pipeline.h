@@ -44,6 +44,9 @@ struct PipelineParams {
   /// While there is a track, only what the next step looks at is kept up to date on the surface:
   /// the paper's optimisation that it did not test. What is elsewhere cannot be found then.
   bool roi_only = false;
+  /// Offline (SurfaceTracker): a search's answer comes so long after its snapshot, µs. Live, where
+  /// a machine is busy, it takes as long as it takes.
+  std::int64_t search_delay_us = 0;
   KernelBankParams kernels;
   DetectorParams detector;
   TrackerParams tracker;
@@ -57,6 +60,8 @@ struct PipelineParams {
   bool follows_contour = false;
   /// Its calibration is also that of the correlation's soft ring.
   ContourPipelineParams contour;
+  /// SearchRequest::fresh_only is asked for.
+  bool searches_fresh() const { return follows_contour && contour.ingredients.fresh_search; }
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
   /// the published position is the filtered one.
   bool predicts = false;

@@ -7,6 +7,8 @@ namespace {
 
 // Events per px² that count as nothing.
 constexpr double kDoubt = 0.02;
+// What is left of an event after twice the memory.
+constexpr double kNothing = 0.13;
 // A ring whose events cover this share of the directions is whole: one that moves along an axis
 // has few events at its sides.
 constexpr double kWholeCover = 0.35;
@@ -36,12 +38,19 @@ double RingEvidence::cover() const {
   return squares > 0 ? ring_ * ring_ / (kContourSectors * squares) : 0;
 }
 
-double RingEvidence::quality(const RingAreas& areas) const {
+double RingEvidence::stands_out(const RingAreas& areas, double doubt) const {
   const double good = ring_ / areas.ring;
   const double bad = wrong_ / areas.ring;
   const double clutter = clutter_density(areas, inside_, outside_);
-  return (good - bad - clutter) / (good + bad + clutter + kDoubt) *
-         std::min(1.0, cover() / kWholeCover);
+  return (good - bad - clutter) / (good + bad + clutter + doubt);
+}
+
+double RingEvidence::quality(const RingAreas& areas) const {
+  return stands_out(areas, kDoubt) * std::min(1.0, cover() / kWholeCover);
+}
+
+double RingEvidence::agreement(const RingAreas& areas) const {
+  return ring_ + wrong_ + inside_ + outside_ < kNothing ? 1 : stands_out(areas, 0);
 }
 
 double RingEvidence::strength(const RingAreas& areas) const {

@@ -46,12 +46,16 @@ class RingEvidence {
 
   /// From −1 to 1: how far the ring stands out, less where it covers few directions.
   double quality(const RingAreas& areas) const;
+  /// How far the ring stands out from what little there is: few events are no reason to doubt, nor
+  /// are few directions; 1 if there is nothing.
+  double agreement(const RingAreas& areas) const;
   /// How many more events lie on the ring than its surroundings would put there.
   double strength(const RingAreas& areas) const;
   /// Share of the directions that the ring's events cover, 0 to 1.
   double cover() const;
 
  private:
+  double stands_out(const RingAreas& areas, double doubt) const;
   static double clutter_density(const RingAreas& areas, double inside, double outside) {
     return (inside / areas.inside + outside / areas.outside) / 2;
   }

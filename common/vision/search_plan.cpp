@@ -14,7 +14,8 @@ constexpr std::int64_t kWidePeriod_us = 40'000;
 constexpr std::int64_t kGuardPeriod_us = 100'000;
 constexpr std::int64_t kCalmPeriod_us = 500'000;
 constexpr std::int64_t kRestingPeriod_us = 1'000'000;
-// A faint puck may have got away unseen, but not without stirring where it lay.
+// A faint puck may have got away unseen, a covered one may be gone, but not without stirring where
+// it lay.
 constexpr std::int64_t kMaybeRestingPeriod_us = 50'000;
 // While nothing moves the search finds nothing that could prove itself.
 constexpr std::int64_t kStillPeriod_us = 1'000'000;
@@ -38,7 +39,7 @@ SearchPlan::SearchPlan(SensorSize sensor, const Region& detection_region)
 std::int64_t SearchPlan::wide_period_us(const Situation& now, bool is_still) {
   if (now.is_lost) return kFirstPeriod_us;
   if (now.is_resting) {
-    return now.may_be_faint && !is_still ? kMaybeRestingPeriod_us : kRestingPeriod_us;
+    return now.may_rest_elsewhere && !is_still ? kMaybeRestingPeriod_us : kRestingPeriod_us;
   }
   if (now.main.quality < kBad || !now.is_trusted) return kWidePeriod_us;
   if (now.main.quality < TrackTrust::kSound) return kGuardPeriod_us;
@@ -84,7 +85,7 @@ void SearchPlan::want(const Region& region, std::int64_t time_us) {
 
 Region SearchPlan::give_out() {
   const Region given = wanted_;
-  if (!given.empty()) is_out_ = true;
+  if (!given.empty()) out_ = given;
   wanted_ = {};
   return given;
 }

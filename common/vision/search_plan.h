@@ -22,7 +22,7 @@ class SearchPlan {
     bool is_resting = false;
     bool is_trusted = false;
     bool is_proven = false;
-    bool may_be_faint = false;  ///< Where it rests may be wrong.
+    bool may_rest_elsewhere = false;  ///< Where it is taken to rest may be wrong.
     std::int64_t since_good_us = 0;
   };
 
@@ -40,7 +40,9 @@ class SearchPlan {
 
   /// Hands the search out; empty: none is wanted now. None is until the answer has come.
   Region give_out();
-  void note_answer() { is_out_ = false; }
+  void note_answer() { out_ = {}; }
+  /// What is searched, or is to be; empty: nothing.
+  Region searched() const { return out_.united(wanted_); }
 
   /// Nothing moves where events were taken. What moves elsewhere should be taken as well then.
   bool is_still(std::int64_t time_us) const { return stirrings_.is_still(time_us); }
@@ -53,7 +55,7 @@ class SearchPlan {
   static std::int64_t wide_period_us(const Situation& now, bool is_still);
 
  private:
-  bool is_busy() const { return is_out_ || !wanted_.empty(); }
+  bool is_busy() const { return !searched().empty(); }
   bool is_pointless(std::int64_t time_us) const;
   void want(const Region& region, std::int64_t time_us);
 
@@ -61,7 +63,7 @@ class SearchPlan {
   Region detection_region_;
   Stirrings stirrings_;
   Region wanted_;  // now; empty: none
-  bool is_out_ = false;
+  Region out_;     // until its answer has come; empty: none
   std::int64_t since_us_ = -1;
   std::int64_t next_us_ = 0;                                               // first or near search
   std::int64_t wide_us_ = 0;                                               // last wide search

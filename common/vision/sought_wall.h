@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 
 namespace puck {
@@ -18,26 +20,32 @@ class SoughtWall {
     bool may_be_faint = false;  ///< The puck, as far as its events tell.
   };
 
-  /// A track that is beyond doubt the puck's has, or has not, the other wall.
-  void learn(bool is_other) { is_other_ = is_other; }
+  /// A track that is beyond doubt the puck's has, or has not, the other wall, for `passed_us` more.
+  /// What it had for longer of late counts: half out of the image no wall is to be seen.
+  void learn(bool is_other, std::int64_t passed_us) {
+    for_other_us_ = std::clamp(for_other_us_.value_or(0) + (is_other ? passed_us : -passed_us),
+                               -kMemory_us, kMemory_us);
+  }
 
   /// For the next search: whether it is to look for the other wall. What was learned is doubted now
   /// and then when nothing is trusted any more, since the track may have been of something else.
   bool next(const Situation& now) {
     ++searches_;
-    if (!is_other_) return !now.is_early && searches_ % 2 == 0;
+    if (!for_other_us_) return !now.is_early && searches_ % 2 == 0;
     const bool is_doubted = !now.is_trusted && searches_ % kDoubts == 0;
-    if (*is_other_) return !is_doubted;
+    if (*for_other_us_ > 0) return !is_doubted;
     return is_doubted && now.may_be_faint;
   }
 
   /// Whether what a search for the other wall finds is a conjecture.
-  bool is_conjecture() const { return !is_other_.value_or(false); }
+  bool is_conjecture() const { return for_other_us_.value_or(0) <= 0; }
 
  private:
   static constexpr unsigned kDoubts = 4;
+  static constexpr std::int64_t kMemory_us = 500'000;
 
-  std::optional<bool> is_other_;  // nothing: never seen
+  // For how long it has been the other wall, less: the calibrated one; nothing: never seen.
+  std::optional<std::int64_t> for_other_us_;
   unsigned searches_ = 0;
 };
 

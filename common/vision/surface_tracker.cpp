@@ -18,7 +18,10 @@ SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
     : surface_(sensor, params.eros),
       pipeline_(std::move(pipeline)),
       search_(sensor, params, size_model),
-      roi_only_(params.roi_only) {}
+      roi_only_(params.roi_only),
+      search_delay_us_(params.search_delay_us) {
+  if (params.searches_fresh()) fresh_.emplace(sensor);
+}
 
 void SurfaceTracker::update(const EventPacket& packet) {
   for_each_piece(packet.start, packet.events, pipeline_->decision_period_us(),
@@ -43,6 +46,7 @@ PuckEstimate SurfaceTracker::step() {
 
 void SurfaceTracker::take(Timestamp start, std::span<const Event> piece) {
   surface_.update(start, piece);
+  if (fresh_) fresh_->take(start, piece);
   const Region region = pipeline_->events_needed();
   if (region.empty()) return;
   keep_inside(piece, region, wanted_);
@@ -51,11 +55,27 @@ void SurfaceTracker::take(Timestamp start, std::span<const Event> piece) {
   search_if_wanted();
 }
 
+// Whether the pipeline has been told of what was found.
 bool SurfaceTracker::search_if_wanted() {
+  if (unanswered_) {
+    if (surface_.newest_event() - unanswered_->time < search_delay_us_) return false;
+    pipeline_->take(*unanswered_);
+    unanswered_.reset();
+    return true;
+  }
   const SearchRequest wanted = pipeline_->search_wanted();
   if (wanted.region.empty()) return false;
   surface_.snapshot(search_.snapshot_region(wanted.region), searched_);
-  pipeline_->take(search_.search(searched_, wanted));
+  if (wanted.fresh_only && fresh_) {
+    fresh_->copy_rows(searched_.region, searched_fresh_);
+    searched_fresh_.darken_stale(searched_.region, searched_.grey.mutable_view());
+  }
+  SearchResult found = search_.search(searched_, wanted);
+  if (search_delay_us_ > 0) {
+    unanswered_ = std::move(found);
+    return false;
+  }
+  pipeline_->take(found);
   return true;
 }
 

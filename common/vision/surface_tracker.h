@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "common/vision/eros_surface.h"
+#include "common/vision/fresh_pixels.h"
 #include "common/vision/puck_pipeline.h"
 #include "common/vision/puck_search.h"
 #include "common/vision/tracking_algorithm.h"
@@ -12,8 +15,9 @@
 namespace puck {
 
 /// PUCK in one thread: the surface, the pipeline and its searches, one after the other. Live, each
-/// of the three runs in a thread of its own (runtime/). Searches are made at once, so the same
-/// events and questions give the same estimates, to the bit.
+/// of the three runs in a thread of its own (runtime/). Searches are made at once and answered
+/// then, or after PipelineParams::search_delay_us, so the same events and questions give the same
+/// estimates, to the bit.
 class SurfaceTracker final : public TrackingAlgorithm {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
@@ -32,11 +36,15 @@ class SurfaceTracker final : public TrackingAlgorithm {
   bool search_if_wanted();
 
   ErosSurface surface_;
+  std::optional<FreshPixels> fresh_;  // where searches ask for it
   std::unique_ptr<TrackingPipeline> pipeline_;
   PuckSearch search_;
   bool roi_only_;
+  std::int64_t search_delay_us_;
   SurfaceSnapshot snapshot_;
   SurfaceSnapshot searched_;
+  FreshRows searched_fresh_;
+  std::optional<SearchResult> unanswered_;
   std::vector<Event> wanted_;
 };
 

@@ -15,10 +15,22 @@ constexpr std::int64_t kUnsoundFor_us = 150'000;
 constexpr std::int64_t kBadFor_us = 20'000;
 // Of what moves slower, noise makes too much.
 constexpr double kSlow_px_s = 100;
+// A hand that only passes over the puck is gone sooner.
+constexpr std::int64_t kTakenAway_us = 200'000;
+// Of what the search found, most that is no puck has a lower score; hardly any has the higher one.
+constexpr double kPossibleScore = 0.45;
+constexpr double kLikelyScore = 0.6;
+// Of two that are seen alike, either may score as much more.
+constexpr double kScoreNoise = 0.1;
 // How far the puck may be from a track that has just been good, and how much farther it gets.
 constexpr double kTakeoverRadius_px = 12;
 constexpr double kTakeoverGrowth_px_us = 1.5e-3;
 constexpr double kFarthestTakeover_px = 60;
+
+// To searches the main track looks more like a puck.
+bool is_outscored(const Claim& claim, const Defence& main) {
+  return main.knows_pucks && claim.found.score < main.score - kScoreNoise;
+}
 
 }  // namespace
 
@@ -49,10 +61,10 @@ bool is_evident(const Claim& claim) {
 bool moves_by_itself(const Claim& claim) {
   const TrackLooks& looks = claim.looks;
   if (claim.age_us <= 12'000 || looks.quality <= 0.75 || looks.strength <= 25) return false;
-  // A hand or a mallet, which may be slow as well, is no such ring, or a larger one.
-  const bool is_slow_puck = claim.head_rests && looks.speed_px_s > kSlow_px_s &&
-                            looks.cover > 0.5 && looks.growth_px < 0.35;
-  return is_slow_puck || (looks.is_fast() && looks.cover > 0.35);
+  // A hand or a mallet may be slow as well.
+  const bool is_slow_puck =
+      claim.head_rests && looks.speed_px_s > kSlow_px_s && looks.is_whole_ring();
+  return is_slow_puck || (looks.is_fast() && looks.cover > 0.35 && !looks.is_oversized());
 }
 
 bool outshines(const Claim& claim, const Defence& main) {
@@ -73,15 +85,16 @@ bool unmasks(const Claim& claim, const Defence& main) {
 }
 
 bool displaces_stranger(const Claim& claim, const Defence& main) {
-  return !main.is_trusted && claim.age_us > 15'000 && claim.looks.quality > 0.8 &&
-         claim.looks.strength > 20 &&
-         (claim.looks.quality > main.looks.quality + 0.12 ||
-          claim.looks.strength > 2 * main.looks.strength);
+  const TrackLooks& looks = claim.looks;
+  return !main.is_trusted && !is_outscored(claim, main) && claim.age_us > 15'000 &&
+         looks.quality > 0.8 && looks.strength > 20 && !looks.is_oversized() &&
+         !looks.is_undersized() &&
+         (looks.quality > main.looks.quality + 0.12 || looks.strength > 2 * main.looks.strength);
 }
 
 bool succeeds_nearby(const Claim& claim, const Defence& main) {
-  if (main.is_witnessed) return false;
   const TrackLooks& looks = claim.looks;
+  if (main.is_witnessed || is_outscored(claim, main) || looks.is_oversized()) return false;
   const double reach_px = std::min(
       kFarthestTakeover_px,
       kTakeoverRadius_px + kTakeoverGrowth_px_us * static_cast<double>(main.since_good_us));
@@ -98,8 +111,22 @@ bool succeeds_nearby(const Claim& claim, const Defence& main) {
 }
 
 bool outruns_rest(const Claim& claim, const Defence& main) {
-  return (main.may_be_faint || !main.is_proven) && moves_by_itself(claim) &&
+  const bool may_be_gone = main.may_be_overtaken && main.was_covered &&
+                           main.since_good_us > kTakenAway_us && claim.looks.is_whole_ring();
+  return (main.may_be_faint || !main.is_proven || may_be_gone) && moves_by_itself(claim) &&
          claim.looks.quality > 0.85 && claim.looks.strength > 40;
+}
+
+bool is_recognised(const Claim& claim, const Defence& main) {
+  const TrackLooks& looks = claim.looks;
+  const double score = claim.found.score;
+  if (!main.knows_pucks || main.since_good_us <= kBadFor_us || !claim.leads ||
+      claim.age_us <= 6'000 || looks.quality <= 0.5 || looks.strength <= 10 || looks.cover <= 0.4 ||
+      looks.is_oversized() || looks.is_undersized()) {
+    return false;
+  }
+  const bool is_possible = score > kPossibleScore && looks.speed_px_s > kSlow_px_s;
+  return looks.quality + 2 * score > 1.7 && (is_possible || score > kLikelyScore);
 }
 
 bool is_convincing(const Claim& claim, const Defence& main) {
@@ -109,18 +136,21 @@ bool is_convincing(const Claim& claim, const Defence& main) {
   }
   // Whatever makes events is stronger than a puck at rest, a mallet as well.
   if (main.is_resting && (main.is_proven || main.is_trusted)) {
-    return is_evident(claim) || outruns_rest(claim, main);
+    return is_evident(claim) || outruns_rest(claim, main) ||
+           (is_recognised(claim, main) && (main.is_lost || claim.found.score > kLikelyScore));
   }
-  return outshines(claim, main) || outmoves(claim, main) || unmasks(claim, main) ||
-         displaces_stranger(claim, main) || succeeds_nearby(claim, main);
+  return is_recognised(claim, main) || outshines(claim, main) || outmoves(claim, main) ||
+         unmasks(claim, main) || displaces_stranger(claim, main) || succeeds_nearby(claim, main);
 }
 
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
   // A round mark on the table has no side wall; the puck has the one that the calibration knows.
   const bool is_like_a_mark = claim.has_other_wall && searched_us <= kPatience_us;
-  return (is_evident(claim) && !is_like_a_mark) || moves_by_itself(claim) ||
-         (searched_us > kPatience_us && claim.age_us > 20'000 && claim.looks.quality > 0.8 &&
-          claim.looks.strength > 30 && claim.looks.growth_px < 0.6 && claim.looks.cover > 0.4);
+  // Hands and mallets move as well.
+  const TrackLooks& looks = claim.looks;
+  return (is_evident(claim) && !is_like_a_mark) || (moves_by_itself(claim) && !looks.is_large()) ||
+         (searched_us > kPatience_us && claim.age_us > 20'000 && looks.quality > 0.8 &&
+          looks.strength > 30 && looks.is_whole_ring());
 }
 
 bool is_weakly_found(const Claim& claim, const std::optional<TrackLooks>& main) {

@@ -34,9 +34,13 @@ struct Defence {
   bool is_trusted = false;          ///< TrackTrust's.
   bool is_proven = false;           ///< TrackTrust's.
   bool may_be_overtaken = false;    ///< Ingredient `overtaking`.
+  bool knows_pucks = false;         ///< Ingredient `recognition`.
   bool is_resting = false;          ///< TrackStanding's.
+  bool is_lost = false;             ///< TrackStanding's.
+  bool was_covered = false;         ///< TrackTrust's.
   bool is_witnessed = false;        ///< WitnessCheck vouches for it.
   bool may_be_faint = false;        ///< PuckSignature's.
+  double score = 0;                 ///< SeenScore's.
   std::int64_t since_good_us = 0;   ///< TrackTrust's.
   std::int64_t since_sound_us = 0;  ///< TrackTrust's.
 };
@@ -58,23 +62,31 @@ bool outshines(const Claim& claim, const Defence& main);
 bool outmoves(const Claim& claim, const Defence& main);
 /// It is evident; the main track is not to be trusted, or has not been sound for long.
 bool unmasks(const Claim& claim, const Defence& main);
-/// It looks better than a main track that is not to be trusted.
+/// It looks better than a main track that is not to be trusted, is of a puck's size, and not less
+/// of a puck to searches.
 bool displaces_stranger(const Claim& claim, const Defence& main);
-/// It looks better, near a main track that nothing vouches for; the farther away, the better it
-/// must look.
+/// It looks better near a main track that nothing vouches for, is no larger than a puck, and not
+/// less of one to searches; the farther away, the better it must look. It may be smaller: of the
+/// other opinion on the wall it is.
 bool succeeds_nearby(const Claim& claim, const Defence& main);
 
 /// It moves as a puck does, beyond doubt; the main track is taken to rest, and has never done so
-/// itself, or the puck is so faint that it is never evident.
+/// itself, or the puck is so faint that it is never evident, or was covered and has not been seen
+/// for a while, so that it may have been taken away.
 bool outruns_rest(const Claim& claim, const Defence& main);
 
-/// Any of the first five; against a puck at rest, which makes no events, that it is evident or
-/// outruns it. A conjecture must move by itself, unless the main track has not been sound for long.
+/// The less the correlation says, the more its events must, and the other way round; the main track
+/// has not been good for a while.
+bool is_recognised(const Claim& claim, const Defence& main);
+
+/// Any of the first five, or recognised; against a puck at rest, which makes no events, that it is
+/// evident, outruns it, or is recognised, by a high score if it is not lost. A conjecture must move
+/// by itself, unless the main track has not been sound for long.
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident nor
-/// moves by itself must look like a puck in every respect, and longer; so must, for a while, what
-/// has another side wall than the puck.
+/// moves by itself, being no larger than a puck, must look like a puck in every respect, and
+/// longer; so must, for a while, what has another side wall than the puck.
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us);
 
 /// What the search found far away, or first, and is neither evident nor moves by itself.

@@ -9,17 +9,29 @@ namespace puck {
 struct TrackLooks {
   Pixel position;
   double speed_px_s = 0;
-  double growth_px = 0;      ///< By how much its contour is larger than the size model says.
-  double quality = 0;        ///< From −1 to 1.
-  double strength = 0;       ///< How many more events lie on the ring than clutter would put there.
-  double cover = 0;          ///< Share of the directions that the ring's events cover.
-  double near_events = 0;    ///< On the ring, inside and around it, of late, but no repeats.
+  double growth_px = 0;    ///< By how much its contour is larger than the size model says.
+  double quality = 0;      ///< From −1 to 1.
+  double agreement = 0;    ///< From −1 to 1: quality, but that few events are no reason to doubt.
+  double strength = 0;     ///< How many more events lie on the ring than clutter would put there.
+  double cover = 0;        ///< Share of the directions that the ring's events cover.
+  double near_events = 0;  ///< On the ring, inside and around it, of late, but no repeats.
   double inside_events = 0;  ///< Well inside the ring, of late, repeats as well.
 
   /// Believed as it stands.
   constexpr bool is_good() const { return quality > 0.5 && strength > 6; }
   /// Faster than the image of what is fixed to the table while the head turns as it does in play.
   constexpr bool is_fast() const { return speed_px_s > 300; }
+  /// Larger than most pucks.
+  constexpr bool is_large() const { return growth_px >= 0.35; }
+  /// Events on most sides, and of the puck's size: a hand or a mallet is no such ring, or a larger
+  /// one.
+  constexpr bool is_whole_ring() const { return cover > 0.5 && !is_large(); }
+  /// A mallet's contour, followed as a puck's, makes it look larger.
+  constexpr bool is_oversized() const { return growth_px >= 0.45; }
+  /// No puck's contour is so much smaller than the calibration's.
+  constexpr bool is_undersized() const { return growth_px <= -0.6; }
+  /// Something is on the puck, a hand or a mallet.
+  constexpr bool is_covered() const { return inside_events > 12; }
   /// Next to nothing happens there.
   constexpr bool is_quiet() const { return near_events < 6; }
 };

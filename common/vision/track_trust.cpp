@@ -5,19 +5,19 @@
 namespace puck {
 namespace {
 
-// So that trust that has grown for long is still lost within a second.
+// So that trust that has grown for long is still lost within a second of bad looks.
 constexpr std::int64_t kMostTrust_us = 1'000'000;
 // A track that has moved by itself for so long has proved to be the puck's.
 constexpr std::int64_t kProvenAfter_us = 30'000;
 
 }  // namespace
 
-void TrackTrust::judge(const TrackLooks& main, bool resting, std::int64_t time_us,
+void TrackTrust::judge(const TrackLooks& main, bool unseen, std::int64_t time_us,
                        std::int64_t passed_us) {
   const bool is_sound = main.quality > kSound;
   if (is_sound) sound_us_ = time_us;
-  // What is known of a puck at rest holds while it cannot be seen.
-  if (is_sound || !resting) {
+  was_covered_ = !is_sound && (was_covered_ || main.is_covered());
+  if (is_sound || !unseen) {
     trust_us_ =
         std::clamp<std::int64_t>(trust_us_ + (is_sound ? passed_us : -passed_us), 0, kMostTrust_us);
   }
@@ -34,6 +34,7 @@ void TrackTrust::note_found(bool weakly, std::int64_t time_us) {
   trust_us_ /= 2;
   moving_us_ = 0;
   is_proven_ = false;
+  was_covered_ = false;
 }
 
 }  // namespace puck

@@ -13,8 +13,9 @@ class TrackTrust {
   /// A track of more than this quality is beyond doubt.
   static constexpr double kSound = 0.85;
 
-  /// Notes how the main track looks at a decision, `passed_us` after the last one.
-  void judge(const TrackLooks& main, bool resting, std::int64_t time_us, std::int64_t passed_us);
+  /// Notes how the main track looks at a decision, `passed_us` after the last one. `unseen`: the
+  /// puck rests, or makes hardly any events: what is known of it holds.
+  void judge(const TrackLooks& main, bool unseen, std::int64_t time_us, std::int64_t passed_us);
 
   /// The main track was replaced by one that passed a test against it.
   void note_takeover(std::int64_t time_us) { good_us_ = time_us; }
@@ -36,6 +37,9 @@ class TrackTrust {
     return !was_weakly_found_ || sound_us_ - found_us_ > kWeaklyFoundFor_us;
   }
 
+  /// Something has been on it since it was last sound or found: a hand may have taken it away.
+  bool was_covered() const { return was_covered_; }
+
   std::int64_t since_good_us(std::int64_t time_us) const { return time_us - good_us_; }
   std::int64_t since_sound_us(std::int64_t time_us) const { return time_us - sound_us_; }
 
@@ -51,6 +55,7 @@ class TrackTrust {
   bool is_proven_ = false;
   std::int64_t found_us_ = 0;  // when the search found it
   bool was_weakly_found_ = false;
+  bool was_covered_ = false;
 };
 
 }  // namespace puck

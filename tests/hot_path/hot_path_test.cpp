@@ -141,23 +141,24 @@ TEST_CASE("a second of tracking asks for no memory, neither thread") {
   }
 }
 
-TEST_CASE("what a search found, however much, is taken up without asking for memory") {
+TEST_CASE("what a search found, however much and late, is taken up without asking for memory") {
   const PipelineParams params = preset_params(Preset::kDefault);
   ContourPipeline pipeline(kSensor, params.contour, {}, kSizeModel);
   const EventPacket packet = packet_of(1);
   pipeline.take(packet.start, packet.events);
-  SearchResult result{packet.newest(), {Region::all_of(kSensor)}, {}};
-  const std::int64_t before = test::own_allocations();
-  pipeline.take(result);
-  CHECK(test::own_allocations() == before);
-
+  SearchResult result{packet.newest(), pipeline.search_wanted(), {}};
+  REQUIRE_FALSE(result.request.region.empty());
   for (std::size_t i = 0; i < PuckDetector::kMostDetections; ++i) {
     const auto number = static_cast<double>(i);
     result.candidates.push_back({{40 + 12 * number, 100 + 5 * number}, 0.9 - 0.01 * number});
   }
-  const std::int64_t filled = test::own_allocations();
+  std::vector<EventPacket> meanwhile;
+  for (int i = 2; i < 20; ++i) meanwhile.push_back(packet_of(i));
+
+  const std::int64_t before = test::own_allocations();
+  for (const EventPacket& later : meanwhile) pipeline.take(later.start, later.events);
   pipeline.take(result);
-  CHECK(test::own_allocations() == filled);
+  CHECK(test::own_allocations() == before);
 }
 
 }  // namespace puck

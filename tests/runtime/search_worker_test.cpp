@@ -63,6 +63,20 @@ TEST_CASE("a worker finds the same as a search at once, far and near, time after
   }
 }
 
+TEST_CASE("a worker that is to see what is fresh does not see a puck of 40 ms ago") {
+  constexpr SensorSize kSensor{320, 240};
+  SharedSurface shared(kSensor, preset_params(Preset::kCorrelation).eros);
+  SearchWorker worker(search_for(kSensor));
+  const Pixel puck{150, 60};
+  shared.update({{0}, test::contour_events(kSensor, puck, kSizeModel.at(puck), 150)}, {});
+  shared.update({{40'000}, {{3, 3, 1, 0}}}, {});
+  for (const bool fresh_only : {false, true}) {
+    CAPTURE(fresh_only);
+    worker.begin({.region = Region::around(puck, 41, 41), .fresh_only = fresh_only});
+    CHECK(result_of(worker, shared).candidates.empty() == fresh_only);
+  }
+}
+
 TEST_CASE("a large surface is copied a few rows at a time") {
   constexpr SensorSize kSensor{1000, 400};
   SharedSurface shared(kSensor, {});

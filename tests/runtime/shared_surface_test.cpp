@@ -95,25 +95,25 @@ TEST_CASE("every snapshot of a busy surface is the surface after some number of 
 
 TEST_CASE(
     "a surface that keeps only the regions asked for is dark elsewhere, and whole while none is") {
-  SharedSurface shared(kSensor, {}, true);
+  SharedSurface shared(kSensor, {}, {.roi_only = true});
   SharedSnapshot snapshot;
   SurfaceSnapshot whole;
   whole.region = kAll;
   whole.grey.resize(160, 120);
   shared.update({{0}, {{10, 10, 1, 0}, {110, 110, 1, 1}}}, {});
-  shared.copy_part(kAll, whole);
+  shared.copy_part(kAll, false, whole);
   CHECK(whole.grey(10, 10) == 255);
   shared.snapshot({100, 100, 20, 20}, {100, 80, 10, 5}, snapshot);
   CHECK(snapshot.surface.grey(10, 10) == 255);
   shared.update({{10}, {{10, 10, 1, 0}, {100, 80, 1, 1}, {110, 112, 0, 2}}}, {});
-  shared.copy_part(kAll, whole);
+  shared.copy_part(kAll, false, whole);
   CHECK(whole.grey(10, 10) == 0);
   CHECK(whole.grey(100, 80) == 255);
   CHECK(whole.grey(110, 112) == 255);
   CHECK(whole.events_applied == 5);
   shared.snapshot({}, {}, snapshot);
   shared.update({{20}, {{10, 10, 1, 0}}}, {});
-  shared.copy_part(kAll, whole);
+  shared.copy_part(kAll, false, whole);
   CHECK(whole.grey(10, 10) == 255);
 }
 
@@ -175,12 +175,29 @@ TEST_CASE("a part is copied to its place without a change of what is watched") {
   SurfaceSnapshot whole;
   whole.region = kAll;
   whole.grey.resize(160, 120);
-  shared.copy_part({0, 0, 160, 50}, whole);
-  shared.copy_part({0, 50, 160, 70}, whole);
+  shared.copy_part({0, 0, 160, 50}, false, whole);
+  shared.copy_part({0, 50, 160, 70}, false, whole);
   CHECK(whole.newest_event == Timestamp{7000});
   CHECK(whole.events_applied == 1001);
   CHECK(whole.grey(110, 110) == 255);
   CHECK(shared.wait_for_news(milliseconds(0)));
+}
+
+TEST_CASE("a part of what is fresh shows no pixel that has not fired of late") {
+  SharedSurface shared(kSensor, {});
+  shared.update({{0}, {{10, 10, 1, 0}, {110, 100, 1, 1}}}, {});
+  shared.update({{40'000}, {{11, 90, 1, 0}}}, {});
+  SurfaceSnapshot whole;
+  whole.region = kAll;
+  whole.grey.resize(160, 120);
+  shared.copy_part({0, 0, 160, 50}, true, whole);
+  shared.copy_part({0, 50, 160, 70}, true, whole);
+  CHECK(whole.grey(10, 10) == 0);
+  CHECK(whole.grey(110, 100) == 0);
+  CHECK(whole.grey(11, 90) == 255);
+  shared.copy_part(kAll, false, whole);
+  CHECK(whole.grey(10, 10) == 255);
+  CHECK(whole.grey(110, 100) == 255);
 }
 
 TEST_CASE("a sleeping thread is woken by an event and by a call") {

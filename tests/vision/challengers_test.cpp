@@ -13,10 +13,15 @@ using Kind = Challenger::Kind;
 
 const ContourContext kContext = test::contour_context();
 constexpr ContourFilter::Start kStart{.position = {300, 200}};
+constexpr std::int64_t kPeriod_us = 500;
 
 void find(Challengers& challengers, const std::vector<SearchCandidate>& candidates,
           std::int64_t time_us = 0) {
-  challengers.add_found({{}, {}, candidates}, false, Pixel{600, 400}, kContext, time_us);
+  challengers.add_found({.result = {{time_us}, {}, candidates},
+                         .main = Pixel{600, 400},
+                         .time_us = time_us,
+                         .period_us = kPeriod_us},
+                        kContext);
 }
 
 TEST_CASE("There are at most so many challengers of each kind") {
@@ -47,7 +52,8 @@ TEST_CASE("What is found is tried with both opinions on the wall, on the same ri
   ContourContext plain = kContext;
   plain.ingredients.wall = false;
   Challengers of_one_opinion;
-  of_one_opinion.add_found({{}, {}, {{{300, 200}, 0.5}}}, false, {}, plain, 0);
+  of_one_opinion.add_found({.result = {{}, {}, {{{300, 200}, 0.5}}}, .period_us = kPeriod_us},
+                           plain);
   CHECK(test::count(of_one_opinion) == 1);
 }
 
@@ -58,6 +64,97 @@ TEST_CASE("What is found again, or is the main track, is not tried") {
   CHECK(test::count(challengers) == 2);
   find(challengers, {{{250, 200}, 0.5}, {{603, 400}, 0.5}});
   CHECK(test::count(challengers) == 6);
+}
+
+// A search is made at 2 ms; its answer comes at 12 ms.
+TEST_CASE("What a search found catches up on what has happened since its snapshot, to the bit") {
+  constexpr std::int64_t kSeen_us = 2'000;
+  constexpr std::int64_t kNow_us = 12'000;
+  test::MovingContour puck(kContext.contour, {300, 200}, {1500, 200});
+  const Pixel seen_at = puck.position_at(kSeen_us);
+  MissedEvents missed;
+  missed.begin(Region::all_of(test::kSensor));
+  Challengers in_time;
+  for (std::int64_t t = 0; t < kNow_us; t += kPeriod_us) {
+    if (t == kSeen_us) find(in_time, {{seen_at, 0.5}}, kSeen_us);
+    for (const ContourEvent& event : puck.events(t + 1, t + kPeriod_us + 1)) {
+      missed.take(event, 0.25);
+      in_time.take(event, 0.25, kContext);
+    }
+    in_time.decide(t + kPeriod_us, kContext);
+  }
+
+  Challengers late;
+  const SearchResult result{{kSeen_us}, {}, {{seen_at, 0.5}}};
+  const Challengers::Answer answer{.result = result,
+                                   .missed = missed.events(),
+                                   .time_us = kNow_us,
+                                   .period_us = kPeriod_us,
+                                   .decided_us = kNow_us};
+  late.add_found(answer, kContext);
+  REQUIRE(test::count(late) == 2);
+  const ContourTrack& track = late.begin()->track();
+  CHECK(distance_px(track.filter().position(), puck.position_at(kNow_us)) < 1);
+  CHECK(track.filter().position() == in_time.begin()->track().filter().position());
+  CHECK(track.quality() == in_time.begin()->track().quality());
+  CHECK(track.quality() > 0.7);
+  CHECK(late.begin()->age_us(kNow_us) == kNow_us - kSeen_us);
+  CHECK(late.begin()->leads() == in_time.begin()->leads());
+
+  // It is known where the puck was then, not only where it is now.
+  late.add_found(answer, kContext);
+  CHECK(test::count(late) == 2);
+}
+
+// What has happened since a search at 0, and an answer so late.
+Challengers found_late(const std::vector<ContourEvent>& events, std::int64_t late_us,
+                       bool can_catch_up = true) {
+  MissedEvents missed;
+  missed.begin(Region::all_of(test::kSensor));
+  for (const ContourEvent& event : events) missed.take(event, 0);
+  const SearchResult result{{0}, {}, {{{300, 200}, 0.5}}};
+  Challengers challengers;
+  challengers.add_found({.result = result,
+                         .missed = missed.events(),
+                         .can_catch_up = can_catch_up,
+                         .time_us = late_us,
+                         .period_us = kPeriod_us,
+                         .decided_us = late_us},
+                        kContext);
+  REQUIRE(test::count(challengers) == 2);
+  return challengers;
+}
+
+TEST_CASE("What was found late is tried for as long as what was found at once") {
+  test::MovingContour puck(kContext.contour, {300, 200}, {300, 0});
+  constexpr std::int64_t kLate_us = 200'000;
+  Challengers challengers = found_late(puck.events(1, 20'000), kLate_us);
+  CHECK(challengers.begin()->age_us(kLate_us) == kLate_us);
+  const ContourFilter far({}, {.position = {100, 400}}, 0);
+  challengers.dismiss_idle(far, kLate_us + 60'000);
+  CHECK(test::count(challengers) == 2);
+  challengers.dismiss_hopeless(kLate_us + 10'000);
+  CHECK(test::count(challengers) == 2);
+  challengers.dismiss_idle(far, kLate_us + 60'001);
+  CHECK(test::count(challengers) == 0);
+}
+
+TEST_CASE("To catch up takes as long as there are events, however late it is") {
+  const Challengers challengers = found_late({}, 1'000'000'000'000'000);
+  CHECK(challengers.begin()->track().quality() == 0);
+}
+
+TEST_CASE("What stands still does not help to catch up either") {
+  test::MovingContour puck(kContext.contour, {300, 200}, {700, 200});
+  std::vector<ContourEvent> events = puck.events(1, 5'001);
+  CHECK(found_late(events, 5'000).begin()->track().looks().near_events > 10);
+  for (ContourEvent& event : events) event.still = true;
+  CHECK(found_late(events, 5'000).begin()->track().looks().near_events == 0);
+}
+
+TEST_CASE("What cannot catch up is tried from now on") {
+  const Challengers challengers = found_late({}, 5'000, false);
+  CHECK(challengers.begin()->age_us(6'000) == 1'000);
 }
 
 TEST_CASE("What no event speaks for is refuted, and not tried again for a while") {
@@ -97,7 +194,10 @@ TEST_CASE("What is found again by more than a conjecture is no longer one, and h
   Challengers challengers;
   const auto find_other_wall = [&](double score, bool is_conjecture) {
     const SearchRequest request{.other_wall = true};
-    challengers.add_found({{}, request, {{{300, 200}, score}}}, is_conjecture, {}, kContext, 0);
+    challengers.add_found({.result = {{}, request, {{{300, 200}, score}}},
+                           .is_conjecture = is_conjecture,
+                           .period_us = kPeriod_us},
+                          kContext);
     REQUIRE(test::count(challengers) == 2);
     return challengers.begin()->found();
   };
@@ -168,6 +268,29 @@ TEST_CASE("Challengers that are too old or the same as the main track are given 
   challengers.dismiss_idle(same, 8'001);
   REQUIRE(test::count(challengers) == 1);
   CHECK(challengers.begin()->kind() == Kind::kWall);
+}
+
+// Whether what follows a puck is still there at that age.
+bool lives_until(std::int64_t age_us, PixelVelocity velocity) {
+  test::MovingContour puck(kContext.contour, {300, 200}, velocity);
+  Challengers challengers;
+  find(challengers, {{{300, 200}, 0.5}});
+  for (std::int64_t t = 0; t < age_us; t += 1'000) {
+    for (const ContourEvent& event : puck.events(t, t + 1'000)) {
+      challengers.take(event, 0, kContext);
+    }
+    challengers.decide(t + 1'000, kContext);
+  }
+  challengers.dismiss_hopeless(age_us);
+  return test::count(challengers) > 0;
+}
+
+TEST_CASE(
+    "While there is no track, what was found is given up at 60 ms, or, if it thrives, at 150 ms") {
+  CHECK(lives_until(60'000, {8, 0}));
+  CHECK_FALSE(lives_until(61'000, {8, 0}));
+  CHECK(lives_until(150'000, {300, 0}));
+  CHECK_FALSE(lives_until(151'000, {300, 0}));
 }
 
 // When the first is found among two of which one follows a moving puck, µs.

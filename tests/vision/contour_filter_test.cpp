@@ -24,6 +24,12 @@ TEST_CASE("Prediction moves with the velocity, and the uncertainty grows with th
   CHECK(filter.distance_variance(1, 0) > before + 900 * 900 * 1e-4);
 }
 
+TEST_CASE("Where it was before follows from its velocity; where it will be is not told") {
+  const ContourFilter filter({}, {.position = {100, 50}, .velocity = {1000, -500}}, 20'000);
+  CHECK(filter.position_at(10'000) == Pixel{90, 55});
+  CHECK(filter.position_at(30'000) == Pixel{100, 50});
+}
+
 TEST_CASE("A blind filter comes to rest") {
   ContourFilter filter = at_origin();
   for (int i = 1; i <= 300; ++i) filter.predict(i * 1000, true);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -174,6 +175,50 @@ TEST_CASE("a moving puck is found without help and followed to a fraction of a p
   CHECK(table.estimate().score > 0.8);
   CHECK(table.estimate().covariance[0] > 0);
   CHECK(table.estimate().covariance[0] < 1);
+}
+
+TEST_CASE("a fast puck is found by searches whose answers come late") {
+  PipelineParams params = preset_params(Preset::kDefault);
+  params.search_delay_us = 15'000;
+  Table table(params);
+  table.glide({1500, 300}, 100);
+  CHECK(table.estimate().state == TrackState::kTracking);
+  CHECK(table.error_px() < 1);
+}
+
+TEST_CASE("while the answer of a search is awaited, events are taken wherever it looks") {
+  const Region image = Region::all_of(kSensor);
+  PipelineParams params = preset_params(Preset::kDefault);
+  params.contour.calibration = {0, 0, 0};
+  const auto pipeline = make_pipeline(kSensor, params, kSizeModel);
+  const PuckContour contour(kSensor, kSizeModel, params.contour.calibration, true);
+  test::MovingContour puck(contour, {60, 100}, {150, 30});
+  int awaited = 0;
+  bool has_answered = false;
+  std::optional<SearchResult> answer;
+  std::int64_t wanted_us = 0;
+  for (std::int64_t t = 0; t < 1'200'000; t += 500) {
+    const EventPacket packet = test::packet_of(puck.events(t + 1, t + 501), kSensor, t, t);
+    if (packet.empty()) continue;
+    pipeline->take(packet.start, packet.events);
+    // A track that is not trusted yet watches all of the image anyway.
+    if (has_answered && t > 500'000) CHECK(pipeline->events_needed().width < image.width);
+    has_answered = false;
+    if (!answer) {
+      answer = {{t + 500}, pipeline->search_wanted(), {{puck.position_at(t + 500), 0.8}}};
+      if (answer->request.region.empty()) answer.reset();
+      wanted_us = t;
+    }
+    if (!answer) continue;
+    const bool is_wide = answer->request.region == image;
+    if (is_wide) CHECK(pipeline->events_needed() == image);
+    if (t < wanted_us + 3'000) continue;
+    if (is_wide && t > 500'000) ++awaited;
+    pipeline->take(*answer);
+    has_answered = is_wide;
+    answer.reset();
+  }
+  CHECK(awaited > 0);
 }
 
 TEST_CASE("a puck that bounces is followed on") {
@@ -372,6 +417,20 @@ TEST_CASE("without ingredient wall-search only the calibrated side wall is looke
   const std::string searches = table.searches();
   CHECK(searches == std::string(searches.size(), 'c'));
   CHECK(searches.size() > 10);
+}
+
+TEST_CASE("searches see what is fresh only, unless fresh-search is off") {
+  for (const bool is_on : {true, false}) {
+    PipelineParams params = preset_params(Preset::kDefault);
+    params.contour.ingredients.fresh_search = is_on;
+    const auto pipeline = make_pipeline(kSensor, params, kSizeModel);
+    // The first decision asks for a search.
+    const Event late{100, 100, 0, 1'000};
+    pipeline->take({0}, std::span(&late, 1));
+    const SearchRequest wanted = pipeline->search_wanted();
+    REQUIRE_FALSE(wanted.region.empty());
+    CHECK(wanted.fresh_only == is_on);
+  }
 }
 
 TEST_CASE("what a search for an unseen side wall finds moves too slowly to be believed at once") {

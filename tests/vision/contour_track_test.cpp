@@ -70,19 +70,109 @@ TEST_CASE("Nothing is believed where events lie everywhere") {
   CHECK(track.quality() < 0.2);
 }
 
-TEST_CASE("Signs that do not suit a disc of one tone make a track doubtful") {
-  const ContourContext all = test::contour_context();
-  test::MovingContour puck(all.contour, {250, 180}, {700, 300});
-  ContourTrack track(all, {.position = {250, 180}, .velocity = {700, 300}}, 0, 0);
+// A track of a puck of which every other event has the wrong sign.
+ContourTrack track_of_mixed_signs(const ContourContext& context) {
+  test::MovingContour puck(context.contour, {250, 180}, {700, 300});
+  ContourTrack track(context, {.position = {250, 180}, .velocity = {700, 300}}, 0, 0);
   for (std::int64_t t = 0; t < 40'000; t += 1000) {
     bool on = false;
     for (ContourEvent event : puck.events(t, t + 1000)) {
       event.on = on = !on;
-      track.take(event, all);
+      track.take(event, context);
     }
-    track.decide(t + 1000, false, all);
+    track.decide(t + 1000, false, context);
   }
-  CHECK_FALSE(track.is_good());
+  return track;
+}
+
+TEST_CASE("Signs that do not suit a disc of one tone make a track doubtful, unless purity is off") {
+  ContourContext context = test::contour_context();
+  CHECK_FALSE(track_of_mixed_signs(context).is_good());
+  context.ingredients.polarity = false;
+  CHECK_FALSE(track_of_mixed_signs(context).is_good());
+  context.ingredients.purity = false;
+  CHECK(track_of_mixed_signs(context).is_good());
+}
+
+// A track of a dark puck that goes to the right, and where its leading edge is.
+struct LeadingEdge {
+  explicit LeadingEdge(const ContourContext& all)
+      : context(all), track(context, {.position = {250, 180}, .velocity = {700, 0}}, 0, 0) {
+    test::MovingContour puck(context.contour, {250, 180}, {700, 0});
+    follow(track, puck, context, 0, 40'000);
+    const Pixel at = track.filter().position();
+    const ContourRing ring = context.contour.ring_at(at, 0);
+    edge = {at.x + ring.semi_x, at.y - ring.rise};
+  }
+  // Of an event there.
+  double worth(bool on, bool first) {
+    return track.take({40'000, edge.x, edge.y, on, first}, context);
+  }
+
+  const ContourContext& context;
+  ContourTrack track;
+  Pixel edge;
+};
+
+TEST_CASE("An event of the wrong sign speaks against a track, unless polarity is off") {
+  ContourContext context = test::contour_context();
+  const auto worth = [&](bool on) { return LeadingEdge(context).worth(on, true); };
+  CHECK(worth(false) > 0);
+  CHECK(worth(true) == -1);
+  context.ingredients.polarity = false;
+  CHECK(worth(true) == worth(false));
+}
+
+TEST_CASE("A faint puck is followed by first events only, unless first-events is off") {
+  ContourContext context = test::contour_context();
+  const auto worth = [&](bool first) { return LeadingEdge(context).worth(false, first); };
+  CHECK(worth(false) > 0);
+  context.signature.learn({.quick_events = 150, .first_events = 100}, 0);
+  REQUIRE(context.signature.is_faint());
+  CHECK(worth(false) == 0);
+  CHECK(worth(true) > 0);
+  context.ingredients.first_events = false;
+  CHECK(worth(false) > 0);
+}
+
+TEST_CASE("Many events in one direction are worth less, unless sector-saturation is off") {
+  ContourContext context = test::contour_context();
+  const auto worth_of_last = [&] {
+    LeadingEdge edge(context);
+    double worth = 0;
+    for (int i = 0; i < 200; ++i) worth = edge.worth(false, true);
+    return worth;
+  };
+  CHECK(worth_of_last() < 0.75);
+  context.ingredients.sector_saturation = false;
+  CHECK(worth_of_last() == 1);
+}
+
+// A track of something round that is larger than the puck by so much.
+ContourTrack track_of_larger(double wider_px, ContourContext context) {
+  PuckSizeModel larger = test::kSizeModel;
+  larger.width_0 += 2 * wider_px;
+  larger.height_0 += 2 * wider_px;
+  const PuckContour contour(test::kSensor, larger, {0, 0, 0}, true);
+  test::MovingContour mallet(contour, {250, 180}, {700, 300});
+  context.filter.follows_size = context.ingredients.size_state;
+  ContourTrack track(context, {.position = {250, 180}, .velocity = {700, 300}}, 0, 0);
+  follow(track, mallet, context, 0, 60'000);
+  return track;
+}
+
+TEST_CASE("A larger contour is followed as one, unless size-state is off") {
+  ContourContext context = test::contour_context();
+  CHECK(std::abs(track_of_larger(0.5, context).filter().growth_px() - 0.5) < 0.2);
+  context.ingredients.size_state = false;
+  CHECK(track_of_larger(0.5, context).filter().growth_px() == 0);
+}
+
+TEST_CASE("What is too large makes a track doubtful, unless size-penalty is off") {
+  ContourContext context = test::contour_context();
+  const double doubted = track_of_larger(1, context).quality();
+  context.ingredients.size_penalty = false;
+  CHECK(doubted < 0.7 * track_of_larger(1, context).quality());
 }
 
 TEST_CASE("A twin at rest overtakes a track that missed a bounce, and only then") {

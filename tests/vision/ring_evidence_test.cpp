@@ -51,6 +51,19 @@ TEST_CASE("Events of the wrong sign count against the ring") {
   CHECK(evidence.quality(kAreas) < before - 0.4);
 }
 
+TEST_CASE("Few events that all lie on the ring agree, though their quality is poor") {
+  RingEvidence evidence;
+  CHECK(evidence.agreement(kAreas) == 1);
+  for (const int sector : {3, 4, 9}) evidence.add_ring(sector, true);
+  CHECK(evidence.agreement(kAreas) == doctest::Approx(1));
+  CHECK(evidence.quality(kAreas) < 0.5);
+  for (int i = 0; i < 9; ++i) evidence.add_inside();
+  // 3 / 200 on the ring against (9 / 300) / 2 elsewhere.
+  CHECK(evidence.agreement(kAreas) == doctest::Approx(0));
+  evidence.fade(0.01);
+  CHECK(evidence.agreement(kAreas) == 1);
+}
+
 TEST_CASE("Evidence fades") {
   RingEvidence evidence = whole_ring(10);
   evidence.fade(0.25);

@@ -54,6 +54,17 @@ TEST_CASE("Before anything is known the detection region is searched each 20 ms,
   CHECK(plan.searched_us(21'500) == 21'000);
 }
 
+TEST_CASE("What is searched is known from when it is wanted until the answer has come") {
+  SearchPlan plan(kSensor, {100, 100, 200, 80});
+  CHECK(plan.searched().empty());
+  plan.plan_first(0);
+  CHECK(plan.searched() == Region{100, 100, 200, 80});
+  plan.give_out();
+  CHECK(plan.searched() == Region{100, 100, 200, 80});
+  plan.note_answer();
+  CHECK(plan.searched().empty());
+}
+
 TEST_CASE("Without a detection region the search is everywhere") {
   SearchPlan plan(kSensor, {});
   plan.plan_first(0);
@@ -78,7 +89,7 @@ TEST_CASE("The better the track, the more seldom the whole image is searched") {
   CHECK(SearchPlan::wide_period_us(now, kStirs) == 40'000);
   now.is_resting = true;
   CHECK(SearchPlan::wide_period_us(now, kStirs) == 1'000'000);
-  now.may_be_faint = true;
+  now.may_rest_elsewhere = true;
   CHECK(SearchPlan::wide_period_us(now, kStirs) == 50'000);
   CHECK(SearchPlan::wide_period_us(now, kIsStill) == 1'000'000);
   now.is_lost = true;
@@ -130,7 +141,7 @@ TEST_CASE("What may be a faint puck at rest is looked for elsewhere while someth
   SearchPlan plan(kSensor, {});
   SearchPlan::Situation now = kCalm;
   now.is_resting = true;
-  now.may_be_faint = true;
+  now.may_rest_elsewhere = true;
   const auto decide = [&](std::int64_t time_us) { plan.plan(now, kAll, time_us); };
   CHECK(searches_in_noise(plan, 1, 1'000'500, decide) == 1);
   const auto stir_and_decide = [&](std::int64_t time_us) {

@@ -1,5 +1,6 @@
 #include "common/vision/surface_tracker.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,8 @@ struct Record {
 // Wants the events of a region, and a search when it is told to.
 class Recorder final : public TrackingPipeline {
  public:
-  Recorder(Record& record, const Region& events, std::int64_t period_us, const Region& search)
+  Recorder(Record& record, const Region& events, std::int64_t period_us,
+           const SearchRequest& search)
       : record_(record), events_(events), period_us_(period_us), search_(search) {}
 
   Region events_needed() const override { return events_; }
@@ -41,20 +43,23 @@ class Recorder final : public TrackingPipeline {
     estimate.newest_event = snapshot.newest_event;
     return estimate;
   }
-  SearchRequest search_wanted() override { return {std::exchange(search_, {})}; }
+  SearchRequest search_wanted() override { return std::exchange(search_, {}); }
   void take(const SearchResult& result) override { record_.results.push_back(result); }
 
  private:
   Record& record_;
   Region events_;
   std::int64_t period_us_;
-  Region search_;
+  SearchRequest search_;
 };
 
 SurfaceTracker tracker_with(Record& record, const Region& events, std::int64_t period_us,
-                            const Region& search, bool roi_only = false) {
+                            const SearchRequest& search, bool roi_only = false,
+                            std::int64_t search_delay_us = 0) {
   PipelineParams params = preset_params(Preset::kCorrelation);
   params.roi_only = roi_only;
+  params.search_delay_us = search_delay_us;
+  params.follows_contour = true;  // so that it is known what is fresh
   return SurfaceTracker(kSensor, params, kSizeModel,
                         std::make_unique<Recorder>(record, events, period_us, search));
 }
@@ -104,7 +109,8 @@ TEST_CASE("a search is made at once, on the surface as it was when it was wanted
     CAPTURE(takes_events);
     Record record;
     const Region all = Region::all_of(kSensor);
-    SurfaceTracker tracker = tracker_with(record, takes_events ? all : Region{}, 1000, all);
+    SurfaceTracker tracker =
+        tracker_with(record, takes_events ? all : Region{}, 1000, {.region = all});
     tracker.update({{3000}, ring});
     tracker.update({{3500}, {{1, 1, 0, 0}}});
     tracker.estimate();
@@ -119,6 +125,37 @@ TEST_CASE("a search is made at once, on the surface as it was when it was wanted
   }
 }
 
+TEST_CASE("a search for what is fresh does not see a puck that has made no events for 40 ms") {
+  const Pixel puck{80, 60};
+  for (const bool fresh_only : {false, true}) {
+    CAPTURE(fresh_only);
+    Record record;
+    SurfaceTracker tracker =
+        tracker_with(record, {}, 0, {.region = Region::all_of(kSensor), .fresh_only = fresh_only});
+    tracker.update({{0}, test::contour_events(kSensor, puck, kSizeModel.at(puck), 150)});
+    tracker.update({{40'000}, {{3, 3, 1, 0}}});
+    tracker.estimate();
+    REQUIRE(record.results.size() == 1);
+    const std::vector<SearchCandidate>& found = record.results[0].candidates;
+    CHECK(std::any_of(found.begin(), found.end(), [&](const SearchCandidate& candidate) {
+            return distance_px(candidate.position, puck) < 3;
+          }) != fresh_only);
+  }
+}
+
+TEST_CASE("with a delay the answer of a search comes so long after its snapshot, and no earlier") {
+  const Region all = Region::all_of(kSensor);
+  Record record;
+  SurfaceTracker tracker = tracker_with(record, all, 1000, {.region = all}, false, 5'000);
+  tracker.update({{3000}, {{1, 1, 0, 0}}});
+  tracker.update({{7999}, {{1, 1, 0, 0}}});
+  tracker.estimate();
+  CHECK(record.results.empty());
+  tracker.update({{8000}, {{1, 1, 0, 0}}});
+  REQUIRE(record.results.size() == 1);
+  CHECK(record.results[0].time == Timestamp{3000});
+}
+
 TEST_CASE("a tracker that keeps only its region of the surface finds nothing elsewhere") {
   const Pixel puck{80, 60};
   const std::vector<Event> ring = test::contour_events(kSensor, puck, kSizeModel.at(puck), 150);
@@ -126,7 +163,7 @@ TEST_CASE("a tracker that keeps only its region of the surface finds nothing els
     CAPTURE(roi_only);
     Record record;
     const Region all = Region::all_of(kSensor);
-    SurfaceTracker tracker = tracker_with(record, {0, 0, 20, 20}, 0, all, roi_only);
+    SurfaceTracker tracker = tracker_with(record, {0, 0, 20, 20}, 0, {.region = all}, roi_only);
     tracker.update({{3000}, ring});
     tracker.estimate();
     REQUIRE(record.results.size() == 1);

@@ -61,6 +61,14 @@ TEST_CASE("What is faster than 300 px/s in all directions moves by itself") {
   CHECK_FALSE(moves_by_itself(claim));
 }
 
+TEST_CASE("A ring that looks larger than the puck's is a mallet's, however fast it is") {
+  Claim claim = kMoving;
+  claim.looks.growth_px = 0.44;
+  CHECK(moves_by_itself(claim));
+  claim.looks.growth_px = 0.45;
+  CHECK_FALSE(moves_by_itself(claim));
+}
+
 TEST_CASE("While the head rests a whole ring of the right size moves by itself from 100 px/s") {
   Claim slow = kMoving;
   slow.looks.speed_px_s = 101;
@@ -148,6 +156,106 @@ TEST_CASE("What moves beyond doubt outruns a rest that is trusted, but was never
   CHECK_FALSE(is_convincing(claim, main));
 }
 
+TEST_CASE("A puck at rest that was covered 200 ms ago is outrun by a whole ring of its size") {
+  Defence main{.is_proven = true,
+               .may_be_overtaken = true,
+               .is_resting = true,
+               .was_covered = true,
+               .since_good_us = 200'001};
+  Claim claim = kMoving;
+  claim.looks.quality = 0.86;
+  claim.looks.strength = 41;
+  claim.looks.cover = 0.51;
+  CHECK(is_convincing(claim, main));
+  main.since_good_us = 200'000;
+  CHECK_FALSE(is_convincing(claim, main));
+  main.since_good_us = 200'001;
+  main.may_be_overtaken = false;
+  CHECK_FALSE(is_convincing(claim, main));
+  main.may_be_overtaken = true;
+  main.was_covered = false;
+  CHECK_FALSE(is_convincing(claim, main));
+  main.was_covered = true;
+  claim.looks.cover = 0.5;
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks.cover = 0.51;
+  claim.looks.growth_px = 0.35;
+  CHECK_FALSE(is_convincing(claim, main));
+}
+
+// What is just recognised, by a high score.
+constexpr Claim kRecognised{
+    .looks = {.growth_px = 0.44, .quality = 0.51, .strength = 11, .cover = 0.41},
+    .age_us = 6'001,
+    .found = {.score = 0.61},
+    .leads = true};
+constexpr Defence kGoneBad{.looks = {.position = {500, 0}},
+                           .is_trusted = true,
+                           .is_proven = true,
+                           .knows_pucks = true,
+                           .since_good_us = 20'001};
+
+TEST_CASE("What the correlation and its events together say is a puck is recognised") {
+  CHECK(is_recognised(kRecognised, kGoneBad));
+  CHECK(is_convincing(kRecognised, kGoneBad));
+  const auto is_still_recognised = [](auto change) {
+    Claim claim = kRecognised;
+    change(claim);
+    return is_recognised(claim, kGoneBad);
+  };
+  CHECK_FALSE(is_still_recognised([](Claim& claim) { claim.leads = false; }));
+  CHECK_FALSE(is_still_recognised([](Claim& claim) { claim.age_us = 6'000; }));
+  CHECK_FALSE(is_still_recognised([](Claim& claim) { claim.looks.strength = 10; }));
+  CHECK_FALSE(is_still_recognised([](Claim& claim) { claim.looks.cover = 0.4; }));
+  CHECK_FALSE(is_still_recognised([](Claim& claim) { claim.looks.growth_px = 0.45; }));
+  CHECK_FALSE(is_still_recognised([](Claim& claim) { claim.looks.growth_px = -0.6; }));
+  // However high the score, its events must not contradict.
+  CHECK_FALSE(is_still_recognised([](Claim& claim) {
+    claim.looks.quality = 0.5;
+    claim.found.score = 0.9;
+  }));
+}
+
+TEST_CASE("A lower score is made up for by events that say more, of what moves") {
+  Claim claim = kRecognised;
+  claim.found.score = 0.46;
+  claim.looks.quality = 0.79;
+  claim.looks.speed_px_s = 101;
+  CHECK(is_recognised(claim, kGoneBad));
+  claim.looks.quality = 0.77;
+  CHECK_FALSE(is_recognised(claim, kGoneBad));
+  claim.looks.quality = 0.79;
+  claim.looks.speed_px_s = 100;
+  CHECK_FALSE(is_recognised(claim, kGoneBad));
+  claim.looks.speed_px_s = 101;
+  claim.looks.quality = 0.99;
+  claim.found.score = 0.45;
+  CHECK_FALSE(is_recognised(claim, kGoneBad));
+}
+
+TEST_CASE("Nothing is recognised while the main track is good, or the ingredient is off") {
+  Defence main = kGoneBad;
+  main.since_good_us = 20'000;
+  CHECK_FALSE(is_recognised(kRecognised, main));
+  main = kGoneBad;
+  main.knows_pucks = false;
+  CHECK_FALSE(is_recognised(kRecognised, main));
+}
+
+TEST_CASE("Against a puck at rest only a high score is recognised, unless it is lost") {
+  Defence main = kGoneBad;
+  main.is_resting = true;
+  CHECK(is_convincing(kRecognised, main));
+  Claim moving = kRecognised;
+  moving.found.score = 0.6;
+  moving.looks.quality = 0.7;
+  moving.looks.speed_px_s = 200;
+  CHECK(is_convincing(moving, kGoneBad));
+  CHECK_FALSE(is_convincing(moving, main));
+  main.is_lost = true;
+  CHECK(is_convincing(moving, main));
+}
+
 TEST_CASE("What moves by itself takes over from what never has") {
   Defence main = kStrongMain;
   main.looks.quality = 0.85;
@@ -208,6 +316,42 @@ TEST_CASE("A track that is not trusted gives way to what looks better or twice a
   CHECK_FALSE(is_convincing(claim, main));
 }
 
+TEST_CASE("A mallet, or what is too small, displaces no track, trusted or not") {
+  Claim claim{.looks = {.position = {500, 0}, .quality = 0.9, .strength = 30}, .age_us = 15'001};
+  Defence main = kStrongMain;
+  main.is_trusted = false;
+  main.looks = {.quality = 0.7, .strength = 14};
+  CHECK(displaces_stranger(claim, main));
+  claim.looks.growth_px = 0.45;
+  CHECK_FALSE(displaces_stranger(claim, main));
+  claim.looks.growth_px = -0.6;
+  CHECK_FALSE(displaces_stranger(claim, main));
+  claim.looks = {.position = {15, 0}, .growth_px = 0.44, .quality = 0.6, .strength = 20};
+  main = kBadMain;
+  main.since_good_us = 10'000;
+  CHECK(succeeds_nearby(claim, main));
+  claim.looks.growth_px = 0.45;
+  CHECK_FALSE(succeeds_nearby(claim, main));
+}
+
+TEST_CASE("What searches see as more of a puck gives way only to what they see so, too") {
+  Claim claim{.looks = {.position = {15, 0}, .quality = 0.9, .strength = 30},
+              .age_us = 15'001,
+              .found = {.score = 0.5}};
+  Defence main = kBadMain;
+  main.is_trusted = false;
+  main.since_good_us = 10'000;
+  main.score = 0.7;
+  CHECK(displaces_stranger(claim, main));
+  CHECK(succeeds_nearby(claim, main));
+  main.knows_pucks = true;
+  CHECK_FALSE(displaces_stranger(claim, main));
+  CHECK_FALSE(succeeds_nearby(claim, main));
+  claim.found.score = 0.61;
+  CHECK(displaces_stranger(claim, main));
+  CHECK(succeeds_nearby(claim, main));
+}
+
 TEST_CASE("A track that looks bad gives way to a better one within a reach that grows") {
   // 12 px, and 1.5 px more each millisecond without a good track.
   Claim claim{.looks = {.position = {15, 0}, .quality = 0.6, .strength = 20}, .age_us = 6'001};
@@ -245,15 +389,22 @@ TEST_CASE("From a track of some quality it takes over only if it is stronger and
 }
 
 TEST_CASE("The first is waited for 150 ms before less than the evident is believed") {
-  Claim claim{.looks = {.growth_px = 0.5, .quality = 0.81, .strength = 31, .cover = 0.41},
+  Claim claim{.looks = {.growth_px = 0.34, .quality = 0.81, .strength = 31, .cover = 0.51},
               .age_us = 20'001};
   CHECK_FALSE(is_convincing_as_first(claim, 150'000));
   CHECK(is_convincing_as_first(claim, 150'001));
-  claim.looks.growth_px = 0.6;
+  claim.looks.cover = 0.5;
+  CHECK_FALSE(is_convincing_as_first(claim, 150'001));
+  claim.looks.cover = 0.51;
+  claim.looks.growth_px = 0.35;
   CHECK_FALSE(is_convincing_as_first(claim, 150'001));
   claim.found.score = 0.7;
   CHECK(is_convincing_as_first(claim, 0));
   CHECK(is_convincing_as_first(kMoving, 0));
+  Claim mallet = kMoving;
+  mallet.looks.growth_px = 0.35;
+  CHECK(moves_by_itself(mallet));
+  CHECK_FALSE(is_convincing_as_first(mallet, 0));
   Claim evident{
       .looks = {.quality = 0.9, .strength = 200}, .age_us = 8'000, .found = {.score = 0.8}};
   CHECK(is_convincing_as_first(evident, 0));

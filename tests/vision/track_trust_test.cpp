@@ -44,6 +44,25 @@ TEST_CASE("Trust wanes as fast as it grew, is never more than a second's, and is
   CHECK(track.trust.is_exhausted());
 }
 
+TEST_CASE("A track was covered from when something is inside its ring until it is sound again") {
+  Judged track;
+  track.look(kSound, 100);
+  CHECK_FALSE(track.trust.was_covered());
+  TrackLooks covered = kBad;
+  covered.inside_events = 12;
+  track.look(covered, 1);
+  CHECK_FALSE(track.trust.was_covered());
+  covered.inside_events = 13;
+  track.look(covered, 1);
+  track.look(kBad, 1'000, true);
+  CHECK(track.trust.was_covered());
+  track.look(kSound, 1);
+  CHECK_FALSE(track.trust.was_covered());
+  track.look(covered, 1);
+  track.trust.note_found(false, track.now_us);
+  CHECK_FALSE(track.trust.was_covered());
+}
+
 TEST_CASE("A track is proven once it has been sound and fast for more than 30 ms on end") {
   Judged track;
   track.look(kFast, 30);
