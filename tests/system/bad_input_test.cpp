@@ -286,6 +286,13 @@ TEST_CASE("every program refuses calibrations, tables and scenes that make no se
        {"FOLDER/a.raw", "--size-model", "config/calibration/simulated_size.toml", "--preset",
         "correlation", "--without", "shear"},
        {"--without shear needs preset default"}},
+      {"puck-evaluate",
+       {"FOLDER/a.raw", "--size-model", "config/calibration/simulated_size.toml", "--start", "99"},
+       {"s long: nothing is left from 99.000 s on"}},
+      {"puck-evaluate",
+       {"FOLDER/a.raw", "--size-model", "config/calibration/simulated_size.toml", "--algorithm",
+        "cluster", "--search-delay", "5000"},
+       {"--search-delay needs algorithm puck"}},
       {"puck-demo-report", {"FOLDER/nowhere.lcm"}, {"FOLDER/nowhere.lcm: cannot be read"}},
       {"puck-demo-report", {"FOLDER/a.raw"}, {"FOLDER/a.raw: is not an LCM log"}},
   };

@@ -22,6 +22,7 @@
 #include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/lossy_reader.h"
 #include "tools/evaluate/options.h"
+#include "tools/evaluate/part_reader.h"
 #include "tools/evaluate/plots.h"
 #include "tools/evaluate/replay.h"
 #include "tools/evaluate/report.h"
@@ -84,6 +85,12 @@ bool evaluate(const EvaluateOptions& options) {
   }
   auto events = is_log ? open_event_log(options.events, options.prefix, EventLog::Sessions::kFirst)
                        : open_event_file(options.events, options.file);
+  std::optional<Timestamp> begin;
+  if (!options.part.is_whole()) {
+    auto part = std::make_unique<PartReader>(std::move(events), options.part);
+    begin = part->begin();
+    events = std::move(part);
+  }
   if (!options.hot_pixel_mask.empty()) {
     events = std::make_unique<MaskedReader>(std::move(events),
                                             read_pixel_mask_file(options.hot_pixel_mask),
@@ -100,6 +107,7 @@ bool evaluate(const EvaluateOptions& options) {
   setup.contour = read_contour_calibration(calibration).value_or(ContourCalibration{});
   setup.without = options.without;
   setup.roi_only = options.roi_only;
+  setup.search_delay_us = options.search_delay_us;
   if (options.replay && setup.algorithm != Algorithm::kPuck) {
     throw std::invalid_argument("--replay needs algorithm puck: the tracker runs no other");
   }
@@ -116,6 +124,11 @@ bool evaluate(const EvaluateOptions& options) {
       truth = read_truth_file(options.truth);
     } else if (is_log) {
       truth = read_truth_log(options.events, options.prefix);
+    }
+    // What moved before the part began did so unseen.
+    if (begin && !truth.empty()) {
+      std::erase_if(truth, [&](const TruthRow& row) { return row.time < *begin; });
+      if (truth.empty()) throw std::invalid_argument("the truth ends before --start");
     }
     if (!truth.empty()) score.emplace(TruthTrack(std::move(truth)), events->sensor_size());
   }

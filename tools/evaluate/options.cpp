@@ -1,5 +1,7 @@
 #include "tools/evaluate/options.h"
 
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 #include "common/messaging/event_packing.h"
@@ -64,6 +66,24 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
                "every estimate of a replay must be equal to the bit: those of a tracker that ran "
                "with tracker.reproducible are")
       ->needs(replay);
+  app.add_option("--search-delay", options.search_delay_us,
+                 "what a search found is told so many µs later, as on a busy machine")
+      ->check(number_range(0, 1e6))
+      ->excludes(replay)
+      ->excludes(real_time);
+  constexpr double kLongest_s = 1e6;
+  const auto seconds_into = [](std::int64_t& time_us) {
+    return [&time_us](double seconds) { time_us = std::llround(seconds * 1e6); };
+  };
+  app.add_option_function<double>("--start", seconds_into(options.part.from_us),
+                                  "begin so many seconds after the first event, knowing nothing "
+                                  "of what was before")
+      ->check(number_range(0, kLongest_s))
+      ->excludes(replay);
+  app.add_option_function<double>("--seconds", seconds_into(options.part.length_us),
+                                  "stop so many seconds later")
+      ->check(number_range(1e-3, kLongest_s))
+      ->excludes(replay);
   auto* drop = app.add_option_function<double>(
                       "--drop-packets",
                       [&options](double percent) {

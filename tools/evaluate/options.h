@@ -8,6 +8,7 @@
 
 #include "common/io/event_reader.h"
 #include "tools/evaluate/lossy_reader.h"
+#include "tools/evaluate/part_reader.h"
 
 namespace puck {
 
@@ -25,6 +26,7 @@ struct EvaluateOptions {
   std::string detection_region;
   std::vector<std::string> without;
   bool roi_only = false;
+  std::int64_t search_delay_us = 0;
   double rate_hz = 1000;
   bool real_time = false;
   bool as_fast_as_possible = false;
@@ -32,6 +34,7 @@ struct EvaluateOptions {
   bool exact = false;
   double max_difference_px = 0.5;
   std::string prefix;
+  RecordingPart part;
   bool drops_packets = false;
   LossyReaderParams loss;
   EventFileOptions file;

@@ -49,8 +49,12 @@ PipelineParams TrackerSetup::pipeline_params() const {
   if (detection_region) params.detector.region = *detection_region;
   params.contour.calibration = contour;
   params.roi_only = roi_only;
+  params.search_delay_us = search_delay_us;
   if (roi_only && algorithm != Algorithm::kPuck) {
     throw std::invalid_argument("--roi-only needs algorithm puck: the others have no such region");
+  }
+  if (search_delay_us > 0 && algorithm != Algorithm::kPuck) {
+    throw std::invalid_argument("--search-delay needs algorithm puck: the others make no searches");
   }
   if (!without.empty() && (algorithm != Algorithm::kPuck || !params.follows_contour)) {
     throw std::invalid_argument("--without " + without.front() +

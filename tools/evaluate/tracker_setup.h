@@ -30,7 +30,8 @@ struct TrackerSetup {
   std::optional<Region> detection_region;  ///< Instead of the preset's.
   /// Names in kContourIngredients: what the preset `default` is to do without.
   std::vector<std::string> without;
-  bool roi_only = false;  ///< PipelineParams::roi_only.
+  bool roi_only = false;             ///< PipelineParams::roi_only.
+  std::int64_t search_delay_us = 0;  ///< PipelineParams::search_delay_us.
 
   /// The preset's parameters with all of that put in. Throws std::invalid_argument when there is no
   /// ingredient of a name in `without`.

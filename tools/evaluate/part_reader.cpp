@@ -1,0 +1,53 @@
+#include "tools/evaluate/part_reader.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+namespace puck {
+namespace {
+
+// Packets of this size are skipped quickly.
+constexpr std::size_t kReadEvents = 4096;
+
+}  // namespace
+
+PartReader::PartReader(std::unique_ptr<EventReader> events, const RecordingPart& part)
+    : events_(std::move(events)) {
+  EventPacket packet;
+  if (!events_->read(packet, 1)) throw std::invalid_argument("the recording has no events");
+  const Timestamp first = packet.newest();
+  Timestamp last = first;
+  begin_ = first + part.from_us;
+  while (last < begin_) {
+    if (!events_->read(packet, kReadEvents)) {
+      char text[120];
+      std::snprintf(
+          text, sizeof text, "the recording is %.3f s long: nothing is left from %.3f s on",
+          static_cast<double>(last - first) * 1e-6, static_cast<double>(part.from_us) * 1e-6);
+      throw std::invalid_argument(text);
+    }
+    last = packet.newest();
+  }
+  const bool is_open = part.length_us > RecordingPart::kEnd - begin_.us;
+  end_ = is_open ? Timestamp{RecordingPart::kEnd} : begin_ + part.length_us;
+  events_->rewind();
+}
+
+bool PartReader::read(EventPacket& packet, std::size_t max_events) {
+  // An empty packet would say that the part has ended.
+  do {
+    if (!events_->read(packet, max_events)) return false;
+  } while (packet.newest() < begin_);
+  const auto outside = [&](const Event& event) {
+    const Timestamp time = packet.time_of(event);
+    return time < begin_ || time >= end_;
+  };
+  std::erase_if(packet.events, outside);
+  return !packet.empty();
+}
+
+void PartReader::rewind() { events_->rewind(); }
+
+}  // namespace puck

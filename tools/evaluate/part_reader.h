@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/io/event_reader.h"
+
+namespace puck {
+
+/// A part of a recording, from its first event on.
+struct RecordingPart {
+  static constexpr std::int64_t kEnd = std::numeric_limits<std::int64_t>::max();
+
+  std::int64_t from_us = 0;
+  std::int64_t length_us = kEnd;
+
+  bool is_whole() const { return from_us == 0 && length_us == kEnd; }
+};
+
+/// A part of another reader's events.
+class PartReader final : public EventReader {
+ public:
+  /// Throws std::invalid_argument when the recording ends before the part begins.
+  PartReader(std::unique_ptr<EventReader> events, const RecordingPart& part);
+
+  SensorSize sensor_size() const override { return events_->sensor_size(); }
+  bool read(EventPacket& packet, std::size_t max_events) override;
+  void rewind() override;
+  /// Of the reader behind it: what lies before the part is counted as read.
+  const EventCounters& counters() const override { return events_->counters(); }
+  /// … and what lies after it is not warned of.
+  std::vector<std::string> warnings() const override { return events_->warnings(); }
+
+  Timestamp begin() const { return begin_; }
+
+ private:
+  std::unique_ptr<EventReader> events_;
+  Timestamp begin_;
+  Timestamp end_;  // the first time that does not belong to the part
+};
+
+}  // namespace puck
