@@ -40,6 +40,7 @@ constexpr double kSamePlace_px = 0.5;
 ContourTrack::ContourTrack(const ContourContext& context, const ContourFilter::Start& start,
                            std::int64_t time_us, double wall_share)
     : filter_(context.filter, start, time_us),
+      turning_px_s_(context.contour.turning_px_s()),
       wall_share_(wall_share),
       decided_us_(time_us),
       last_ring_us_(time_us),
@@ -163,6 +164,7 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
 TrackLooks ContourTrack::looks() const {
   return {.position = filter_.position(),
           .speed_px_s = filter_.speed_px_s(),
+          .turning_px_s = turning_px_s_,
           .growth_px = filter_.growth_px(),
           .quality = quality_,
           .agreement = evidence_.agreement(areas_),

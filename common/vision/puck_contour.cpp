@@ -10,6 +10,8 @@ namespace {
 constexpr double kSmallestSemi_px = 2;
 // A plane seen in perspective makes the width grow at least so much from row to row, px per px.
 constexpr double kLeastSlope = 0.01;
+// 300 px/s where the paper's camera stands.
+constexpr double kTurningWidths_per_s = 9;
 
 }  // namespace
 
@@ -33,6 +35,8 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
       calibration_(calibration),
       middle_column_((sensor.width - 1) / 2.0),
       sheared_(sheared && size_model.width_y > kLeastSlope) {
+  const double width_px = size_model.at({middle_column_, (sensor.height - 1) / 2.0}).width;
+  turning_px_s_ = kTurningWidths_per_s * std::max(width_px, 2 * kSmallestSemi_px);
   // On a plane a disc's width shrinks linearly to nothing at the horizon.
   if (sheared_) {
     horizon_row_ = -(size_model.width_0 + size_model.width_x * middle_column_) / size_model.width_y;

@@ -85,6 +85,9 @@ class PuckContour {
     return {centre.x, centre.y + (to - from) * size_at(centre).width / 2};
   }
   PuckSize size_at(Pixel centre) const { return size_model_.at(centre); }
+  /// Faster than the image of what is fixed to the table while the head turns as it does in play,
+  /// px/s. It goes with the lens, of which the puck's size in the image's middle tells.
+  double turning_px_s() const { return turning_px_s_; }
   /// ContourCalibration::behind_px.
   double behind_px(double normal_speed_px_s) const {
     return calibration_.behind_px(normal_speed_px_s);
@@ -95,6 +98,7 @@ class PuckContour {
   ContourCalibration calibration_;
   double middle_column_ = 0;
   double horizon_row_ = 0;
+  double turning_px_s_ = 0;
   bool sheared_ = false;
 };
 

@@ -9,8 +9,9 @@ namespace puck {
 struct TrackLooks {
   Pixel position;
   double speed_px_s = 0;
-  double growth_px = 0;    ///< By how much its contour is larger than the size model says.
-  double quality = 0;      ///< From −1 to 1.
+  double turning_px_s = 300;  ///< PuckContour::turning_px_s().
+  double growth_px = 0;       ///< By how much its contour is larger than the size model says.
+  double quality = 0;         ///< From −1 to 1.
   double agreement = 0;    ///< From −1 to 1: quality, but that few events are no reason to doubt.
   double strength = 0;     ///< How many more events lie on the ring than clutter would put there.
   double cover = 0;        ///< Share of the directions that the ring's events cover.
@@ -19,8 +20,8 @@ struct TrackLooks {
 
   /// Believed as it stands.
   constexpr bool is_good() const { return quality > 0.5 && strength > 6; }
-  /// Faster than the image of what is fixed to the table while the head turns as it does in play.
-  constexpr bool is_fast() const { return speed_px_s > 300; }
+  /// Faster than the head's turn could move what is fixed to the table.
+  constexpr bool is_fast() const { return speed_px_s > turning_px_s; }
   /// Larger than most pucks.
   constexpr bool is_large() const { return growth_px >= 0.35; }
   /// Events on most sides, and of the puck's size: a hand or a mallet is no such ring, or a larger

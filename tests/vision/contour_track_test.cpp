@@ -39,6 +39,7 @@ TEST_CASE("A track that starts 2 px off finds a moving puck to a few tenths of a
   CHECK(track.quality() > 0.8);
   CHECK(track.filter().velocity().x == doctest::Approx(700).epsilon(0.05));
   CHECK(track.filter().velocity().y == doctest::Approx(300).epsilon(0.1));
+  CHECK(track.looks().turning_px_s == all.contour.turning_px_s());
 }
 
 TEST_CASE("A sensor's lag is made good") {

@@ -65,9 +65,21 @@ TEST_CASE("The other opinion on the side wall is the opposite of the calibrated 
   CHECK(PuckContour(kSensor, kFlat, {0, 0.15, 0}, true).other_wall_share() == 0);
 }
 
+TEST_CASE(
+    "How fast the head's turn moves the image goes with the lens, which the puck's size tells") {
+  const PuckContour contour(kSensor, kFlat, kExact, true);
+  CHECK(contour.turning_px_s() == doctest::Approx(270));
+  // The same lens before half as many pixels, each twice as large.
+  const PuckContour coarse({321, 240}, {15, 0, 0, 10, 0, 0}, kExact, true);
+  CHECK(coarse.turning_px_s() == doctest::Approx(135));
+  // What counts is the size in the image's middle: 20 + 0.1 · 239.5.
+  CHECK(PuckContour(kSensor, kPlane, kExact, true).turning_px_s() == doctest::Approx(395.55));
+}
+
 TEST_CASE("A size model that promises no size still gives a ring") {
-  const ContourRing ring =
-      PuckContour(kSensor, {-50, 0, 0, -20, 0, 0}, kExact, true).ring_at({320, 240}, 0);
+  const PuckContour contour(kSensor, {-50, 0, 0, -20, 0, 0}, kExact, true);
+  CHECK(contour.turning_px_s() >= 30);
+  const ContourRing ring = contour.ring_at({320, 240}, 0);
   CHECK(ring.semi_x >= 1);
   CHECK(ring.semi_y >= 1);
   CHECK(std::isfinite(ring.offset(0, 0, 0).distance_px));

@@ -51,11 +51,13 @@ TEST_CASE("What the correlation scores above 0.65 is evident after 5 ms if its e
 constexpr Claim kMoving{
     .looks = {.speed_px_s = 301, .quality = 0.76, .strength = 26, .cover = 0.36}, .age_us = 12'001};
 
-TEST_CASE("What is faster than 300 px/s in all directions moves by itself") {
+TEST_CASE("What is faster than the head turns, in all directions, moves by itself") {
   CHECK(moves_by_itself(kMoving));
   Claim claim = kMoving;
   claim.looks.speed_px_s = 300;
   CHECK_FALSE(moves_by_itself(claim));
+  claim.looks.turning_px_s = 299;
+  CHECK(moves_by_itself(claim));
   claim = kMoving;
   claim.looks.cover = 0.35;
   CHECK_FALSE(moves_by_itself(claim));
