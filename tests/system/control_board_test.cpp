@@ -17,9 +17,20 @@ namespace {
 
 const std::string kJointTable = "config/calibration/simulated_arm.toml";
 
+// The board is a thread of this process: a busy machine holds it up for longer than a real board
+// ever is. So the arm is as patient with it as it can be, and slow: it does not get far in the
+// meantime.
 std::vector<std::string> settings_for(const TestBoard& board) {
-  return {"arm.back_end=yarp", "arm.yarp.port=" + std::to_string(board.port()),
-          "arm.joint_table=" + kJointTable, "arm.allow_unauthenticated=true"};
+  return {"arm.back_end=yarp",
+          "arm.yarp.port=" + std::to_string(board.port()),
+          "arm.joint_table=" + kJointTable,
+          "arm.allow_unauthenticated=true",
+          "arm.max_speed_m_s=0.3",
+          "arm.max_encoder_age_ms=1000",
+          "arm.max_tracking_error_deg=90",
+          "arm.yarp.silent_ms=1000",
+          "arm.yarp.answer_timeout_ms=2000",
+          "arm.yarp.max_step_deg=10"};
 }
 
 bool moves(RunningGame& game) {
