@@ -272,13 +272,12 @@ TEST_CASE("A board that fails in a game is a fault with its reason, and connecte
             {BoardTrouble::kModeLost,
              "rpc:i: joint 0 \"joint0\" is in mode \"hwf\", not in \"posd\""},
             {BoardTrouble::kAxesChange, "state:o: it sent the encoders of 6 joints: there were 7"},
-            {BoardTrouble::kStateFrozen, "state:o: its stamp stands still for 150 ms"},
-            {BoardTrouble::kStateMute, "state:o: no encoders for 150 ms"}})) {
+            {BoardTrouble::kStateFrozen, "state:o: its stamp stands still for 1000 ms"},
+            {BoardTrouble::kStateMute, "state:o: no encoders for 1000 ms"}})) {
     CAPTURE(each.reason);
     TestBoard board;
     YarpParams params = params_for(board);
-    params.silent_ms = 150;
-    params.answer_timeout_ms = 400;
+    params.answer_timeout_ms = 2000;
     Loop loop(params);
     REQUIRE(loop.moves_to(5));
     board.set_trouble(each.trouble);
