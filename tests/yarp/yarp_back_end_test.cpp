@@ -391,24 +391,31 @@ TEST_CASE("Joints that move while they are taken are not sent back") {
 TEST_CASE("A set-point does not outlive its loop's silence while joints are taken") {
   for (const bool withdraws : {false, true}) {
     CAPTURE(withdraws);
-    TestBoard board({.late_ms = 40});
-    YarpParams params = params_for(board);
-    Loop loop(params);
-    REQUIRE(loop.is_connected());
-    board.set_trouble(BoardTrouble::kRequestsLate);
-    REQUIRE(loop.insists_until(all(1), [&] { return board.mode_requests() > 0; }));
-    if (withdraws) loop.back_end.withdraw();
-    const auto later = loop.counters().encoders_received + 30;
-    REQUIRE(until([&] { return loop.counters().encoders_received > later; }));
-    // Nobody wanted the last joints any more.
-    CHECK(board.mode_requests() < 7);
-    CHECK(board.set_points() == 0);
-    const YarpCounters counters = loop.counters();
-    CHECK((counters.set_points_withdrawn > 0) == withdraws);
-    CHECK((counters.set_points_expired > 0) == !withdraws);
-    board.set_trouble(BoardTrouble::kNone);
-    CHECK(loop.moves_to(5));
-    CHECK(loop.fault().empty());
+    bool was_in_time = false;
+    for (int attempt = 0; attempt < 10 && !was_in_time; ++attempt) {
+      TestBoard board({.late_ms = 40});
+      YarpParams params = params_for(board);
+      Loop loop(params);
+      REQUIRE(loop.is_connected());
+      board.set_trouble(BoardTrouble::kRequestsLate);
+      REQUIRE(loop.insists_until(all(1), [&] { return board.mode_requests() > 0; }));
+      if (withdraws) loop.back_end.withdraw();
+      // Held up, this thread may have been silent for long enough before it withdrew: then anew.
+      was_in_time = !withdraws || loop.counters().set_points_expired == 0;
+      if (!was_in_time) continue;
+      const auto later = loop.counters().encoders_received + 30;
+      REQUIRE(until([&] { return loop.counters().encoders_received > later; }));
+      // Nobody wanted the last joints any more.
+      CHECK(board.mode_requests() < 7);
+      CHECK(board.set_points() == 0);
+      const YarpCounters counters = loop.counters();
+      CHECK((counters.set_points_withdrawn > 0) == withdraws);
+      CHECK((counters.set_points_expired > 0) == !withdraws);
+      board.set_trouble(BoardTrouble::kNone);
+      CHECK(loop.moves_to(5));
+      CHECK(loop.fault().empty());
+    }
+    CHECK(was_in_time);
   }
 }
 
