@@ -182,19 +182,33 @@ TEST_CASE("The arm service stands still when the bus falls silent") {
   CHECK(ServiceBench::until(stands, [] {}));
 }
 
-TEST_CASE("The arm service brakes before it ends, commands or not") {
+// The last state of an arm that was ended while it moved fast. Nothing: its loop was held up
+// meanwhile, and such an arm takes its joints to rest and does not brake.
+std::optional<arm_state_t> last_of_a_fast_arm() {
   RunningArm arm;
-  const auto moves_fast = [&] { return arm.state() && arm.state()->velocity_m_s > 0.5; };
-  REQUIRE(ServiceBench::until(moves_fast, [&] {
+  double target_m = 0.3;
+  const auto moves_fast = [&] {
+    const auto now = arm.state();
+    return now && std::abs(now->velocity_m_s) > 0.5 && host_utime() - now->utime < 20'000;
+  };
+  CHECK(ServiceBench::until(moves_fast, [&] {
+    // To and fro, should it have come by unseen.
+    if (arm.state() && std::abs(arm.state()->position_m - target_m) < 0.01) target_m = -target_m;
     arm.say_track();
-    arm.command(0.3);
+    arm.command(target_m);
   }));
   arm.bench.stop();
-  const arm_state_t last = *arm.state();
-  CHECK(last.reason == "it ends");
+  return arm.counter("pauses") ? std::nullopt : arm.state();
+}
+
+TEST_CASE("The arm service brakes before it ends, commands or not") {
+  std::optional<arm_state_t> last;
+  for (int attempt = 0; attempt < 30 && !last; ++attempt) last = last_of_a_fast_arm();
+  REQUIRE(last.has_value());
+  CHECK(last->reason == "it ends");
   // The joints follow the set-points, which rest.
-  CHECK(std::abs(last.velocity_m_s) < 0.3);
-  CHECK(last.faults == 0);
+  CHECK(std::abs(last->velocity_m_s) < 0.3);
+  CHECK(last->faults == 0);
 }
 
 TEST_CASE("The arm follows a bridge and a tracker whose clock is hours away, once they answer") {

@@ -113,6 +113,11 @@ std::string RunningGame::state_text(const std::string& name) const {
   return found == statuses_.end() ? "" : found->second.state_text;
 }
 
+bool RunningGame::is_stopping(const std::string& name) const {
+  const auto found = statuses_.find(name);
+  return found != statuses_.end() && found->second.state == service_status_t::STATE_STOPPING;
+}
+
 std::int64_t RunningGame::counter(const std::string& name, const std::string& counter) const {
   const auto found = statuses_.find(name);
   if (found == statuses_.end()) return -1;

@@ -48,6 +48,8 @@ class RunningGame {
   /// Of the newest STATUS of a service: its session, 0 before the first; text; counter, -1: none.
   std::int64_t session(const std::string& name) const;
   std::string state_text(const std::string& name) const;
+  /// Its newest STATUS is its last.
+  bool is_stopping(const std::string& name) const;
   std::int64_t counter(const std::string& name, const std::string& counter) const;
   /// Its name as others call it: "puck-arm on HOST, pid 12".
   std::string name_and_place(const std::string& name) const;
