@@ -81,11 +81,21 @@ check() { # SERVICE [PREFIX], from its machine
   docker exec "$(machine "$1")" "puck-$1" --check --lcm-url "$url" \
     --prefix "${2-${PUCK_PREFIX-}}" >/dev/null
 }
-
+# A check waits for 2 s, and a busy machine starts a container more slowly.
+await_check() { # SERVICE
+  local end=$((SECONDS + 30))
+  until check "$1"; do
+    if [ "$SECONDS" -ge "$end" ]; then
+      echo "    wrong: the $1 does not become healthy"
+      return 1
+    fi
+    sleep 0.2
+  done
+}
 start_services() { # SERVICE...
   local service
   compose up -d "$@"
-  for service in "$@"; do check "$service"; done
+  for service in "$@"; do await_check "$service"; done
 }
 start_game() {
   start_services logger tracker bridge arm
