@@ -112,6 +112,14 @@ Pixel ContourFilter::position_at(std::int64_t time_us) const {
 
 double ContourFilter::speed_px_s() const { return std::hypot(state_[2], state_[3]); }
 
+double ContourFilter::slide() const {
+  const double speed = speed_px_s();
+  if (!(speed > 0)) return 1;
+  const double x = state_[2] / speed;
+  const double y = state_[3] / speed;
+  return std::sqrt(speed_variance(x, y) / speed_variance(-y, x));
+}
+
 std::array<double, 16> ContourFilter::covariance() const {
   std::array<double, 16> values;
   for (std::size_t i = 0; i < 4; ++i) {

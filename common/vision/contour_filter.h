@@ -72,6 +72,9 @@ class ContourFilter {
   PixelVelocity velocity() const { return {state_[2], state_[3]}; }
   double growth_px() const { return state_[4]; }
   double speed_px_s() const;
+  /// How much less is known of the velocity along itself than across: the ratio of the standard
+  /// deviations. Two parallel edges tell nothing of a motion along them.
+  double slide() const;
   /// Of (x, y, vx, vy), row by row.
   std::array<double, 16> covariance() const;
 

@@ -165,6 +165,7 @@ TrackLooks ContourTrack::looks() const {
   return {.position = filter_.position(),
           .speed_px_s = filter_.speed_px_s(),
           .turning_px_s = turning_px_s_,
+          .slide = filter_.slide(),
           .growth_px = filter_.growth_px(),
           .quality = quality_,
           .agreement = evidence_.agreement(areas_),

@@ -148,7 +148,8 @@ bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
   const bool is_like_a_mark = claim.has_other_wall && searched_us <= kPatience_us;
   // Hands and mallets move as well.
   const TrackLooks& looks = claim.looks;
-  return (is_evident(claim) && !is_like_a_mark) || (moves_by_itself(claim) && !looks.is_large()) ||
+  return (is_evident(claim) && !is_like_a_mark) ||
+         (moves_by_itself(claim) && !looks.is_large() && !looks.may_slide()) ||
          (searched_us > kPatience_us && claim.age_us > 20'000 && looks.quality > 0.8 &&
           looks.strength > 30 && looks.is_whole_ring());
 }

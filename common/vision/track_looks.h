@@ -10,6 +10,7 @@ struct TrackLooks {
   Pixel position;
   double speed_px_s = 0;
   double turning_px_s = 300;  ///< PuckContour::turning_px_s().
+  double slide = 1;           ///< ContourFilter::slide().
   double growth_px = 0;       ///< By how much its contour is larger than the size model says.
   double quality = 0;         ///< From −1 to 1.
   double agreement = 0;    ///< From −1 to 1: quality, but that few events are no reason to doubt.
@@ -22,6 +23,8 @@ struct TrackLooks {
   constexpr bool is_good() const { return quality > 0.5 && strength > 6; }
   /// Faster than the head's turn could move what is fixed to the table.
   constexpr bool is_fast() const { return speed_px_s > turning_px_s; }
+  /// It may only seem to move, along two parallel edges: a line's, a tile's, an arm's.
+  constexpr bool may_slide() const { return slide > 1.5; }
   /// Larger than most pucks.
   constexpr bool is_large() const { return growth_px >= 0.35; }
   /// Events on most sides, and of the puck's size: a hand or a mallet is no such ring, or a larger

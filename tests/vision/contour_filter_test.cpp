@@ -61,6 +61,22 @@ TEST_CASE("Events outside on both sides make the puck larger, not elsewhere") {
   CHECK(std::abs(filter.position().x) < 0.1);
 }
 
+TEST_CASE("Of a motion along two parallel edges less is known than of one across them") {
+  const auto seen_by_level_edges = [](PixelVelocity velocity) {
+    ContourFilter filter({}, {.position = {0, 0}, .velocity = velocity}, 0);
+    for (int i = 1; i <= 200; ++i) {
+      filter.predict(i * 100, false);
+      filter.correct(0, 0, 1);
+      filter.correct(0, 0, -1);
+    }
+    return filter.slide();
+  };
+  CHECK(seen_by_level_edges({400, 0}) > 3);
+  CHECK(seen_by_level_edges({0, 400}) < 1 / 3.0);
+  CHECK(at_origin().slide() == doctest::Approx(1));
+  CHECK(ContourFilter({}, {.position = {0, 0}}, 0).slide() == 1);
+}
+
 TEST_CASE("Neither the growth nor the speed leave their bounds") {
   ContourFilter filter = at_origin();
   for (int i = 1; i <= 200; ++i) {

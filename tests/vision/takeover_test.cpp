@@ -407,6 +407,12 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
   mallet.looks.growth_px = 0.35;
   CHECK(moves_by_itself(mallet));
   CHECK_FALSE(is_convincing_as_first(mallet, 0));
+  Claim line = kMoving;
+  line.looks.slide = 1.5;
+  CHECK(is_convincing_as_first(line, 0));
+  line.looks.slide = 1.6;
+  CHECK(moves_by_itself(line));
+  CHECK_FALSE(is_convincing_as_first(line, 0));
   Claim evident{
       .looks = {.quality = 0.9, .strength = 200}, .age_us = 8'000, .found = {.score = 0.8}};
   CHECK(is_convincing_as_first(evident, 0));
