@@ -40,6 +40,7 @@ TEST_CASE("A track that starts 2 px off finds a moving puck to a few tenths of a
   CHECK(track.filter().velocity().x == doctest::Approx(700).epsilon(0.05));
   CHECK(track.filter().velocity().y == doctest::Approx(300).epsilon(0.1));
   CHECK(track.looks().turning_px_s == all.contour.turning_px_s());
+  CHECK(track.looks().slide == track.filter().slide());
 }
 
 TEST_CASE("A sensor's lag is made good") {
