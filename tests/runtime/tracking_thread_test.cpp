@@ -1,5 +1,6 @@
 #include "common/runtime/tracking_thread.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -39,6 +40,14 @@ TEST_CASE("the two threads follow the puck and stamp estimates with the packet t
            last.estimate.state == TrackState::kTracking;
   };
   REQUIRE(eventually(tracks_newest));
+  // … but it has followed the puck while it moved, too.
+  const auto all = published.all();
+  CHECK(std::any_of(all.begin(), all.end(), [](const TrackedEstimate& e) {
+    const double i = static_cast<double>(e.estimate.newest_event.us) / 1000;
+    return i > 100 && i < 300 && e.estimate.state == TrackState::kTracking && e.estimate.position &&
+           std::abs(e.estimate.position->x - (40 + 0.25 * i)) < 2 &&
+           std::abs(e.estimate.position->y - (50 + 0.1 * i)) < 2;
+  }));
   REQUIRE(last.estimate.position.has_value());
   CHECK(std::abs(last.estimate.position->x - truth.x) < 2);
   CHECK(std::abs(last.estimate.position->y - truth.y) < 2);
