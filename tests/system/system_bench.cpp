@@ -33,10 +33,7 @@ ChildProcess start_service(const std::string& name, const std::string& url,
 }
 
 bool is_confirmed(const std::vector<std::string>& command) {
-  for (int i = 0; i < 5; ++i) {
-    if (run_program(command, {.folder = source_folder()}).exit_code == 0) return true;
-  }
-  return false;
+  return run_program(command, {.folder = source_folder()}).exit_code == 0;
 }
 
 int check_service_program(const std::string& name, const std::string& url) {
