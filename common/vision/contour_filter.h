@@ -73,7 +73,7 @@ class ContourFilter {
   double growth_px() const { return state_[4]; }
   double speed_px_s() const;
   /// How much less is known of the velocity along itself than across: the ratio of the standard
-  /// deviations. Two parallel edges tell nothing of a motion along them.
+  /// deviations, 1 at rest. Two parallel edges tell nothing of a motion along them.
   double slide() const;
   /// Of (x, y, vx, vy), row by row.
   std::array<double, 16> covariance() const;

@@ -84,7 +84,7 @@ class ContourTrack {
   double contrast_sign(const ContourContext& context) const;
 
   ContourFilter filter_;
-  double turning_px_s_;
+  double turning_px_s_;  // PuckContour's, which looks() has no context to ask for
   double wall_share_;
   ContourRing ring_;
   Pixel ring_made_at_;

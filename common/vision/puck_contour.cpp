@@ -10,7 +10,7 @@ namespace {
 constexpr double kSmallestSemi_px = 2;
 // A plane seen in perspective makes the width grow at least so much from row to row, px per px.
 constexpr double kLeastSlope = 0.01;
-// 300 px/s where the paper's camera stands.
+// 300 px/s for the puck of config/scene.toml, 33 px wide in the middle.
 constexpr double kTurningWidths_per_s = 9;
 
 }  // namespace

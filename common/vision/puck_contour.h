@@ -86,7 +86,8 @@ class PuckContour {
   }
   PuckSize size_at(Pixel centre) const { return size_model_.at(centre); }
   /// Faster than the image of what is fixed to the table while the head turns as it does in play,
-  /// px/s. It goes with the lens, of which the puck's size in the image's middle tells.
+  /// px/s, at least 36. It goes with the lens, of which the puck's size in the image's middle tells
+  /// for a puck and a distance like those of the paper's table.
   double turning_px_s() const { return turning_px_s_; }
   /// ContourCalibration::behind_px.
   double behind_px(double normal_speed_px_s) const {

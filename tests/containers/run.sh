@@ -81,6 +81,7 @@ check() { # SERVICE [PREFIX], from its machine
   docker exec "$(machine "$1")" "puck-$1" --check --lcm-url "$url" \
     --prefix "${2-${PUCK_PREFIX-}}" >/dev/null
 }
+
 # A check waits for 2 s, and a busy machine starts a container more slowly.
 await_check() { # SERVICE
   local end=$((SECONDS + 30))
@@ -92,6 +93,7 @@ await_check() { # SERVICE
     sleep 0.2
   done
 }
+
 start_services() { # SERVICE...
   local service
   compose up -d "$@"

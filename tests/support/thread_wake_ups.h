@@ -1,6 +1,11 @@
 #pragma once
 
+#include <chrono>
+#include <thread>
+
 #include <sys/resource.h>
+
+#include "common/messaging/bus.h"
 
 namespace puck {
 
@@ -25,5 +30,18 @@ struct WakeUpTally {
   }
   long wake_ups() const { return last - first; }
 };
+
+/// Publishes a message `count` times, every 100 µs by the clock: on a slow machine, too, many come
+/// in a millisecond. Whether all of them were sent.
+template <typename Message>
+bool publish_ten_a_ms(Bus& bus, Message message, int count) {
+  const auto begin = std::chrono::steady_clock::now();
+  bool are_sent = true;
+  for (int i = 1; i <= count; ++i) {
+    are_sent = bus.publish(message) && are_sent;
+    std::this_thread::sleep_until(begin + i * std::chrono::microseconds(100));
+  }
+  return are_sent;
+}
 
 }  // namespace puck

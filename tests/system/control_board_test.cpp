@@ -83,7 +83,7 @@ TEST_CASE("A control board plays, stands still at fault when it fails, and plays
   CHECK(game.arm()->state == arm_state_t::STATE_FAULT);
   CHECK(board.mode_requests() == mode_requests);
   const std::vector<std::string> reset = {program("puck-arm"), "--lcm-url", game.url(), "--reset"};
-  CHECK(is_confirmed(reset));
+  CHECK(run_program(reset, {.folder = source_folder()}).exit_code == 0);
   REQUIRE(game.until([&] { return game.arm()->state != arm_state_t::STATE_FAULT; }));
   CHECK(moves(game));
   CHECK(board.set_points() > sent);

@@ -32,10 +32,6 @@ ChildProcess start_service(const std::string& name, const std::string& url,
   return ChildProcess(command, {.folder = source_folder()});
 }
 
-bool is_confirmed(const std::vector<std::string>& command) {
-  return run_program(command, {.folder = source_folder()}).exit_code == 0;
-}
-
 int check_service_program(const std::string& name, const std::string& url) {
   return run_program({program(name), "--lcm-url", url, "--check"}, {.folder = source_folder()})
       .exit_code;

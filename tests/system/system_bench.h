@@ -30,9 +30,6 @@ std::vector<std::string> service_command(const std::string& name, const std::str
 /// Starts it, quiet unless something is wrong.
 ChildProcess start_service(const std::string& name, const std::string& url,
                            const std::vector<std::string>& settings = {});
-/// Whether a `puck-arm --stop` or `--reset` is confirmed, at the first try: an arm that stands
-/// already would confirm a second one.
-bool is_confirmed(const std::vector<std::string>& command);
 /// Exit code of its --check.
 int check_service_program(const std::string& name, const std::string& url);
 
