@@ -28,9 +28,10 @@ struct ContourIngredients {
   bool settling = true;      ///< A puck whose events fade comes to rest where it was last clear.
   bool holding = true;       ///< A puck at rest stays while something comes near.
   bool background = true;    ///< What stands still while the head turns counts less.
-  bool clear_rings = true;   ///< … unless a faint puck is sought, and it is a clear ring.
-  bool faint_rests = true;   ///< What may be a faint puck at rest is looked for elsewhere, too.
-  bool overtaking = true;    ///< What moves by itself takes over from a track that has gone bad.
+  bool early_background = true;  ///< … for which a trusted track that looks doubtful suffices.
+  bool clear_rings = true;       ///< … unless a faint puck is sought, and it is a clear ring.
+  bool faint_rests = true;       ///< What may be a faint puck at rest is looked for elsewhere, too.
+  bool overtaking = true;  ///< What moves by itself takes over from a track that has gone bad.
   /// While the head rests, which the background tells, even what moves slowly moves by itself.
   bool slow_movers = true;
   bool recognition = true;  ///< What the search and its events together say is the puck takes over.
@@ -43,7 +44,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 25> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 26> kContourIngredients{{
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
     {"lag", &ContourIngredients::lag},
@@ -63,6 +64,7 @@ inline constexpr std::array<ContourIngredient, 25> kContourIngredients{{
     {"settling", &ContourIngredients::settling},
     {"holding", &ContourIngredients::holding},
     {"background", &ContourIngredients::background},
+    {"early-background", &ContourIngredients::early_background},
     {"clear-rings", &ContourIngredients::clear_rings},
     {"faint-rests", &ContourIngredients::faint_rests},
     {"overtaking", &ContourIngredients::overtaking},

@@ -16,6 +16,8 @@ namespace {
 
 // Without a good track for so long the filter slows down, since it follows nothing.
 constexpr std::int64_t kBlindAfter_us = 40'000;
+// A track that has not been sound for so long may be of something else.
+constexpr std::int64_t kDoubtfulAfter_us = 20'000;
 // What is known of the puck's events is learned from a track of this quality.
 constexpr double kLearnable = 0.7;
 // How far around the puck events may be its own.
@@ -87,7 +89,7 @@ void ContourPipeline::decide(std::int64_t time_us) {
     stop_if_silent(*main_, context_, time_us);
     // While the head turns, a faint puck makes events at rest, too; of others it is not known that
     // the head turns.
-    if (!background_.is_known() && settling_.settle(*main_, context_, time_us)) {
+    if (!head_turns() && settling_.settle(*main_, context_, time_us)) {
       witness_.put(main_->filter().position(), time_us);
     }
     stop_beyond_image(*main_, context_, sensor_, now_us_);
@@ -108,8 +110,8 @@ void ContourPipeline::decide(std::int64_t time_us) {
   }
   if (main_) {
     const TrackLooks looks = main_->looks();
-    standing_.judge(looks, witness_.agrees(looks.position, context_), background_.is_known(),
-                    trust_, time_us);
+    standing_.judge(looks, witness_.agrees(looks.position, context_), head_turns(), trust_,
+                    time_us);
   }
   plan_search(time_us);
   plan_events(time_us);
@@ -171,6 +173,9 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
   challengers_.dismiss_hopeless(time_us);
   challengers_.dismiss_idle(main_->filter(), time_us);
 }
+
+// Of a still camera's image a hand may have drawn the map, so that it is asked only where it must.
+bool ContourPipeline::head_turns() const { return consults_background_ && background_.is_known(); }
 
 bool ContourPipeline::head_rests() const {
   return context_.ingredients.slow_movers && background_.head_rests();
@@ -238,9 +243,12 @@ void ContourPipeline::plan_search(std::int64_t time_us) {
 void ContourPipeline::plan_events(std::int64_t time_us) {
   const Region image = Region::all_of(sensor_);
   const bool awaits = standing_.state() == TrackState::kLost && search_plan_.is_still(time_us);
-  // A puck of good contrast is found without it.
-  watches_background_ = context_.ingredients.background &&
-                        (!main_ || !context_.is_trusted || context_.signature.is_faint());
+  // A puck of good contrast is followed without it; but what stands still must be known by the time
+  // that something else may be taken for it.
+  consults_background_ = !main_ || !context_.is_trusted || context_.signature.is_faint();
+  const bool is_doubtful =
+      context_.ingredients.early_background && trust_.since_sound_us(time_us) > kDoubtfulAfter_us;
+  watches_background_ = context_.ingredients.background && (consults_background_ || is_doubtful);
   if (!watches_background_) background_.forget();
   near_ = !main_ || awaits ? image
                            : region_of_tracks(*main_, challengers_, witness_.position(),

@@ -62,6 +62,7 @@ class ContourPipeline final : public TrackingPipeline {
   /// The main track is the puck's beyond doubt, so that its opinion on the side wall is, too.
   bool shows_wall() const;
   bool head_rests() const;
+  bool head_turns() const;
   bool rest_may_be_wrong() const;
   void find_first(std::int64_t time_us);
   void enthrone(const Challenger& challenger, std::int64_t time_us);
@@ -95,7 +96,8 @@ class ContourPipeline final : public TrackingPipeline {
   Region events_needed_;
   Region near_;  // what the tracks take of it
   bool watches_background_ = false;
-  Region puck_;  // whose events are not the background's
+  bool consults_background_ = false;  // whether the head turns is asked of it
+  Region puck_;                       // whose events are not the background's
 };
 
 }  // namespace puck
