@@ -352,6 +352,24 @@ TEST_CASE("a puck that is covered is lost within a tenth of a second and found a
   CHECK(table.error_px() < 0.5);
 }
 
+TEST_CASE("all of the image is watched for what stands still as soon as a track is in doubt") {
+  for (const bool is_early : {true, false}) {
+    CAPTURE(is_early);
+    PipelineParams params = preset_params(Preset::kDefault);
+    params.contour.ingredients.early_background = is_early;
+    Table table(params);
+    table.glide({250, 30}, 600);
+    REQUIRE(table.estimate().region != Region::all_of(kSensor));
+    table.cover(50);
+    int watched_ms = 0;
+    for (int i = 0; i < 20; ++i) {
+      table.cover(1);
+      if (table.estimate().region == Region::all_of(kSensor)) ++watched_ms;
+    }
+    CHECK((watched_ms == 20) == is_early);
+  }
+}
+
 TEST_CASE("a puck that leaves the image is known to have left, and where") {
   Table table;
   table.glide({1500, 0}, 190);
