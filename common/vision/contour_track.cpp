@@ -11,6 +11,8 @@ constexpr double kSignedSpeed_px_s = 40;
 constexpr double kSurelySigned_sigma = 1.5;
 // A contrast sign nearer to 0 than this decides nothing.
 constexpr double kClearSign = 0.3;
+// What lies farther off than this does not correct the track.
+constexpr double kGate_sigma = 3;
 constexpr double kSmallestGate_px = 2;
 constexpr double kLargestGate_px = 5;
 // Penalties of the quality.
@@ -110,8 +112,10 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   }
   if (wrong_sign) return worth;
   const double variance = filter_.distance_variance(offset.normal_x, offset.normal_y);
-  const double gate = std::clamp(3 * std::sqrt(variance + 1), kSmallestGate_px, kLargestGate_px);
-  if (distance >= gate) return worth;
+  const double gate_px2 =
+      std::clamp(kGate_sigma * kGate_sigma * (variance + 1), kSmallestGate_px * kSmallestGate_px,
+                 kLargestGate_px * kLargestGate_px);
+  if (distance * distance >= gate_px2) return worth;
   if (is_parked_ && evidence_.strength(areas_) < kStray) return worth;
   filter_.predict(event.time_us, blind_);
   filter_.correct(offset.distance_px, offset.normal_x, offset.normal_y);

@@ -29,17 +29,18 @@ struct ContourRing {
 
   /// Of a pixel at (dx, dy) from the puck's centre, with the ring larger by `growth_px` all round.
   ContourOffset offset(double dx, double dy, double growth_px) const {
-    const double a = semi_x + growth_px;
-    const double b = semi_y + growth_px;
+    // Inverted once each: this is done for every event near a track.
+    const double per_a = 1 / (semi_x + growth_px);
+    const double per_b = 1 / (semi_y + growth_px);
     const double y = dy + rise;
-    const double u = (dx - shear * y) / a;
-    const double v = y / b;
+    const double u = (dx - shear * y) * per_a;
+    const double v = y * per_b;
     const double rho = std::sqrt(u * u + v * v);
-    const double gx = u / a;
-    const double gy = v / b - shear * gx;
-    const double slope = std::sqrt(gx * gx + gy * gy) + 1e-9;
+    const double gx = u * per_a;
+    const double gy = v * per_b - shear * gx;
+    const double per_slope = 1 / (std::sqrt(gx * gx + gy * gy) + 1e-9);
     // To first order: (ρ − 1) / |∇ρ|.
-    return {(rho - 1) * rho / slope, gx / slope, gy / slope, sector_of(u, v)};
+    return {(rho - 1) * rho * per_slope, gx * per_slope, gy * per_slope, sector_of(u, v)};
   }
 
   /// Area of the band within `half_width_px` of the ring; of what is farther inside than that; and

@@ -26,7 +26,8 @@ void RingEvidence::fade(double keep) {
 
 double RingEvidence::add_ring(int sector, bool saturates) {
   double& count = sectors_[static_cast<std::size_t>(sector)];
-  const double worth = saturates ? std::min(1.0, 1.5 / (1 + count / (0.2 * ring_ + 0.5))) : 1;
+  const double share = 0.2 * ring_ + 0.5;
+  const double worth = saturates ? std::min(1.0, 1.5 * share / (share + count)) : 1;
   count += 1;
   ring_ += 1;
   return worth;
