@@ -72,6 +72,7 @@ void ContourPipeline::take_event(const Event& event, std::int64_t time_us) {
   if (seen.still && context_.signature.is_faint()) return;
   if (main_) witness_.take(event.x, event.y);
   const double worth = main_ ? main_->take(seen, context_) : 0;
+  twins_.take(worth);
   challengers_.take(seen, worth, context_);
   missed_.take(seen, worth);
 }

@@ -1,20 +1,46 @@
 #include "common/vision/twins.h"
 
+#include <cmath>
+
+#include "common/vision/track_trust.h"
+
 namespace puck {
 namespace {
 
 constexpr std::int64_t kAtRestPeriod_us = 2'000;
 constexpr std::int64_t kOfOtherWallPeriod_us = 60'000;
 constexpr std::int64_t kTrustedOfOtherWallPeriod_us = 300'000;
+// A track explains its events if so many of the last millisecond's are worth so much each. On a
+// whole ring an event is worth nearly 1, and beside it less than 0.
+constexpr double kMemory_us = 700;
+constexpr double kEnough = 15;
+constexpr double kExplained = 0.9;
 // Where the ring is, and how fast, is known from the main track.
 constexpr double kOfOtherWallSigma_px = 1;
 constexpr double kOfOtherWallSigma_px_s = 100;
 
 }  // namespace
 
+// Only of a track beyond doubt: others may explain events that are not the puck's.
+bool Twins::is_needless(const ContourTrack& main, const ContourContext& context) const {
+  return context.is_trusted && main.quality() > TrackTrust::kSound && events_ > kEnough &&
+         worth_ > kExplained * events_;
+}
+
+void Twins::fade(std::int64_t time_us) {
+  const double keep = std::exp(-static_cast<double>(time_us - faded_us_) / kMemory_us);
+  events_ *= keep;
+  worth_ *= keep;
+  faded_us_ = time_us;
+}
+
 void Twins::bear_at_rest(const ContourTrack& main, const ContourContext& context,
                          std::int64_t time_us, Challengers& challengers) {
-  if (!context.ingredients.twins || time_us - at_rest_us_ < kAtRestPeriod_us) return;
+  fade(time_us);
+  if (!context.ingredients.twins || is_needless(main, context) ||
+      time_us - at_rest_us_ < kAtRestPeriod_us) {
+    return;
+  }
   at_rest_us_ = time_us;
   challengers.add(Challenger::Kind::kTwin, context,
                   main.filter().start_at(main.filter().position()), time_us, main.wall_share());

@@ -1,7 +1,10 @@
 #include "common/vision/twins.h"
 
+#include <cstdint>
+
 #include <doctest/doctest.h>
 
+#include "common/vision/track_trust.h"
 #include "tests/vision/contour_world.h"
 
 namespace puck {
@@ -23,6 +26,35 @@ TEST_CASE("A twin at rest is born where the main track is, each 2 ms") {
   CHECK(challengers.begin()->track().filter().speed_px_s() == 0);
   twins.bear_at_rest(kMain, kContext, 4'000, challengers);
   CHECK(test::count(challengers) == 2);
+}
+
+TEST_CASE("No twin at rest is born of a track beyond doubt while it explains its events") {
+  ContourContext trusted = kContext;
+  trusted.is_trusted = true;
+  test::MovingContour puck(trusted.contour, {250, 180}, {700, 300});
+  ContourTrack sound(trusted, {.position = {250, 180}}, 0, 0);
+  for (std::int64_t t = 0; t < 60'000; t += 1000) {
+    for (const ContourEvent& event : puck.events(t, t + 1000)) sound.take(event, trusted);
+    sound.decide(t + 1000, false, trusted);
+  }
+  REQUIRE(sound.quality() > TrackTrust::kSound);
+
+  // Of a track whose last events, so many, were worth so much each.
+  const auto is_born = [](const ContourTrack& main, const ContourContext& context, int events,
+                          double worth) {
+    Twins twins;
+    Challengers challengers;
+    twins.bear_at_rest(main, context, 1'900, challengers);
+    for (int i = 0; i < events; ++i) twins.take(worth);
+    twins.bear_at_rest(main, context, 2'000, challengers);
+    return test::count(challengers) == 1;
+  };
+  CHECK_FALSE(is_born(sound, trusted, 100, 1));
+  CHECK(is_born(sound, trusted, 100, 0.8));
+  CHECK(is_born(sound, trusted, 100, -1));
+  CHECK(is_born(sound, trusted, 10, 1));
+  CHECK(is_born(sound, kContext, 100, 1));
+  CHECK(is_born(kMain, trusted, 100, 1));
 }
 
 TEST_CASE("The other opinion on the wall puts the centre elsewhere, at the same velocity") {
