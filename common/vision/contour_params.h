@@ -17,7 +17,7 @@ struct ContourIngredients {
   bool size_penalty = true;       ///< Too many events, or too large a size, make a track doubtful.
   bool purity = true;             ///< Signs that do not suit a disc of one tone make it doubtful.
   bool sector_saturation = true;  ///< Events in one direction count less and less.
-  bool twins = true;              ///< A twin at rest is always ready to take over at a bounce.
+  bool twins = true;              ///< A twin at rest is there to take over at a bounce.
   bool wall = true;               ///< Whether the puck's side wall makes events is found out.
   bool wall_search = true;        ///< … and the search looks for it as it was found to be.
   bool witness = true;       ///< A blob follows the puck more coarsely and checks on the track.

@@ -10,8 +10,9 @@ namespace {
 constexpr std::int64_t kAtRestPeriod_us = 2'000;
 constexpr std::int64_t kOfOtherWallPeriod_us = 60'000;
 constexpr std::int64_t kTrustedOfOtherWallPeriod_us = 300'000;
-// A track explains its events if so many of the last millisecond's are worth so much each. On a
-// whole ring an event is worth nearly 1, and beside it less than 0.
+// A track explains its events if so many of them, faded as they are at a decision (some thirty a
+// millisecond), are worth so much each. On a whole ring one is worth nearly 1, beside it less than
+// 0.
 constexpr double kMemory_us = 700;
 constexpr double kEnough = 15;
 constexpr double kExplained = 0.9;

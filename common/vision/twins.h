@@ -18,7 +18,7 @@ class Twins {
 
   /// One at rest where the main track is: a bounce or a hit may just have happened. Not while a
   /// main track beyond doubt explains what there is, since each costs as much as the track itself.
-  /// To be called at each decision. Switched by ContourIngredients::twins.
+  /// To be called at each decision at which one may be born. Switched by ContourIngredients::twins.
   void bear_at_rest(const ContourTrack& main, const ContourContext& context, std::int64_t time_us,
                     Challengers& challengers);
 

@@ -39,22 +39,28 @@ TEST_CASE("No twin at rest is born of a track beyond doubt while it explains its
   }
   REQUIRE(sound.quality() > TrackTrust::kSound);
 
-  // Of a track whose last events, so many, were worth so much each.
+  // Of a track whose events of the last `age_us`, so many, were worth so much each, besides as many
+  // that said nothing.
   const auto is_born = [](const ContourTrack& main, const ContourContext& context, int events,
-                          double worth) {
+                          double worth, std::int64_t age_us = 500) {
     Twins twins;
     Challengers challengers;
-    twins.bear_at_rest(main, context, 1'900, challengers);
-    for (int i = 0; i < events; ++i) twins.take(worth);
+    twins.bear_at_rest(main, context, 1'000, challengers);
+    for (int i = 0; i < events; ++i) {
+      twins.take(worth);
+      twins.take(0);
+    }
     twins.bear_at_rest(main, context, 2'000, challengers);
-    return test::count(challengers) == 1;
+    twins.bear_at_rest(main, context, 2'000 + age_us, challengers);
+    return test::count(challengers) > 0;
   };
-  CHECK_FALSE(is_born(sound, trusted, 100, 1));
-  CHECK(is_born(sound, trusted, 100, 0.8));
-  CHECK(is_born(sound, trusted, 100, -1));
-  CHECK(is_born(sound, trusted, 10, 1));
-  CHECK(is_born(sound, kContext, 100, 1));
-  CHECK(is_born(kMain, trusted, 100, 1));
+  CHECK_FALSE(is_born(sound, trusted, 200, 1));
+  CHECK(is_born(sound, trusted, 200, 0.8));
+  CHECK(is_born(sound, trusted, 200, -1));
+  CHECK(is_born(sound, trusted, 20, 1));
+  CHECK(is_born(sound, trusted, 200, 1, 5'000));
+  CHECK(is_born(sound, kContext, 200, 1));
+  CHECK(is_born(kMain, trusted, 200, 1));
 }
 
 TEST_CASE("The other opinion on the wall puts the centre elsewhere, at the same velocity") {
