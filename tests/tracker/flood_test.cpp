@@ -80,6 +80,7 @@ TEST_CASE("a tracker that is flooded keeps to the newest events, and counts thos
   CHECK(skipped == counter(tracker.service(), "packets_skipped").value() * kEvents);
   CHECK(received == all);
   CHECK(last.events_skipped == skipped);
+  CHECK(last.events_applied == received - skipped);
   CHECK(counter(tracker.service(), "events_lost") == 0);
 }
 

@@ -14,27 +14,12 @@ double error_px(const ContourTrack& track, Pixel truth) {
   return distance_px(track.filter().position(), truth);
 }
 
-// Lets a track follow a puck for some milliseconds; the mean error of the second half, px.
-double follow(ContourTrack& track, test::MovingContour& puck, const ContourContext& all,
-              std::int64_t from_us, std::int64_t to_us) {
-  double sum = 0;
-  int count = 0;
-  for (std::int64_t t = from_us; t < to_us; t += 1000) {
-    for (const ContourEvent& event : puck.events(t, t + 1000)) track.take(event, all);
-    track.decide(t + 1000, false, all);
-    if (t < (from_us + to_us) / 2) continue;
-    sum += error_px(track, puck.position_at(t + 1000));
-    ++count;
-  }
-  return sum / count;
-}
-
 TEST_CASE("A track that starts 2 px off finds a moving puck to a few tenths of a pixel") {
   const ContourContext all = test::contour_context();
   const PixelVelocity velocity{700, 300};
   test::MovingContour puck(all.contour, {250, 180}, velocity);
   ContourTrack track(all, {.position = {252, 179}}, 0, 0);
-  CHECK(follow(track, puck, all, 0, 60'000) < 0.25);
+  CHECK(test::follow(track, puck, all, 0, 60'000) < 0.25);
   CHECK(track.is_good());
   CHECK(track.quality() > 0.8);
   CHECK(track.filter().velocity().x == doctest::Approx(700).epsilon(0.05));
@@ -101,7 +86,7 @@ struct LeadingEdge {
   explicit LeadingEdge(const ContourContext& all)
       : context(all), track(context, {.position = {250, 180}, .velocity = {700, 0}}, 0, 0) {
     test::MovingContour puck(context.contour, {250, 180}, {700, 0});
-    follow(track, puck, context, 0, 40'000);
+    test::follow(track, puck, context, 0, 40'000);
     const Pixel at = track.filter().position();
     const ContourRing ring = context.contour.ring_at(at, 0);
     edge = {at.x + ring.semi_x, at.y - ring.rise};
@@ -159,7 +144,7 @@ ContourTrack track_of_larger(double wider_px, ContourContext context) {
   test::MovingContour mallet(contour, {250, 180}, {700, 300});
   context.filter.follows_size = context.ingredients.size_state;
   ContourTrack track(context, {.position = {250, 180}, .velocity = {700, 300}}, 0, 0);
-  follow(track, mallet, context, 0, 60'000);
+  test::follow(track, mallet, context, 0, 60'000);
   return track;
 }
 
@@ -181,7 +166,7 @@ TEST_CASE("A twin at rest overtakes a track that missed a bounce, and only then"
   const ContourContext all = test::contour_context();
   test::MovingContour before(all.contour, {250, 180}, {2500, 0});
   ContourTrack track(all, {.position = {250, 180}, .velocity = {2500, 0}}, 0, 0);
-  follow(track, before, all, 0, 20'000);
+  test::follow(track, before, all, 0, 20'000);
   const Pixel wall = before.position_at(20'000);
 
   const auto twin_leads = [&](PixelVelocity after) {

@@ -24,6 +24,22 @@ inline std::ptrdiff_t count(const Challengers& challengers) {
   return std::distance(challengers.begin(), challengers.end());
 }
 
+/// Lets a track follow a puck for some milliseconds, with a decision each; the mean error of the
+/// second half, px.
+inline double follow(ContourTrack& track, MovingContour& puck, const ContourContext& context,
+                     std::int64_t from_us, std::int64_t to_us) {
+  double sum = 0;
+  int count = 0;
+  for (std::int64_t t = from_us; t < to_us; t += 1000) {
+    for (const ContourEvent& event : puck.events(t, t + 1000)) track.take(event, context);
+    track.decide(t + 1000, false, context);
+    if (t < (from_us + to_us) / 2) continue;
+    sum += distance_px(track.filter().position(), puck.position_at(t + 1000));
+    ++count;
+  }
+  return sum / count;
+}
+
 /// What of these events lies on a sensor, as a packet that starts at `start_us`; the events' times
 /// count from `origin_us`.
 inline EventPacket packet_of(const std::vector<ContourEvent>& events, SensorSize sensor,

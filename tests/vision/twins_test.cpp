@@ -33,14 +33,11 @@ TEST_CASE("No twin at rest is born of a track beyond doubt while it explains its
   trusted.is_trusted = true;
   test::MovingContour puck(trusted.contour, {250, 180}, {700, 300});
   ContourTrack sound(trusted, {.position = {250, 180}}, 0, 0);
-  for (std::int64_t t = 0; t < 60'000; t += 1000) {
-    for (const ContourEvent& event : puck.events(t, t + 1000)) sound.take(event, trusted);
-    sound.decide(t + 1000, false, trusted);
-  }
+  test::follow(sound, puck, trusted, 0, 60'000);
   REQUIRE(sound.quality() > TrackTrust::kSound);
 
-  // Of a track whose events of the last `age_us`, so many, were worth so much each, besides as many
-  // that said nothing.
+  // Of a track with so many events, worth so much each, besides as many that said nothing; `age_us`
+  // after the decision that followed them.
   const auto is_born = [](const ContourTrack& main, const ContourContext& context, int events,
                           double worth, std::int64_t age_us = 500) {
     Twins twins;

@@ -67,10 +67,7 @@ TEST_CASE("Switched off, or for a faint puck, it does not speak up") {
 TEST_CASE("A witness that is astray of a good track for more than 20 ms is put back") {
   test::MovingContour puck(kContext.contour, {200, 200}, {700, 200});
   ContourTrack main(kContext, {.position = {200, 200}, .velocity = {700, 200}}, 0, 0);
-  for (std::int64_t t = 0; t < 40'000; t += 1'000) {
-    for (const ContourEvent& event : puck.events(t, t + 1'000)) main.take(event, kContext);
-    main.decide(t + 1'000, false, kContext);
-  }
+  test::follow(main, puck, kContext, 0, 40'000);
   REQUIRE(main.is_good());
   WitnessCheck witness;
   Challengers challengers;
