@@ -29,15 +29,17 @@ Opponent::Opponent(const PuckPhysics& physics, const GameParams& params, std::in
       params_(params),
       random_(seed, kOpponentStream),
       planner_(physics, params, Random(seed, kShotStream)) {
-  mallet_.position = {physics_.table().length_m - kGuardDistance_m, 0};
+  mallet_.position = home();
 }
 
-void Opponent::step(const std::optional<DiscState>& puck, double dt_s, bool leave_it_alone) {
+TablePoint Opponent::home() const { return {physics_.table().length_m - kGuardDistance_m, 0}; }
+
+void Opponent::step(const std::optional<DiscState>& puck, double dt_s, Conduct conduct) {
   if (swing_) {
     follow_swing(dt_s);
     return;
   }
-  guard(puck, dt_s);
+  guard(conduct == Conduct::kServes ? std::nullopt : puck, dt_s);
 
   const bool is_here = puck && puck->position.x_m > physics_.table().length_m / 2;
   if (is_here && !puck_is_here_) {
@@ -46,7 +48,7 @@ void Opponent::step(const std::optional<DiscState>& puck, double dt_s, bool leav
   }
   puck_is_here_ = is_here;
   strike_in_s_ -= dt_s;
-  if (!is_here || strike_in_s_ > 0 || leave_it_alone) return;
+  if (!is_here || strike_in_s_ > 0 || conduct != Conduct::kPlays) return;
   swing_ = plan(*puck);
   if (!swing_) {
     strike_in_s_ = kPlanEvery_s;
@@ -56,11 +58,10 @@ void Opponent::step(const std::optional<DiscState>& puck, double dt_s, bool leav
 
 void Opponent::guard(const std::optional<DiscState>& puck, double dt_s) {
   const double goal_half_m = physics_.table().goal_width_m / 2;
-  const double home_x_m = physics_.table().length_m - kGuardDistance_m;
-  const double home_y_m =
-      puck ? std::clamp(0.6 * puck->position.y_m, -goal_half_m, goal_half_m) : 0;
-  const double dx_m = home_x_m - mallet_.position.x_m;
-  const double dy_m = home_y_m - mallet_.position.y_m;
+  TablePoint place = home();
+  if (puck) place.y_m = std::clamp(0.6 * puck->position.y_m, -goal_half_m, goal_half_m);
+  const double dx_m = place.x_m - mallet_.position.x_m;
+  const double dy_m = place.y_m - mallet_.position.y_m;
   const double distance_m = std::hypot(dx_m, dy_m);
   const double gain_1_s =
       std::min(kGuardStiffness_1_s, kGuardSpeed_m_s / std::max(distance_m, 1e-9));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "common/simulation/game_params.h"
@@ -15,11 +16,18 @@ class Opponent {
  public:
   Opponent(const PuckPhysics& physics, const GameParams& params, std::int64_t seed);
 
-  /// Moves the mallet on; `puck` is nothing while none is in play. No swing starts while it is to
-  /// leave the puck alone.
-  void step(const std::optional<DiscState>& puck, double dt_s, bool leave_it_alone = false);
+  enum class Conduct : std::uint8_t {
+    kPlays,
+    kLeavesAlone,  ///< No swing starts; the mallet guards the goal against the puck all the same.
+    kServes,       ///< Nor does that: it waits at home().
+  };
+
+  /// Moves the mallet on; `puck` is nothing while none is in play.
+  void step(const std::optional<DiscState>& puck, double dt_s, Conduct conduct = Conduct::kPlays);
 
   const DiscState& mallet() const { return mallet_; }
+  /// Where the mallet waits while there is nothing to guard against: before the goal's middle.
+  TablePoint home() const;
 
  private:
   /// A mallet's path that ends at a place with a velocity: a cubic in time.

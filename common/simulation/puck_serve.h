@@ -4,12 +4,14 @@
 
 namespace puck {
 
-/// How a puck comes back into play: pushed out of the opponent's goal to where it is left at rest,
-/// so that a camera sees it come.
+/// How a puck comes back into play: pushed out of the opponent's goal, around his mallet, to where
+/// it is left at rest, so that a camera sees it come.
 class PuckServe {
  public:
   PuckServe() = default;
-  PuckServe(TablePoint from, TablePoint to) : from_(from), to_(to), left_s_(kDuration_s) {}
+  /// It sets out towards `around` and comes from there: a parabola's arc.
+  PuckServe(TablePoint from, TablePoint around, TablePoint to)
+      : from_(from), around_(around), to_(to), left_s_(kDuration_s) {}
 
   bool is_under_way() const { return left_s_ > 0; }
 
@@ -20,6 +22,7 @@ class PuckServe {
   static constexpr double kDuration_s = 0.5;
 
   TablePoint from_;
+  TablePoint around_;
   TablePoint to_;
   double left_s_ = 0;
 };

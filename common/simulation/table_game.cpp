@@ -47,7 +47,7 @@ void TableGame::step() {
   if (!puck_ && time_s() - off_since_s_ >= params_.serve_after_s) serve();
   move_robot();
   rest_.step(puck_, PuckPhysics::kStep_s);
-  opponent_.step(puck_, PuckPhysics::kStep_s, waits_on_purpose());
+  opponent_.step(puck_, PuckPhysics::kStep_s, opponents_conduct());
   free_hand_.step(puck_, PuckPhysics::kStep_s);
   if (second_puck_) second_puck_->step(robot_, opponent_.mallet());
   if (serve_.is_under_way()) {
@@ -56,6 +56,11 @@ void TableGame::step() {
   } else if (puck_) {
     move_puck();
   }
+}
+
+Opponent::Conduct TableGame::opponents_conduct() const {
+  if (serve_.is_under_way()) return Opponent::Conduct::kServes;
+  return waits_on_purpose() ? Opponent::Conduct::kLeavesAlone : Opponent::Conduct::kPlays;
 }
 
 void TableGame::set_robot_mallet(double y_m) {
@@ -147,8 +152,12 @@ TablePoint TableGame::place_to_serve() {
 }
 
 void TableGame::serve() {
+  // Far enough to the side that it passes the mallet by a puck's width.
+  constexpr double kAside_m = 0.3;
   const TableGeometry& table = physics_.table();
-  serve_ = PuckServe({table.length_m + table.puck_radius_m, 0}, place_to_serve());
+  const TablePoint to = place_to_serve();
+  const TablePoint around{opponent_.home().x_m, std::copysign(kAside_m, to.y_m)};
+  serve_ = PuckServe({table.length_m + table.puck_radius_m, 0}, around, to);
   puck_ = serve_.step(0);
 }
 

@@ -42,6 +42,7 @@ class TableGame {
   void move_robot();
   void think_for_robot();
   void move_puck();
+  Opponent::Conduct opponents_conduct() const;
   bool waits_on_purpose() const {
     return serve_.is_under_way() || rest_.is_on() || free_hand_.is_hiding();
   }

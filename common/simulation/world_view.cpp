@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace puck {
@@ -17,6 +18,11 @@ constexpr double kElbowRadius_m = 0.035;
 constexpr double kReachingRadius_m = 0.05;
 constexpr Vector3 kReachingElbow{0.35, -0.08, 0.12};
 
+bool is_above_table(WorldView::Body which) {
+  return which == WorldView::kRobotArm || which == WorldView::kOpponentArm ||
+         which == WorldView::kFreeHand;
+}
+
 }  // namespace
 
 WorldView::WorldView(const TableGeometry& table, const SceneParams& scene, SensorSize size)
@@ -30,7 +36,8 @@ SceneBody WorldView::body(Body which, const TableGame& game, const CameraView& v
   const auto place = place_of(which, game);
   if (!place) return {};
   if (which == kPuck || which == kSecondPuck) return puck_body(*place, view);
-  if (which != kFreeHand) return mallet_body(which, *place, view);
+  if (which == kRobot || which == kOpponent) return mallet_body(*place, view);
+  if (which != kFreeHand) return arm_body(which, *place, view);
   const Vector3 hand = *game.free_hand().place();
   SceneBody body;
   body.shapes.push_back(
@@ -54,30 +61,37 @@ SceneBody WorldView::puck_body(TablePoint puck, const CameraView& view) const {
   return body;
 }
 
-SceneBody WorldView::mallet_body(Body which, TablePoint mallet, const CameraView& view) const {
-  const auto luminance = [](double value) { return static_cast<float>(value); };
+SceneBody WorldView::mallet_body(TablePoint mallet, const CameraView& view) const {
   SceneBody body;
-  // The robot reaches down from its shoulder, the opponent over the far rail.
-  const Vector3 elbow = which == kRobot ? Vector3{mallet.x_m - 0.35, 0.5 * mallet.y_m - 0.15, 0.22}
-                                        : Vector3{mallet.x_m + 0.32, mallet.y_m + 0.12, 0.2};
-  const double arm_luminance = which == kRobot ? scene_.robot_luminance : scene_.skin_luminance;
-  body.shapes.push_back({ProjectedCapsule(view, {mallet.x_m, mallet.y_m, kHandHeight_m},
-                                          kHandRadius_m, elbow, kElbowRadius_m),
-                         luminance(arm_luminance)});
-  body.shapes.push_back(
-      {ProjectedCylinder(view, mallet, kKnobRadius_m, scene_.mallet_height_m, kKnobTop_m),
-       luminance(scene_.mallet_luminance * 1.5)});
   body.shapes.push_back(
       {ProjectedCylinder(view, mallet, table_.mallet_radius_m, 0, scene_.mallet_height_m),
-       luminance(scene_.mallet_luminance)});
+       static_cast<float>(scene_.mallet_luminance)});
+  return body;
+}
+
+SceneBody WorldView::arm_body(Body which, TablePoint mallet, const CameraView& view) const {
+  SceneBody body;
+  // The robot reaches down from its shoulder, the opponent over the far rail.
+  const bool is_robots = which == kRobotArm;
+  const Vector3 elbow = is_robots ? Vector3{mallet.x_m - 0.35, 0.5 * mallet.y_m - 0.15, 0.22}
+                                  : Vector3{mallet.x_m + 0.32, mallet.y_m + 0.12, 0.2};
+  body.shapes.push_back(
+      {ProjectedCapsule(view, {mallet.x_m, mallet.y_m, kHandHeight_m}, kHandRadius_m, elbow,
+                        kElbowRadius_m),
+       static_cast<float>(is_robots ? scene_.robot_luminance : scene_.skin_luminance)});
+  body.shapes.push_back(
+      {ProjectedCylinder(view, mallet, kKnobRadius_m, scene_.mallet_height_m, kKnobTop_m),
+       static_cast<float>(scene_.mallet_luminance * 1.5)});
   return body;
 }
 
 std::optional<TablePoint> WorldView::place_of(Body which, const TableGame& game) {
   switch (which) {
     case kRobot:
+    case kRobotArm:
       return game.robot_mallet().position;
     case kOpponent:
+    case kOpponentArm:
       return game.opponent_mallet().position;
     case kFreeHand:
       if (!game.free_hand().place()) return std::nullopt;
@@ -93,14 +107,15 @@ std::optional<TablePoint> WorldView::place_of(Body which, const TableGame& game)
   return game.puck()->position;
 }
 
-std::vector<int> WorldView::nearest_first(const TableGame& game) const {
-  std::vector<int> order{kPuck, kRobot, kOpponent, kFreeHand, kSecondPuck};
-  const auto distance = [&](int body) {
-    const auto place = place_of(static_cast<Body>(body), game);
-    return place ? place->x_m : 0;
+std::vector<int> WorldView::nearest_first(const TableGame& game) {
+  std::vector<int> order(kBodyCount);
+  std::iota(order.begin(), order.end(), 0);
+  const auto rank = [&](int index) {
+    const Body which = static_cast<Body>(index);
+    const auto place = place_of(which, game);
+    return std::pair(!is_above_table(which), place ? place->x_m : 0);
   };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return distance(a) < distance(b); });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
   return order;
 }
 
@@ -113,10 +128,11 @@ double WorldView::visible_share(const TableGame& game, const CameraView& view) c
   if (!game.puck()) return 0;
   const ProjectedCylinder puck = puck_shape(game.puck()->position, view);
   std::vector<SceneShape> covers;
-  for (const Body other : {kRobot, kOpponent, kFreeHand, kSecondPuck}) {
-    const auto place = place_of(other, game);
-    if (!place || place->x_m > game.puck()->position.x_m) continue;
-    for (SceneShape& shape : body(other, game, view).shapes) covers.push_back(std::move(shape));
+  for (const int nearer : nearest_first(game)) {
+    if (nearer == kPuck) break;
+    for (SceneShape& shape : body(static_cast<Body>(nearer), game, view).shapes) {
+      covers.push_back(std::move(shape));
+    }
   }
   const PixelBox box = puck.box();
   const Region image = Region::all_of(size_);

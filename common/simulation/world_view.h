@@ -19,11 +19,24 @@ class WorldView {
  public:
   WorldView(const TableGeometry& table, const SceneParams& scene, SensorSize size);
 
-  /// Bodies in a fixed order; see `nearest_first`. What is not there is a body without shapes.
-  enum Body { kPuck, kRobot, kOpponent, kFreeHand, kSecondPuck, kBodyCount };
+  /// Bodies in a fixed order; see `nearest_first`. What is not there is a body without shapes. A
+  /// player is two: his mallet, which stands on the table, and above it his arm with the mallet's
+  /// knob.
+  enum Body {
+    kPuck,
+    kRobot,
+    kRobotArm,
+    kOpponent,
+    kOpponentArm,
+    kFreeHand,
+    kSecondPuck,
+    kBodyCount
+  };
 
   SceneBody body(Body which, const TableGame& game, const CameraView& view) const;
-  std::vector<int> nearest_first(const TableGame& game) const;
+  /// From a camera that looks down on the table along it: first what is above the table, then what
+  /// stands on it, each by how far away it is.
+  static std::vector<int> nearest_first(const TableGame& game);
   /// Where the body stands, on the table; nothing for what is not there.
   static std::optional<TablePoint> place_of(Body which, const TableGame& game);
 
@@ -35,7 +48,8 @@ class WorldView {
  private:
   ProjectedCylinder puck_shape(TablePoint puck, const CameraView& view) const;
   SceneBody puck_body(TablePoint puck, const CameraView& view) const;
-  SceneBody mallet_body(Body which, TablePoint mallet, const CameraView& view) const;
+  SceneBody mallet_body(TablePoint mallet, const CameraView& view) const;
+  SceneBody arm_body(Body which, TablePoint mallet, const CameraView& view) const;
 
   TableGeometry table_;
   SceneParams scene_;

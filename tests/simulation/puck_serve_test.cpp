@@ -2,17 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include <doctest/doctest.h>
 
+#include "common/simulation/camera_view.h"
 #include "common/simulation/table_game.h"
+#include "common/simulation/world_view.h"
+#include "tests/simulation/test_worlds.h"
 
 namespace puck {
+namespace {
+
+constexpr int kStepsPerSecond = 1'000'000 / PuckPhysics::kStep_us;
+
+}  // namespace
 
 TEST_CASE("A served puck is pushed from one place to another and left there at rest") {
   const TablePoint from{2.2, 0};
+  const TablePoint halfway{1.85, 0.1};
   const TablePoint to{1.5, 0.2};
-  PuckServe serve(from, to);
+  PuckServe serve(from, halfway, to);
   constexpr double kStep_s = 1e-3;
   DiscState puck{from, {}};
   double fastest_m_s = 0;
@@ -31,6 +42,70 @@ TEST_CASE("A served puck is pushed from one place to another and left there at r
   CHECK(std::hypot(puck.velocity.x_m_s, puck.velocity.y_m_s) < 1e-6);
   // A quarter of a sine is π/2 times as fast at its start as on average.
   CHECK(fastest_m_s == doctest::Approx(0.7 / 0.5 * 1.5708).epsilon(0.01));
+}
+
+TEST_CASE("A served puck goes around what lies beside the straight way, as fast as it says") {
+  PuckServe serve({2.2, 0}, {1.9, 0.3}, {1.5, 0.1});
+  constexpr double kStep_s = 1e-3;
+  DiscState puck = serve.step(0);
+  double farthest_m = 0;
+  while (serve.is_under_way()) {
+    const DiscState next = serve.step(kStep_s);
+    const double vx_m_s = (next.position.x_m - puck.position.x_m) / kStep_s;
+    const double vy_m_s = (next.position.y_m - puck.position.y_m) / kStep_s;
+    CHECK(std::hypot(vx_m_s - next.velocity.x_m_s, vy_m_s - next.velocity.y_m_s) < 0.03);
+    puck = next;
+    farthest_m = std::max(farthest_m, puck.position.y_m);
+  }
+  CHECK(farthest_m > 0.15);
+  CHECK(puck.position.y_m == doctest::Approx(0.1));
+}
+
+TEST_CASE("A served puck passes through no mallet") {
+  int serves = 0;
+  for (std::int64_t seed = 1; seed <= 5; ++seed) {
+    SimulationParams params;
+    params.seed = seed;
+    params.autonomous_robot = true;
+    params.table.goal_width_m = 1;  // Many goals, so many serves.
+    params.game.served_at_start = true;
+    TableGame game(params);
+    const double reach_m = params.table.puck_radius_m + params.table.mallet_radius_m;
+    double nearest_m = 1;
+    bool was_there = false;
+    for (int step = 0; step < 20 * kStepsPerSecond; ++step) {
+      game.step();
+      const auto& puck = game.puck();
+      serves += puck && !was_there;
+      was_there = puck.has_value();
+      if (!puck) continue;
+      const TablePoint mallet = game.opponent_mallet().position;
+      nearest_m = std::min(
+          nearest_m, std::hypot(puck->position.x_m - mallet.x_m, puck->position.y_m - mallet.y_m));
+    }
+    CHECK(nearest_m > reach_m - 0.002);
+  }
+  CHECK(serves > 10);
+}
+
+TEST_CASE("Nothing appears all at once, nor vanishes, but a puck that falls into a goal") {
+  SimulationParams params = small_world();
+  params.table.goal_width_m = 1;
+  const WorldView world(params.table, params.scene, params.sensor_size);
+  const CameraView view(params.camera, params.sensor_size);
+  TableGame game(params);
+  std::optional<double> before;
+  double most = 0;
+  for (int ms = 0; ms < 20'000; ++ms) {
+    for (int step = 0; step < kStepsPerSecond / 1000; ++step) game.step();
+    std::optional<double> now;
+    if (game.puck()) now = world.visible_share(game, view);
+    if (now && before) most = std::max(most, std::abs(*now - *before));
+    // A puck that comes back is behind the mallet at first.
+    if (now && !before && ms > 0) CHECK(*now < 0.25);
+    before = now;
+  }
+  CHECK(most < 0.3);
 }
 
 TEST_CASE("A game that begins with a serve has its first puck come out of the opponent's goal") {

@@ -209,6 +209,23 @@ TEST_CASE("A puck behind the robot's mallet is not seen in full") {
   CHECK(world.visible_share(game, view) == doctest::Approx(0.5).epsilon(0.2));
 }
 
+TEST_CASE("An arm hides what lies beneath it, nearer than its mallet as well") {
+  const SimulationParams params;
+  TableGame game(params);
+  const WorldView world(params.table, params.scene, params.sensor_size);
+  const CameraView view(params.camera, params.sensor_size);
+  const TablePoint mallet = game.robot_mallet().position;
+  double least = 1;
+  for (double y_m = -0.15; y_m <= 0; y_m += 0.01) {
+    game.place_puck({{mallet.x_m - 0.09, mallet.y_m + y_m}, {0, 0}});
+    least = std::min(least, world.visible_share(game, view));
+  }
+  CHECK(least < 0.2);
+  // What stands on the table does not.
+  game.place_puck({{mallet.x_m - 0.09, mallet.y_m + 0.1}, {0, 0}});
+  CHECK(world.visible_share(game, view) > 0.9);
+}
+
 TEST_CASE("The puck is seen on nearly all of the table, in the sizes that the references give") {
   const SimulationParams params;
   const WorldView world(params.table, params.scene, params.sensor_size);
