@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace puck {
 namespace {
@@ -23,6 +24,8 @@ constexpr double kSpeedGain = 0.04;
 constexpr double kActivityMemory_us = 50'000;
 constexpr double kActive = 5;
 constexpr int kLeastActiveCells = 10;
+// While the head turns, so much of all that is seen is on the map, hands and mallets included.
+constexpr double kTurningShare = 0.6;
 // … and of all events, which a hand and two mallets have in fewer cells, and noise from 60 kev/s
 // on.
 constexpr double kBusy = 60;
@@ -63,6 +66,7 @@ void Background::forget() {
   events_ = {};
   taken_.clear();
   is_known_ = false;
+  head_turns_ = false;
   calm_us_ = 0;
   is_empty_ = true;
 }
@@ -127,7 +131,11 @@ void Background::note_activity(std::int64_t passed_us) {
   const auto count_above = [](const Cells& cells, double least) {
     return std::count_if(cells.begin(), cells.end(), [&](double cell) { return cell > least; });
   };
+  const auto sum_of = [](const Cells& cells) {
+    return std::accumulate(cells.begin(), cells.end(), 0.0);
+  };
   is_known_ = count_above(activity_, kActive) >= kLeastActiveCells;
+  head_turns_ = is_known_ && sum_of(activity_) > kTurningShare * sum_of(events_);
   const bool is_calm = !is_known_ && count_above(events_, kBusy) < kLeastBusyCells;
   // Of the first period it is not known when it began.
   calm_us_ = is_calm ? calm_us_ + std::min(passed_us, kPeriod_us) : 0;

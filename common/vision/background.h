@@ -36,6 +36,11 @@ class Background {
   /// still camera only a hand might have drawn it.
   bool is_known() const { return is_known_; }
 
+  /// Most of what is seen is known to stand still, so that it is the head that moves. Hands and
+  /// mallets that have come back again and again to where they were draw a map, too, but have as
+  /// many events beside it.
+  bool head_turns() const { return head_turns_; }
+
   /// For long nothing has been known to stand still and little of the image has been busy, so that
   /// the head is at rest: all that is seen of a table is busy at once when it turns.
   bool head_rests() const { return calm_us_ > kRestsAfter_us; }
@@ -77,6 +82,7 @@ class Background {
   Cells activity_{};  // events on the map, fading
   Cells events_{};    // all events, fading
   bool is_known_ = false;
+  bool head_turns_ = false;
   std::int64_t calm_us_ = 0;  // see head_rests
   bool is_empty_ = true;
 };

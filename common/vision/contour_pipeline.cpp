@@ -175,8 +175,11 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
   challengers_.dismiss_idle(main_->filter(), time_us);
 }
 
-// Of a still camera's image a hand may have drawn the map, so that it is asked only where it must.
-bool ContourPipeline::head_turns() const { return consults_background_ && background_.is_known(); }
+// A hand that has drawn the map may stay on it for a moment, so that it is asked only where it
+// must.
+bool ContourPipeline::head_turns() const {
+  return consults_background_ && background_.head_turns();
+}
 
 bool ContourPipeline::head_rests() const {
   return context_.ingredients.slow_movers && background_.head_rests();

@@ -45,6 +45,41 @@ TEST_CASE("Of a hand alone nothing is known") {
   CHECK_FALSE(background.is_still(105, 220));
 }
 
+TEST_CASE("While the head turns most of what is seen stands still, a hand beside it or not") {
+  for (const int hand_events : {0, 100}) {
+    Background background(TurningScene::kSensor);
+    TurningScene scene;
+    scene.show(background, 300);
+    for (int i = 0; i < 1'500; ++i) {
+      for (int n = 0; n < hand_events; ++n) background.take(150 + i % 300, 100 + n);
+      scene.show(background, 1);
+      REQUIRE(background.head_turns());
+    }
+    background.forget();
+    CHECK_FALSE(background.head_turns());
+  }
+}
+
+TEST_CASE("Arms that go to and fro draw a map, but the head does not turn for that") {
+  Background background(TurningScene::kSensor);
+  int known = 0;
+  int turning = 0;
+  for (int i = 1; i <= 3'000; ++i) {
+    // Two upright ones against each other; they linger where they turn around.
+    const double out = 120 * std::sin(i * 0.006283);
+    for (int n = 0; n < 430; ++n) {
+      background.take(std::round(160 + out), 20 + n);
+      background.take(std::round(480 - out), 20 + n);
+    }
+    background.decide(i * 1'000);
+    known += background.is_known();
+    turning += background.head_turns();
+  }
+  CHECK(known > 300);
+  // Where they turn around.
+  CHECK(turning < known / 4);
+}
+
 TEST_CASE("The head rests when, looked at for 300 ms, nothing is known, and not before") {
   Background background(TurningScene::kSensor);
   std::int64_t time_us = 10'000'000;
