@@ -2,11 +2,13 @@
 # The paper's experiment and more in one command: makes sequences of the simulated game, runs all
 # presets and the baselines over them, and writes tables, JSON and the paper's figures.
 #
-#   tools/compare.sh [--sequences N] [--seconds S] [--output DIR] [--jobs J] [--keep]
+#   tools/compare.sh [--sequences N] [--seconds S] [--only NAME[,NAME...]] [--output DIR] [--jobs J]
+#                    [--keep]
 #
 # --sequences N  with the still and with the moving camera each, 1 to 10 (default 10), and half as many
 #                of each hard scene in tools/compare/scenes
 # --seconds S    length of each (default 30); the hard ones are a third as long, 2 to 10 s
+# --only NAMES   these presets and baselines alone, and without the ablation of default
 # --output DIR   where everything goes (default build/compare): comparison.txt, comparison.md,
 #                comparison.json and the figures as PNG. DIR/results holds what has been run already,
 #                so that another run does only what has changed
@@ -18,7 +20,8 @@
 # moving from 1101, hard scenes from 1201, 1211, 1221 and so on. No tracker gets truth, its start
 # included.
 #
-# All of it takes half an hour on two cores; --sequences 2 --seconds 5 less than two minutes.
+# All of it takes some 40 minutes on two cores, --only default a quarter of an hour, and
+# --sequences 2 --seconds 5 less than two minutes.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 

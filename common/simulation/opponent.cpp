@@ -7,6 +7,7 @@ namespace puck {
 namespace {
 
 constexpr double kGuardDistance_m = 0.2;  // From the opponent's end.
+constexpr double kHome_m = 0.01;
 constexpr double kGuardSpeed_m_s = 1.5;
 constexpr double kGuardAcceleration_m_s2 = 15;
 constexpr double kGuardStiffness_1_s = 8;
@@ -33,6 +34,11 @@ Opponent::Opponent(const PuckPhysics& physics, const GameParams& params, std::in
 }
 
 TablePoint Opponent::home() const { return {physics_.table().length_m - kGuardDistance_m, 0}; }
+
+bool Opponent::is_home() const {
+  return !swing_ &&
+         std::hypot(mallet_.position.x_m - home().x_m, mallet_.position.y_m - home().y_m) < kHome_m;
+}
 
 void Opponent::step(const std::optional<DiscState>& puck, double dt_s, Conduct conduct) {
   if (swing_) {

@@ -19,15 +19,16 @@ class Opponent {
   enum class Conduct : std::uint8_t {
     kPlays,
     kLeavesAlone,  ///< No swing starts; the mallet guards the goal against the puck all the same.
-    kServes,       ///< Nor does that: it waits at home().
+    kServes,       ///< No swing starts, and the mallet goes to home() and waits there.
   };
 
   /// Moves the mallet on; `puck` is nothing while none is in play.
-  void step(const std::optional<DiscState>& puck, double dt_s, Conduct conduct = Conduct::kPlays);
+  void step(const std::optional<DiscState>& puck, double dt_s, Conduct conduct);
 
   const DiscState& mallet() const { return mallet_; }
   /// Where the mallet waits while there is nothing to guard against: before the goal's middle.
   TablePoint home() const;
+  bool is_home() const;
 
  private:
   /// A mallet's path that ends at a place with a velocity: a cubic in time.

@@ -6,8 +6,8 @@
 
 namespace puck {
 
-/// Shapes that move together: the puck; a mallet with the hand on it. The first one hides the ones
-/// after it.
+/// Shapes that move together: the puck; an arm with the knob that it holds. The first one hides the
+/// ones after it.
 struct SceneBody {
   std::vector<SceneShape> shapes;
 };

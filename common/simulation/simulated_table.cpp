@@ -169,7 +169,7 @@ class SimulatedTable::World {
       bodies_[index] = world_view_.body(which, game_, view_);
       drawn_at_[index] = seen_at;
     }
-    renderer_.draw_bodies(bodies_, world_view_.nearest_first(game_), moved, from, to, sensor_);
+    renderer_.draw_bodies(bodies_, WorldView::nearest_first(game_), moved, from, to, sensor_);
   }
 
   // Of what is there; behind the camera it is not a number.

@@ -44,7 +44,7 @@ TableGame::TableGame(const SimulationParams& params)
 
 void TableGame::step() {
   ++steps_;
-  if (!puck_ && time_s() - off_since_s_ >= params_.serve_after_s) serve();
+  if (!puck_ && time_s() - off_since_s_ >= params_.serve_after_s && opponent_.is_home()) serve();
   move_robot();
   rest_.step(puck_, PuckPhysics::kStep_s);
   opponent_.step(puck_, PuckPhysics::kStep_s, opponents_conduct());
@@ -147,17 +147,24 @@ void TableGame::take_puck_off(GoalEntered goal) {
 
 TablePoint TableGame::place_to_serve() {
   const TableGeometry& table = physics_.table();
-  const double x_m = random_.uniform(0.64, 0.76) * table.length_m;
+  // On a short table, too, beyond the mallet's reach.
+  const double farthest_m = opponent_.home().x_m - table.mallet_radius_m - 2 * table.puck_radius_m;
+  const double x_m = std::min(random_.uniform(0.64, 0.76) * table.length_m, farthest_m);
   return {x_m, random_.uniform(-0.25, 0.25) * table.width_m};
 }
 
+// He has taken it out of the goal, lays it down behind his mallet, where no camera sees it, and
+// pushes it around.
 void TableGame::serve() {
-  // Far enough to the side that it passes the mallet by a puck's width.
-  constexpr double kAside_m = 0.3;
   const TableGeometry& table = physics_.table();
   const TablePoint to = place_to_serve();
-  const TablePoint around{opponent_.home().x_m, std::copysign(kAside_m, to.y_m)};
-  serve_ = PuckServe({table.length_m + table.puck_radius_m, 0}, around, to);
+  // The way is drawn half as far to the side: past the mallet, with room for another puck.
+  constexpr double kLeastAside_m = 0.3;
+  const double aside_m =
+      std::max(kLeastAside_m, 2 * (table.mallet_radius_m + 3 * table.puck_radius_m));
+  const double behind_x_m =
+      opponent_.home().x_m + table.mallet_radius_m + 1.8 * table.puck_radius_m;
+  serve_ = PuckServe({behind_x_m, 0}, {behind_x_m, std::copysign(aside_m, to.y_m)}, to);
   puck_ = serve_.step(0);
 }
 

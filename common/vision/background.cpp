@@ -24,12 +24,13 @@ constexpr double kSpeedGain = 0.04;
 constexpr double kActivityMemory_us = 50'000;
 constexpr double kActive = 5;
 constexpr int kLeastActiveCells = 10;
-// While the head turns, so much of all that is seen is on the map, hands and mallets included.
-constexpr double kTurningShare = 0.6;
 // … and of all events, which a hand and two mallets have in fewer cells, and noise from 60 kev/s
 // on.
 constexpr double kBusy = 60;
 constexpr int kLeastBusyCells = 16;
+// While the head turns, more than this share of all that is seen is on the map, hands and mallets
+// included.
+constexpr double kTurningShare = 0.6;
 
 using Steps = CameraTurn::Steps;
 

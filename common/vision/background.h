@@ -32,13 +32,13 @@ class Background {
   /// To be called before a time in which it is not told of events.
   void forget();
 
-  /// The map is of a scene that moves as one. Otherwise nothing is known to stand still: with a
-  /// still camera only a hand might have drawn it.
+  /// The map is of a scene that moves as one, or so it seems. Otherwise nothing is known to stand
+  /// still: with a still camera only hands and mallets might have drawn it.
   bool is_known() const { return is_known_; }
 
   /// Most of what is seen is known to stand still, so that it is the head that moves. Hands and
-  /// mallets that have come back again and again to where they were draw a map, too, but have as
-  /// many events beside it.
+  /// mallets that come back again and again to where they were draw a map, too, but have as many
+  /// events beside it. Noise counts as well: of much of it no head is seen to turn.
   bool head_turns() const { return head_turns_; }
 
   /// For long nothing has been known to stand still and little of the image has been busy, so that

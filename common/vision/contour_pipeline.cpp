@@ -175,8 +175,8 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
   challengers_.dismiss_idle(main_->filter(), time_us);
 }
 
-// A hand that has drawn the map may stay on it for a moment, so that it is asked only where it
-// must.
+// A hand that has drawn the map may stay on it for a moment, so that the background is asked only
+// where it must be.
 bool ContourPipeline::head_turns() const {
   return consults_background_ && background_.head_turns();
 }

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -43,7 +44,7 @@ TEST_CASE("no seed is used twice, and none for testing that is for development")
     CHECK(seeds.insert(sequence.seed).second);
   }
   CHECK(calibration_sequence().seed <= 99);
-  CHECK(latency_sequence(1).seed <= 99);
+  CHECK(latency_sequence({}, 1).seed <= 99);
 }
 
 TEST_CASE("the quick form has every set, shorter") {
@@ -71,6 +72,19 @@ TEST_CASE("each ingredient is taken away in turn on four sets, two still and two
   CHECK(moving.size() == 2);
   CHECK(default_without("shear").options ==
         std::vector<std::string>{"--preset", "default", "--without", "shear"});
+}
+
+TEST_CASE("what is asked for alone runs on every set, and nothing else does") {
+  const PlanOptions options{.only = {"default", "cluster"}};
+  const std::vector<Sequence> sequences = plan_sequences(options, {"shear"});
+  CHECK(sequences.size() == plan_sequences({}, {}).size());
+  for (const Sequence& sequence : sequences) {
+    CHECK(sequence.contestants.size() == 2);
+    CHECK(runs(sequence, "default"));
+    CHECK(runs(sequence, "cluster"));
+  }
+  CHECK(latency_sequence(options, 5).contestants.size() == 2);
+  CHECK(latency_sequence({}, 5).contestants.size() == contestants().size());
 }
 
 TEST_CASE("all presets run everywhere, the particle filter where it is affordable") {

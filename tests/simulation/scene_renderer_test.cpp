@@ -31,8 +31,8 @@ struct Picture {
     for (int i = 0; i < WorldView::kBodyCount; ++i) {
       bodies.push_back(world.body(static_cast<WorldView::Body>(i), game, view));
     }
-    renderer.draw_bodies(bodies, world.nearest_first(game), std::vector<bool>(bodies.size(), true),
-                         from, to, sensor);
+    renderer.draw_bodies(bodies, WorldView::nearest_first(game),
+                         std::vector<bool>(bodies.size(), true), from, to, sensor);
     EventPacket events;
     sensor.finish_slice(to, events);
   }

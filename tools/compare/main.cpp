@@ -29,11 +29,12 @@ void compare(const Options& options) {
   std::filesystem::create_directories(options.experiment.output);
   std::printf("%s\n", seeds_text(options.plan).c_str());
   Experiment experiment(options.experiment);
-  const std::vector<std::string> ingredients = experiment.ingredients();
+  const std::vector<std::string> ingredients =
+      options.plan.only.empty() ? experiment.ingredients() : std::vector<std::string>{};
   const Comparison comparison(experiment.run(plan_sequences(options.plan, ingredients)));
   // Alone, after all the rest: what runs beside it would count.
-  const Comparison latency(experiment.run(
-      {latency_sequence(std::min(options.plan.seconds / 3, kLongestLatencySeconds))}));
+  const Comparison latency(
+      experiment.run({latency_sequence(options.plan, kLongestLatencySeconds)}));
 
   const ComparisonReport report{options.plan, ingredients, comparison, latency};
   write_report(report, options.experiment.output);
@@ -51,6 +52,8 @@ int main(int argc, char** argv) {
       "tools/compare.sh, which builds it and runs it.",
       "puck-compare");
   puck::Options options;
+  std::vector<std::string> names;
+  for (const puck::Contestant& contestant : puck::contestants()) names.push_back(contestant.name);
   options.experiment.programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   options.experiment.jobs = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
   app.add_option("--sequences", options.plan.sequences,
@@ -61,6 +64,10 @@ int main(int argc, char** argv) {
                  "of each of them; hard ones are a third as long")
       ->check(puck::number_range(1, 600))
       ->capture_default_str();
+  app.add_option("--only", options.plan.only,
+                 "these trackers alone, and nothing left out of default")
+      ->check(CLI::IsMember(names))
+      ->delimiter(',');
   app.add_option("--output", options.experiment.output, "folder")
       ->take_last()
       ->capture_default_str();

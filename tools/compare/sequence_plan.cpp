@@ -90,6 +90,10 @@ SequenceSet set_of(const std::vector<SequenceSet>& sets, const std::string& name
   return *found;
 }
 
+bool PlanOptions::includes(const Contestant& contestant) const {
+  return only.empty() || std::find(only.begin(), only.end(), contestant.name) != only.end();
+}
+
 int sequences_of(const SequenceSet& set, const PlanOptions& options) {
   return set.is_hard ? std::max(options.sequences / 2, 1) : options.sequences;
 }
@@ -110,9 +114,10 @@ std::vector<Sequence> plan_sequences(const PlanOptions& options,
                         .shown = set.shown && i == 0};
       for (const Contestant& contestant : contestants()) {
         if (set.is_hard && contestant.name == kParticleFilter) continue;
+        if (!options.includes(contestant)) continue;
         sequence.contestants.push_back(contestant);
       }
-      if (set.in_ablation) {
+      if (set.in_ablation && options.only.empty()) {
         for (const std::string& name : ingredients) {
           sequence.contestants.push_back(default_without(name));
         }
@@ -129,11 +134,15 @@ Sequence calibration_sequence() {
   return {.set = {.name = "calibration", .title = "calibration"}, .seed = 1, .seconds = 10};
 }
 
-Sequence latency_sequence(double seconds) {
-  Sequence sequence{.set = {.name = "latency", .title = "latency"}, .seed = 2, .seconds = seconds};
-  for (Contestant& contestant : sequence.contestants = contestants()) {
+Sequence latency_sequence(const PlanOptions& options, double seconds) {
+  Sequence sequence{.set = {.name = "latency", .title = "latency"},
+                    .seed = 2,
+                    .seconds = std::min(options.seconds / 3, seconds)};
+  for (Contestant& contestant : contestants()) {
+    if (!options.includes(contestant)) continue;
     contestant.options.emplace_back("--real-time");
     contestant.cost = 1;
+    sequence.contestants.push_back(contestant);
   }
   return sequence;
 }

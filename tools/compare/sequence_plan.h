@@ -40,6 +40,10 @@ SequenceSet set_of(const std::vector<SequenceSet>& sets, const std::string& name
 struct PlanOptions {
   int sequences = 10;   ///< Of the still and of the moving set each.
   double seconds = 30;  ///< Of each of these.
+  /// Names of contestants: these alone, without the ablation; empty: all of them, and the ablation.
+  std::vector<std::string> only;
+
+  bool includes(const Contestant& contestant) const;
 };
 /// How many sequences of a set there are, and how long they are. The hard ones are half as many and
 /// a third as long, from 2 to 10 s.
@@ -62,8 +66,8 @@ std::vector<Sequence> plan_sequences(const PlanOptions& options,
 /// A still one, seed 1, 10 s: the size of the puck and the lag of the sensor are calibrated on it,
 /// and nothing is run.
 Sequence calibration_sequence();
-/// A still one, seed 2, on which everything runs in real time.
-Sequence latency_sequence(double seconds);
+/// A still one, seed 2, on which everything runs in real time, for so long at most.
+Sequence latency_sequence(const PlanOptions& options, double seconds);
 
 /// About so much CPU time does it take to make a recording, to run one contestant on it, s.
 double simulation_cost_s(const Sequence& sequence);

@@ -15,14 +15,14 @@ namespace puck {
 /// hit or a bounce.
 struct EstimateErrorParams {
   double sigma_x_px = 0.071;  ///< Of the error that drifts …
-  double sigma_y_px = 0.095;
-  double correlation_us = 8'900;  ///< … and after so long is down to 1/e.
+  double sigma_y_px = 0.094;
+  double correlation_us = 9'500;  ///< … and after so long is down to 1/e.
   double bias_x_px = 0.003;
-  double bias_y_px = 0.174;
+  double bias_y_px = 0.172;
   double lag_us = 44;                ///< Behind the puck, at the time that the estimate is for.
   double reported_sigma_px = 0.178;  ///< As the estimate's covariance says.
-  double detection_us = 127'000;     ///< Until a puck that comes into the game is tracked.
-  double notice_us = 750;            ///< For so long after a turn the estimate goes straight on …
+  double detection_us = 17'000;      ///< Until a puck that comes into the game is tracked.
+  double notice_us = 780;            ///< For so long after a turn the estimate goes straight on …
   double loss_share = 0;             ///< … but after this share of the turns the puck is lost …
   double loss_us = 0;                ///< … for so long on average.
   double strays_per_s = 0;  ///< So often, and for a millisecond, the puck is seen anywhere.
