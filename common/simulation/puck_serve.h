@@ -4,8 +4,8 @@
 
 namespace puck {
 
-/// How a puck comes back into play: pushed from behind the opponent's mallet, around it, to where it
-/// is left at rest, so that a camera sees it come.
+/// How a puck comes back into play: pushed from behind the opponent's mallet, around it, to where
+/// it is left at rest, so that a camera sees it come.
 class PuckServe {
  public:
   PuckServe() = default;
