@@ -20,8 +20,8 @@
 # moving from 1101, hard scenes from 1201, 1211, 1221 and so on. No tracker gets truth, its start
 # included.
 #
-# All of it takes some 40 minutes on two cores, --only default a quarter of an hour, and
-# --sequences 2 --seconds 5 less than two minutes.
+# All of it takes some 40 minutes on two cores, without the particle filter and the ablation a
+# quarter of an hour, and --sequences 2 --seconds 5 less than two minutes.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 

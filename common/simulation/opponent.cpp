@@ -7,7 +7,7 @@ namespace puck {
 namespace {
 
 constexpr double kGuardDistance_m = 0.2;  // From the opponent's end.
-constexpr double kHome_m = 0.01;
+constexpr double kHome_m = 0.01;          // So near to home() the mallet is there.
 constexpr double kGuardSpeed_m_s = 1.5;
 constexpr double kGuardAcceleration_m_s2 = 15;
 constexpr double kGuardStiffness_1_s = 8;

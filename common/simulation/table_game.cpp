@@ -153,8 +153,8 @@ TablePoint TableGame::place_to_serve() {
   return {x_m, random_.uniform(-0.25, 0.25) * table.width_m};
 }
 
-// He has taken it out of the goal, lays it down behind his mallet, where no camera sees it, and
-// pushes it around.
+// The opponent has taken the puck out of the goal, lays it down behind his mallet, where no camera
+// sees it, and pushes it around.
 void TableGame::serve() {
   const TableGeometry& table = physics_.table();
   const TablePoint to = place_to_serve();

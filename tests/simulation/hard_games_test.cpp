@@ -12,8 +12,6 @@
 namespace puck {
 namespace {
 
-constexpr std::int64_t kStepsPerSecond = 1'000'000 / PuckPhysics::kStep_us;
-
 double speed_of(const DiscState& disc) {
   return std::hypot(disc.velocity.x_m_s, disc.velocity.y_m_s);
 }

@@ -15,8 +15,6 @@
 namespace puck {
 namespace {
 
-constexpr std::int64_t kStepsPerSecond = 1'000'000 / PuckPhysics::kStep_us;
-
 SimulationParams quiet_world() {
   SimulationParams params = small_world();
   params.sensor.noise_hz = 0;

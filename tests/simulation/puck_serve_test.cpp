@@ -17,8 +17,6 @@
 namespace puck {
 namespace {
 
-constexpr int kStepsPerSecond = 1'000'000 / PuckPhysics::kStep_us;
-
 double distance_m(TablePoint a, TablePoint b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
 
 }  // namespace
