@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include <Eigen/Core>
 
@@ -20,10 +19,6 @@ constexpr double kColumnSpreadPx = 100;
 constexpr double kUsualThickness = 0.2;
 constexpr double kThicknessSpread = 0.2;
 
-constexpr double kSmallestWidthPx = 1e-3;
-// Growth of the width from row to row, px/px.
-constexpr double kLeastGrowth = 0.005;
-
 enum Parameter : Eigen::Index { kWidth, kGrowthX, kGrowthY, kFaceOn, kThickness, kColumn, kCount };
 
 // The width's plane goes through `middle`, where it is known best.
@@ -32,43 +27,14 @@ DiscModel model_of(const Eigen::VectorXd& parameters, Pixel middle) {
   model.width_x = parameters(kGrowthX);
   model.width_y = parameters(kGrowthY);
   model.width_0 = parameters(kWidth) - model.width_x * middle.x - model.width_y * middle.y;
-  model.face_on_px = std::max(parameters(kFaceOn), kSmallestWidthPx);
+  model.face_on_px = std::max(parameters(kFaceOn), DiscModel::kSmallestWidth_px);
   model.thickness = parameters(kThickness);
-  model.principal_point = {parameters(kColumn), middle.y};
+  model.principal_x_px = parameters(kColumn);
+  model.principal_y_px = middle.y;
   return model;
 }
 
 }  // namespace
-
-double DiscModel::width_at(Pixel position) const {
-  return std::max(width_0 + width_x * position.x + width_y * position.y, kSmallestWidthPx);
-}
-
-double DiscModel::sine_of_tilt() const {
-  return std::clamp(width_at(principal_point) / face_on_px, 0.01, 0.9999);
-}
-
-PuckSize DiscModel::at(Pixel position) const {
-  const double width = width_at(position);
-  const double foreshortening = width / face_on_px;
-  const double disc_height = width * foreshortening;
-  const double aside = width_y * std::abs(position.x - principal_point.x);
-  const double slant = aside / width;
-  const double sine = sine_of_tilt();
-  const double cosine = std::sqrt(1 - sine * sine);
-  const double wall = thickness * width / cosine;
-  return {std::hypot(width, slant * disc_height) + wall * sine * aside / face_on_px,
-          disc_height + wall * (1 - foreshortening * sine)};
-}
-
-double DiscModel::tilt_deg() const { return std::asin(sine_of_tilt()) * 180 / std::numbers::pi; }
-
-double DiscModel::focal_px() const {
-  const double sine = sine_of_tilt();
-  return face_on_px * std::sqrt(1 - sine * sine) / std::hypot(width_x, width_y);
-}
-
-bool DiscModel::has_perspective() const { return width_y > kLeastGrowth; }
 
 DiscFit fit_disc_model(std::span<const Annotation> annotations, Pixel middle) {
   const PuckSizeModel planes = fit_puck_size_model(annotations).model;
@@ -76,7 +42,7 @@ DiscFit fit_disc_model(std::span<const Annotation> annotations, Pixel middle) {
   Eigen::VectorXd start(static_cast<Eigen::Index>(kCount));
   // A fifth of the height is the wall's.
   start << typical.width, planes.width_x, planes.width_y,
-      typical.width * typical.width / std::max(0.8 * typical.height, kSmallestWidthPx),
+      typical.width * typical.width / std::max(0.8 * typical.height, DiscModel::kSmallestWidth_px),
       kUsualThickness, middle.x;
 
   const auto count = static_cast<Eigen::Index>(annotations.size());

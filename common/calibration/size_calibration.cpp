@@ -21,6 +21,9 @@ constexpr double kLeastCoverage = 0.5;
 // A disc that lies on a table is never much higher than wide.
 constexpr double kHighestOfWidth = 1.2;
 
+// Annotations with fewer rows are explained by whatever has the disc's six parameters.
+constexpr std::size_t kFewestForDisc = 8;
+
 struct NumberedAnnotation {
   std::size_t row = 0;
   Annotation annotation;
@@ -86,6 +89,19 @@ std::string line(const char* format, double a, double b) {
   return text;
 }
 
+double squares_of(const SizeResiduals& width, const SizeResiduals& height) {
+  return width.rms_px * width.rms_px + height.rms_px * height.rms_px;
+}
+
+PuckSizeModel best_of(const SizeFit& planes, const DiscFit& disc, std::size_t rows) {
+  PuckSizeModel model = planes.model;
+  if (rows >= kFewestForDisc && disc.model.has_perspective() &&
+      squares_of(disc.width, disc.height) <= squares_of(planes.width, planes.height)) {
+    model.disc = disc.model;
+  }
+  return model;
+}
+
 void warn_of_coverage(SizeCalibration& calibration, SensorSize sensor) {
   if (sensor == SensorSize{}) return;
   const double share_x = (calibration.to.x - calibration.from.x) / sensor.width;
@@ -96,7 +112,7 @@ void warn_of_coverage(SizeCalibration& calibration, SensorSize sensor) {
              "elsewhere sizes are extrapolated",
              100 * share_x, 100 * share_y));
   }
-  for (std::string& doubt : doubts_about(calibration.planes.model, sensor)) {
+  for (std::string& doubt : doubts_about(calibration.model, sensor)) {
     calibration.warnings.push_back(std::move(doubt));
   }
 }
@@ -160,8 +176,9 @@ SizeCalibration calibrate_size(std::span<const Annotation> annotations, SensorSi
     fits = fit_kept();
   }
 
-  SizeCalibration calibration{fits.planes, fits.disc, {}, {}, {}, {}};
-  calibration.planes.model.sensor = sensor;
+  fits.planes.model.sensor = sensor;
+  SizeCalibration calibration{
+      best_of(fits.planes, fits.disc, kept.size()), fits.planes, fits.disc, {}, {}, {}, {}};
   for (const NumberedAnnotation& n : left_out) {
     calibration.outliers.push_back(
         {n.row, n.annotation, fits.planes.model.extrapolated_at(n.annotation.centre)});

@@ -9,6 +9,7 @@
 #include "common/calibration/size_fit.h"
 #include "common/events/sensor_size.h"
 #include "common/vision/annotation.h"
+#include "common/vision/puck_size_model.h"
 
 namespace puck {
 
@@ -21,6 +22,9 @@ struct SizeOutlier {
 
 /// What annotations of the puck's size say, and how far they can be trusted.
 struct SizeCalibration {
+  /// Equation (2), with the disc beside it where the annotations are enough for that and it
+  /// explains them no worse.
+  PuckSizeModel model;
   SizeFit planes;  ///< The paper's Equation (2), outliers left out.
   DiscFit disc;    ///< The same annotations.
   std::vector<SizeOutlier> outliers;

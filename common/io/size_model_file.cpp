@@ -1,6 +1,8 @@
 #include "common/io/size_model_file.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "common/io/calibration_text.h"
@@ -23,7 +25,23 @@ constexpr std::array<Coefficient, 6> kCoefficients{{
     {"size_model.height_x", &PuckSizeModel::height_x},
     {"size_model.height_y", &PuckSizeModel::height_y},
 }};
+
+struct DiscNumber {
+  const char* key = nullptr;
+  double DiscModel::*member = nullptr;
+  double lowest = 0;
+};
+
 constexpr double kLargest = 1e4;
+constexpr std::array<DiscNumber, 7> kDiscNumbers{{
+    {"disc.width_0", &DiscModel::width_0, -kLargest},
+    {"disc.width_x", &DiscModel::width_x, -kLargest},
+    {"disc.width_y", &DiscModel::width_y, -kLargest},
+    {"disc.face_on_px", &DiscModel::face_on_px, DiscModel::kSmallestWidth_px},
+    {"disc.thickness", &DiscModel::thickness, -kLargest},
+    {"disc.principal_x_px", &DiscModel::principal_x_px, -kLargest},
+    {"disc.principal_y_px", &DiscModel::principal_y_px, -kLargest},
+}};
 
 struct Limit {
   const char* key = nullptr;
@@ -54,6 +72,17 @@ void read_range(Config& config, PuckSizeModel& model) {
   config.read("size_range.sensor_height", model.sensor.height, 0, SensorSize::kMax);
 }
 
+std::optional<DiscModel> read_disc(Config& config) {
+  const auto is_there = [&](const DiscNumber& number) { return config.has(number.key); };
+  if (std::none_of(kDiscNumbers.begin(), kDiscNumbers.end(), is_there)) return std::nullopt;
+  DiscModel disc;
+  for (const DiscNumber& number : kDiscNumbers) {
+    if (!is_there(number)) config.fail(number.key, "is missing");
+    config.read(number.key, disc.*number.member, number.lowest, kLargest);
+  }
+  return disc;
+}
+
 // Such a puck would be kept to the smallest size everywhere, and specks be taken for it.
 void refuse_sizeless(const Config& config, double at_corner, double along_x, double along_y,
                      const std::string& side) {
@@ -78,6 +107,7 @@ PuckSizeModel read_size_model_file(const std::filesystem::path& path) {
   }
   refuse_sizeless(config, model.width_0, model.width_x, model.width_y, "width");
   refuse_sizeless(config, model.height_0, model.height_x, model.height_y, "height");
+  model.disc = read_disc(config);
   read_range(config, model);
   return model;
 }
@@ -88,6 +118,14 @@ std::string size_model_text(const PuckSizeModel& model, std::string_view provena
                      "and px per px along x and y.\n[size_model]\n";
   for (const Coefficient& coefficient : kCoefficients) {
     text += entry(coefficient.key, toml_number(model.*coefficient.member));
+  }
+  if (model.disc) {
+    text +=
+        "# The disc on a plane, seen in perspective, that those approximate. px, px per px; "
+        "thickness in diameters.\n[disc]\n";
+    for (const DiscNumber& number : kDiscNumbers) {
+      text += entry(number.key, toml_number(*model.disc.*number.member));
+    }
   }
   text +=
       "# Whatever those say, the puck is never smaller or larger, px. Sensor: 0 if not known.\n"

@@ -23,6 +23,8 @@ constexpr std::int64_t kThrivingLife_us = 150'000;
 // A challenger that has come so near to the main track is the same track.
 constexpr double kSame_px = 2;
 constexpr double kSame_px_s = 100;
+// … unless they differ so much in size.
+constexpr double kSameGrowth_px = 0.3;
 
 std::ptrdiff_t most_of(Challenger::Kind kind) {
   switch (kind) {
@@ -69,9 +71,11 @@ bool is_hopeless(const Challenger& challenger, std::int64_t time_us) {
 
 // Opinions on the wall are in the same place by nature.
 bool is_same(const Challenger& challenger, const ContourFilter& main) {
-  const PixelVelocity velocity = challenger.track().filter().velocity();
+  const ContourFilter& filter = challenger.track().filter();
+  const PixelVelocity velocity = filter.velocity();
   return challenger.kind() != Challenger::Kind::kWall &&
-         distance_px(position_of(challenger), main.position()) < kSame_px &&
+         distance_px(filter.position(), main.position()) < kSame_px &&
+         std::abs(filter.growth_px() - main.growth_px()) < kSameGrowth_px &&
          std::hypot(velocity.x - main.velocity().x, velocity.y - main.velocity().y) < kSame_px_s;
 }
 
@@ -162,7 +166,7 @@ const Challenger* Challengers::first(bool head_rests, std::int64_t searched_us,
   for (Challenger& challenger : challengers_) {
     const bool convinces =
         is_convincing_as_first(claim_of(challenger, head_rests, time_us), searched_us);
-    if (challenger.convincing_for_us(convinces, time_us) >= kConvincedAfter_us &&
+    if (challenger.convincing_for_us(convinces, time_us) >= kFirstConvincedAfter_us &&
         (best == nullptr || challenger.track().quality() > best->track().quality())) {
       best = &challenger;
     }

@@ -9,6 +9,8 @@ namespace puck {
 /// What the contour tracker is made of, one switch an ingredient, so that each can be taken away
 /// to see what it brings.
 struct ContourIngredients {
+  /// Sizes are those of a disc in perspective, where the calibration knows it, not Equation (2).
+  bool perspective = true;
   bool shear = true;              ///< The ellipse is sheared as the table's perspective asks.
   bool size_state = true;         ///< The filter follows the contour's size, not only its place.
   bool lag = true;                ///< Events are put forward by the sensor's lag.
@@ -22,6 +24,7 @@ struct ContourIngredients {
   bool wall_search = true;        ///< … and the search looks for it as it was found to be.
   bool witness = true;       ///< A blob follows the puck more coarsely and checks on the track.
   bool search = true;        ///< A doubtful track is challenged by the correlation near it.
+  bool afresh = true;        ///< … and where it is itself, by a track of an ordinary size.
   bool wide_search = true;   ///< … and, when it is bad, everywhere.
   bool fresh_search = true;  ///< The search sees what has made events of late only.
   bool stopping = true;      ///< A puck that falls silent is taken to have stopped.
@@ -44,7 +47,8 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 26> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 28> kContourIngredients{{
+    {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
     {"lag", &ContourIngredients::lag},
@@ -58,6 +62,7 @@ inline constexpr std::array<ContourIngredient, 26> kContourIngredients{{
     {"wall-search", &ContourIngredients::wall_search},
     {"witness", &ContourIngredients::witness},
     {"search", &ContourIngredients::search},
+    {"afresh", &ContourIngredients::afresh},
     {"wide-search", &ContourIngredients::wide_search},
     {"fresh-search", &ContourIngredients::fresh_search},
     {"stopping", &ContourIngredients::stopping},

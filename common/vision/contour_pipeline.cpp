@@ -20,6 +20,8 @@ constexpr std::int64_t kBlindAfter_us = 40'000;
 constexpr std::int64_t kDoubtfulAfter_us = 20'000;
 // What is known of the puck's events is learned from a track of this quality.
 constexpr double kLearnable = 0.7;
+// Of what is worse than this a search may find the puck in the very place where the track is.
+constexpr double kPoor = 0.6;
 // How far around the puck events may be its own.
 constexpr int kPuckMargin_px = 6;
 // How far the events of a puck may lie beyond where its centre is searched for.
@@ -191,6 +193,12 @@ bool ContourPipeline::rest_may_be_wrong() const {
                                           : context_.signature.is_faint();
 }
 
+// It may be at the puck, and yet of a wrong size or opinion on the wall that it does not get rid
+// of.
+bool ContourPipeline::is_tried_afresh() const {
+  return context_.ingredients.afresh && main_->quality() < kPoor;
+}
+
 void ContourPipeline::find_first(std::int64_t time_us) {
   const std::int64_t searched_us = search_plan_.searched_us(time_us);
   if (const Challenger* first = challengers_.first(head_rests(), searched_us, time_us)) {
@@ -215,6 +223,7 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
     seen_score_.begin(challenger.found().score);
   }
   main_ = challenger.track();
+  context_.is_first = false;
   held_rest_.forget();
   settling_.forget();
   // What the search found may be the puck all the same, while twins of a wrong track go on
@@ -302,7 +311,7 @@ void ContourPipeline::take(const SearchResult& result) {
   const bool is_conjecture = found_.request.other_wall && sought_wall_.is_conjecture();
   challengers_.add_found({.result = found_,
                           .is_conjecture = is_conjecture,
-                          .main = main,
+                          .main = main_ && is_tried_afresh() ? std::nullopt : main,
                           .missed = missed_.events(),
                           .can_catch_up = missed_.are_kept(),
                           .time_us = now_us_,

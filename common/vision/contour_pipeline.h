@@ -64,6 +64,8 @@ class ContourPipeline final : public TrackingPipeline {
   bool head_rests() const;
   bool head_turns() const;
   bool rest_may_be_wrong() const;
+  /// Whether what is found where the main track is challenges it.
+  bool is_tried_afresh() const;
   void find_first(std::int64_t time_us);
   void enthrone(const Challenger& challenger, std::int64_t time_us);
   void plan_search(std::int64_t time_us);

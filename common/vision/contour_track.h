@@ -30,6 +30,8 @@ struct ContourContext {
   PuckSignature signature;
   /// Whether the signature was learned from a track that is beyond doubt.
   bool is_trusted = false;
+  /// Nothing is tracked yet.
+  bool is_first = true;
 };
 
 /// One belief about where the puck is: a filter that events correct, and what the events of the

@@ -49,6 +49,7 @@ PipelineParams correlation() {
   params.kernels.margin_x_px = 10;
   params.kernels.margin_y_px = 10;
   params.kernels.whole_semi_axes = false;
+  params.sizes_by_disc = true;
   params.detector.kernel = DetectionKernel::kSizePerRow;
   params.detector.region = {};
   // Low: what is found must pass the soft ring's test.
@@ -80,9 +81,12 @@ PipelineParams contour() {
 }
 
 PuckSizeModel contour_of_box(const PuckSizeModel& box) {
-  return {box.width_0 / kAuthorsBoxScale,  box.width_x / kAuthorsBoxScale,
-          box.width_y / kAuthorsBoxScale,  box.height_0 / kAuthorsBoxScale,
-          box.height_x / kAuthorsBoxScale, box.height_y / kAuthorsBoxScale};
+  return {.width_0 = box.width_0 / kAuthorsBoxScale,
+          .width_x = box.width_x / kAuthorsBoxScale,
+          .width_y = box.width_y / kAuthorsBoxScale,
+          .height_0 = box.height_0 / kAuthorsBoxScale,
+          .height_x = box.height_x / kAuthorsBoxScale,
+          .height_y = box.height_y / kAuthorsBoxScale};
 }
 
 }  // namespace

@@ -60,6 +60,15 @@ struct PipelineParams {
   bool follows_contour = false;
   /// Its calibration is also that of the correlation's soft ring.
   ContourPipelineParams contour;
+  /// The puck's size is that of a disc in perspective, where the calibration knows it; otherwise,
+  /// as the paper has it, by Equation (2).
+  bool sizes_by_disc = false;
+  /// The sizes that it goes by.
+  PuckSizeModel sizes_of(PuckSizeModel model) const {
+    const bool by_disc = sizes_by_disc && (!follows_contour || contour.ingredients.perspective);
+    if (!by_disc) model.disc.reset();
+    return model;
+  }
   /// SearchRequest::fresh_only is asked for.
   bool searches_fresh() const { return follows_contour && contour.ingredients.fresh_search; }
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and

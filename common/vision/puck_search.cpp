@@ -7,9 +7,7 @@ namespace puck {
 namespace {
 
 PuckSizeModel lowered(PuckSizeModel model, double share_of_width) {
-  model.height_0 -= share_of_width * model.width_0;
-  model.height_x -= share_of_width * model.width_x;
-  model.height_y -= share_of_width * model.width_y;
+  model.unseen_of_width = share_of_width;
   return model;
 }
 
@@ -35,8 +33,10 @@ PuckSearch::PuckSearch(SensorSize sensor, const PipelineParams& params,
     : sensor_(sensor),
       kernels_(params.kernels),
       has_ring_(params.tracker.ring.enabled),
-      calibrated_(sensor, params, size_model, 0, params.contour.calibration.wall_share),
-      other_wall_(sensor, params, size_model, params.contour.calibration.other_wall_share(),
+      calibrated_(sensor, params, params.sizes_of(size_model), 0,
+                  params.contour.calibration.wall_share),
+      other_wall_(sensor, params, params.sizes_of(size_model),
+                  params.contour.calibration.other_wall_share(),
                   params.contour.calibration.other_wall_share()) {}
 
 Region PuckSearch::snapshot_region(const Region& search) const {

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/events/sensor_size.h"
+#include "common/vision/disc_model.h"
 #include "common/vision/pixel.h"
 
 namespace puck {
 
-/// The size of the puck's image as a linear function of where it is: the paper's Equation (2),
-/// fitted offline by `fit_puck_size_model`. Sizes are full axes in px, coefficients px and px/px.
+/// The size of the puck's image as a function of where it is: the paper's Equation (2), linear and
+/// fitted offline by `fit_puck_size_model`, or, where that is known, the disc that it approximates.
+/// Sizes are full axes in px, coefficients px and px/px.
 struct PuckSizeModel {
   double width_0 = 0;  ///< Width at the image's top left corner.
   double width_x = 0;  ///< Growth of the width along x.
@@ -17,6 +20,13 @@ struct PuckSizeModel {
   double height_0 = 0;
   double height_x = 0;
   double height_y = 0;
+
+  /// What Equation (2) approximates. It holds beyond the annotations, too.
+  std::optional<DiscModel> disc;
+
+  /// By what share of its width the contour is lower than all these say: 0, or the side wall's,
+  /// where that is not seen.
+  double unseen_of_width = 0;
 
   /// What the puck can measure at all. Away from the annotations the plane goes on to anything,
   /// even below zero; no user ever gets that.
@@ -26,21 +36,24 @@ struct PuckSizeModel {
   /// The sensor that it was fitted for; {0, 0}: not known.
   SensorSize sensor;
 
-  /// Equation (2) before it is kept to what the puck can measure.
-  constexpr PuckSize extrapolated_at(Pixel position) const {
-    return {width_0 + width_x * position.x + width_y * position.y,
-            height_0 + height_x * position.x + height_y * position.y};
+  /// The size before it is kept to what the puck can measure.
+  PuckSize extrapolated_at(Pixel position) const {
+    PuckSize size = disc ? disc->at(position)
+                         : PuckSize{width_0 + width_x * position.x + width_y * position.y,
+                                    height_0 + height_x * position.x + height_y * position.y};
+    size.height -= unseen_of_width * size.width;
+    return size;
   }
 
-  /// Equation (2), from `smallest` to `largest`; what is no number counts as the smallest.
-  constexpr PuckSize at(Pixel position) const {
+  /// The size, from `smallest` to `largest`; what is no number counts as the smallest.
+  PuckSize at(Pixel position) const {
     const PuckSize size = extrapolated_at(position);
     return {clamped(size.width, smallest.width, largest.width),
             clamped(size.height, smallest.height, largest.height)};
   }
 
  private:
-  static constexpr double clamped(double size, double lowest, double highest) {
+  static double clamped(double size, double lowest, double highest) {
     return size > lowest ? (size < highest ? size : highest) : lowest;
   }
 };

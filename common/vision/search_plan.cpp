@@ -10,8 +10,7 @@ namespace {
 constexpr std::int64_t kFirstPeriod_us = 20'000;
 constexpr std::int64_t kNearPeriod_us = 5'000;
 constexpr std::int64_t kWidePeriod_us = 40'000;
-// A sound track is not questioned from afar; one that only holds up, now and then.
-constexpr std::int64_t kGuardPeriod_us = 100'000;
+// A track that is sound and has proved to be the puck's is hardly questioned from afar.
 constexpr std::int64_t kCalmPeriod_us = 500'000;
 constexpr std::int64_t kRestingPeriod_us = 1'000'000;
 // A faint puck may have got away unseen, a covered one may be gone, but not without stirring where
@@ -21,7 +20,6 @@ constexpr std::int64_t kMaybeRestingPeriod_us = 50'000;
 constexpr std::int64_t kStillPeriod_us = 1'000'000;
 
 constexpr double kDoubtful = 0.6;
-constexpr double kBad = 0.3;
 // No other puck could be three times as strong as this.
 constexpr double kLively = 300;
 
@@ -41,10 +39,9 @@ std::int64_t SearchPlan::wide_period_us(const Situation& now, bool is_still) {
   if (now.is_resting) {
     return now.may_rest_elsewhere && !is_still ? kMaybeRestingPeriod_us : kRestingPeriod_us;
   }
-  if (now.main.quality < kBad || !now.is_trusted) return kWidePeriod_us;
-  if (now.main.quality < TrackTrust::kSound) return kGuardPeriod_us;
+  if (now.main.quality < TrackTrust::kSound || !now.is_trusted) return kWidePeriod_us;
   if (now.main.strength > kLively) return kNever_us;
-  return now.is_proven ? kCalmPeriod_us : kGuardPeriod_us;
+  return now.is_proven ? kCalmPeriod_us : kWidePeriod_us;
 }
 
 void SearchPlan::plan_first(std::int64_t time_us) {

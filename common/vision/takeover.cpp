@@ -27,6 +27,12 @@ constexpr double kTakeoverRadius_px = 12;
 constexpr double kTakeoverGrowth_px_us = 1.5e-3;
 constexpr double kFarthestTakeover_px = 60;
 
+// The clearer it is, the sooner.
+bool has_had_time(const Claim& claim) {
+  return claim.age_us > 6'000 ||
+         (claim.age_us > 3'000 && claim.looks.quality > 0.9 && claim.looks.strength > 40);
+}
+
 // To searches the main track looks more like a puck.
 bool is_outscored(const Claim& claim, const Defence& main) {
   return main.knows_pucks && claim.found.score < main.score - kScoreNoise;
@@ -46,7 +52,9 @@ bool wins_test(Challenger::Kind kind, const Claim& claim) {
     case Challenger::Kind::kWitness:
       return claim.age_us > kWitnessAge_us && claim.leads;
     case Challenger::Kind::kWall:
-      return claim.age_us > kWallTwinAge_us && claim.leads && claim.looks.is_good();
+      // A ring that has grown beyond a puck's size explains more events, whatever they are of.
+      return claim.age_us > kWallTwinAge_us && claim.leads && claim.looks.is_good() &&
+             !claim.looks.is_oversized();
     case Challenger::Kind::kSearch:
       break;
   }
@@ -64,7 +72,7 @@ bool moves_by_itself(const Claim& claim) {
   // A hand or a mallet may be slow as well.
   const bool is_slow_puck =
       claim.head_rests && looks.speed_px_s > kSlow_px_s && looks.is_whole_ring();
-  return is_slow_puck || (looks.is_fast() && looks.cover > 0.35 && !looks.is_oversized());
+  return is_slow_puck || looks.moves_as_pucks_do();
 }
 
 bool outshines(const Claim& claim, const Defence& main) {
@@ -121,7 +129,7 @@ bool is_recognised(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
   const double score = claim.found.score;
   if (!main.knows_pucks || main.since_good_us <= kBadFor_us || !claim.leads ||
-      claim.age_us <= 6'000 || looks.quality <= 0.5 || looks.strength <= 10 || looks.cover <= 0.4 ||
+      !has_had_time(claim) || looks.quality <= 0.5 || looks.strength <= 10 || looks.cover <= 0.4 ||
       looks.is_oversized() || looks.is_undersized()) {
     return false;
   }

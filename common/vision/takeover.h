@@ -13,8 +13,10 @@ namespace puck {
 inline constexpr double kEvidentScore = 0.65;
 /// How long an evident puck is waited for before anything less is believed.
 inline constexpr std::int64_t kPatience_us = 150'000;
-/// What the search found must convince for so long without a break.
-inline constexpr std::int64_t kConvincedAfter_us = 3'000;
+/// What the search found must convince for so long without a break; the first of all for longer,
+/// as nothing is known that it would have to be better than.
+inline constexpr std::int64_t kConvincedAfter_us = 1'500;
+inline constexpr std::int64_t kFirstConvincedAfter_us = 3'000;
 
 /// What speaks for a challenger.
 struct Claim {
@@ -75,8 +77,8 @@ bool succeeds_nearby(const Claim& claim, const Defence& main);
 /// for a while, so that it may have been taken away.
 bool outruns_rest(const Claim& claim, const Defence& main);
 
-/// The less the correlation says, the more its events must, and the other way round; the main track
-/// has not been good for a while.
+/// The less the correlation says, the more its events must, and the other way round; the clearer
+/// those are, the sooner; the main track has not been good for a while.
 bool is_recognised(const Claim& claim, const Defence& main);
 
 /// Any of the first five, or recognised; against a puck at rest, which makes no events, that it is

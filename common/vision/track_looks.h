@@ -25,6 +25,9 @@ struct TrackLooks {
   constexpr bool is_fast() const { return speed_px_s > turning_px_s; }
   /// It may only seem to move, along two parallel edges: a line's, a tile's, an arm's.
   constexpr bool may_slide() const { return slide > 1.5; }
+  /// It moves as nothing that is fixed to the table does, and is no larger than a puck, with events
+  /// on enough sides.
+  constexpr bool moves_as_pucks_do() const { return is_fast() && cover > 0.35 && !is_oversized(); }
   /// Larger than most pucks.
   constexpr bool is_large() const { return growth_px >= 0.35; }
   /// Events on most sides, and of the puck's size: a hand or a mallet is no such ring, or a larger

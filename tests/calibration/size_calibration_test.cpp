@@ -84,7 +84,7 @@ TEST_CASE("the disc on a plane explains a real cylinder's boxes to a tenth of a 
 TEST_CASE("the disc model holds for pucks that were not annotated, and says where the middle is") {
   const Camera camera;
   const DiscFit fit = fit_disc_model(camera.annotations(), {300, 239.5});
-  CHECK(fit.model.principal_point.x == doctest::Approx(kMiddle.x).epsilon(0.02));
+  CHECK(fit.model.principal_x_px == doctest::Approx(kMiddle.x).epsilon(0.02));
   for (const double across : {-0.4, 0.1, 0.45}) {
     const Annotation a = camera.puck_at(across, 1.13);
     CHECK(std::abs(fit.model.at(a.centre).width - a.size.width) < 0.3);
@@ -125,6 +125,40 @@ TEST_CASE("mistaken annotations are named by row and left out; the others are no
   CHECK(worst.expected.width == doctest::Approx(annotations[20].size.width - 40).epsilon(0.1));
   CHECK(calibration.planes.model.at(kMiddle).width ==
         doctest::Approx(before.at(kMiddle).width).epsilon(0.01));
+}
+
+// Annotated in the far half of the table only, to half a pixel.
+TEST_CASE("beyond the annotations, the disc is right where Equation (2) is not") {
+  const Camera camera;
+  std::vector<Annotation> annotations;
+  for (const Annotation& a : camera.annotations()) {
+    if (a.centre.y < 250) annotations.push_back(a);
+  }
+  REQUIRE(annotations.size() >= 20);
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 0.5);
+  for (Annotation& a : annotations) {
+    a.size.width += noise(random);
+    a.size.height += noise(random);
+  }
+  const SizeCalibration calibration = calibrate_size(annotations, kSensor);
+  REQUIRE(calibration.model.disc.has_value());
+  const Annotation near = camera.puck_at(0.1, 0.75);
+  REQUIRE(near.centre.y > 400);
+  CHECK(std::abs(calibration.model.extrapolated_at(near.centre).height - near.size.height) < 2.5);
+  CHECK(std::abs(calibration.planes.model.extrapolated_at(near.centre).height - near.size.height) >
+        4);
+}
+
+TEST_CASE("too few annotations, or sizes that do not grow towards the camera, fix no disc") {
+  std::vector<Annotation> annotations = Camera().annotations();
+  CHECK(calibrate_size(annotations, kSensor).model.disc.has_value());
+  // The first rows lie on two lines: enough for Equation (2).
+  annotations.resize(7);
+  CHECK_FALSE(calibrate_size(annotations, kSensor).model.disc.has_value());
+  std::vector<Annotation> alike = Camera().annotations();
+  for (Annotation& a : alike) a.size = {30, 30};
+  CHECK_FALSE(calibrate_size(alike, kSensor).model.disc.has_value());
 }
 
 TEST_CASE("the limits of the size lie around the annotated sizes") {

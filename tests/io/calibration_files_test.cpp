@@ -33,7 +33,27 @@ TEST_CASE("a size model reads back as it was written, below its provenance") {
   CHECK(again.largest.width == 70);
   CHECK(again.largest.height == model.largest.height);
   CHECK(again.sensor == SensorSize{1280, 720});
+  CHECK_FALSE(again.disc.has_value());
   CHECK(read_text(folder / "size.toml").starts_with("# fitted to 12 annotations\n# by hand\n"));
+}
+
+TEST_CASE("the disc that a size model approximates reads back as it was written") {
+  const TemporaryFolder folder;
+  PuckSizeModel model{20, 0, 0.1, 12, 0, 0.1};
+  model.disc = DiscModel{.width_0 = 16.1,
+                         .width_x = -1e-4,
+                         .width_y = 0.069,
+                         .face_on_px = 61,
+                         .thickness = 0.19,
+                         .principal_x_px = 312.4,
+                         .principal_y_px = 239.5};
+  write_size_model_file(folder / "size.toml", model, "");
+  const auto disc = read_size_model_file(folder / "size.toml").disc;
+  REQUIRE(disc.has_value());
+  for (const Pixel position : {Pixel{0, 0}, Pixel{600, 100}, Pixel{300, 450}}) {
+    CHECK(disc->at(position).width == model.disc->at(position).width);
+    CHECK(disc->at(position).height == model.disc->at(position).height);
+  }
 }
 
 TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused") {
@@ -47,6 +67,11 @@ TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused")
                  "size.toml:9: size_range.smallest_height must not be above the largest"));
   CHECK(contains(refusal(kSizeModel + "[size_range]\nsmallest_width = 0\n"),
                  "size.toml:9: size_range.smallest_width must be a number from 1"));
+  CHECK(contains(refusal(kSizeModel + "[disc]\nwidth_0 = 16\n"), "disc.width_x is missing"));
+  CHECK(contains(refusal(kSizeModel + "[disc]\nwidth_0 = 1\nwidth_x = 0\nwidth_y = 0\n"
+                                      "face_on_px = 0\nthickness = 0\nprincipal_x_px = 0\n"
+                                      "principal_y_px = 0\n"),
+                 "size.toml:12: disc.face_on_px must be a number from 0.001"));
   CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("height_y"))),
                  "size.toml: size_model.height_y is missing"));
   CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("6\n")) + "\"x\"\n"),

@@ -66,6 +66,22 @@ TEST_CASE("What is found again, or is the main track, is not tried") {
   CHECK(test::count(challengers) == 6);
 }
 
+TEST_CASE(
+    "A challenger of the main track's place, motion and size is dropped, of another size not") {
+  const auto left_beside = [](double growth_px) {
+    Challengers challengers;
+    challengers.add(Kind::kSearch, kContext, kStart, 0, 0);
+    ContourFilter::Start start = kStart;
+    start.growth_px = growth_px;
+    challengers.dismiss_idle(ContourFilter({}, start, 0), 1'000);
+    return test::count(challengers);
+  };
+  CHECK(left_beside(0) == 0);
+  CHECK(left_beside(0.29) == 0);
+  CHECK(left_beside(0.31) == 1);
+  CHECK(left_beside(-0.31) == 1);
+}
+
 // A search is made at 2 ms; its answer comes at 12 ms.
 TEST_CASE("What a search found catches up on what has happened since its snapshot, to the bit") {
   constexpr std::int64_t kSeen_us = 2'000;

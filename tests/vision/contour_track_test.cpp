@@ -81,6 +81,28 @@ TEST_CASE("Signs that do not suit a disc of one tone make a track doubtful, unle
   CHECK(track_of_mixed_signs(context).is_good());
 }
 
+TEST_CASE("While nothing is tracked, signs tell nothing until the speed is known") {
+  ContourContext context = test::contour_context();
+  context.ingredients.polarity = false;
+  // At rest it is not; what little speed the filter makes of noise has any sign.
+  const auto quality_of_slow_mixed = [&] {
+    test::MovingContour puck(context.contour, {250, 180}, {60, 0}, 10);
+    ContourTrack track(context, {.position = {250, 180}}, 0, 0);
+    bool on = false;
+    for (ContourEvent event : puck.events(0, 8'000)) {
+      event.on = on = !on;
+      track.take(event, context);
+    }
+    track.decide(8'000, false, context);
+    return track.quality();
+  };
+  REQUIRE(context.is_first);
+  const double as_first = quality_of_slow_mixed();
+  CHECK(as_first > 0.6);
+  context.is_first = false;
+  CHECK(quality_of_slow_mixed() < as_first);
+}
+
 // A track of a dark puck that goes to the right, and where its leading edge is.
 struct LeadingEdge {
   explicit LeadingEdge(const ContourContext& all)

@@ -114,6 +114,21 @@ TEST_CASE("the authors' size models give the sizes of their code") {
   CHECK(size_at(authors_static_size_model(), 400) == std::pair{51.0, 45.0});
 }
 
+TEST_CASE("The paper's presets go by Equation (2), the others by the disc where there is one") {
+  PuckSizeModel model = authors_static_size_model();
+  model.disc = DiscModel{.width_0 = 10, .width_y = 0.1, .face_on_px = 60};
+  const auto goes_by_disc = [&](const PipelineParams& params) {
+    return params.sizes_of(model).disc.has_value();
+  };
+  CHECK_FALSE(goes_by_disc(preset_params(Preset::kPaper)));
+  CHECK_FALSE(goes_by_disc(preset_params(Preset::kReference)));
+  CHECK(goes_by_disc(preset_params(Preset::kCorrelation)));
+  PipelineParams best = preset_params(Preset::kDefault);
+  CHECK(goes_by_disc(best));
+  best.contour.ingredients.perspective = false;
+  CHECK_FALSE(goes_by_disc(best));
+}
+
 TEST_CASE("presets are known by their names") {
   for (const Preset preset :
        {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault}) {

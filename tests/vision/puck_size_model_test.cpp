@@ -32,6 +32,22 @@ TEST_CASE("no size model gives a size below 1 px or none at all, whatever its co
   CHECK(PuckSizeModel{1e9, 0, 0, 0, 0, 1e9}.at({320, 240}).width == 512);
 }
 
+TEST_CASE("where the disc is known the size is the disc's, kept to the same limits") {
+  PuckSizeModel model{10, 0, 0, 5, 0, 0};
+  model.disc = DiscModel{.width_0 = 20, .width_y = 0.1, .face_on_px = 80};
+  // Without thickness, straight below the optical axis: w and w² / face_on.
+  CHECK(model.at({0, 200}).width == doctest::Approx(40));
+  CHECK(model.at({0, 200}).height == doctest::Approx(20));
+  model.unseen_of_width = 0.1;
+  CHECK(model.at({0, 200}).width == doctest::Approx(40));
+  CHECK(model.at({0, 200}).height == doctest::Approx(16));
+  model.largest = {35, 15};
+  CHECK(model.at({0, 200}).width == 35);
+  CHECK(model.at({0, 200}).height == 15);
+  model.disc.reset();
+  CHECK(model.at({0, 200}).height == doctest::Approx(4));
+}
+
 TEST_CASE("a size model that fits the sensor raises no doubt") {
   PuckSizeModel model{16, 0, 0.07, 5.6, 0, 0.07};
   CHECK(doubts_about(model, kSensor).empty());

@@ -77,15 +77,13 @@ TEST_CASE("The better the track, the more seldom the whole image is searched") {
   SearchPlan::Situation now = kCalm;
   CHECK(SearchPlan::wide_period_us(now, kStirs) == 500'000);
   now.is_proven = false;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == 100'000);
+  CHECK(SearchPlan::wide_period_us(now, kStirs) == 40'000);
   now.main.strength = 301;
   CHECK(SearchPlan::wide_period_us(now, kStirs) == SearchPlan::kNever_us);
   now.main.quality = 0.84;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == 100'000);
-  now.is_trusted = false;
   CHECK(SearchPlan::wide_period_us(now, kStirs) == 40'000);
-  now.is_trusted = true;
-  now.main.quality = 0.29;
+  now.main.quality = 0.86;
+  now.is_trusted = false;
   CHECK(SearchPlan::wide_period_us(now, kStirs) == 40'000);
   now.is_resting = true;
   CHECK(SearchPlan::wide_period_us(now, kStirs) == 1'000'000);

@@ -27,6 +27,9 @@ TEST_CASE("A twin and a witness win by a lead, the other opinion on the wall as 
   claim.looks = {.quality = 0.51, .strength = 7};
   CHECK(wins_test(Kind::kWall, claim));
   CHECK_FALSE(wins_test(Kind::kSearch, claim));
+  claim.looks.growth_px = 0.45;
+  CHECK_FALSE(wins_test(Kind::kWall, claim));
+  claim.looks.growth_px = 0;
   claim.leads = false;
   CHECK_FALSE(wins_test(Kind::kTwin, claim));
   CHECK_FALSE(wins_test(Kind::kWitness, claim));
@@ -216,6 +219,21 @@ TEST_CASE("What the correlation and its events together say is a puck is recogni
     claim.looks.quality = 0.5;
     claim.found.score = 0.9;
   }));
+}
+
+TEST_CASE("What is clear beyond doubt is recognised after 3 ms") {
+  Claim claim = kRecognised;
+  claim.age_us = 3'001;
+  claim.looks.quality = 0.91;
+  claim.looks.strength = 41;
+  CHECK(is_recognised(claim, kGoneBad));
+  claim.looks.strength = 40;
+  CHECK_FALSE(is_recognised(claim, kGoneBad));
+  claim.looks = {.quality = 0.9, .strength = 41, .cover = 0.41};
+  CHECK_FALSE(is_recognised(claim, kGoneBad));
+  claim.looks.quality = 0.91;
+  claim.age_us = 3'000;
+  CHECK_FALSE(is_recognised(claim, kGoneBad));
 }
 
 TEST_CASE("A lower score is made up for by events that say more, of what moves") {

@@ -104,6 +104,33 @@ TEST_CASE(
   CHECK(track.trust.is_believed());
 }
 
+TEST_CASE("What was found weakly and then moves as a puck does for 3 ms is believed") {
+  Judged track;
+  track.look(kSound, 100);
+  TrackLooks moving = kFast;
+  moving.cover = 0.36;
+  REQUIRE(moving.moves_as_pucks_do());
+  const auto is_believed_after = [&](const TrackLooks& looks, int milliseconds) {
+    track.trust.note_found(true, track.now_us);
+    track.look(looks, milliseconds);
+    return track.trust.is_believed();
+  };
+  CHECK_FALSE(is_believed_after(moving, 2));
+  CHECK(is_believed_after(moving, 3));
+  moving.growth_px = 0.45;
+  CHECK_FALSE(is_believed_after(moving, 3));
+  moving.growth_px = 0;
+  moving.strength = 25;
+  CHECK_FALSE(is_believed_after(moving, 3));
+  // Not twice for half as long.
+  moving.strength = 50;
+  track.trust.note_found(true, track.now_us);
+  track.look(moving, 2);
+  track.look(kSound, 1);
+  track.look(moving, 2);
+  CHECK_FALSE(track.trust.is_believed());
+}
+
 TEST_CASE("What was found on good evidence is believed at once") {
   TrackTrust trust;
   trust.note_found(false, 1'000);

@@ -71,7 +71,7 @@ void calibrate_size(const SizeCommand& command, const std::string& typed) {
   }
   const std::vector<Annotation> annotations = read_annotation_file(command.annotations);
   const SizeCalibration calibration = calibrate_size(annotations, command.sensor);
-  write_size_model_file(command.output, calibration.planes.model, typed);
+  write_size_model_file(command.output, calibration.model, typed);
   print(calibration, annotations.size(), command.sensor);
 }
 

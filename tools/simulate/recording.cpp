@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "common/calibration/size_fit.h"
+#include "common/calibration/size_calibration.h"
 #include "common/io/annotation_file.h"
 #include "common/io/calibration_text.h"
 #include "common/io/event_writer.h"
@@ -38,9 +38,8 @@ bool write_calibration(const SimulateSettings& settings, bool moving_camera, Sen
 
   bool has_size_model = false;
   try {
-    SizeFit fit = fit_puck_size_model(marks);
-    fit.model.sensor = sensor;
-    text += size_model_text(fit.model, "Fitted to " + std::to_string(marks.size()) + " marks.");
+    text += size_model_text(calibrate_size(marks, sensor).model,
+                            "Fitted to " + std::to_string(marks.size()) + " marks.");
     has_size_model = true;
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "puck-simulate: no size model in %s: %s\n", path.c_str(), error.what());
