@@ -11,7 +11,7 @@ ParticleFilterEros::ParticleFilterEros(SensorSize sensor, const ParticleFilterEr
                                        const PuckSizeModel& size_model,
                                        const PipelineParams& detection)
     : params_(params),
-      size_model_(size_model),
+      size_model_(detection.sizes_of(size_model)),
       surface_(sensor, detection.eros),
       detector_(std::in_place, sensor, detection, size_model),
       template_(params.shape),

@@ -1,7 +1,6 @@
 #include "common/calibration/disc_fit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include <Eigen/Core>

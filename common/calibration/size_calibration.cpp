@@ -21,8 +21,12 @@ constexpr double kLeastCoverage = 0.5;
 // A disc that lies on a table is never much higher than wide.
 constexpr double kHighestOfWidth = 1.2;
 
-// Annotations with fewer rows are explained by whatever has the disc's six parameters.
+// Of fewer, each has so much weight that the disc may be tilted by its error alone.
 constexpr std::size_t kFewestForDisc = 8;
+// What no puck and no camera above a table exceeds.
+constexpr double kThickestOfWidth = 1;
+constexpr double kLeastTilt_deg = 1;
+constexpr double kMostTilt_deg = 89;
 
 struct NumberedAnnotation {
   std::size_t row = 0;
@@ -93,9 +97,14 @@ double squares_of(const SizeResiduals& width, const SizeResiduals& height) {
   return width.rms_px * width.rms_px + height.rms_px * height.rms_px;
 }
 
+bool is_plausible(const DiscModel& disc) {
+  return disc.has_perspective() && disc.thickness >= 0 && disc.thickness <= kThickestOfWidth &&
+         disc.tilt_deg() > kLeastTilt_deg && disc.tilt_deg() < kMostTilt_deg;
+}
+
 PuckSizeModel best_of(const SizeFit& planes, const DiscFit& disc, std::size_t rows) {
   PuckSizeModel model = planes.model;
-  if (rows >= kFewestForDisc && disc.model.has_perspective() &&
+  if (rows >= kFewestForDisc && is_plausible(disc.model) &&
       squares_of(disc.width, disc.height) <= squares_of(planes.width, planes.height)) {
     model.disc = disc.model;
   }

@@ -38,7 +38,7 @@ constexpr std::array<DiscNumber, 7> kDiscNumbers{{
     {"disc.width_x", &DiscModel::width_x, -kLargest},
     {"disc.width_y", &DiscModel::width_y, -kLargest},
     {"disc.face_on_px", &DiscModel::face_on_px, DiscModel::kSmallestWidth_px},
-    {"disc.thickness", &DiscModel::thickness, -kLargest},
+    {"disc.thickness", &DiscModel::thickness, 0},
     {"disc.principal_x_px", &DiscModel::principal_x_px, -kLargest},
     {"disc.principal_y_px", &DiscModel::principal_y_px, -kLargest},
 }};
@@ -72,6 +72,14 @@ void read_range(Config& config, PuckSizeModel& model) {
   config.read("size_range.sensor_height", model.sensor.height, 0, SensorSize::kMax);
 }
 
+// Such a puck would be kept to the smallest size everywhere, and specks be taken for it.
+void refuse_sizeless(const Config& config, double at_corner, double along_x, double along_y,
+                     const std::string& key, const std::string& side) {
+  if (at_corner > 0 || along_x > 0 || along_y > 0) return;
+  config.fail(key + "_0", "must be above 0, or " + side + "_x or " + side + "_y: the puck has no " +
+                              side + " anywhere in the image");
+}
+
 std::optional<DiscModel> read_disc(Config& config) {
   const auto is_there = [&](const DiscNumber& number) { return config.has(number.key); };
   if (std::none_of(kDiscNumbers.begin(), kDiscNumbers.end(), is_there)) return std::nullopt;
@@ -80,16 +88,8 @@ std::optional<DiscModel> read_disc(Config& config) {
     if (!is_there(number)) config.fail(number.key, "is missing");
     config.read(number.key, disc.*number.member, number.lowest, kLargest);
   }
+  refuse_sizeless(config, disc.width_0, disc.width_x, disc.width_y, "disc.width", "width");
   return disc;
-}
-
-// Such a puck would be kept to the smallest size everywhere, and specks be taken for it.
-void refuse_sizeless(const Config& config, double at_corner, double along_x, double along_y,
-                     const std::string& side) {
-  if (at_corner > 0 || along_x > 0 || along_y > 0) return;
-  const std::string key = "size_model." + side;
-  config.fail(key + "_0", "must be above 0, or " + side + "_x or " + side + "_y: the puck has no " +
-                              side + " anywhere in the image");
 }
 
 std::string entry(std::string_view key, const std::string& value) {
@@ -105,8 +105,9 @@ PuckSizeModel read_size_model_file(const std::filesystem::path& path) {
     if (!config.has(coefficient.key)) config.fail(coefficient.key, "is missing");
     config.read(coefficient.key, model.*coefficient.member, -kLargest, kLargest);
   }
-  refuse_sizeless(config, model.width_0, model.width_x, model.width_y, "width");
-  refuse_sizeless(config, model.height_0, model.height_x, model.height_y, "height");
+  refuse_sizeless(config, model.width_0, model.width_x, model.width_y, "size_model.width", "width");
+  refuse_sizeless(config, model.height_0, model.height_x, model.height_y, "size_model.height",
+                  "height");
   model.disc = read_disc(config);
   read_range(config, model);
   return model;

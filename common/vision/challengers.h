@@ -36,7 +36,9 @@ class Challengers {
   struct Answer {
     const SearchResult& result;
     bool is_conjecture = false;
-    std::optional<Pixel> main;  ///< Where the main track was when the search's snapshot was taken.
+    /// Where the main track was when the search's snapshot was taken; without, what was found there
+    /// is tried as well.
+    std::optional<Pixel> main;
     std::span<const MissedEvents::Missed> missed;  ///< Events since the search began.
     bool can_catch_up = true;                      ///< They are the events that there were.
     std::int64_t time_us = 0;                      ///< Now.
@@ -44,7 +46,7 @@ class Challengers {
     std::int64_t decided_us = 0;                   ///< Last decision.
   };
 
-  /// Adds what a search found and is neither the main track, nor known, nor refuted of late: once
+  /// Adds what a search found and is neither `main`, nor known, nor refuted of late: once
   /// for each opinion on the puck's side wall. What is known is noted to have been found again.
   void add_found(const Answer& answer, const ContourContext& context);
 

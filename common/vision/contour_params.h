@@ -24,8 +24,8 @@ struct ContourIngredients {
   bool wall_search = true;        ///< … and the search looks for it as it was found to be.
   bool witness = true;       ///< A blob follows the puck more coarsely and checks on the track.
   bool search = true;        ///< A doubtful track is challenged by the correlation near it.
-  bool afresh = true;        ///< … and where it is itself, by a track of an ordinary size.
-  bool wide_search = true;   ///< … and, when it is bad, everywhere.
+  bool wide_search = true;   ///< … and, unless it is beyond doubt, everywhere.
+  bool afresh = true;        ///< What is found where a poor track is challenges it, too.
   bool fresh_search = true;  ///< The search sees what has made events of late only.
   bool stopping = true;      ///< A puck that falls silent is taken to have stopped.
   bool settling = true;      ///< A puck whose events fade comes to rest where it was last clear.
@@ -62,8 +62,8 @@ inline constexpr std::array<ContourIngredient, 28> kContourIngredients{{
     {"wall-search", &ContourIngredients::wall_search},
     {"witness", &ContourIngredients::witness},
     {"search", &ContourIngredients::search},
-    {"afresh", &ContourIngredients::afresh},
     {"wide-search", &ContourIngredients::wide_search},
+    {"afresh", &ContourIngredients::afresh},
     {"fresh-search", &ContourIngredients::fresh_search},
     {"stopping", &ContourIngredients::stopping},
     {"settling", &ContourIngredients::settling},

@@ -45,6 +45,7 @@ ContourPipeline::ContourPipeline(SensorSize sensor, const ContourPipelineParams&
       events_needed_(Region::all_of(sensor)),
       near_(events_needed_) {
   context_.filter.follows_size = params.ingredients.size_state;
+  context_.is_first = true;
   found_.candidates.reserve(PuckDetector::kMostDetections);
 }
 
@@ -193,10 +194,9 @@ bool ContourPipeline::rest_may_be_wrong() const {
                                           : context_.signature.is_faint();
 }
 
-// It may be at the puck, and yet of a wrong size or opinion on the wall that it does not get rid
-// of.
+// It may be at the puck, and yet of a wrong size that it does not get rid of.
 bool ContourPipeline::is_tried_afresh() const {
-  return context_.ingredients.afresh && main_->quality() < kPoor;
+  return context_.ingredients.afresh && !keeps_still() && main_->quality() < kPoor;
 }
 
 void ContourPipeline::find_first(std::int64_t time_us) {

@@ -78,17 +78,20 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
                        recent_pixels_.repeats(static_cast<int>(event.x), static_cast<int>(event.y));
   if (repeats && is_parked_) return 0;
   const double sign = contrast_sign(context);
-  const bool surely_signed =
-      normal_speed * normal_speed > kSurelySigned_sigma * kSurelySigned_sigma *
-                                        filter_.speed_variance(offset.normal_x, offset.normal_y);
-  const bool wrong_sign = surely_signed && context.ingredients.polarity &&
-                          std::abs(sign) > kClearSign &&
+  // Asked for last, as it takes longest.
+  const auto is_surely_signed = [&] {
+    return normal_speed * normal_speed >
+           kSurelySigned_sigma * kSurelySigned_sigma *
+               filter_.speed_variance(offset.normal_x, offset.normal_y);
+  };
+  const bool wrong_sign = context.ingredients.polarity && std::abs(sign) > kClearSign &&
                           std::abs(normal_speed) > kSignedSpeed_px_s &&
-                          (event.on ? normal_speed : -normal_speed) * sign < 0;
+                          (event.on ? normal_speed : -normal_speed) * sign < 0 &&
+                          is_surely_signed();
   if (distance <= RingEvidence::kRing_px) {
     sample_.count(event.on, normal_speed, event.first);
     // A first track's speed, by which alone it is judged, is not known yet.
-    if (surely_signed || !context.is_first) {
+    if (!context.is_first || is_surely_signed()) {
       signed_speed_ += event.on ? normal_speed : -normal_speed;
       absolute_speed_ += std::abs(normal_speed);
     }

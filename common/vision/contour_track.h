@@ -31,7 +31,7 @@ struct ContourContext {
   /// Whether the signature was learned from a track that is beyond doubt.
   bool is_trusted = false;
   /// Nothing is tracked yet.
-  bool is_first = true;
+  bool is_first = false;
 };
 
 /// One belief about where the puck is: a filter that events correct, and what the events of the

@@ -56,7 +56,8 @@ PuckSize KernelBank::nominal(PuckSize size) const {
           static_cast<double>(size_at(index_of(size.height)))};
 }
 
-// The size model is linear, so the largest kernel in a region is that of one of its corners.
+// Sizes grow towards a border of the image, so that the widest kernel in a region is that of one of
+// its corners; and no puck's is higher than that is wide.
 int KernelBank::reach_beyond(const Region& region, const PuckSizeModel& size_model) const {
   int reach = 0;
   for (const int x : {region.x, region.right() - 1}) {

@@ -34,13 +34,11 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
     : size_model_(size_model),
       calibration_(calibration),
       middle_column_((sensor.width - 1) / 2.0),
-      sheared_(sheared && size_model.width_y > kLeastSlope) {
+      sheared_(sheared && size_model.width_growth() > kLeastSlope) {
   const double width_px = size_model.at({middle_column_, (sensor.height - 1) / 2.0}).width;
   turning_px_s_ = kTurningWidths_per_s * std::max(width_px, 2 * kSmallestSemi_px);
   // On a plane a disc's width shrinks linearly to nothing at the horizon.
-  if (sheared_) {
-    horizon_row_ = -(size_model.width_0 + size_model.width_x * middle_column_) / size_model.width_y;
-  }
+  if (sheared_) horizon_row_ = size_model.horizon_row(middle_column_);
 }
 
 ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {

@@ -40,7 +40,7 @@ std::vector<std::string> doubts_about(const PuckSizeModel& model, SensorSize sen
     doubts.push_back("the size model was fitted for a sensor of " + text_of(model.sensor) +
                      " px, this one has " + text_of(sensor) + ": calibrate it anew");
   }
-  // A plane is most extreme at a corner.
+  // Planes are most extreme at a corner; the disc is nearly so.
   const double right = sensor.width - 1;
   const double bottom = sensor.height - 1;
   Pixel worst;

@@ -21,7 +21,7 @@ struct PuckSizeModel {
   double height_x = 0;
   double height_y = 0;
 
-  /// What Equation (2) approximates. It holds beyond the annotations, too.
+  /// What Equation (2) approximates: where it is right, it is so beyond the annotations, too.
   std::optional<DiscModel> disc;
 
   /// By what share of its width the contour is lower than all these say: 0, or the side wall's,
@@ -43,6 +43,14 @@ struct PuckSizeModel {
                                     height_0 + height_x * position.x + height_y * position.y};
     size.height -= unseen_of_width * size.width;
     return size;
+  }
+
+  /// The row where the plane's horizon crosses a column, and the growth of the width from row to
+  /// row, px/px: from which the horizon follows, where there is any.
+  double width_growth() const { return disc ? disc->width_y : width_y; }
+  double horizon_row(double column) const {
+    return disc ? -(disc->width_0 + disc->width_x * column) / disc->width_y
+                : -(width_0 + width_x * column) / width_y;
   }
 
   /// The size, from `smallest` to `largest`; what is no number counts as the smallest.

@@ -59,7 +59,7 @@ Region PuckTracker::first_region_at(Pixel position, const KernelBank& bank) cons
 
 PuckTracker::Step PuckTracker::step(const SurfaceSnapshot& surface, const Region& region,
                                     Pixel expected, const KernelBank& bank) {
-  // Equation (2): the kernel's size follows from the place.
+  // The kernel's size follows from the place.
   const EllipseKernel& kernel = bank.nearest(size_model_.at(expected));
   const Region window = window_around(expected, kernel, region);
   Step result{expected, size_model_.at(expected), 0, std::nullopt};

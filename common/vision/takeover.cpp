@@ -68,7 +68,7 @@ bool is_evident(const Claim& claim) {
 
 bool moves_by_itself(const Claim& claim) {
   const TrackLooks& looks = claim.looks;
-  if (claim.age_us <= 12'000 || looks.quality <= 0.75 || looks.strength <= 25) return false;
+  if (claim.age_us <= 12'000 || looks.quality <= 0.75 || !looks.is_strong()) return false;
   // A hand or a mallet may be slow as well.
   const bool is_slow_puck =
       claim.head_rests && looks.speed_px_s > kSlow_px_s && looks.is_whole_ring();

@@ -25,6 +25,8 @@ struct TrackLooks {
   constexpr bool is_fast() const { return speed_px_s > turning_px_s; }
   /// It may only seem to move, along two parallel edges: a line's, a tile's, an arm's.
   constexpr bool may_slide() const { return slide > 1.5; }
+  /// Far more of its events lie on the ring than chance puts there.
+  constexpr bool is_strong() const { return strength > 25; }
   /// It moves as nothing that is fixed to the table does, and is no larger than a puck, with events
   /// on enough sides.
   constexpr bool moves_as_pucks_do() const { return is_fast() && cover > 0.35 && !is_oversized(); }

@@ -9,7 +9,6 @@ namespace {
 constexpr std::int64_t kMostTrust_us = 1'000'000;
 // A weakly found track that moves as a puck does is the puck's after so long.
 constexpr std::int64_t kBelievedAfter_us = 3'000;
-constexpr double kStrong = 25;
 // A track that has moved by itself for so long has proved to be the puck's.
 constexpr std::int64_t kProvenAfter_us = 30'000;
 
@@ -27,9 +26,9 @@ void TrackTrust::judge(const TrackLooks& main, bool unseen, std::int64_t time_us
   moving_us_ = is_sound && main.is_fast() ? moving_us_ + passed_us : 0;
   if (moving_us_ > kProvenAfter_us) is_proven_ = true;
   if (is_exhausted()) is_proven_ = false;
-  const bool is_evident = is_sound && main.moves_as_pucks_do() && main.strength > kStrong;
-  evident_us_ = is_evident ? evident_us_ + passed_us : 0;
-  if (evident_us_ >= kBelievedAfter_us) was_weakly_found_ = false;
+  const bool is_clear = is_sound && main.is_strong() && main.moves_as_pucks_do();
+  clear_us_ = is_clear ? clear_us_ + passed_us : 0;
+  if (clear_us_ >= kBelievedAfter_us) was_weakly_found_ = false;
   if (main.is_good()) good_us_ = time_us;
 }
 
@@ -39,7 +38,7 @@ void TrackTrust::note_found(bool weakly, std::int64_t time_us) {
   was_weakly_found_ = weakly;
   trust_us_ /= 2;
   moving_us_ = 0;
-  evident_us_ = 0;
+  clear_us_ = 0;
   is_proven_ = false;
   was_covered_ = false;
 }

@@ -48,11 +48,11 @@ class TrackTrust {
   static constexpr std::int64_t kSoundFirst_us = 20'000;
   static constexpr std::int64_t kWeaklyFoundFor_us = 20'000;
 
-  std::int64_t good_us_ = 0;     // when it was last good
-  std::int64_t sound_us_ = 0;    // when it was last sound
-  std::int64_t trust_us_ = 0;    // grows while it is sound, wanes while it is not
-  std::int64_t moving_us_ = 0;   // for how long it has been sound and fast
-  std::int64_t evident_us_ = 0;  // for how long it has moved as a puck does, beyond doubt
+  std::int64_t good_us_ = 0;    // when it was last good
+  std::int64_t sound_us_ = 0;   // when it was last sound
+  std::int64_t trust_us_ = 0;   // grows while it is sound, wanes while it is not
+  std::int64_t moving_us_ = 0;  // for how long it has been sound and fast
+  std::int64_t clear_us_ = 0;   // for how long it has moved as a puck does, beyond doubt
   bool is_proven_ = false;
   std::int64_t found_us_ = 0;  // when the search found it
   bool was_weakly_found_ = false;

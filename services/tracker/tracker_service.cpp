@@ -190,7 +190,8 @@ void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt
 
 // A camera that nobody calibrated for is followed all the same, as well as it can be.
 void TrackerService::check_calibration() {
-  for (const std::string& doubt : doubts_about(params_.size_model, sensor_)) {
+  const PuckSizeModel sizes = params_.pipeline.sizes_of(params_.size_model);
+  for (const std::string& doubt : doubts_about(sizes, sensor_)) {
     context_.log.warn("tracker.size_model: {}", doubt);
   }
   masks_hot_pixels_ = true;

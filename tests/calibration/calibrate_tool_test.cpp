@@ -96,6 +96,9 @@ TEST_CASE("puck-calibrate size names bad cells by line and mistaken rows by numb
   CHECK(contains(said, "20 annotations, 1 left out"));
   CHECK(contains(said, "row 7 (t 6 us, at 180.0, 120.0): 90.0 x 17.0 px"));
   CHECK(contains(said, "disc on a plane"));
+  // These sizes are Equation (2)'s, which the disc explains worse.
+  CHECK(contains(said, "the disc is not written"));
+  CHECK_FALSE(contains(tool.read("size.toml"), "[disc]"));
   CHECK(contains(said, "warning: the centres span only 89 %"));
   CHECK(contains(tool.read("size.toml"), "[size_range]"));
   CHECK(tool.run("size many.csv --output size.toml --width 640") == 1);
@@ -273,6 +276,8 @@ TEST_CASE("puck-calibrate lag adds what it found to the size model, or replaces 
   REQUIRE(tool.run("puck-simulate", "--output game --seconds 2 --seed 5") == 0);
   REQUIRE(tool.run("size game.annotations.csv --output size.toml") == 0);
   const std::string size = tool.read("size.toml");
+  CHECK(contains(tool.read("said"), "the disc is written beside Equation (2)"));
+  CHECK(contains(size, "[disc]"));
   const std::string lag = "lag game.raw --truth game.truth.csv --size-model size.toml ";
   REQUIRE(tool.run(lag + "--output size.toml") == 0);
   const std::string once = tool.read("size.toml");

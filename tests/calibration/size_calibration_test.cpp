@@ -156,9 +156,18 @@ TEST_CASE("too few annotations, or sizes that do not grow towards the camera, fi
   // The first rows lie on two lines: enough for Equation (2).
   annotations.resize(7);
   CHECK_FALSE(calibrate_size(annotations, kSensor).model.disc.has_value());
+  // The disc explains them better, and yet tells nothing of the camera.
+  const DiscModel flat{.width_0 = 30,
+                       .width_y = 0.0045,
+                       .face_on_px = 60,
+                       .thickness = 0.2,
+                       .principal_x_px = kMiddle.x,
+                       .principal_y_px = kMiddle.y};
   std::vector<Annotation> alike = Camera().annotations();
-  for (Annotation& a : alike) a.size = {30, 30};
-  CHECK_FALSE(calibrate_size(alike, kSensor).model.disc.has_value());
+  for (Annotation& a : alike) a.size = flat.at(a.centre);
+  const SizeCalibration calibration = calibrate_size(alike, kSensor);
+  CHECK(calibration.disc.height.rms_px <= calibration.planes.height.rms_px);
+  CHECK_FALSE(calibration.model.disc.has_value());
 }
 
 TEST_CASE("the limits of the size lie around the annotated sizes") {

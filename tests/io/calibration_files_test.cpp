@@ -72,6 +72,12 @@ TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused")
                                       "face_on_px = 0\nthickness = 0\nprincipal_x_px = 0\n"
                                       "principal_y_px = 0\n"),
                  "size.toml:12: disc.face_on_px must be a number from 0.001"));
+  CHECK(
+      contains(refusal(kSizeModel + "[disc]\nwidth_0 = 0\nwidth_x = 0\nwidth_y = -1\n"
+                                    "face_on_px = 60\nthickness = 0\nprincipal_x_px = 0\n"
+                                    "principal_y_px = 0\n"),
+               "size.toml:9: disc.width_0 must be above 0, or width_x or width_y: the puck has no "
+               "width anywhere in the image"));
   CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("height_y"))),
                  "size.toml: size_model.height_y is missing"));
   CHECK(contains(refusal(kSizeModel.substr(0, kSizeModel.find("6\n")) + "\"x\"\n"),

@@ -53,6 +53,22 @@ TEST_CASE("Without a slope in the size model there is no horizon and no shear") 
   CHECK(PuckContour(kSensor, kPlane, kExact, false).ring_at({600, 240}, 0).shear == 0);
 }
 
+TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {
+  PuckSizeModel model = kFlat;
+  model.disc = DiscModel{.width_0 = 20,
+                         .width_y = 0.1,
+                         .face_on_px = 60,
+                         .principal_x_px = 320,
+                         .principal_y_px = 239.5};
+  const PuckSize size = model.disc->at({600, 240});
+  const ContourRing ring = PuckContour(kSensor, model, kExact, true).ring_at({600, 240}, 0);
+  CHECK(ring.semi_y == doctest::Approx(size.height / 2));
+  // The width is nothing at row -200; the side wall does not slant.
+  const double of_disc =
+      (size.height - ContourCalibration::kWallOfWidth * size.width) / size.height;
+  CHECK(ring.shear == doctest::Approx((600 - 320.0) / 440 * of_disc));
+}
+
 TEST_CASE("A side wall without events leaves a lower ring, higher up") {
   const ContourRing ring = PuckContour(kSensor, kFlat, {0, 0.2, 1}, true).ring_at({320, 240}, 0.2);
   CHECK(ring.semi_x == doctest::Approx(15.5));

@@ -122,8 +122,11 @@ TEST_CASE("What was found weakly and then moves as a puck does for 3 ms is belie
   moving.growth_px = 0;
   moving.strength = 25;
   CHECK_FALSE(is_believed_after(moving, 3));
-  // Not twice for half as long.
   moving.strength = 50;
+  moving.cover = 0.35;
+  CHECK_FALSE(is_believed_after(moving, 3));
+  moving.cover = 0.36;
+  // Not twice for half as long.
   track.trust.note_found(true, track.now_us);
   track.look(moving, 2);
   track.look(kSound, 1);

@@ -56,6 +56,10 @@ void print(const SizeCalibration& calibration, std::size_t rows, SensorSize sens
   print_residuals("Equation (2)", calibration.planes.width, calibration.planes.height);
   print_residuals("disc on a plane", calibration.disc.width, calibration.disc.height);
   print_disc(calibration.disc.model);
+  std::printf("%s\n", calibration.model.disc
+                          ? "the disc is written beside Equation (2): presets correlation and "
+                            "default go by it"
+                          : "the disc is not written: the annotations say too little of it");
   print_coverage(calibration, sensor);
   for (const std::string& warning : calibration.warnings) {
     std::printf("warning: %s\n", warning.c_str());

@@ -111,7 +111,8 @@ bool evaluate(const EvaluateOptions& options) {
   if (options.replay && setup.algorithm != Algorithm::kPuck) {
     throw std::invalid_argument("--replay needs algorithm puck: the tracker runs no other");
   }
-  for (const std::string& doubt : doubts_about(setup.size_model, events->sensor_size())) {
+  for (const std::string& doubt :
+       doubts_about(setup.pipeline_params().sizes_of(setup.size_model), events->sensor_size())) {
     std::fprintf(stderr, "puck-evaluate: %s\n", doubt.c_str());
   }
   if (!options.detection_region.empty()) {

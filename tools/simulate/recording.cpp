@@ -38,8 +38,9 @@ bool write_calibration(const SimulateSettings& settings, bool moving_camera, Sen
 
   bool has_size_model = false;
   try {
-    text += size_model_text(calibrate_size(marks, sensor).model,
-                            "Fitted to " + std::to_string(marks.size()) + " marks.");
+    const SizeCalibration calibration = calibrate_size(marks, sensor);
+    const std::size_t used = marks.size() - calibration.outliers.size();
+    text += size_model_text(calibration.model, "Fitted to " + std::to_string(used) + " marks.");
     has_size_model = true;
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "puck-simulate: no size model in %s: %s\n", path.c_str(), error.what());
