@@ -74,8 +74,9 @@ void read_range(Config& config, PuckSizeModel& model) {
 
 // Such a puck would be kept to the smallest size everywhere, and specks be taken for it.
 void refuse_sizeless(const Config& config, double at_corner, double along_x, double along_y,
-                     const std::string& key, const std::string& side) {
+                     const std::string& key) {
   if (at_corner > 0 || along_x > 0 || along_y > 0) return;
+  const std::string side = key.substr(key.find('.') + 1);
   config.fail(key + "_0", "must be above 0, or " + side + "_x or " + side + "_y: the puck has no " +
                               side + " anywhere in the image");
 }
@@ -88,7 +89,7 @@ std::optional<DiscModel> read_disc(Config& config) {
     if (!is_there(number)) config.fail(number.key, "is missing");
     config.read(number.key, disc.*number.member, number.lowest, kLargest);
   }
-  refuse_sizeless(config, disc.width_0, disc.width_x, disc.width_y, "disc.width", "width");
+  refuse_sizeless(config, disc.width_0, disc.width_x, disc.width_y, "disc.width");
   return disc;
 }
 
@@ -105,9 +106,8 @@ PuckSizeModel read_size_model_file(const std::filesystem::path& path) {
     if (!config.has(coefficient.key)) config.fail(coefficient.key, "is missing");
     config.read(coefficient.key, model.*coefficient.member, -kLargest, kLargest);
   }
-  refuse_sizeless(config, model.width_0, model.width_x, model.width_y, "size_model.width", "width");
-  refuse_sizeless(config, model.height_0, model.height_x, model.height_y, "size_model.height",
-                  "height");
+  refuse_sizeless(config, model.width_0, model.width_x, model.width_y, "size_model.width");
+  refuse_sizeless(config, model.height_0, model.height_x, model.height_y, "size_model.height");
   model.disc = read_disc(config);
   read_range(config, model);
   return model;

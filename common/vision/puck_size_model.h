@@ -45,12 +45,13 @@ struct PuckSizeModel {
     return size;
   }
 
-  /// The row where the plane's horizon crosses a column, and the growth of the width from row to
-  /// row, px/px: from which the horizon follows, where there is any.
+  /// Of the width from row to row, px/px.
   double width_growth() const { return disc ? disc->width_y : width_y; }
+  /// Where the plane's horizon crosses a column: there the width is nothing. Needs a growth.
   double horizon_row(double column) const {
-    return disc ? -(disc->width_0 + disc->width_x * column) / disc->width_y
-                : -(width_0 + width_x * column) / width_y;
+    const double at_top =
+        disc ? disc->width_0 + disc->width_x * column : width_0 + width_x * column;
+    return -at_top / width_growth();
   }
 
   /// The size, from `smallest` to `largest`; what is no number counts as the smallest.

@@ -59,7 +59,8 @@ void print(const SizeCalibration& calibration, std::size_t rows, SensorSize sens
   std::printf("%s\n", calibration.model.disc
                           ? "the disc is written beside Equation (2): presets correlation and "
                             "default go by it"
-                          : "the disc is not written: the annotations say too little of it");
+                          : "the disc is not written: the annotations are too few for it, or it "
+                            "explains them worse or as no puck on a table");
   print_coverage(calibration, sensor);
   for (const std::string& warning : calibration.warnings) {
     std::printf("warning: %s\n", warning.c_str());
