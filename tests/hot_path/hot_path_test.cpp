@@ -83,13 +83,13 @@ struct Said {
   }
 };
 
-// Hands the packets over, each when the one before is answered, or after 5 ms: one without an event
+// Hands the packets over, each when the one before is answered, or after 100 ms: one without an event
 // in the region is not. Every other one as if more waited: steps are made by either thread.
 void play(LiveTracker& tracker, const Said& said, const std::vector<EventPacket>& packets,
           std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     tracker.update(packets[i], {.session = 1}, i % 2 == 0);
-    for (int k = 0; k < 100 && said.newest_us < packets[i].newest().us; ++k) {
+    for (int k = 0; k < 2000 && said.newest_us < packets[i].newest().us; ++k) {
       std::this_thread::sleep_for(std::chrono::microseconds(50));
     }
   }
