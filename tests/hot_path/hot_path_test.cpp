@@ -83,8 +83,8 @@ struct Said {
   }
 };
 
-// Hands the packets over, each when the one before is answered, or after 100 ms: one without an event
-// in the region is not. Every other one as if more waited: steps are made by either thread.
+// Hands the packets over, each when the one before is answered, or after 100 ms: one without an
+// event in the region is not. Every other one as if more waited: steps are made by either thread.
 void play(LiveTracker& tracker, const Said& said, const std::vector<EventPacket>& packets,
           std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
