@@ -191,6 +191,7 @@ ContourFit fit_freely(const ContourSamples& samples, const Parameters& freedom) 
   fit.calibration = calibration_of(p);
   fit.standard_error = calibration_of(standard_error_of(samples, p, spread_px, freedom));
   describe(samples, p, fit);
+  fit.calibration.lean_deg = samples.lean_deg();
   return fit;
 }
 

@@ -24,8 +24,12 @@ constexpr ContourCalibration kRough{};
 }  // namespace
 
 ContourSamples::ContourSamples(const TruthMotion& truth, SensorSize sensor,
-                               const PuckSizeModel& size_model)
-    : truth_(truth), sensor_(sensor), size_model_(size_model), rough_(contour(kRough)) {}
+                               const PuckSizeModel& size_model, double lean_deg)
+    : truth_(truth),
+      sensor_(sensor),
+      size_model_(size_model),
+      lean_deg_(lean_deg),
+      rough_(contour(kRough)) {}
 
 void ContourSamples::add(const EventPacket& packet) {
   for (const Event& event : packet.events) add(event, packet.time_of(event));

@@ -26,8 +26,9 @@ struct ContourSample {
 /// something else fires beside the puck are left out; with too many, they are thinned evenly.
 class ContourSamples {
  public:
-  /// The truth must outlive it.
-  ContourSamples(const TruthMotion& truth, SensorSize sensor, const PuckSizeModel& size_model);
+  /// The truth must outlive it. `lean_deg`: ContourCalibration's, which is not fitted.
+  ContourSamples(const TruthMotion& truth, SensorSize sensor, const PuckSizeModel& size_model,
+                 double lean_deg = 0);
 
   /// Packets in the order of their times.
   void add(const EventPacket& packet);
@@ -35,8 +36,11 @@ class ContourSamples {
   void finish() { close_window(); }
 
   std::span<const ContourSample> samples() const { return samples_; }
-  /// The contour that the trackers would expect with this calibration.
-  PuckContour contour(const ContourCalibration& calibration) const {
+  double lean_deg() const { return lean_deg_; }
+  /// The contour that the trackers would expect with this calibration, but for its lean, which is
+  /// the one given.
+  PuckContour contour(ContourCalibration calibration) const {
+    calibration.lean_deg = lean_deg_;
     return {sensor_, size_model_, calibration, true};
   }
   /// Stretches of 2 ms in which truth told the motion of a puck that was fast enough, and those of
@@ -51,6 +55,7 @@ class ContourSamples {
   const TruthMotion& truth_;
   SensorSize sensor_;
   PuckSizeModel size_model_;
+  double lean_deg_;
   PuckContour rough_;
 
   std::int64_t window_ = -1;

@@ -11,9 +11,11 @@ std::optional<ContourCalibration> read_contour_calibration(const std::filesystem
   constexpr double kLargestWallShare = 1;
   constexpr double kLargestGrowthPx = 20;
   constexpr double kLongestTrailPx = 5;
+  constexpr double kLargestLeanDeg = 40;
   Config config = Config::from_file(path);
   if (!config.has("contour.lag_us") && !config.has("contour.wall_share") &&
-      !config.has("contour.grow_px") && !config.has("contour.trail_px")) {
+      !config.has("contour.grow_px") && !config.has("contour.trail_px") &&
+      !config.has("contour.lean_deg")) {
     return std::nullopt;
   }
   ContourCalibration calibration;
@@ -21,6 +23,7 @@ std::optional<ContourCalibration> read_contour_calibration(const std::filesystem
   config.read("contour.wall_share", calibration.wall_share, -kLargestWallShare, kLargestWallShare);
   config.read("contour.grow_px", calibration.grow_px, -kLargestGrowthPx, kLargestGrowthPx);
   config.read("contour.trail_px", calibration.trail_px, -kLongestTrailPx, kLongestTrailPx);
+  config.read("contour.lean_deg", calibration.lean_deg, -kLargestLeanDeg, kLargestLeanDeg);
   return calibration;
 }
 
@@ -30,11 +33,13 @@ std::string contour_calibration_text(const ContourCalibration& calibration,
          "# How the contour's events lie to the puck's ellipse: late by lag_us, and trail_px "
          "behind at\n"
          "# any speed; on a ring larger by grow_px in both axes and lower by wall_share times the\n"
-         "# width, its upper edge staying where it is.\n"
+         "# width, its upper edge staying where it is. lean_deg, by which the ellipse is turned\n"
+         "# within its box, is given by hand.\n"
          "[contour]\nlag_us = " +
          toml_number(calibration.lag_us) + "\nwall_share = " + toml_number(calibration.wall_share) +
          "\ngrow_px = " + toml_number(calibration.grow_px) +
-         "\ntrail_px = " + toml_number(calibration.trail_px) + "\n";
+         "\ntrail_px = " + toml_number(calibration.trail_px) +
+         "\nlean_deg = " + toml_number(calibration.lean_deg) + "\n";
 }
 
 }  // namespace puck

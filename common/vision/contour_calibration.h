@@ -19,6 +19,10 @@ struct ContourCalibration {
   /// How far behind the contour its events lie besides, at any speed, px: a pixel fires only once
   /// the edge has covered some of it, more of it where the contrast is low.
   double trail_px = 0.1;
+  /// By how much the ellipse's longer axis is turned from the image's x axis towards its y axis,
+  /// within its annotated box, degrees, −40 to 40: 0 for a puck on a table before an upright
+  /// camera. What the box cannot hold is cut off.
+  double lean_deg = 0;
 
   /// How much of its width a puck's side wall adds to its height: the image of an ordinary puck,
   /// seen from 30° above, whose thickness is a fifth of its diameter.

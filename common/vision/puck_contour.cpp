@@ -34,6 +34,7 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
     : size_model_(size_model),
       calibration_(calibration),
       middle_column_((sensor.width - 1) / 2.0),
+      tangent_of_twice_lean_(std::tan(2 * calibration.lean_deg * std::numbers::pi / 180)),
       sheared_(sheared && size_model.width_growth() > kLeastSlope) {
   const double width_px = size_model.at({middle_column_, (sensor.height - 1) / 2.0}).width;
   turning_px_s_ = kTurningWidths_per_s * std::max(width_px, 2 * kSmallestSemi_px);
@@ -55,6 +56,17 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
     ring.shear =
         (centre.x - middle_column_) / below_horizon *
         std::clamp((silhouette - ContourCalibration::kWallOfWidth * width) / height, 0.0, 1.0);
+  }
+  if (tangent_of_twice_lean_ != 0) {
+    // An ellipse that is turned in its box is a sheared one, and stays within it.
+    const double ratio = width / std::max(silhouette, 2 * kSmallestSemi_px);
+    const double most =
+        std::sqrt(std::max(ring.semi_x * ring.semi_x - kSmallestSemi_px * kSmallestSemi_px, 0.0)) /
+        ring.semi_y;
+    ring.shear =
+        std::clamp(ring.shear + tangent_of_twice_lean_ / 2 * (ratio * ratio - 1), -most, most);
+  }
+  if (ring.shear != 0) {
     const double sheared = ring.shear * ring.semi_y;
     ring.semi_x = std::sqrt(std::max(ring.semi_x * ring.semi_x - sheared * sheared,
                                      kSmallestSemi_px * kSmallestSemi_px));

@@ -20,7 +20,7 @@ struct ContourOffset {
 inline constexpr int kContourSectors = 12;
 
 /// The ellipse on which a puck's contour events lie: sheared, because a disc on a table that is
-/// seen from above and beside the middle is not upright.
+/// seen from above and beside the middle is not upright, nor is any that a rolled camera sees.
 struct ContourRing {
   double semi_x = 0;  ///< Half the width along a row through the centre, px.
   double semi_y = 0;  ///< Half the height, px.
@@ -101,6 +101,7 @@ class PuckContour {
   double middle_column_ = 0;
   double horizon_row_ = 0;
   double turning_px_s_ = 0;
+  double tangent_of_twice_lean_ = 0;
   bool sheared_ = false;
 };
 

@@ -176,7 +176,7 @@ void add_data_files(Seeds& seeds, const fs::path& source) {
       text_of(calibration / "simulated_size.toml"),
       text_of(calibration / "simulated_table.toml"),
       "[pixel_mask]\nwidth = 64\nheight = 48\npixels = [\n  1, 2,\n  3, 4,\n]\n",
-      "[contour]\nlag_us = 100\nwall_share = 0.5\ngrow_px = 0.1\ntrail_px = 0.2\n",
+      "[contour]\nlag_us = 100\nwall_share = 0.5\ngrow_px = 0.1\ntrail_px = 0.2\nlean_deg = -28\n",
       text_of(calibration / "simulated_arm.toml"),
       text_of(calibration / "simulated_arm.csv"),
       "-0.1 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n0.1\t0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n"};

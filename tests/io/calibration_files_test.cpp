@@ -93,13 +93,14 @@ TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused")
 TEST_CASE("a contour calibration reads back as it was written, beside a size model") {
   const TemporaryFolder folder;
   const auto path = folder.write(
-      "size.toml", kSizeModel + contour_calibration_text({390.5, 0.16, -0.25, 0.08}, "lag"));
+      "size.toml", kSizeModel + contour_calibration_text({390.5, 0.16, -0.25, 0.08, -28}, "lag"));
   const auto again = read_contour_calibration(path);
   REQUIRE(again.has_value());
   CHECK(again->lag_us == 390.5);
   CHECK(again->wall_share == 0.16);
   CHECK(again->grow_px == -0.25);
   CHECK(again->trail_px == 0.08);
+  CHECK(again->lean_deg == -28);
   CHECK(read_size_model_file(path).height_y == 6);
 }
 

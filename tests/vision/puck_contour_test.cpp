@@ -1,8 +1,10 @@
 #include "common/vision/puck_contour.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -51,6 +53,48 @@ TEST_CASE("Beside the middle the ring leans as the perspective asks, and keeps i
 TEST_CASE("Without a slope in the size model there is no horizon and no shear") {
   CHECK(PuckContour(kSensor, kFlat, kExact, true).ring_at({600, 240}, 0).shear == 0);
   CHECK(PuckContour(kSensor, kPlane, kExact, false).ring_at({600, 240}, 0).shear == 0);
+}
+
+TEST_CASE("An ellipse that is turned in its box lies on the ring of that box and lean") {
+  constexpr double kLong = 18;
+  constexpr double kShort = 9;
+  constexpr double kLean_deg = -25;
+  const double lean = kLean_deg * std::numbers::pi / 180;
+  const auto at = [&](double angle) {
+    const double along = kLong * std::cos(angle);
+    const double across = kShort * std::sin(angle);
+    return Pixel{along * std::cos(lean) - across * std::sin(lean),
+                 along * std::sin(lean) + across * std::cos(lean)};
+  };
+  PuckSizeModel box;
+  box.width_0 = 2 * std::hypot(kLong * std::cos(lean), kShort * std::sin(lean));
+  box.height_0 = 2 * std::hypot(kLong * std::sin(lean), kShort * std::cos(lean));
+  ContourCalibration calibration = kExact;
+  calibration.lean_deg = kLean_deg;
+  const ContourRing ring = PuckContour(kSensor, box, calibration, true).ring_at({320, 240}, 0);
+  for (int i = 0; i < 12; ++i) {
+    const Pixel place = at(2 * std::numbers::pi * i / 12);
+    CHECK(ring.offset(place.x, place.y, 0).distance_px == doctest::Approx(0));
+  }
+  CHECK(ring.offset(at(0).x, -at(0).y, 0).distance_px > 4);
+}
+
+TEST_CASE("A ring that leans further than its box can hold stays within the box") {
+  for (const auto& [width, height] : {std::pair{33.0, 23.0}, {20.0, 5.0}, {4.0, 3.0}}) {
+    CAPTURE(width);
+    PuckSizeModel box;
+    box.width_0 = width;
+    box.height_0 = height;
+    for (const double wall_share : {0.0, 0.165}) {
+      ContourCalibration calibration = kExact;
+      calibration.lean_deg = 40;
+      const ContourRing ring =
+          PuckContour(kSensor, box, calibration, true).ring_at({320, 240}, wall_share);
+      CHECK(ring.semi_x >= 2);
+      CHECK(std::hypot(ring.semi_x, ring.shear * ring.semi_y) <=
+            doctest::Approx(std::max(width / 2, 2.0)));
+    }
+  }
 }
 
 TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {

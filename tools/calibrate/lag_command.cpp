@@ -73,13 +73,16 @@ void print(const ContourFit& fit, const ContourSamples& samples) {
 
 void calibrate_lag(const LagCommand& command, const std::string& typed) {
   const PuckSizeModel size_model = read_size_model_file(command.size_model);
+  // The fit does not find the lean, so that it stays as it was given by hand.
+  const double lean_deg =
+      read_contour_calibration(command.size_model).value_or(ContourCalibration{}).lean_deg;
   const TruthMotion truth(read_truth_file(command.truth));
   const auto events = open_event_file(command.recording, command.file);
   for (const std::string& doubt : doubts_about(size_model, events->sensor_size())) {
     std::fprintf(stderr, "puck-calibrate: %s: %s\n", command.size_model.c_str(), doubt.c_str());
   }
 
-  ContourSamples samples(truth, events->sensor_size(), size_model);
+  ContourSamples samples(truth, events->sensor_size(), size_model, lean_deg);
   EventPacket packet;
   std::optional<Timestamp> first;
   Timestamp last;
