@@ -25,6 +25,8 @@ constexpr double kSame_px = 2;
 constexpr double kSame_px_s = 100;
 // … unless they differ so much in size.
 constexpr double kSameGrowth_px = 0.3;
+// Two opinions on a ring differ in earnest from here on.
+constexpr double kSurelyGrown_px = 0.1;
 
 std::ptrdiff_t most_of(Challenger::Kind kind) {
   switch (kind) {
@@ -147,25 +149,46 @@ void Challengers::decide(std::int64_t time_us, const ContourContext& context) {
   for (Challenger& challenger : challengers_) challenger.decide(time_us, context);
 }
 
-const Challenger* Challengers::successor(const Defence& main, bool head_rests,
+const Challenger* Challengers::successor(const Defence& main, const ClaimContext& context,
                                          std::int64_t time_us) {
   for (Challenger& challenger : challengers_) {
-    const Claim claim = claim_of(challenger, head_rests, time_us);
+    const Claim claim = claim_of(challenger, context, time_us);
     const bool wins = is_found(challenger)
                           ? challenger.convincing_for_us(is_convincing(claim, main), time_us) >=
                                 kConvincedAfter_us
                           : wins_test(challenger.kind(), claim);
-    if (wins) return &challenger;
+    if (wins) return &truer_of(challenger);
   }
   return nullptr;
 }
 
-const Challenger* Challengers::first(bool head_rests, std::int64_t searched_us,
+// Of both opinions on the side wall, which see the same ring, the wrong one has to grow or shrink
+// to explain as much.
+const Challenger& Challengers::truer_of(const Challenger& winner) const {
+  if (!is_found(winner)) return winner;
+  const TrackLooks won = winner.track().looks();
+  const Challenger* best = &winner;
+  double least_growth_px = std::abs(won.growth_px) - kSurelyGrown_px;
+  for (const Challenger& other : challengers_) {
+    const TrackLooks looks = other.track().looks();
+    if (is_found(other) && other.has_other_wall() != winner.has_other_wall() &&
+        (winner.found().is_conjecture || !other.found().is_conjecture) &&
+        distance_px(other.track().ring_centre(), winner.track().ring_centre()) < 2 * kSame_px &&
+        looks.quality > won.quality - 0.05 && looks.strength > 0.8 * won.strength &&
+        std::abs(looks.growth_px) < least_growth_px) {
+      best = &other;
+      least_growth_px = std::abs(looks.growth_px);
+    }
+  }
+  return *best;
+}
+
+const Challenger* Challengers::first(const ClaimContext& context, std::int64_t searched_us,
                                      std::int64_t time_us) {
   const Challenger* best = nullptr;
   for (Challenger& challenger : challengers_) {
     const bool convinces =
-        is_convincing_as_first(claim_of(challenger, head_rests, time_us), searched_us);
+        is_convincing_as_first(claim_of(challenger, context, time_us), searched_us);
     if (challenger.convincing_for_us(convinces, time_us) >= kFirstConvincedAfter_us &&
         (best == nullptr || challenger.track().quality() > best->track().quality())) {
       best = &challenger;

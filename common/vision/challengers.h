@@ -52,11 +52,13 @@ class Challengers {
 
   void decide(std::int64_t time_us, const ContourContext& context);
 
-  /// The first that takes the main track's place. `head_rests`: Background's.
-  const Challenger* successor(const Defence& main, bool head_rests, std::int64_t time_us);
+  /// The first that takes the main track's place, or its twin of the other opinion on the side wall
+  /// where that is the truer one.
+  const Challenger* successor(const Defence& main, const ClaimContext& context,
+                              std::int64_t time_us);
   /// Without a main track: the best that convinces, `searched_us` after the first search began.
-  /// `head_rests`: Background's.
-  const Challenger* first(bool head_rests, std::int64_t searched_us, std::int64_t time_us);
+  const Challenger* first(const ClaimContext& context, std::int64_t searched_us,
+                          std::int64_t time_us);
 
   /// Gives up what the search found by mistake, and remembers where that was.
   void dismiss_hopeless(std::int64_t time_us);
@@ -72,6 +74,7 @@ class Challengers {
  private:
   bool note_known(Pixel position, const Challenger::Found& found, std::int64_t time_us);
   void make_room();
+  const Challenger& truer_of(const Challenger& winner) const;
 
   std::vector<Challenger> challengers_;
   RefutedPlaces refuted_;

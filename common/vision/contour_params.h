@@ -22,10 +22,11 @@ struct ContourIngredients {
   bool twins = true;              ///< A twin at rest is there to take over at a bounce.
   bool wall = true;               ///< Whether the puck's side wall makes events is found out.
   bool wall_search = true;        ///< … and the search looks for it as it was found to be.
-  bool witness = true;       ///< A blob follows the puck more coarsely and checks on the track.
-  bool search = true;        ///< A doubtful track is challenged by the correlation near it.
-  bool wide_search = true;   ///< … and, unless it is beyond doubt, everywhere.
-  bool afresh = true;        ///< What is found where a poor track is challenges it, too.
+  bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
+  bool search = true;       ///< A doubtful track is challenged by the correlation near it.
+  bool wide_search = true;  ///< … and, unless it is beyond doubt, everywhere.
+  bool anywhere = true;     ///< … again and again where it is not known at all where the puck is.
+  bool afresh = true;       ///< What is found where a poor track is challenges it, too.
   bool fresh_search = true;  ///< The search sees what has made events of late only.
   bool stopping = true;      ///< A puck that falls silent is taken to have stopped.
   bool settling = true;      ///< A puck whose events fade comes to rest where it was last clear.
@@ -38,6 +39,7 @@ struct ContourIngredients {
   /// While the head rests, which the background tells, even what moves slowly moves by itself.
   bool slow_movers = true;
   bool recognition = true;  ///< What the search and its events together say is the puck takes over.
+  bool at_once = true;      ///< What is clearly a puck, or likely, is believed on a few events.
   bool silent_trust = true;  ///< A track keeps its trust while its events, though few, agree.
 };
 
@@ -47,7 +49,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 28> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 30> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -63,6 +65,7 @@ inline constexpr std::array<ContourIngredient, 28> kContourIngredients{{
     {"witness", &ContourIngredients::witness},
     {"search", &ContourIngredients::search},
     {"wide-search", &ContourIngredients::wide_search},
+    {"anywhere", &ContourIngredients::anywhere},
     {"afresh", &ContourIngredients::afresh},
     {"fresh-search", &ContourIngredients::fresh_search},
     {"stopping", &ContourIngredients::stopping},
@@ -75,6 +78,7 @@ inline constexpr std::array<ContourIngredient, 28> kContourIngredients{{
     {"overtaking", &ContourIngredients::overtaking},
     {"slow-movers", &ContourIngredients::slow_movers},
     {"recognition", &ContourIngredients::recognition},
+    {"at-once", &ContourIngredients::at_once},
     {"silent-trust", &ContourIngredients::silent_trust},
 }};
 

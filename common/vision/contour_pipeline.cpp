@@ -131,7 +131,7 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
     main_->park();
     if (standing_.has_settled(time_us)) witness_.draw_to(main_->filter().position(), passed_us);
   }
-  trust_.judge(main_->looks(), is_unseen(time_us), time_us, passed_us);
+  trust_.judge(main_->looks(), seen_score_.value(), is_unseen(time_us), time_us, passed_us);
   context_.is_trusted = trust_.is_trusted();
   if (trust_.is_exhausted()) context_.signature = {};
   if (main_->is_good() && main_->shape_quality() > kLearnable) {
@@ -170,7 +170,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
                         .score = seen_score_.value(),
                         .since_good_us = trust_.since_good_us(time_us),
                         .since_sound_us = trust_.since_sound_us(time_us)};
-  if (const Challenger* successor = challengers_.successor(defence, head_rests(), time_us)) {
+  if (const Challenger* successor = challengers_.successor(defence, claim_context(), time_us)) {
     enthrone(*successor, time_us);
     return;
   }
@@ -184,8 +184,9 @@ bool ContourPipeline::head_turns() const {
   return consults_background_ && background_.head_turns();
 }
 
-bool ContourPipeline::head_rests() const {
-  return context_.ingredients.slow_movers && background_.head_rests();
+ClaimContext ContourPipeline::claim_context() const {
+  return {.head_rests = context_.ingredients.slow_movers && background_.head_rests(),
+          .at_once = context_.ingredients.at_once};
 }
 
 // A faint puck falls silent while it moves, too.
@@ -201,7 +202,7 @@ bool ContourPipeline::is_tried_afresh() const {
 
 void ContourPipeline::find_first(std::int64_t time_us) {
   const std::int64_t searched_us = search_plan_.searched_us(time_us);
-  if (const Challenger* first = challengers_.first(head_rests(), searched_us, time_us)) {
+  if (const Challenger* first = challengers_.first(claim_context(), searched_us, time_us)) {
     enthrone(*first, time_us);
     return;
   }
@@ -214,7 +215,7 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
   if (kind != Challenger::Kind::kTwin) trust_.note_takeover(time_us);
   if (kind == Challenger::Kind::kSearch) {
     const auto deposed = main_ ? std::optional(main_->looks()) : std::nullopt;
-    trust_.note_found(is_weakly_found(claim_of(challenger, head_rests(), time_us), deposed),
+    trust_.note_found(is_weakly_found(claim_of(challenger, claim_context(), time_us), deposed),
                       time_us);
     witness_.put(challenger.track().filter().position(), time_us);
   }
@@ -249,7 +250,9 @@ void ContourPipeline::plan_search(std::int64_t time_us) {
                      .may_rest_elsewhere =
                          (context_.ingredients.overtaking && trust_.was_covered()) ||
                          (context_.ingredients.faint_rests && context_.signature.may_be_faint()),
-                     .since_good_us = trust_.since_good_us(time_us)},
+                     .may_be_faint = context_.signature.may_be_faint(),
+                     .since_good_us = trust_.since_good_us(time_us),
+                     .unsound_us = trust_.unsound_us()},
                     context_.ingredients, time_us);
 }
 

@@ -61,7 +61,7 @@ class ContourPipeline final : public TrackingPipeline {
   void challenge_main(std::int64_t time_us);
   /// The main track is the puck's beyond doubt, so that its opinion on the side wall is, too.
   bool shows_wall() const;
-  bool head_rests() const;
+  ClaimContext claim_context() const;
   bool head_turns() const;
   bool rest_may_be_wrong() const;
   /// Whether what is found where the main track is challenges it.

@@ -8,6 +8,11 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kFirstPeriod_us = 20'000;
+// A puck that has been lost for so long may be anywhere by now, and what has not looked like it for
+// so long may be something else: it is looked for everywhere more often, and no more near the
+// track.
+constexpr std::int64_t kAnywhereAfter_us = 100'000;
+constexpr std::int64_t kAnywherePeriod_us = 5'000;
 constexpr std::int64_t kNearPeriod_us = 5'000;
 constexpr std::int64_t kWidePeriod_us = 40'000;
 // A track that is sound and has proved to be the puck's is hardly questioned from afar.
@@ -34,7 +39,12 @@ SearchPlan::SearchPlan(SensorSize sensor, const Region& detection_region)
       detection_region_(detection_region.empty() ? image_ : detection_region.intersect(image_)),
       stirrings_(sensor) {}
 
-std::int64_t SearchPlan::wide_period_us(const Situation& now, bool is_still) {
+bool SearchPlan::may_be_anywhere(const Situation& now) {
+  if (now.is_lost) return now.since_good_us > kAnywhereAfter_us;
+  return !now.is_resting && !now.may_be_faint && now.unsound_us > kAnywhereAfter_us;
+}
+
+std::int64_t SearchPlan::usual_period_us(const Situation& now, bool is_still) {
   if (now.is_lost) return kFirstPeriod_us;
   if (now.is_resting) {
     return now.may_rest_elsewhere && !is_still ? kMaybeRestingPeriod_us : kRestingPeriod_us;
@@ -55,13 +65,16 @@ void SearchPlan::plan_first(std::int64_t time_us) {
 void SearchPlan::plan(const Situation& now, const ContourIngredients& ingredients,
                       std::int64_t time_us) {
   stirrings_.judge(time_us);
-  if (is_busy() || (now.is_lost && is_pointless(time_us))) return;
-  if (ingredients.wide_search && time_us - wide_us_ >= wide_period_us(now, is_still(time_us))) {
+  const bool anywhere = ingredients.anywhere && ingredients.wide_search && may_be_anywhere(now);
+  if (is_busy() || ((now.is_lost || anywhere) && is_pointless(time_us))) return;
+  const std::int64_t wide_period_us =
+      anywhere ? kAnywherePeriod_us : usual_period_us(now, is_still(time_us));
+  if (ingredients.wide_search && time_us - wide_us_ >= wide_period_us) {
     wide_us_ = time_us;
     want(image_, time_us);
     return;
   }
-  if (ingredients.search && !now.is_resting && now.main.quality < kDoubtful &&
+  if (ingredients.search && !now.is_resting && !anywhere && now.main.quality < kDoubtful &&
       time_us >= next_us_) {
     next_us_ = time_us + kNearPeriod_us;
     const double radius_px = std::min(

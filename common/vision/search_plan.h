@@ -23,7 +23,9 @@ class SearchPlan {
     bool is_trusted = false;
     bool is_proven = false;
     bool may_rest_elsewhere = false;  ///< Where it is taken to rest may be wrong.
+    bool may_be_faint = false;        ///< PuckSignature's: it is seldom sound.
     std::int64_t since_good_us = 0;
+    std::int64_t unsound_us = 0;  ///< TrackTrust's.
   };
 
   /// `detection_region`: where the puck is looked for before it has been seen; empty: everywhere.
@@ -50,9 +52,15 @@ class SearchPlan {
   /// Since the first search was wanted.
   std::int64_t searched_us(std::int64_t time_us) const { return time_us - since_us_; }
 
-  /// How often the whole image is searched. `is_still`: nothing moves where events are taken.
+  /// Nobody knows where the puck is: it has been lost for long, or what is tracked has been seen
+  /// for long without looking like it. Then it is searched for everywhere, each 5 ms, and not near
+  /// the track (switched by ContourIngredients::anywhere).
+  static bool may_be_anywhere(const Situation& now);
+
+  /// How often the whole image is searched otherwise. `is_still`: nothing moves where events are
+  /// taken.
   static constexpr std::int64_t kNever_us = std::numeric_limits<std::int64_t>::max();
-  static std::int64_t wide_period_us(const Situation& now, bool is_still);
+  static std::int64_t usual_period_us(const Situation& now, bool is_still);
 
  private:
   bool is_busy() const { return !searched().empty(); }

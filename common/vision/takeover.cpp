@@ -40,11 +40,6 @@ bool is_outscored(const Claim& claim, const Defence& main) {
 
 }  // namespace
 
-Claim claim_of(const Challenger& challenger, bool head_rests, std::int64_t time_us) {
-  return {challenger.track().looks(), challenger.age_us(time_us),  challenger.found(),
-          challenger.leads(),         challenger.has_other_wall(), head_rests};
-}
-
 bool wins_test(Challenger::Kind kind, const Claim& claim) {
   switch (kind) {
     case Challenger::Kind::kTwin:
@@ -71,7 +66,7 @@ bool moves_by_itself(const Claim& claim) {
   if (claim.age_us <= 12'000 || looks.quality <= 0.75 || !looks.is_strong()) return false;
   // A hand or a mallet may be slow as well.
   const bool is_slow_puck =
-      claim.head_rests && looks.speed_px_s > kSlow_px_s && looks.is_whole_ring();
+      claim.context.head_rests && looks.speed_px_s > kSlow_px_s && looks.is_whole_ring();
   return is_slow_puck || looks.moves_as_pucks_do();
 }
 
@@ -88,7 +83,8 @@ bool outmoves(const Claim& claim, const Defence& main) {
 }
 
 bool unmasks(const Claim& claim, const Defence& main) {
-  return is_evident(claim) && claim.looks.quality > main.looks.quality + 0.1 &&
+  return (is_evident(claim) || is_clear_at_once(claim)) &&
+         claim.looks.quality > main.looks.quality + 0.1 &&
          (!main.is_trusted || main.since_sound_us > kUnsoundFor_us);
 }
 
@@ -128,13 +124,14 @@ bool outruns_rest(const Claim& claim, const Defence& main) {
 bool is_recognised(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
   const double score = claim.found.score;
-  if (!main.knows_pucks || main.since_good_us <= kBadFor_us || !claim.leads ||
-      !has_had_time(claim) || looks.quality <= 0.5 || looks.strength <= 10 || looks.cover <= 0.4 ||
-      looks.is_oversized() || looks.is_undersized()) {
+  if (!main.knows_pucks || main.since_good_us <= kBadFor_us) return false;
+  if (is_clear_at_once(claim)) return true;
+  if (!claim.leads || !has_had_time(claim) || looks.quality <= 0.5 || looks.strength <= 10 ||
+      looks.cover <= 0.4 || looks.is_oversized() || looks.is_undersized()) {
     return false;
   }
   const bool is_possible = score > kPossibleScore && looks.speed_px_s > kSlow_px_s;
-  return looks.quality + 2 * score > 1.7 && (is_possible || score > kLikelyScore);
+  return support(claim) > 1.7 && (is_possible || score > kLikelyScore);
 }
 
 bool is_convincing(const Claim& claim, const Defence& main) {
@@ -156,7 +153,7 @@ bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
   const bool is_like_a_mark = claim.has_other_wall && searched_us <= kPatience_us;
   // Hands and mallets move as well.
   const TrackLooks& looks = claim.looks;
-  return (is_evident(claim) && !is_like_a_mark) ||
+  return (is_evident(claim) && !is_like_a_mark) || is_likely(claim) ||
          (moves_by_itself(claim) && !looks.is_large() && !looks.may_slide()) ||
          (searched_us > kPatience_us && claim.age_us > 20'000 && looks.quality > 0.8 &&
           looks.strength > 30 && looks.is_whole_ring());
@@ -165,7 +162,8 @@ bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
 bool is_weakly_found(const Claim& claim, const std::optional<TrackLooks>& main) {
   const bool is_near =
       main && distance_px(main->position, claim.looks.position) < kFarthestTakeover_px;
-  return !is_near && !is_evident(claim) && !moves_by_itself(claim);
+  return !is_near && !is_evident(claim) && !moves_by_itself(claim) && !is_clear_at_once(claim) &&
+         !is_likely(claim);
 }
 
 }  // namespace puck

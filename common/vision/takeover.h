@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "common/vision/challenger.h"
+#include "common/vision/claim.h"
 #include "common/vision/track_looks.h"
 
 /// The rules by which a challenger takes the main track's place: functions of numbers.
@@ -17,18 +18,6 @@ inline constexpr std::int64_t kPatience_us = 150'000;
 /// as nothing is known that it would have to be better than.
 inline constexpr std::int64_t kConvincedAfter_us = 1'500;
 inline constexpr std::int64_t kFirstConvincedAfter_us = 3'000;
-
-/// What speaks for a challenger.
-struct Claim {
-  TrackLooks looks;
-  std::int64_t age_us = 0;
-  Challenger::Found found;
-  bool leads = false;           ///< Challenger::leads.
-  bool has_other_wall = false;  ///< Challenger::has_other_wall.
-  bool head_rests = false;      ///< Background's: whatever moves in the image moves by itself.
-};
-
-Claim claim_of(const Challenger& challenger, bool head_rests, std::int64_t time_us);
 
 /// What speaks for the main track.
 struct Defence {
@@ -62,7 +51,8 @@ bool outshines(const Claim& claim, const Defence& main);
 /// It moves as a puck does; the main track has never done so, or has not been good for so long
 /// that it has lost what it followed.
 bool outmoves(const Claim& claim, const Defence& main);
-/// It is evident; the main track is not to be trusted, or has not been sound for long.
+/// It is evident, or clear at once; the main track is not to be trusted, or has not been sound for
+/// long.
 bool unmasks(const Claim& claim, const Defence& main);
 /// It looks better than a main track that is not to be trusted, is of a puck's size, and not less
 /// of a puck to searches.
@@ -77,8 +67,8 @@ bool succeeds_nearby(const Claim& claim, const Defence& main);
 /// for a while, so that it may have been taken away.
 bool outruns_rest(const Claim& claim, const Defence& main);
 
-/// The less the correlation says, the more its events must, and the other way round; the clearer
-/// those are, the sooner; the main track has not been good for a while.
+/// It is clear at once; or, the less the correlation says, the more its events must, and the other
+/// way round, and the clearer those are, the sooner; the main track has not been good for a while.
 bool is_recognised(const Claim& claim, const Defence& main);
 
 /// Any of the first five, or recognised; against a puck at rest, which makes no events, that it is
@@ -86,12 +76,13 @@ bool is_recognised(const Claim& claim, const Defence& main);
 /// by itself, unless the main track has not been sound for long.
 bool is_convincing(const Claim& claim, const Defence& main);
 
-/// While nothing is known, `searched_us` after the first search began: what is neither evident nor
-/// moves by itself, being no larger than a puck, must look like a puck in every respect, and
-/// longer; so must, for a while, what has another side wall than the puck.
+/// While nothing is known, `searched_us` after the first search began: what is neither evident, nor
+/// likely, nor moves by itself, being no larger than a puck, must look like a puck in every
+/// respect, and longer; so must, for a while, what has another side wall than the puck.
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us);
 
-/// What the search found far away, or first, and is neither evident nor moves by itself.
+/// What the search found far away, or first, and is neither evident, clear at once, nor likely, nor
+/// moves by itself.
 bool is_weakly_found(const Claim& claim, const std::optional<TrackLooks>& main);
 
 }  // namespace puck

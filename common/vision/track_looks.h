@@ -30,6 +30,11 @@ struct TrackLooks {
   /// It moves as nothing that is fixed to the table does, and is no larger than a puck, with events
   /// on enough sides.
   constexpr bool moves_as_pucks_do() const { return is_fast() && cover > 0.35 && !is_oversized(); }
+  /// It moves as a puck does, is no larger than one, and so strong that it is one even if what lies
+  /// beside or on it spoils its quality.
+  constexpr bool is_clear() const {
+    return moves_as_pucks_do() && !is_large() && quality > 0.6 && strength > 80;
+  }
   /// Larger than most pucks.
   constexpr bool is_large() const { return growth_px >= 0.35; }
   /// Events on most sides, and of the puck's size: a hand or a mallet is no such ring, or a larger
@@ -39,6 +44,8 @@ struct TrackLooks {
   constexpr bool is_oversized() const { return growth_px >= 0.45; }
   /// No puck's contour is so much smaller than the calibration's.
   constexpr bool is_undersized() const { return growth_px <= -0.6; }
+  /// Of what is no puck most has to grow or to shrink to lie on a puck's ring.
+  constexpr bool has_pucks_size() const { return !is_large() && growth_px > -0.35; }
   /// Something is on the puck, a hand or a mallet.
   constexpr bool is_covered() const { return inside_events > 12; }
   /// Next to nothing happens there.

@@ -10,12 +10,15 @@ namespace puck {
 /// fast, or neither. All times are sensor time, µs.
 class TrackTrust {
  public:
-  /// A track of more than this quality is beyond doubt.
+  /// A track of more than this quality is beyond doubt: it is sound; so is one that is clear and
+  /// that searches see as a puck.
   static constexpr double kSound = 0.85;
 
-  /// Notes how the main track looks at a decision, `passed_us` after the last one. `unseen`: the
-  /// puck rests, or makes hardly any events: what is known of it holds.
-  void judge(const TrackLooks& main, bool unseen, std::int64_t time_us, std::int64_t passed_us);
+  /// Notes how the main track looks at a decision, `passed_us` after the last one, and how it has
+  /// looked to searches: SeenScore's. `unseen`: the puck rests, or makes hardly any events: what is
+  /// known of it holds.
+  void judge(const TrackLooks& main, double seen_score, bool unseen, std::int64_t time_us,
+             std::int64_t passed_us);
 
   /// The main track was replaced by one that passed a test against it.
   void note_takeover(std::int64_t time_us) { good_us_ = time_us; }
@@ -42,17 +45,20 @@ class TrackTrust {
 
   std::int64_t since_good_us(std::int64_t time_us) const { return time_us - good_us_; }
   std::int64_t since_sound_us(std::int64_t time_us) const { return time_us - sound_us_; }
+  /// The same, but for the time in which it was not to be seen.
+  std::int64_t unsound_us() const { return unsound_us_; }
 
  private:
   static constexpr std::int64_t kTrusted_us = 200'000;
   static constexpr std::int64_t kSoundFirst_us = 20'000;
   static constexpr std::int64_t kWeaklyFoundFor_us = 20'000;
 
-  std::int64_t good_us_ = 0;    // when it was last good
-  std::int64_t sound_us_ = 0;   // when it was last sound
-  std::int64_t trust_us_ = 0;   // grows while it is sound, wanes while it is not
-  std::int64_t moving_us_ = 0;  // for how long it has been sound and fast
-  std::int64_t clear_us_ = 0;   // for how long it has moved as a puck does, beyond doubt
+  std::int64_t good_us_ = 0;     // when it was last good
+  std::int64_t sound_us_ = 0;    // when it was last sound
+  std::int64_t unsound_us_ = 0;  // of it, while it was to be seen
+  std::int64_t trust_us_ = 0;    // grows while it is sound, wanes while it is not
+  std::int64_t moving_us_ = 0;   // for how long it has been sound and fast
+  std::int64_t clear_us_ = 0;    // for how long it has moved as a puck does, beyond doubt
   bool is_proven_ = false;
   std::int64_t found_us_ = 0;  // when the search found it
   bool was_weakly_found_ = false;

@@ -14,7 +14,7 @@ constexpr TrackLooks kGood{.speed_px_s = 500, .quality = 0.9, .strength = 50, .n
 // Trust in a track that has been sound for 50 ms.
 TrackTrust sound() {
   TrackTrust trust;
-  trust.judge(kGood, false, 50'000, 50'000);
+  trust.judge(kGood, 0, false, 50'000, 50'000);
   return trust;
 }
 

@@ -75,23 +75,67 @@ TEST_CASE("The better the track, the more seldom the whole image is searched") {
   constexpr bool kStirs = false;
   constexpr bool kIsStill = true;
   SearchPlan::Situation now = kCalm;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == 500'000);
+  CHECK(SearchPlan::usual_period_us(now, kStirs) == 500'000);
   now.is_proven = false;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == 40'000);
+  CHECK(SearchPlan::usual_period_us(now, kStirs) == 40'000);
   now.main.strength = 301;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == SearchPlan::kNever_us);
+  CHECK(SearchPlan::usual_period_us(now, kStirs) == SearchPlan::kNever_us);
   now.main.quality = 0.84;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == 40'000);
+  CHECK(SearchPlan::usual_period_us(now, kStirs) == 40'000);
   now.main.quality = 0.86;
   now.is_trusted = false;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == 40'000);
+  CHECK(SearchPlan::usual_period_us(now, kStirs) == 40'000);
   now.is_resting = true;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == 1'000'000);
+  CHECK(SearchPlan::usual_period_us(now, kStirs) == 1'000'000);
   now.may_rest_elsewhere = true;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == 50'000);
-  CHECK(SearchPlan::wide_period_us(now, kIsStill) == 1'000'000);
+  CHECK(SearchPlan::usual_period_us(now, kStirs) == 50'000);
+  CHECK(SearchPlan::usual_period_us(now, kIsStill) == 1'000'000);
   now.is_lost = true;
-  CHECK(SearchPlan::wide_period_us(now, kStirs) == 20'000);
+  CHECK(SearchPlan::usual_period_us(now, kStirs) == 20'000);
+}
+
+TEST_CASE("What is lost for 100 ms, or unsound for so long, may be anywhere") {
+  SearchPlan::Situation now = kCalm;
+  now.unsound_us = 100'000;
+  CHECK_FALSE(SearchPlan::may_be_anywhere(now));
+  now.unsound_us = 100'001;
+  CHECK(SearchPlan::may_be_anywhere(now));
+  now.may_be_faint = true;
+  CHECK_FALSE(SearchPlan::may_be_anywhere(now));
+  now.may_be_faint = false;
+  now.is_resting = true;
+  CHECK_FALSE(SearchPlan::may_be_anywhere(now));
+  now.is_lost = true;
+  CHECK_FALSE(SearchPlan::may_be_anywhere(now));
+  now.since_good_us = 100'001;
+  CHECK(SearchPlan::may_be_anywhere(now));
+}
+
+TEST_CASE("What may be anywhere is searched for everywhere each 5 ms, and not near the track") {
+  SearchPlan::Situation now = kCalm;
+  now.main.quality = 0.59;
+  now.unsound_us = 100'001;
+  SearchPlan plan(kSensor, {});
+  for (int i = 0; i < 60; ++i) plan.take(10, 10);
+  plan.plan(now, kAll, 5'000);
+  CHECK(plan.give_out() == kImage);
+  plan.note_answer();
+  plan.plan(now, kAll, 9'999);
+  CHECK(plan.give_out().empty());
+  plan.plan(now, kAll, 10'000);
+  CHECK(plan.give_out() == kImage);
+  plan.note_answer();
+  // Of what has not stirred for 100 ms nothing could be found.
+  plan.plan(now, kAll, 105'001);
+  CHECK(plan.give_out().empty());
+
+  for (const auto& ingredient : {&ContourIngredients::anywhere, &ContourIngredients::wide_search}) {
+    ContourIngredients without = kAll;
+    without.*ingredient = false;
+    SearchPlan near(kSensor, {});
+    near.plan(now, without, 5'000);
+    CHECK(near.give_out() == Region{280, 180, 41, 41});
+  }
 }
 
 TEST_CASE("A calm track is left in peace until the whole image is due") {

@@ -78,10 +78,10 @@ TEST_CASE("While the head rests a whole ring of the right size moves by itself f
   Claim slow = kMoving;
   slow.looks.speed_px_s = 101;
   slow.looks.cover = 0.51;
-  slow.head_rests = true;
+  slow.context.head_rests = true;
   CHECK(moves_by_itself(slow));
   Claim claim = slow;
-  claim.head_rests = false;
+  claim.context.head_rests = false;
   CHECK_FALSE(moves_by_itself(claim));
   claim = slow;
   claim.looks.speed_px_s = 100;
@@ -260,6 +260,58 @@ TEST_CASE("Nothing is recognised while the main track is good, or the ingredient
   main = kGoneBad;
   main.knows_pucks = false;
   CHECK_FALSE(is_recognised(kRecognised, main));
+}
+
+// Clear at once, and nothing more.
+constexpr Claim kClear{.looks = {.position = {500, 100},
+                                 .speed_px_s = 400,
+                                 .quality = 0.9,
+                                 .strength = 61,
+                                 .cover = 0.3},
+                       .age_us = 1'500,
+                       .leads = true};
+
+Claim without_at_once(Claim claim) {
+  claim.context.at_once = false;
+  return claim;
+}
+
+TEST_CASE("What is clear at once is recognised at once, and unmasks an unsound track") {
+  REQUIRE(is_clear_at_once(kClear));
+  const Defence gone_bad{
+      .is_trusted = true, .is_proven = true, .knows_pucks = true, .since_good_us = 20'001};
+  CHECK(is_recognised(kClear, gone_bad));
+  CHECK_FALSE(is_recognised(without_at_once(kClear), gone_bad));
+  Defence good = gone_bad;
+  good.since_good_us = 20'000;
+  CHECK_FALSE(is_recognised(kClear, good));
+
+  const Defence unsound{.looks = {.quality = 0.79}, .is_trusted = true, .since_sound_us = 150'001};
+  CHECK(unmasks(kClear, unsound));
+  CHECK_FALSE(unmasks(without_at_once(kClear), unsound));
+  Defence sound = unsound;
+  sound.since_sound_us = 150'000;
+  CHECK_FALSE(unmasks(kClear, sound));
+}
+
+TEST_CASE("What is clear at once, or likely, was not found weakly, however far away") {
+  CHECK_FALSE(is_weakly_found(kClear, std::nullopt));
+  CHECK(is_weakly_found(without_at_once(kClear), std::nullopt));
+  const Claim likely{.looks = {.quality = 0.8, .strength = 20, .cover = 0.6},
+                     .age_us = 11'000,
+                     .found = {.score = 0.6}};
+  REQUIRE(is_likely(likely));
+  CHECK_FALSE(is_weakly_found(likely, std::nullopt));
+  CHECK(is_weakly_found(without_at_once(likely), std::nullopt));
+}
+
+TEST_CASE("The first need but be likely, whatever wall it has") {
+  Claim likely{.looks = {.quality = 0.8, .strength = 20, .cover = 0.6},
+               .age_us = 11'000,
+               .found = {.score = 0.6},
+               .has_other_wall = true};
+  CHECK(is_convincing_as_first(likely, 0));
+  CHECK_FALSE(is_convincing_as_first(without_at_once(likely), 0));
 }
 
 TEST_CASE("Against a puck at rest only a high score is recognised, unless it is lost") {

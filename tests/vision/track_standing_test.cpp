@@ -14,7 +14,7 @@ constexpr TrackLooks kOutside{.position = {650, 200}, .speed_px_s = 500};
 // Trust in a track that has been sound for 50 ms.
 TrackTrust sound() {
   TrackTrust trust;
-  trust.judge(kGood, false, 50'000, 50'000);
+  trust.judge(kGood, 0, false, 50'000, 50'000);
   return trust;
 }
 
@@ -75,7 +75,7 @@ TEST_CASE(
 
 TEST_CASE("A poor track that is trusted is held as long as the blob and its ring support it") {
   TrackTrust trusted;
-  trusted.judge(kGood, false, 300'000, 300'000);
+  trusted.judge(kGood, 0, false, 300'000, 300'000);
   TrackLooks poor = kGood;
   poor.quality = 0.2;
   poor.strength = 16;
@@ -106,7 +106,7 @@ TEST_CASE("What was found weakly is not followed before it has been sound") {
   TrackStanding standing(kSensor, 50'000);
   standing.judge(kGood, true, false, trust, 100'000);
   CHECK(standing.state() == TrackState::kLost);
-  trust.judge(kGood, false, 120'001, 500);
+  trust.judge(kGood, 0, false, 120'001, 500);
   standing.judge(kGood, true, false, trust, 120'001);
   CHECK(standing.state() == TrackState::kTracking);
 }

@@ -12,10 +12,11 @@ constexpr TrackLooks kFast{.speed_px_s = 301, .quality = 0.9, .strength = 50};
 
 // A track that decisions, 500 µs apart, are made about.
 struct Judged {
-  void look(const TrackLooks& looks, int milliseconds, bool resting = false) {
+  void look(const TrackLooks& looks, int milliseconds, bool resting = false,
+            double seen_score = 0) {
     for (int i = 0; i < 2 * milliseconds; ++i) {
       now_us += 500;
-      trust.judge(looks, resting, now_us, 500);
+      trust.judge(looks, seen_score, resting, now_us, 500);
     }
   }
   TrackTrust trust;
@@ -132,6 +133,56 @@ TEST_CASE("What was found weakly and then moves as a puck does for 3 ms is belie
   track.look(kSound, 1);
   track.look(moving, 2);
   CHECK_FALSE(track.trust.is_believed());
+}
+
+// Beside a hand: of less than sound quality, but with many events on a moving puck's ring.
+constexpr TrackLooks kClear{
+    .speed_px_s = 301, .growth_px = 0.34, .quality = 0.61, .strength = 81, .cover = 0.36};
+
+TEST_CASE("What was found weakly and has many events on a ring of a puck's size is believed, too") {
+  const auto is_believed = [](const TrackLooks& looks) {
+    Judged track;
+    track.look(kSound, 100);
+    track.trust.note_found(true, track.now_us);
+    track.look(looks, 3);
+    return track.trust.is_believed();
+  };
+  CHECK(is_believed(kClear));
+  const auto but = [](double TrackLooks::*field, double value) {
+    TrackLooks looks = kClear;
+    looks.*field = value;
+    return looks;
+  };
+  CHECK_FALSE(is_believed(but(&TrackLooks::quality, 0.6)));
+  CHECK_FALSE(is_believed(but(&TrackLooks::strength, 80)));
+  CHECK_FALSE(is_believed(but(&TrackLooks::growth_px, 0.35)));
+  CHECK_FALSE(is_believed(but(&TrackLooks::speed_px_s, 300)));
+  CHECK_FALSE(is_believed(but(&TrackLooks::cover, 0.35)));
+}
+
+TEST_CASE("A track of many events that searches see as a puck is as good as sound") {
+  Judged track;
+  track.look(kSound, 100);
+  track.look(kClear, 10, false, 0.55);
+  CHECK(track.trust.since_sound_us(track.now_us) == 10'000);
+  track.look(kClear, 10, false, 0.56);
+  CHECK(track.trust.since_sound_us(track.now_us) == 0);
+  TrackLooks larger = kClear;
+  larger.growth_px = 0.35;
+  track.look(larger, 10, false, 0.9);
+  CHECK(track.trust.since_sound_us(track.now_us) == 10'000);
+}
+
+TEST_CASE("A track is unsound only while it is to be seen") {
+  Judged track;
+  track.look(kSound, 10);
+  track.look(kBad, 30);
+  track.look(kBad, 50, true);
+  track.look(kBad, 5);
+  CHECK(track.trust.unsound_us() == 35'000);
+  CHECK(track.trust.since_sound_us(track.now_us) == 85'000);
+  track.look(kSound, 1);
+  CHECK(track.trust.unsound_us() == 0);
 }
 
 TEST_CASE("What was found on good evidence is believed at once") {

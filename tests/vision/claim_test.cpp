@@ -1,0 +1,90 @@
+#include "common/vision/claim.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+// Just clear at once, by its strength alone.
+constexpr Claim kStrong{
+    .looks = {.speed_px_s = 301, .growth_px = 0.34, .quality = 0.66, .strength = 81, .cover = 0.29},
+    .age_us = 1'001,
+    .leads = true};
+
+Claim with(const Claim& claim, double TrackLooks::*field, double value) {
+  Claim changed = claim;
+  changed.looks.*field = value;
+  return changed;
+}
+
+TEST_CASE("Many events on a moving puck's ring are clear at once, whatever the search says") {
+  CHECK(is_clear_at_once(kStrong));
+  CHECK_FALSE(is_clear_at_once(with(kStrong, &TrackLooks::quality, 0.65)));
+  CHECK_FALSE(is_clear_at_once(with(kStrong, &TrackLooks::strength, 80)));
+}
+
+TEST_CASE("Of better quality fewer events are clear at once") {
+  Claim good = with(kStrong, &TrackLooks::quality, 0.86);
+  good = with(good, &TrackLooks::strength, 61);
+  CHECK(is_clear_at_once(good));
+  CHECK_FALSE(is_clear_at_once(with(good, &TrackLooks::strength, 60)));
+  CHECK_FALSE(is_clear_at_once(with(good, &TrackLooks::quality, 0.85)));
+}
+
+TEST_CASE("What the search scores high is clear with hardly any events") {
+  Claim seen = with(kStrong, &TrackLooks::strength, 8);
+  seen.looks.quality = 0.75;
+  seen.found.score = 0.71;
+  CHECK(is_clear_at_once(seen));
+  CHECK_FALSE(is_clear_at_once(with(seen, &TrackLooks::quality, 0.72)));
+  seen.found.score = 0.69;
+  CHECK_FALSE(is_clear_at_once(seen));
+  seen.found.score = 0.9;
+  CHECK_FALSE(is_clear_at_once(with(seen, &TrackLooks::quality, 0.69)));
+}
+
+TEST_CASE("What stands, hardly covers the ring, has another size or no lead is not clear at once") {
+  CHECK_FALSE(is_clear_at_once(with(kStrong, &TrackLooks::speed_px_s, 300)));
+  CHECK_FALSE(is_clear_at_once(with(kStrong, &TrackLooks::cover, 0.28)));
+  CHECK_FALSE(is_clear_at_once(with(kStrong, &TrackLooks::growth_px, 0.35)));
+  CHECK(is_clear_at_once(with(kStrong, &TrackLooks::growth_px, -0.34)));
+  CHECK_FALSE(is_clear_at_once(with(kStrong, &TrackLooks::growth_px, -0.35)));
+  Claim claim = kStrong;
+  claim.leads = false;
+  CHECK_FALSE(is_clear_at_once(claim));
+  claim = kStrong;
+  claim.age_us = 1'000;
+  CHECK_FALSE(is_clear_at_once(claim));
+  claim = kStrong;
+  claim.context.at_once = false;
+  CHECK_FALSE(is_clear_at_once(claim));
+}
+
+// Just likely, at rest.
+constexpr Claim kRing{.looks = {.growth_px = 0.34, .quality = 0.76, .strength = 16, .cover = 0.51},
+                      .age_us = 10'001,
+                      .found = {.score = 0.58}};
+
+TEST_CASE("A whole ring is likely to be the puck where events and search support each other") {
+  CHECK(is_likely(kRing));
+  CHECK_FALSE(is_likely(with(kRing, &TrackLooks::quality, 0.73)));
+  CHECK_FALSE(is_likely(with(kRing, &TrackLooks::strength, 15)));
+  CHECK_FALSE(is_likely(with(kRing, &TrackLooks::cover, 0.5)));
+  CHECK_FALSE(is_likely(with(kRing, &TrackLooks::growth_px, 0.35)));
+  CHECK_FALSE(is_likely(with(kRing, &TrackLooks::growth_px, -0.35)));
+  Claim claim = kRing;
+  claim.found.score = 0.56;
+  CHECK_FALSE(is_likely(claim));
+  CHECK(is_likely(with(claim, &TrackLooks::quality, 0.79)));
+  claim.found.score = 0.9;
+  CHECK_FALSE(is_likely(with(claim, &TrackLooks::quality, 0.75)));
+  claim = kRing;
+  claim.age_us = 10'000;
+  CHECK_FALSE(is_likely(claim));
+  claim = kRing;
+  claim.context.at_once = false;
+  CHECK_FALSE(is_likely(claim));
+}
+
+}  // namespace
+}  // namespace puck
