@@ -23,6 +23,10 @@ constexpr microseconds kLongestTake{1'000};
 // has ended.
 constexpr microseconds kIdleLook{1'000};
 
+// Without a track a search of the whole image is made on this thread, which takes some 4 ms, but no
+// more often; what is wanted sooner the worker does.
+constexpr microseconds kUrgentSearchPeriod{20'000};
+
 }  // namespace
 
 microseconds publish_period(const TrackingThreadParams& params) {
@@ -182,9 +186,12 @@ bool TrackingThread::take_events(microseconds longest_take) {
 void TrackingThread::begin_search_if_wanted() {
   if (!worker_.is_idle()) return;
   const SearchRequest wanted = pipeline_->search_wanted();
-  const bool has_track = newest_.estimate.state == TrackState::kTracking;
   if (wanted.region.empty()) return;
-  worker_.begin(wanted, !has_track);
+  const auto now = Clock::now();
+  const bool is_urgent = newest_.estimate.state != TrackState::kTracking &&
+                         now - urgently_searched_ >= kUrgentSearchPeriod;
+  if (is_urgent) urgently_searched_ = now;
+  worker_.begin(wanted, is_urgent);
   // The events that it needs are asked for with the next look.
   look_anyway_ = true;
 }

@@ -105,6 +105,7 @@ class TrackingThread {
   std::vector<Event> wanted_;    // of a piece of them
   bool look_anyway_ = false;     // also when there is no news
   Clock::time_point next_look_;  // not before
+  Clock::time_point urgently_searched_;
   Clock::duration last_step_{};  // how long it took, publication included
   TrackedEstimate newest_;
   bool unpublished_ = true;  // the first word is that the search has begun
