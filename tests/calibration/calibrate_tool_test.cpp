@@ -291,6 +291,14 @@ TEST_CASE("puck-calibrate lag adds what it found to the size model, or replaces 
   CHECK(lag_us < 450);
   CHECK(tool.run(lag + "--output size.toml") == 0);
   CHECK(tool.read("size.toml") == once);
+  CHECK(contains(once, "lean_deg = 0"));
+  // A lean that was given by hand is kept.
+  tool.write("leaning.toml", size + "[contour]\nlean_deg = 3.5\n");
+  CHECK(tool.run("lag game.raw --truth game.truth.csv --size-model leaning.toml "
+                 "--output leaning.toml") == 0);
+  const std::string leaning = tool.read("leaning.toml");
+  CHECK(contains(leaning, "lean_deg = 3.5"));
+  CHECK(contains(leaning, "wall_share = "));
 
   // Truth that ends before the events.
   const std::string truth = tool.read("game.truth.csv");

@@ -126,6 +126,9 @@ TEST_CASE("a file without a contour table has no contour calibration, a wrong va
   const auto wrong = folder.write("wrong.toml", "[contour]\nlag_us = 1e9\n");
   CHECK(contains(message_of<ConfigError>([&] { read_contour_calibration(wrong); }),
                  "wrong.toml:2: contour.lag_us must be a number from"));
+  const auto leans = folder.write("leans.toml", "[contour]\nlean_deg = 41\n");
+  CHECK(contains(message_of<ConfigError>([&] { read_contour_calibration(leans); }),
+                 "leans.toml:2: contour.lean_deg must be a number from -40 to 40"));
 }
 
 TEST_CASE("a table reads back as it was written") {
