@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -80,11 +79,11 @@ TEST_CASE("An ellipse that is turned in its box lies on the ring of that box and
 }
 
 TEST_CASE("A ring that leans further than its box can hold stays within the box") {
-  for (const auto& [width, height] : {std::pair{33.0, 23.0}, {20.0, 5.0}, {4.0, 3.0}}) {
-    CAPTURE(width);
+  for (const PuckSize size : {PuckSize{33, 23}, {20, 5}, {4, 3}}) {
+    CAPTURE(size.width);
     PuckSizeModel box;
-    box.width_0 = width;
-    box.height_0 = height;
+    box.width_0 = size.width;
+    box.height_0 = size.height;
     for (const double wall_share : {0.0, 0.165}) {
       ContourCalibration calibration = kExact;
       calibration.lean_deg = 40;
@@ -92,7 +91,7 @@ TEST_CASE("A ring that leans further than its box can hold stays within the box"
           PuckContour(kSensor, box, calibration, true).ring_at({320, 240}, wall_share);
       CHECK(ring.semi_x >= 2);
       CHECK(std::hypot(ring.semi_x, ring.shear * ring.semi_y) <=
-            doctest::Approx(std::max(width / 2, 2.0)));
+            doctest::Approx(std::max(size.width / 2, 2.0)));
     }
   }
 }
