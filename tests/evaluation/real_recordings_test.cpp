@@ -1,4 +1,6 @@
 // Preset default on recordings of real cameras: some without a puck, one with an ellipse.
+#include <algorithm>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -72,36 +74,57 @@ TEST_CASE("no puck is confirmed in recordings of a desk, a street, sparks and a 
   }
 }
 
-TEST_CASE("the ellipse among other shapes is tracked with a size and a lean given by hand") {
-  const auto recordings = recordings_folder();
-  if (!recordings) return;
+struct Followed {
+  int ticks = 0;
+  int tracked = 0;
+  double mean_px = 0;
+  double worst_px = 0;
+};
+
+// The ellipse with a size and a lean given by hand.
+Followed follow_ellipse(const std::filesystem::path& recordings,
+                        const std::vector<std::string>& without) {
   const std::string name = "shapes_rotation_davis240c_240x180";
-  const TruthTrack truth(read_truth_file(*recordings / (name + ".truth.csv")));
+  const TruthTrack truth(read_truth_file(recordings / (name + ".truth.csv")));
   TrackerSetup setup;
   setup.size_model.width_0 = 33;
   setup.size_model.height_0 = 23;
   setup.contour.lean_deg = -28;
+  setup.without = without;
   const auto events =
-      open_event_file(*recordings / (name + ".txt"), EventFileOptions{.sensor = {240, 180}});
-  int ticks = 0;
-  int tracked = 0;
+      open_event_file(recordings / (name + ".txt"), EventFileOptions{.sensor = {240, 180}});
+  Followed followed;
   double sum_px = 0;
   run_at_rate(*events, setup, 1000, [&](const EvaluatedTick& tick) {
     const auto true_puck = truth.at(tick.tick);
     if (!true_puck) return;
-    ++ticks;
+    ++followed.ticks;
     if (tick.estimate.state != TrackState::kTracking) return;
-    ++tracked;
+    ++followed.tracked;
     const double error_px = distance_px(*tick.estimate.position, true_puck->centre);
-    CHECK(error_px < 3);
     sum_px += error_px;
+    followed.worst_px = std::max(followed.worst_px, error_px);
   });
-  const double mean_px = sum_px / tracked;
-  MESSAGE("the ellipse: tracked in ", tracked, " of ", ticks, " ms, ", mean_px, " px off");
-  CHECK(ticks == 93);
-  // From the start on, but for the first 30 ms, in which nothing is known.
-  CHECK(tracked > 60);
-  CHECK(mean_px < 1.5);
+  followed.mean_px = sum_px / followed.tracked;
+  MESSAGE("the ellipse: tracked in ", followed.tracked, " of ", followed.ticks, " ms, ",
+          followed.mean_px, " px off, at most ", followed.worst_px);
+  return followed;
+}
+
+TEST_CASE("the ellipse among other shapes is tracked with a size and a lean given by hand") {
+  const auto recordings = recordings_folder();
+  if (!recordings) return;
+  const Followed ellipse = follow_ellipse(*recordings, {});
+  CHECK(ellipse.ticks == 93);
+  // From the start on, but for the first 10 ms, in which nothing is known.
+  CHECK(ellipse.tracked > 80);
+  CHECK(ellipse.mean_px < 3.5);
+  CHECK(ellipse.worst_px < 5);
+  // It is printed on paper, so that the opinion that it has a side wall is wrong.
+  const Followed flat = follow_ellipse(*recordings, {"wall"});
+  CHECK(flat.tracked > 60);
+  CHECK(flat.mean_px < 1.5);
+  CHECK(flat.worst_px < 2.5);
 }
 
 }  // namespace
