@@ -25,8 +25,6 @@ constexpr double kSame_px = 2;
 constexpr double kSame_px_s = 100;
 // … unless they differ so much in size.
 constexpr double kSameGrowth_px = 0.3;
-// Two opinions on a ring differ in earnest from here on.
-constexpr double kSurelyGrown_px = 0.1;
 
 std::ptrdiff_t most_of(Challenger::Kind kind) {
   switch (kind) {
@@ -157,30 +155,9 @@ const Challenger* Challengers::successor(const Defence& main, const ClaimContext
                           ? challenger.convincing_for_us(is_convincing(claim, main), time_us) >=
                                 kConvincedAfter_us
                           : wins_test(challenger.kind(), claim);
-    if (wins) return &truer_of(challenger);
+    if (wins) return &challenger;
   }
   return nullptr;
-}
-
-// Of both opinions on the side wall, which see the same ring, the wrong one has to grow or shrink
-// to explain as much.
-const Challenger& Challengers::truer_of(const Challenger& winner) const {
-  if (!is_found(winner)) return winner;
-  const TrackLooks won = winner.track().looks();
-  const Challenger* best = &winner;
-  double least_growth_px = std::abs(won.growth_px) - kSurelyGrown_px;
-  for (const Challenger& other : challengers_) {
-    const TrackLooks looks = other.track().looks();
-    if (is_found(other) && other.has_other_wall() != winner.has_other_wall() &&
-        (winner.found().is_conjecture || !other.found().is_conjecture) &&
-        distance_px(other.track().ring_centre(), winner.track().ring_centre()) < 2 * kSame_px &&
-        looks.quality > won.quality - 0.05 && looks.strength > 0.8 * won.strength &&
-        std::abs(looks.growth_px) < least_growth_px) {
-      best = &other;
-      least_growth_px = std::abs(looks.growth_px);
-    }
-  }
-  return *best;
 }
 
 const Challenger* Challengers::first(const ClaimContext& context, std::int64_t searched_us,

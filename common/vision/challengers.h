@@ -52,8 +52,7 @@ class Challengers {
 
   void decide(std::int64_t time_us, const ContourContext& context);
 
-  /// The first that takes the main track's place, or its twin of the other opinion on the side wall
-  /// where that is the truer one.
+  /// The first that takes the main track's place.
   const Challenger* successor(const Defence& main, const ClaimContext& context,
                               std::int64_t time_us);
   /// Without a main track: the best that convinces, `searched_us` after the first search began.
@@ -74,7 +73,6 @@ class Challengers {
  private:
   bool note_known(Pixel position, const Challenger::Found& found, std::int64_t time_us);
   void make_room();
-  const Challenger& truer_of(const Challenger& winner) const;
 
   std::vector<Challenger> challengers_;
   RefutedPlaces refuted_;

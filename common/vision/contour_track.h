@@ -60,8 +60,6 @@ class ContourTrack {
   void stop_at(Pixel position, std::int64_t time_us, const ContourContext& context);
 
   const ContourFilter& filter() const { return filter_; }
-  /// Of the contour that its events lie on: above the puck's, where the side wall makes none.
-  Pixel ring_centre() const { return {filter_.position().x, filter_.position().y - ring_.rise}; }
   /// PuckContour::ring_at's, as this track believes it.
   double wall_share() const { return wall_share_; }
   /// As of the last decision, from −1 to 1.

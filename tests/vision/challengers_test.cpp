@@ -370,29 +370,5 @@ TEST_CASE("The successor of a track without events is the one that has them") {
   CHECK(at_once_us < 6'000);
 }
 
-TEST_CASE("Of both opinions on the wall the one that need not grow succeeds") {
-  constexpr Pixel kFarAway{300, 8};
-  test::MovingContour puck(kContext.contour, kFarAway, {900, 0});
-  const double calibrated = kContext.contour.calibrated_wall_share();
-  const double other = kContext.contour.other_wall_share();
-  Challengers challengers;
-  // The search has looked for the wrong one, so that this convinces first.
-  challengers.add(Kind::kSearch, kContext,
-                  {.position = kContext.contour.centre_with_wall(kFarAway, calibrated, other)}, 0,
-                  other, {.score = 0.9});
-  challengers.add(Kind::kSearch, kContext, {.position = kFarAway}, 0, calibrated, {.score = 0.3});
-  const Challenger* successor = nullptr;
-  for (std::int64_t t = 0; successor == nullptr && t < 60'000;) {
-    for (const ContourEvent& event : puck.events(t, t + 1'000)) {
-      challengers.take(event, 0, kContext);
-    }
-    t += 1'000;
-    challengers.decide(t, kContext);
-    successor = challengers.successor({}, {}, t);
-  }
-  REQUIRE(successor != nullptr);
-  CHECK_FALSE(successor->has_other_wall());
-}
-
 }  // namespace
 }  // namespace puck
