@@ -78,7 +78,8 @@ bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident, nor
 /// likely, nor moves by itself, being no larger than a puck, must look like a puck in every
-/// respect, and longer; so must, for a while, what has another side wall than the puck.
+/// respect, and longer; so must, for a while, what is but evident, with another side wall than the
+/// puck.
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us);
 
 /// What the search found far away, or first, and is neither evident, clear at once, nor likely, nor

@@ -55,7 +55,7 @@ class TrackTrust {
 
   std::int64_t good_us_ = 0;     // when it was last good
   std::int64_t sound_us_ = 0;    // when it was last sound
-  std::int64_t unsound_us_ = 0;  // of it, while it was to be seen
+  std::int64_t unsound_us_ = 0;  // for how long it has been seen and not sound
   std::int64_t trust_us_ = 0;    // grows while it is sound, wanes while it is not
   std::int64_t moving_us_ = 0;   // for how long it has been sound and fast
   std::int64_t clear_us_ = 0;    // for how long it has moved as a puck does, beyond doubt
