@@ -27,7 +27,7 @@ DiscModel model_of(const Eigen::VectorXd& parameters, Pixel middle) {
   model.width_y = parameters(kGrowthY);
   model.width_0 = parameters(kWidth) - model.width_x * middle.x - model.width_y * middle.y;
   model.face_on_px = std::max(parameters(kFaceOn), DiscModel::kSmallestWidth_px);
-  model.thickness = parameters(kThickness);
+  model.thickness = std::max(parameters(kThickness), 0.0);
   model.principal_x_px = parameters(kColumn);
   model.principal_y_px = middle.y;
   return model;

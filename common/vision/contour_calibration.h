@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace puck {
 
@@ -12,7 +13,8 @@ struct ContourCalibration {
   double lag_us = 300;
   /// The ring of events is lower than the annotated height by this share of the width, and its
   /// centre lies half of that above the annotated one: 0 where the side wall below the puck's top
-  /// makes events, the wall's visible height over the width where it makes none.
+  /// makes events, the wall's visible height over the width where it makes none. Below 0 the ring
+  /// is higher, and reaches as much farther down: the annotations leave the wall out.
   double wall_share = 0;
   /// By how much the ring's full axes exceed the annotated ones, px.
   double grow_px = 0.5;
@@ -24,14 +26,14 @@ struct ContourCalibration {
   /// camera. What the box cannot hold is cut off.
   double lean_deg = 0;
 
-  /// How much of its width a puck's side wall adds to its height: the image of an ordinary puck,
-  /// seen from 30° above, whose thickness is a fifth of its diameter.
-  static constexpr double kWallOfWidth = 0.165;
-
   /// What `wall_share` would be if the wall made events where it is said not to, or the other way
-  /// round.
-  constexpr double other_wall_share() const {
-    return wall_share > kWallOfWidth / 2 ? 0 : kWallOfWidth;
+  /// round. `wall_of_width`: PuckSizeModel's. Where the annotations leave the wall out, its events
+  /// lie below what they outline.
+  double other_wall_share(double wall_of_width) const {
+    // An ordinary puck's, 1.5 cm thick and 6.5 cm wide, seen from 30° above.
+    constexpr double kWallBelow = 0.2;
+    if (std::abs(wall_share) > kWallBelow / 2) return 0;
+    return wall_of_width > 0 ? wall_of_width : -kWallBelow;
   }
 
   /// How far behind the contour an event is to be expected, px: inside where the contour moves

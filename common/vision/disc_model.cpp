@@ -9,6 +9,8 @@ namespace {
 
 // Growth of the width from row to row, px/px.
 constexpr double kLeastGrowth = 0.005;
+// Of all pucks, in diameters.
+constexpr double kThinnest = 0.08;
 
 }  // namespace
 
@@ -31,6 +33,11 @@ PuckSize DiscModel::at(Pixel position) const {
   const double wall = thickness * width / cosine;
   return {std::hypot(width, slant * disc_height) + wall * sine * aside / face_on_px,
           disc_height + wall * (1 - foreshortening * sine)};
+}
+
+double DiscModel::wall_of_width() const {
+  const double sine = sine_of_tilt();
+  return thickness < kThinnest ? 0 : thickness * std::sqrt(1 - sine * sine);
 }
 
 double DiscModel::tilt_deg() const { return std::asin(sine_of_tilt()) * 180 / std::numbers::pi; }

@@ -32,6 +32,9 @@ struct DiscModel {
   double principal_y_px = 0;
 
   PuckSize at(Pixel position) const;
+  /// What the thickness adds to the height in the image's middle, in widths. What is thinner than
+  /// any puck has been annotated without its wall: 0.
+  double wall_of_width() const;
   /// Of the optical axis below the horizon, degrees.
   double tilt_deg() const;
   double focal_px() const;

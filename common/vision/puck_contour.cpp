@@ -53,9 +53,10 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
   ring.rise = wall_share * width / 2;
   const double below_horizon = centre.y - horizon_row_;
   if (sheared_ && below_horizon > width) {
+    // Only the disc slants, not the wall below it.
+    const double disc_height = silhouette - size_model_.wall_of_width() * width;
     ring.shear =
-        (centre.x - middle_column_) / below_horizon *
-        std::clamp((silhouette - ContourCalibration::kWallOfWidth * width) / height, 0.0, 1.0);
+        (centre.x - middle_column_) / below_horizon * std::clamp(disc_height / height, 0.0, 1.0);
   }
   if (tangent_of_twice_lean_ != 0) {
     // An ellipse that is turned in its box is a sheared one, and stays within it.

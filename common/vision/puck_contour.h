@@ -73,7 +73,9 @@ class PuckContour {
   /// the puck's side wall makes no events: calibrated_wall_share() or other_wall_share().
   ContourRing ring_at(Pixel centre, double wall_share) const;
   double calibrated_wall_share() const { return calibration_.wall_share; }
-  double other_wall_share() const { return calibration_.other_wall_share(); }
+  double other_wall_share() const {
+    return calibration_.other_wall_share(size_model_.wall_of_width());
+  }
   /// Of the other wall, or of the calibrated one.
   double wall_share(bool is_other) const {
     return is_other ? other_wall_share() : calibrated_wall_share();

@@ -16,6 +16,10 @@ ContourCalibration with_wall(ContourCalibration calibration, double wall_share) 
   return calibration;
 }
 
+double other_wall_share(const PipelineParams& params, const PuckSizeModel& size_model) {
+  return params.contour.calibration.other_wall_share(params.sizes_of(size_model).wall_of_width());
+}
+
 }  // namespace
 
 PuckSearch::Look::Look(SensorSize sensor, const PipelineParams& params,
@@ -35,9 +39,8 @@ PuckSearch::PuckSearch(SensorSize sensor, const PipelineParams& params,
       has_ring_(params.tracker.ring.enabled),
       calibrated_(sensor, params, params.sizes_of(size_model), 0,
                   params.contour.calibration.wall_share),
-      other_wall_(sensor, params, params.sizes_of(size_model),
-                  params.contour.calibration.other_wall_share(),
-                  params.contour.calibration.other_wall_share()) {}
+      other_wall_(sensor, params, params.sizes_of(size_model), other_wall_share(params, size_model),
+                  other_wall_share(params, size_model)) {}
 
 Region PuckSearch::snapshot_region(const Region& search) const {
   if (search.empty()) return {};

@@ -45,6 +45,13 @@ struct PuckSizeModel {
     return size;
   }
 
+  /// By what share of its width the side wall makes the puck higher than its face alone; 0 where
+  /// the annotations outline the face. Of Equation (2) it is not known: an ordinary puck's.
+  double wall_of_width() const {
+    constexpr double kOrdinary = 0.165;
+    return disc ? disc->wall_of_width() : kOrdinary;
+  }
+
   /// Of the width from row to row, px/px.
   double width_growth() const { return disc ? disc->width_y : width_y; }
   /// Where the plane's horizon crosses a column: there the width is nothing. Needs a growth.

@@ -23,7 +23,7 @@ class Camera {
   static constexpr double kFocalPx = 700;
   static constexpr double kTilt = std::numbers::pi / 6;
   static constexpr double kDiameter = 0.065;
-  static constexpr double kThickness = 0.013;
+  double thickness = 0.013;
 
   Annotation puck_at(double across_m, double ahead_m) const {
     double left = 1e9;
@@ -32,7 +32,7 @@ class Camera {
     double bottom = -1e9;
     for (int i = 0; i < 720; ++i) {
       const double angle = std::numbers::pi * (i / 2) / 180;
-      const double up = i % 2 == 0 ? 0 : kThickness;
+      const double up = i % 2 == 0 ? 0 : thickness;
       const Pixel p = seen(across_m + kDiameter / 2 * std::cos(angle),
                            ahead_m + kDiameter / 2 * std::sin(angle), up);
       left = std::min(left, p.x);
@@ -79,6 +79,24 @@ TEST_CASE("the disc on a plane explains a real cylinder's boxes to a tenth of a 
   const SizeFit planes = fit_puck_size_model(annotations);
   CHECK(planes.height.max_px > 3 * fit.height.max_px);
   CHECK(planes.width.max_px > 3 * fit.width.max_px);
+}
+
+TEST_CASE(
+    "annotations of a puck's face alone give a disc without thickness, whatever their errors") {
+  Camera camera;
+  camera.thickness = 0;
+  std::vector<Annotation> annotations = camera.annotations();
+  int half = 1;
+  for (Annotation& a : annotations) {
+    // A wall of less than nothing would explain these.
+    a.size.height -= 0.4 + 0.4 * half;
+    half = -half;
+  }
+  const SizeCalibration calibration = calibrate_size(annotations, kSensor);
+  REQUIRE(calibration.model.disc.has_value());
+  CHECK(calibration.model.disc->thickness < 0.02);
+  CHECK(calibration.model.wall_of_width() == 0);
+  CHECK(calibration.model.disc->tilt_deg() == doctest::Approx(30).epsilon(0.1));
 }
 
 TEST_CASE("the disc model holds for pucks that were not annotated, and says where the middle is") {

@@ -101,14 +101,14 @@ TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {
   model.disc = DiscModel{.width_0 = 20,
                          .width_y = 0.1,
                          .face_on_px = 60,
+                         .thickness = 0.2,
                          .principal_x_px = 320,
                          .principal_y_px = 239.5};
   const PuckSize size = model.disc->at({600, 240});
   const ContourRing ring = PuckContour(kSensor, model, kExact, true).ring_at({600, 240}, 0);
   CHECK(ring.semi_y == doctest::Approx(size.height / 2));
   // The width is nothing at row -200; the side wall does not slant.
-  const double of_disc =
-      (size.height - ContourCalibration::kWallOfWidth * size.width) / size.height;
+  const double of_disc = (size.height - model.wall_of_width() * size.width) / size.height;
   CHECK(ring.shear == doctest::Approx((600 - 320.0) / 440 * of_disc));
 }
 
@@ -122,6 +122,28 @@ TEST_CASE("A side wall without events leaves a lower ring, higher up") {
 TEST_CASE("The other opinion on the side wall is the opposite of the calibrated one") {
   CHECK(PuckContour(kSensor, kFlat, {0, 0, 0}, true).other_wall_share() > 0.1);
   CHECK(PuckContour(kSensor, kFlat, {0, 0.15, 0}, true).other_wall_share() == 0);
+  CHECK(PuckContour(kSensor, kFlat, {0, -0.15, 0}, true).other_wall_share() == 0);
+}
+
+TEST_CASE("The other opinion on the side wall goes by what the annotations outline") {
+  PuckSizeModel model = kFlat;
+  model.disc = DiscModel{.width_0 = 20,
+                         .width_y = 0.1,
+                         .face_on_px = 60,
+                         .thickness = 0.25,
+                         .principal_x_px = 320,
+                         .principal_y_px = 239.5};
+  const double tilted = std::cos(model.disc->tilt_deg() * std::numbers::pi / 180);
+  CHECK(PuckContour(kSensor, model, kExact, true).other_wall_share() ==
+        doctest::Approx(0.25 * tilted));
+
+  // Of the face alone: the wall shows below it, while the face's upper edge stays where it is.
+  model.disc->thickness = 0.03;
+  const PuckContour contour(kSensor, model, kExact, true);
+  const ContourRing face = contour.ring_at({320, 240}, 0);
+  const ContourRing both = contour.ring_at({320, 240}, contour.other_wall_share());
+  CHECK(both.semi_y > face.semi_y + 2);
+  CHECK(both.rise + both.semi_y == doctest::Approx(face.semi_y));
 }
 
 TEST_CASE(

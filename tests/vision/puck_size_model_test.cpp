@@ -48,6 +48,23 @@ TEST_CASE("where the disc is known the size is the disc's, kept to the same limi
   CHECK(model.at({0, 200}).height == doctest::Approx(4));
 }
 
+TEST_CASE("what the side wall adds to the height is the disc's, an ordinary puck's or nothing") {
+  PuckSizeModel model{10, 0, 0, 5, 0, 0};
+  CHECK(model.wall_of_width() == doctest::Approx(0.165));
+  // Seen from 30° above: half as high as wide in the middle.
+  model.disc = DiscModel{.width_0 = 16,
+                         .width_y = 0.1,
+                         .face_on_px = 80,
+                         .thickness = 0.2,
+                         .principal_x_px = 320,
+                         .principal_y_px = 240};
+  CHECK(model.wall_of_width() == doctest::Approx(0.2 * std::sqrt(0.75)));
+  model.disc->thickness = 0.08;
+  CHECK(model.wall_of_width() > 0);
+  model.disc->thickness = 0.079;
+  CHECK(model.wall_of_width() == 0);
+}
+
 TEST_CASE("a size model that fits the sensor raises no doubt") {
   PuckSizeModel model{16, 0, 0.07, 5.6, 0, 0.07};
   CHECK(doubts_about(model, kSensor).empty());
