@@ -95,6 +95,10 @@ void ContourFilter::correct(double distance_px, double normal_x, double normal_y
   for (std::size_t i = 0; i < kSize; ++i) {
     for (std::size_t j = 0; j < kSize; ++j) cov(i, j) -= ph[i] * ph[j] * per_innovation;
   }
+  keep_in_bounds();
+}
+
+void ContourFilter::keep_in_bounds() {
   state_[4] = std::clamp(state_[4], params_.smallest_growth_px, params_.largest_growth_px);
   // A square root only where there is something to bound: this is done for every event.
   const double squared_speed = state_[2] * state_[2] + state_[3] * state_[3];
@@ -103,6 +107,21 @@ void ContourFilter::correct(double distance_px, double normal_x, double normal_y
     state_[2] *= keep;
     state_[3] *= keep;
   }
+}
+
+void ContourFilter::correct_place(double dx, double dy, double sigma_px) {
+  const std::array<double, 2> place{state_[0] + dx, state_[1] + dy};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    std::array<double, kSize> ph;
+    for (std::size_t i = 0; i < kSize; ++i) ph[i] = cov(i, axis);
+    const double per_innovation = 1 / (ph[axis] + sigma_px * sigma_px);
+    const double innovation = place[axis] - state_[axis];
+    for (std::size_t i = 0; i < kSize; ++i) state_[i] += ph[i] * per_innovation * innovation;
+    for (std::size_t i = 0; i < kSize; ++i) {
+      for (std::size_t j = 0; j < kSize; ++j) cov(i, j) -= ph[i] * ph[j] * per_innovation;
+    }
+  }
+  keep_in_bounds();
 }
 
 Pixel ContourFilter::position_at(std::int64_t time_us) const {

@@ -59,6 +59,10 @@ class ContourFilter {
   /// been predicted to the event's time.
   void correct(double distance_px, double normal_x, double normal_y);
 
+  /// Takes that something else saw the puck so far from where the filter has it, as well as
+  /// `sigma_px` along each axis.
+  void correct_place(double dx, double dy, double sigma_px);
+
   /// Takes its velocity, and keeps the uncertainty below these bounds.
   void park(double sigma_px, double sigma_px_s);
 
@@ -80,6 +84,7 @@ class ContourFilter {
 
  private:
   static constexpr std::size_t kSize = 5;
+  void keep_in_bounds();
   double& cov(std::size_t row, std::size_t column) { return covariance_[row * kSize + column]; }
   double cov(std::size_t row, std::size_t column) const {
     return covariance_[row * kSize + column];

@@ -39,6 +39,7 @@ struct ContourIngredients {
   /// While the head rests, which the background tells, even what moves slowly moves by itself.
   bool slow_movers = true;
   bool recognition = true;  ///< What the search and its events together say is the puck takes over.
+  bool sightings = true;    ///< What a search sees where a poor track is puts that right.
   bool at_once = true;      ///< What is clearly a puck, or likely, is believed on a few events.
   bool silent_trust = true;  ///< A track keeps its trust while its events, though few, agree.
 };
@@ -49,7 +50,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 30> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 31> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -78,6 +79,7 @@ inline constexpr std::array<ContourIngredient, 30> kContourIngredients{{
     {"overtaking", &ContourIngredients::overtaking},
     {"slow-movers", &ContourIngredients::slow_movers},
     {"recognition", &ContourIngredients::recognition},
+    {"sightings", &ContourIngredients::sightings},
     {"at-once", &ContourIngredients::at_once},
     {"silent-trust", &ContourIngredients::silent_trust},
 }};

@@ -6,6 +6,7 @@
 #include "common/vision/decision_time.h"
 #include "common/vision/honest_covariance.h"
 #include "common/vision/puck_detector.h"
+#include "common/vision/sighting.h"
 #include "common/vision/silent_trust.h"
 #include "common/vision/stopping.h"
 #include "common/vision/takeover.h"
@@ -306,6 +307,7 @@ void ContourPipeline::take(const SearchResult& result) {
   if (main_) {
     main = main_->filter().position_at(result.time.us);
     seen_score_.note(result, *main, context_.contour.is_other_wall(main_->wall_share()));
+    correct_by(result, *main);
   }
   const bool keeps_clear =
       context_.ingredients.clear_rings && main_ &&
@@ -322,6 +324,16 @@ void ContourPipeline::take(const SearchResult& result) {
                           .decided_us = decided_us_},
                          context_);
   missed_.end();
+}
+
+// `main`: where the track was when the search's snapshot was taken.
+void ContourPipeline::correct_by(const SearchResult& result, Pixel main) {
+  if (!context_.ingredients.sightings || keeps_still() || main_->is_good()) return;
+  const auto seen = sighting_near(main, main_->wall_share(), result, context_.contour);
+  if (!seen) return;
+  main_->correct_place(seen->x - main.x, seen->y - main.y);
+  trust_.note_seen(now_us_);
+  standing_.note_seen(now_us_);
 }
 
 PuckEstimate ContourPipeline::step(const SurfaceSnapshot& snapshot) {

@@ -20,6 +20,8 @@ class TrackTrust {
   void judge(const TrackLooks& main, double seen_score, bool unseen, std::int64_t time_us,
              std::int64_t passed_us);
 
+  /// A search has just seen the puck where the main track is.
+  void note_seen(std::int64_t time_us) { good_us_ = time_us; }
   /// The main track was replaced by one that passed a test against it.
   void note_takeover(std::int64_t time_us) { good_us_ = time_us; }
   /// … by one that a search found; `weakly`: far away and on little evidence.

@@ -49,6 +49,28 @@ TEST_CASE("An event moves the contour along its normal only, and makes that dire
   CHECK(filter.distance_variance(0, 1) == across);
 }
 
+TEST_CASE("A sighting moves the filter to where the puck was seen, the surer it is of that") {
+  ContourFilter filter = at_origin();
+  filter.correct_place(3, -2, 2.5);
+  // As sure of it as of where the filter was.
+  CHECK(filter.position().x == doctest::Approx(1.5));
+  CHECK(filter.position().y == doctest::Approx(-1));
+  filter.correct_place(3, -2, 0.01);
+  CHECK(filter.position().x == doctest::Approx(4.5).epsilon(0.01));
+  CHECK(filter.position().y == doctest::Approx(-3).epsilon(0.01));
+  CHECK(filter.distance_variance(1, 0) < 0.2);
+}
+
+TEST_CASE("A sighting after a while tells of the speed, too, but of none that no puck has") {
+  ContourFilter filter = at_origin();
+  filter.predict(20'000, false);
+  filter.correct_place(10, 0, 1.5);
+  CHECK(filter.velocity().x > 300);
+  CHECK(filter.velocity().y == doctest::Approx(-50).epsilon(0.05));
+  filter.correct_place(1e6, 0, 1e-3);
+  CHECK(filter.speed_px_s() == doctest::Approx(12'000));
+}
+
 TEST_CASE("Events outside on both sides make the puck larger, not elsewhere") {
   ContourFilter filter = at_origin();
   for (int i = 0; i < 50; ++i) {
