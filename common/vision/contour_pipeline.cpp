@@ -243,18 +243,19 @@ void ContourPipeline::plan_search(std::int64_t time_us) {
     search_plan_.plan_first(time_us);
     return;
   }
-  search_plan_.plan({.main = main_->looks(),
-                     .is_lost = standing_.state() == TrackState::kLost,
-                     .is_resting = standing_.is_resting(),
-                     .is_trusted = context_.is_trusted,
-                     .is_proven = trust_.is_proven(),
-                     .may_rest_elsewhere =
-                         (context_.ingredients.overtaking && trust_.was_covered()) ||
-                         (context_.ingredients.faint_rests && context_.signature.may_be_faint()),
-                     .may_be_faint = context_.signature.may_be_faint(),
-                     .since_good_us = trust_.since_good_us(time_us),
-                     .unsound_us = trust_.unsound_us()},
-                    context_.ingredients, time_us);
+  search_plan_.plan(
+      {.main = main_->looks(),
+       .is_lost = standing_.state() == TrackState::kLost,
+       .is_resting = standing_.is_resting(),
+       .is_trusted = context_.is_trusted,
+       .is_proven = trust_.is_proven(),
+       .may_rest_elsewhere =
+           (context_.ingredients.overtaking && (trust_.was_covered() || !trust_.is_proven())) ||
+           (context_.ingredients.faint_rests && context_.signature.may_be_faint()),
+       .may_be_faint = context_.signature.may_be_faint(),
+       .since_good_us = trust_.since_good_us(time_us),
+       .unsound_us = trust_.unsound_us()},
+      context_.ingredients, time_us);
 }
 
 void ContourPipeline::plan_events(std::int64_t time_us) {

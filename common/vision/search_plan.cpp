@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-constexpr std::int64_t kFirstPeriod_us = 20'000;
+constexpr std::int64_t kFirstPeriod_us = 10'000;
 // A puck that has been lost for so long may be anywhere by now, and what has not looked like it for
 // so long may be something else: it is looked for everywhere more often, and no more near the
 // track.
@@ -25,7 +25,8 @@ constexpr std::int64_t kMaybeRestingPeriod_us = 50'000;
 constexpr std::int64_t kStillPeriod_us = 1'000'000;
 
 constexpr double kDoubtful = 0.6;
-// No other puck could be three times as strong as this.
+// No other puck could be three times as strong as this. A round mark could, under a head that
+// turns, so that a track must have moved as a puck does.
 constexpr double kLively = 300;
 
 constexpr double kRadius_px = 20;
@@ -50,8 +51,8 @@ std::int64_t SearchPlan::usual_period_us(const Situation& now, bool is_still) {
     return now.may_rest_elsewhere && !is_still ? kMaybeRestingPeriod_us : kRestingPeriod_us;
   }
   if (now.main.quality < TrackTrust::kSound || !now.is_trusted) return kWidePeriod_us;
-  if (now.main.strength > kLively) return kNever_us;
-  return now.is_proven ? kCalmPeriod_us : kWidePeriod_us;
+  if (!now.is_proven) return kWidePeriod_us;
+  return now.main.strength > kLively ? kNever_us : kCalmPeriod_us;
 }
 
 void SearchPlan::plan_first(std::int64_t time_us) {

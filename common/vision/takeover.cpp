@@ -15,6 +15,8 @@ constexpr std::int64_t kUnsoundFor_us = 150'000;
 constexpr std::int64_t kBadFor_us = 20'000;
 // Of what moves slower, noise makes too much.
 constexpr double kSlow_px_s = 100;
+// With fewer events nothing is seen clearly enough to be compared.
+constexpr double kLeastStrength = 40;
 // A hand that only passes over the puck is gone sooner.
 constexpr std::int64_t kTakenAway_us = 200'000;
 // Of what the search found, most that is no puck has a lower score; hardly any has the higher one.
@@ -36,6 +38,20 @@ bool has_had_time(const Claim& claim) {
 // To searches the main track looks more like a puck.
 bool is_outscored(const Claim& claim, const Defence& main) {
   return main.knows_pucks && claim.found.score < main.score - kScoreNoise;
+}
+
+// The main track moves as nothing but a puck does, and the claim does not. In the image a round
+// mark is the better ring of the two as long as the head turns.
+bool is_only_round(const Claim& claim, const Defence& main) {
+  return !claim.looks.is_fast() && main.looks.moves_as_pucks_do() &&
+         main.since_sound_us < kBadFor_us;
+}
+
+// The main track moves, and is more of a puck in every respect.
+bool is_lesser(const Claim& claim, const Defence& main) {
+  return main.looks.is_good() && main.looks.is_fast() &&
+         claim.looks.strength < main.looks.strength / 2 && claim.looks.cover < main.looks.cover &&
+         claim.found.score < main.score;
 }
 
 }  // namespace
@@ -76,23 +92,36 @@ bool outshines(const Claim& claim, const Defence& main) {
          (main.since_sound_us > kUnsoundFor_us || is_evident(claim));
 }
 
+bool surpasses(const Claim& claim, const Defence& main) {
+  const TrackLooks& looks = claim.looks;
+  const double handicap = main.looks.has_pucks_size() ? 0 : 0.2;
+  return claim.age_us > 15'000 && claim.leads && looks.is_fast() && looks.is_whole_ring() &&
+         looks.has_pucks_size() && looks.is_good() &&
+         looks.quality > main.looks.quality - handicap &&
+         looks.strength > 1.5 * std::max(main.looks.strength, kLeastStrength) &&
+         looks.cover > main.looks.cover && claim.found.score > main.score;
+}
+
 bool outmoves(const Claim& claim, const Defence& main) {
   const bool has_gone_bad = main.may_be_overtaken && main.since_good_us > kBadFor_us;
+  // A round mark may be as good a ring as there is, a mallet or a hand is none.
+  const bool is_ring = claim.looks.is_whole_ring();
   return (!main.is_proven || has_gone_bad) && moves_by_itself(claim) &&
-         claim.looks.quality > main.looks.quality - 0.1;
+         claim.looks.quality > main.looks.quality - (is_ring ? 0.2 : 0.1) &&
+         (is_ring || !is_outscored(claim, main));
 }
 
 bool unmasks(const Claim& claim, const Defence& main) {
   return (is_evident(claim) || is_clear_at_once(claim)) &&
-         claim.looks.quality > main.looks.quality + 0.1 &&
-         (!main.is_trusted || main.since_sound_us > kUnsoundFor_us);
+         claim.looks.quality > main.looks.quality + 0.1 && !is_only_round(claim, main) &&
+         !is_outscored(claim, main) && (!main.is_trusted || main.since_sound_us > kUnsoundFor_us);
 }
 
 bool displaces_stranger(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
-  return !main.is_trusted && !is_outscored(claim, main) && claim.age_us > 15'000 &&
-         looks.quality > 0.8 && looks.strength > 20 && !looks.is_oversized() &&
-         !looks.is_undersized() &&
+  return !main.is_trusted && !is_outscored(claim, main) && !is_only_round(claim, main) &&
+         claim.age_us > 15'000 && looks.quality > 0.8 && looks.strength > 20 &&
+         !looks.is_oversized() && !looks.is_undersized() &&
          (looks.quality > main.looks.quality + 0.12 || looks.strength > 2 * main.looks.strength);
 }
 
@@ -118,7 +147,8 @@ bool outruns_rest(const Claim& claim, const Defence& main) {
   const bool may_be_gone = main.may_be_overtaken && main.was_covered &&
                            main.since_good_us > kTakenAway_us && claim.looks.is_whole_ring();
   return (main.may_be_faint || !main.is_proven || may_be_gone) && moves_by_itself(claim) &&
-         claim.looks.quality > 0.85 && claim.looks.strength > 40;
+         claim.looks.quality > (claim.looks.is_whole_ring() ? 0.78 : 0.85) &&
+         claim.looks.strength > kLeastStrength;
 }
 
 bool is_recognised(const Claim& claim, const Defence& main) {
@@ -144,8 +174,10 @@ bool is_convincing(const Claim& claim, const Defence& main) {
     return is_evident(claim) || outruns_rest(claim, main) ||
            (is_recognised(claim, main) && (main.is_lost || claim.found.score > kLikelyScore));
   }
-  return is_recognised(claim, main) || outshines(claim, main) || outmoves(claim, main) ||
-         unmasks(claim, main) || displaces_stranger(claim, main) || succeeds_nearby(claim, main);
+  if (main.knows_pucks && is_lesser(claim, main)) return succeeds_nearby(claim, main);
+  return is_recognised(claim, main) || outshines(claim, main) || surpasses(claim, main) ||
+         outmoves(claim, main) || unmasks(claim, main) || displaces_stranger(claim, main) ||
+         succeeds_nearby(claim, main);
 }
 
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {

@@ -48,14 +48,20 @@ bool moves_by_itself(const Claim& claim);
 /// It is by far the stronger, wherever it is, and the main track has not been sound for long or it
 /// is evident itself.
 bool outshines(const Claim& claim, const Defence& main);
+/// It moves as a puck does and is of its size, and it is more of a puck in every respect: by its
+/// events, how many they are and on how many sides, and to searches.
+bool surpasses(const Claim& claim, const Defence& main);
 /// It moves as a puck does; the main track has never done so, or has not been good for so long
-/// that it has lost what it followed.
+/// that it has lost what it followed. It need not look quite as good, a whole ring less so: a round
+/// mark on the table is the better ring. What is no whole ring must not be less of a puck to
+/// searches.
 bool outmoves(const Claim& claim, const Defence& main);
-/// It is evident, or clear at once; the main track is not to be trusted, or has not been sound for
-/// long.
+/// It is evident, or clear at once, and not less of a puck to searches; the main track is not to be
+/// trusted, or has not been sound for long. While that moves as only pucks do, what is slow unmasks
+/// nothing.
 bool unmasks(const Claim& claim, const Defence& main);
 /// It looks better than a main track that is not to be trusted, is of a puck's size, and not less
-/// of a puck to searches.
+/// of a puck to searches; nor slow while that moves as only pucks do.
 bool displaces_stranger(const Claim& claim, const Defence& main);
 /// It looks better near a main track that nothing vouches for, is no larger than a puck, and not
 /// less of one to searches; the farther away, the better it must look. It may be smaller: of the
@@ -71,7 +77,8 @@ bool outruns_rest(const Claim& claim, const Defence& main);
 /// way round, and the clearer those are, the sooner; the main track has not been good for a while.
 bool is_recognised(const Claim& claim, const Defence& main);
 
-/// Any of the first five, or recognised; against a puck at rest, which makes no events, that it is
+/// Any of the first six, or recognised; but far from a track that moves and is more of a puck in
+/// every respect, none; against a puck at rest, which makes no events, that it is
 /// evident, outruns it, or is recognised, by a high score if it is not lost. A conjecture must move
 /// by itself, unless the main track has not been sound for long.
 bool is_convincing(const Claim& claim, const Defence& main);

@@ -31,9 +31,9 @@ struct TrackLooks {
   /// on enough sides.
   constexpr bool moves_as_pucks_do() const { return is_fast() && cover > 0.35 && !is_oversized(); }
   /// It moves as a puck does, is no larger than one, and so strong that it is one even if what lies
-  /// beside or on it spoils its quality.
+  /// beside or on it spoils its quality; stronger yet, if it looks a little large.
   constexpr bool is_clear() const {
-    return moves_as_pucks_do() && !is_large() && quality > 0.6 && strength > 80;
+    return moves_as_pucks_do() && quality > 0.6 && strength > (is_large() ? 300 : 80);
   }
   /// Larger than most pucks.
   constexpr bool is_large() const { return growth_px >= 0.35; }

@@ -60,11 +60,11 @@ class NotedSearches final : public TrackingPipeline {
 class Table {
  public:
   explicit Table(const PipelineParams& params = preset_params(Preset::kDefault),
-                 std::uint32_t seed = 1)
-      : contour_(kSensor, kSizeModel, exact(), true),
-        tracker_(kSensor, with_exact(params), kSizeModel,
+                 std::uint32_t seed = 1, const PuckSizeModel& size_model = kSizeModel)
+      : contour_(kSensor, size_model, exact(), true),
+        tracker_(kSensor, with_exact(params), size_model,
                  std::make_unique<NotedSearches>(
-                     make_pipeline(kSensor, with_exact(params), kSizeModel), searches_)),
+                     make_pipeline(kSensor, with_exact(params), size_model), searches_)),
         random_(seed) {}
 
   // Lets the puck glide for so long; the mean error of the last half, px.
@@ -406,6 +406,22 @@ TEST_CASE("the search looks for the side wall that a track beyond doubt has show
   }
 }
 
+TEST_CASE("a puck is followed whose side wall makes events below the face that was annotated") {
+  PuckSizeModel model = kSizeModel;
+  model.disc = DiscModel{.width_0 = 16,
+                         .width_y = 0.08,
+                         .face_on_px = 60,
+                         .principal_x_px = 160,
+                         .principal_y_px = 120};
+  for (const bool has_wall : {false, true}) {
+    CAPTURE(has_wall);
+    Table table(preset_params(Preset::kDefault), 1, model);
+    if (has_wall) table.show_other_wall();
+    CHECK(table.glide({700, 200}, 300) < 0.2);
+    CHECK(table.estimate().state == TrackState::kTracking);
+  }
+}
+
 TEST_CASE("a slow track, which may be a mallet's, shows no side wall") {
   Table table;
   CHECK(table.glide({200, 50}, 300) < 0.2);
@@ -423,7 +439,7 @@ TEST_CASE("before anything has been found the other side wall is looked for only
   CHECK(early == std::string(early.size(), 'c'));
   CHECK(early.size() > 5);
   table.cover(100);
-  CHECK(table.searches() == "cococ");
+  CHECK(table.searches() == "ocococococ");
 }
 
 TEST_CASE("without ingredient wall-search only the calibrated side wall is looked for") {

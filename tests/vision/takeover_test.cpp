@@ -139,7 +139,17 @@ Claim checked_outrunning(const Defence& main) {
   claim.looks.strength = 41;
   claim.looks.quality = 0.85;
   CHECK_FALSE(is_convincing(claim, main));
+  // A whole ring of its size may look a little worse.
+  claim.looks.cover = 0.51;
+  CHECK(is_convincing(claim, main));
+  claim.looks.growth_px = 0.35;
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks.growth_px = 0;
+  claim.looks.quality = 0.78;
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks = kMoving.looks;
   claim.looks.quality = 0.86;
+  claim.looks.strength = 41;
   return claim;
 }
 
@@ -337,6 +347,145 @@ TEST_CASE("What moves by itself takes over from what never has") {
   CHECK(is_convincing(kMoving, main));
   main.looks.quality = 0.87;
   CHECK_FALSE(is_convincing(kMoving, main));
+  Claim ring = kMoving;
+  ring.looks.cover = 0.51;
+  CHECK(is_convincing(ring, main));
+  main.looks.quality = 0.97;
+  CHECK_FALSE(is_convincing(ring, main));
+}
+
+TEST_CASE("What is no whole ring does not outmove what looks more like a puck to searches") {
+  Defence main = kStrongMain;
+  main.is_proven = false;
+  main.knows_pucks = true;
+  main.looks.quality = 0.8;
+  main.score = 0.7;
+  Claim claim = kMoving;
+  claim.found.score = 0.59;
+  CHECK_FALSE(outmoves(claim, main));
+  claim.looks.cover = 0.51;
+  CHECK(outmoves(claim, main));
+  claim.looks.cover = 0.5;
+  claim.found.score = 0.61;
+  CHECK(outmoves(claim, main));
+}
+
+// Of another puck, and nothing more.
+constexpr Claim kBetter{.looks = {.position = {500, 0},
+                                  .speed_px_s = 301,
+                                  .quality = 0.72,
+                                  .strength = 151,
+                                  .cover = 0.71},
+                        .age_us = 15'001,
+                        .found = {.score = 0.61},
+                        .leads = true};
+constexpr Defence kMallet{
+    .looks = {.speed_px_s = 500, .quality = 0.7, .strength = 100, .cover = 0.7},
+    .is_trusted = true,
+    .is_proven = true,
+    .knows_pucks = true,
+    .is_witnessed = true,
+    .score = 0.6};
+
+TEST_CASE("What is more of a puck in every respect takes over from whatever is trusted") {
+  CHECK(surpasses(kBetter, kMallet));
+  CHECK(is_convincing(kBetter, kMallet));
+  const auto still_does = [](auto change) {
+    Claim claim = kBetter;
+    change(claim);
+    return is_convincing(claim, kMallet);
+  };
+  CHECK_FALSE(still_does([](Claim& claim) { claim.age_us = 15'000; }));
+  CHECK_FALSE(still_does([](Claim& claim) { claim.leads = false; }));
+  CHECK_FALSE(still_does([](Claim& claim) { claim.found.score = 0.6; }));
+  CHECK_FALSE(still_does([](Claim& claim) { claim.looks.speed_px_s = 300; }));
+  CHECK_FALSE(still_does([](Claim& claim) { claim.looks.quality = 0.7; }));
+  CHECK_FALSE(still_does([](Claim& claim) { claim.looks.strength = 150; }));
+  CHECK_FALSE(still_does([](Claim& claim) { claim.looks.cover = 0.7; }));
+  CHECK_FALSE(still_does([](Claim& claim) { claim.looks.growth_px = 0.35; }));
+  CHECK_FALSE(still_does([](Claim& claim) { claim.looks.growth_px = -0.35; }));
+}
+
+TEST_CASE("It may look a little less good than what is too small or too large for a puck") {
+  Claim claim = kBetter;
+  claim.looks.quality = 0.51;
+  CHECK_FALSE(surpasses(claim, kMallet));
+  for (const double growth_px : {-0.4, 0.4}) {
+    Defence main = kMallet;
+    main.looks.growth_px = growth_px;
+    CHECK(surpasses(claim, main));
+  }
+}
+
+TEST_CASE("It needs some strength, however little the track has") {
+  Defence main = kMallet;
+  main.looks.strength = 0;
+  Claim claim = kBetter;
+  claim.looks.strength = 61;
+  CHECK(surpasses(claim, main));
+  claim.looks.strength = 60;
+  CHECK_FALSE(surpasses(claim, main));
+}
+
+TEST_CASE(
+    "What is less of a puck in every respect than a track that moves takes over only nearby") {
+  Defence main{.looks = {.speed_px_s = 301, .quality = 0.66, .strength = 300, .cover = 0.8},
+               .may_be_overtaken = true,
+               .knows_pucks = true,
+               .score = 0.69,
+               .since_sound_us = 200'000};
+  Claim claim{.looks = {.position = {500, 0},
+                        .speed_px_s = 400,
+                        .quality = 0.9,
+                        .strength = 149,
+                        .cover = 0.6},
+              .age_us = 20'000,
+              .found = {.score = 0.68},
+              .leads = true};
+  REQUIRE(outmoves(claim, main));
+  CHECK_FALSE(is_convincing(claim, main));
+  const auto takes_over_from = [&](auto change) {
+    Defence changed = main;
+    change(changed);
+    return is_convincing(claim, changed);
+  };
+  CHECK(takes_over_from([](Defence& d) { d.knows_pucks = false; }));
+  CHECK(takes_over_from([](Defence& d) { d.looks.speed_px_s = 300; }));
+  CHECK(takes_over_from([](Defence& d) { d.looks.quality = 0.5; }));
+  CHECK(takes_over_from([](Defence& d) { d.looks.strength = 298; }));
+  CHECK(takes_over_from([](Defence& d) { d.looks.cover = 0.6; }));
+  CHECK(takes_over_from([](Defence& d) { d.score = 0.68; }));
+  claim.looks = {.position = {5, 0}, .quality = 0.8, .strength = 140, .cover = 0.6};
+  main.looks.strength = 100;
+  main.looks.cover = 0.8;
+  claim.looks.strength = 131;
+  CHECK(succeeds_nearby(claim, main));
+  CHECK(is_convincing(claim, main));
+}
+
+TEST_CASE("A round mark, which turns with the head, displaces nothing that moves by itself") {
+  const Claim mark{.looks = {.position = {500, 0},
+                             .speed_px_s = 300,
+                             .quality = 0.98,
+                             .strength = 400,
+                             .cover = 0.85},
+                   .age_us = 15'001,
+                   .found = {.score = 0.88}};
+  Defence main{.looks = {.speed_px_s = 301, .quality = 0.8, .strength = 300, .cover = 0.8},
+               .knows_pucks = true,
+               .score = 0.6,
+               .since_sound_us = 20'000};
+  CHECK(unmasks(mark, main));
+  CHECK(displaces_stranger(mark, main));
+  main.since_sound_us = 19'999;
+  CHECK_FALSE(unmasks(mark, main));
+  CHECK_FALSE(displaces_stranger(mark, main));
+  CHECK_FALSE(is_convincing(mark, main));
+  Claim moving = mark;
+  moving.looks.speed_px_s = 301;
+  CHECK(unmasks(moving, main));
+  main.looks.speed_px_s = 300;
+  CHECK(unmasks(mark, main));
 }
 
 TEST_CASE("A conjecture must move by itself, unless the main track has not been sound for long") {
@@ -371,6 +520,11 @@ TEST_CASE("An evident puck takes over from a track that is not trusted or long u
   main.since_sound_us = 0;
   main.is_trusted = false;
   CHECK(is_convincing(claim, main));
+  main.knows_pucks = true;
+  main.score = 0.79;
+  CHECK(unmasks(claim, main));
+  main.score = 0.81;
+  CHECK_FALSE(unmasks(claim, main));
 }
 
 TEST_CASE("A track that is not trusted gives way to what looks better or twice as strong") {

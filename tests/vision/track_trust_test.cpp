@@ -105,6 +105,15 @@ TEST_CASE(
   CHECK(track.trust.is_believed());
 }
 
+TEST_CASE("A track that a search has just seen counts as good, not as sound") {
+  Judged track;
+  track.look(kSound, 1);
+  track.look(kBad, 10);
+  track.trust.note_seen(track.now_us);
+  CHECK(track.trust.since_good_us(track.now_us) == 0);
+  CHECK(track.trust.since_sound_us(track.now_us) == 10'000);
+}
+
 TEST_CASE("What was found weakly and then moves as a puck does for 3 ms is believed") {
   Judged track;
   track.look(kSound, 100);
@@ -171,6 +180,9 @@ TEST_CASE("A track of many events that searches see as a puck is as good as soun
   larger.growth_px = 0.35;
   track.look(larger, 10, false, 0.9);
   CHECK(track.trust.since_sound_us(track.now_us) == 10'000);
+  larger.strength = 301;
+  track.look(larger, 10, false, 0.9);
+  CHECK(track.trust.since_sound_us(track.now_us) == 0);
 }
 
 TEST_CASE("A track is unsound only while it is to be seen") {
