@@ -29,6 +29,11 @@ SearchWorker::~SearchWorker() {
   posted_.release();
 }
 
+bool SearchWorker::is_small(const SearchRequest& request) const {
+  const Region copied = search_.snapshot_region(request.region);
+  return copied.width * copied.height <= kSmallPixels;
+}
+
 void SearchWorker::begin(const SearchRequest& request, bool is_urgent) {
   request_ = request;
   at_once_pixels_ = is_urgent ? kBearablePixels : kSmallPixels;

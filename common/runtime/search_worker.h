@@ -36,6 +36,9 @@ class SearchWorker {
   /// True while the surface is being copied for the search.
   bool is_copying() const { return stage_ == Stage::kCopying; }
 
+  /// True for a search that is made at once, urgent or not.
+  bool is_small(const SearchRequest& request) const;
+
   /// Begins a search, whose region is not empty. Only when idle. `is_urgent`: there is no track
   /// that could be delayed, so that all but a very large image is searched at once, however busy
   /// the machine is.

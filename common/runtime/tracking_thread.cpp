@@ -189,6 +189,7 @@ void TrackingThread::begin_search_if_wanted() {
   if (wanted.region.empty()) return;
   const auto now = Clock::now();
   const bool is_urgent = newest_.estimate.state != TrackState::kTracking &&
+                         !worker_.is_small(wanted) &&
                          now - urgently_searched_ >= kUrgentSearchPeriod;
   if (is_urgent) urgently_searched_ = now;
   worker_.begin(wanted, is_urgent);

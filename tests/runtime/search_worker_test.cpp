@@ -63,6 +63,18 @@ TEST_CASE("a worker finds the same as a search at once, far and near, time after
   }
 }
 
+TEST_CASE("a small search is made at once, urgent or not, and known to be") {
+  constexpr SensorSize kSensor{320, 240};
+  SharedSurface shared(kSensor, preset_params(Preset::kCorrelation).eros);
+  SearchWorker worker(search_for(kSensor));
+  const SearchRequest near{Region::around({160, 120}, 41, 41)};
+  REQUIRE(worker.is_small(near));
+  CHECK_FALSE(worker.is_small({Region::all_of(kSensor)}));
+  worker.begin(near);
+  while (worker.is_copying()) worker.copy_more(shared);
+  CHECK(worker.poll() != nullptr);
+}
+
 TEST_CASE("a worker that is to see what is fresh does not see a puck of 40 ms ago") {
   constexpr SensorSize kSensor{320, 240};
   SharedSurface shared(kSensor, preset_params(Preset::kCorrelation).eros);
