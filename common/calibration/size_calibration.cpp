@@ -98,7 +98,7 @@ double squares_of(const SizeResiduals& width, const SizeResiduals& height) {
 }
 
 bool is_plausible(const DiscModel& disc) {
-  return disc.has_perspective() && disc.thickness >= 0 && disc.thickness <= kThickestOfWidth &&
+  return disc.has_perspective() && disc.thickness <= kThickestOfWidth &&
          disc.tilt_deg() > kLeastTilt_deg && disc.tilt_deg() < kMostTilt_deg;
 }
 

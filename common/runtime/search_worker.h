@@ -36,7 +36,7 @@ class SearchWorker {
   /// True while the surface is being copied for the search.
   bool is_copying() const { return stage_ == Stage::kCopying; }
 
-  /// True for a search that is made at once, urgent or not.
+  /// True for a search that is made at once, urgent or not. Only when idle.
   bool is_small(const SearchRequest& request) const;
 
   /// Begins a search, whose region is not empty. Only when idle. `is_urgent`: there is no track

@@ -24,8 +24,8 @@ constexpr microseconds kLongestTake{1'000};
 constexpr microseconds kIdleLook{1'000};
 
 // Without a track a search of the whole image is made on this thread, which takes some 4 ms, but no
-// more often; what is wanted sooner the worker does.
-constexpr microseconds kUrgentSearchPeriod{20'000};
+// more often; what is larger than small and wanted sooner the worker does.
+constexpr microseconds kUrgentSearchPeriod{10'000};
 
 }  // namespace
 

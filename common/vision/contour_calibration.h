@@ -14,7 +14,7 @@ struct ContourCalibration {
   /// The ring of events is lower than the annotated height by this share of the width, and its
   /// centre lies half of that above the annotated one: 0 where the side wall below the puck's top
   /// makes events, the wall's visible height over the width where it makes none. Below 0 the ring
-  /// is higher, and reaches as much farther down: the annotations leave the wall out.
+  /// is taller, with its upper edge in place: the annotations leave the wall out.
   double wall_share = 0;
   /// By how much the ring's full axes exceed the annotated ones, px.
   double grow_px = 0.5;
@@ -32,8 +32,8 @@ struct ContourCalibration {
   double other_wall_share(double wall_of_width) const {
     // An ordinary puck's, 1.5 cm thick and 6.5 cm wide, seen from 30° above.
     constexpr double kWallBelow = 0.2;
-    if (std::abs(wall_share) > kWallBelow / 2) return 0;
-    return wall_of_width > 0 ? wall_of_width : -kWallBelow;
+    const double wall = wall_of_width > 0 ? wall_of_width : -kWallBelow;
+    return std::abs(wall_share) > std::abs(wall) / 2 ? 0 : wall;
   }
 
   /// How far behind the contour an event is to be expected, px: inside where the contour moves

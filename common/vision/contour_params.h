@@ -35,7 +35,8 @@ struct ContourIngredients {
   bool early_background = true;  ///< … for which a trusted track that looks doubtful suffices.
   bool clear_rings = true;       ///< … unless a faint puck is sought, and it is a clear ring.
   bool faint_rests = true;       ///< What may be a faint puck at rest is looked for elsewhere, too.
-  bool overtaking = true;  ///< What moves by itself takes over from a track that has gone bad.
+  /// What moves by itself takes over from a track that has gone bad, or rests and never moved.
+  bool overtaking = true;
   /// While the head rests, which the background tells, even what moves slowly moves by itself.
   bool slow_movers = true;
   bool recognition = true;  ///< What the search and its events together say is the puck takes over.

@@ -332,9 +332,11 @@ void ContourPipeline::correct_by(const SearchResult& result, Pixel main) {
   if (!context_.ingredients.sightings || keeps_still() || main_->is_good()) return;
   const auto seen = sighting_near(main, main_->wall_share(), result, context_.contour);
   if (!seen) return;
-  main_->correct_place(seen->x - main.x, seen->y - main.y);
+  main_->correct_place(seen->x - main.x, seen->y - main.y, context_);
   trust_.note_seen(now_us_);
-  standing_.note_seen(now_us_);
+  if (standing_.state() == TrackState::kTracking && trust_.is_believed()) {
+    standing_.note_seen(now_us_);
+  }
 }
 
 PuckEstimate ContourPipeline::step(const SurfaceSnapshot& snapshot) {

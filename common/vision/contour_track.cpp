@@ -34,6 +34,8 @@ constexpr double kParkedSigma_px = 0.4;
 constexpr double kParkedSigma_px_s = 60;
 // … fewer than so many more on the ring than chance puts there.
 constexpr double kStray = 2;
+// How well a search sees where the puck is.
+constexpr double kSearchSigma_px = 1.5;
 // How far the ring's centre may move before the ring's shape is made anew.
 constexpr double kSamePlace_px = 0.5;
 
@@ -189,6 +191,12 @@ TrackLooks ContourTrack::looks() const {
 void ContourTrack::park() {
   is_parked_ = true;
   filter_.park(kParkedSigma_px, kParkedSigma_px_s);
+}
+
+void ContourTrack::correct_place(double dx, double dy, const ContourContext& context) {
+  filter_.correct_place(dx, dy, kSearchSigma_px);
+  last_ring_position_ = filter_.position();
+  follow_contour(context);
 }
 
 void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourContext& context) {

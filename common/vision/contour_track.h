@@ -56,10 +56,7 @@ class ContourTrack {
   void set_off() { filter_.restart(filter_.start_at(filter_.position())); }
 
   /// A search saw the puck so far from where this track has it.
-  void correct_place(double dx, double dy) {
-    constexpr double kSearchSigma_px = 1.5;
-    filter_.correct_place(dx, dy, kSearchSigma_px);
-  }
+  void correct_place(double dx, double dy, const ContourContext& context);
 
   /// Puts the track at rest somewhere. What speaks for a faint puck is of where it has been
   /// before, and does not count any more.

@@ -9,8 +9,8 @@ namespace {
 
 // Growth of the width from row to row, px/px.
 constexpr double kLeastGrowth = 0.005;
-// Of all pucks, in diameters.
-constexpr double kThinnest = 0.08;
+// In diameters: a puck of 8 cm is hardly thinner than 5 mm.
+constexpr double kThinnest = 0.05;
 
 }  // namespace
 

@@ -70,7 +70,8 @@ class PuckContour {
               const ContourCalibration& calibration, bool sheared);
 
   /// `wall_share`: by how much of its width the ring is lower than the puck's silhouette, because
-  /// the puck's side wall makes no events: calibrated_wall_share() or other_wall_share().
+  /// the puck's side wall makes no events, below 0 if it is taller because the annotations leave
+  /// the wall out: calibrated_wall_share() or other_wall_share().
   ContourRing ring_at(Pixel centre, double wall_share) const;
   double calibrated_wall_share() const { return calibration_.wall_share; }
   double other_wall_share() const {

@@ -24,8 +24,8 @@ struct PuckSizeModel {
   /// What Equation (2) approximates: where it is right, it is so beyond the annotations, too.
   std::optional<DiscModel> disc;
 
-  /// By what share of its width the contour is lower than all these say: 0, or the side wall's,
-  /// where that is not seen.
+  /// By what share of its width the contour is lower than all these say: 0; the side wall's, where
+  /// that is not seen; below 0 where it is seen and they leave it out.
   double unseen_of_width = 0;
 
   /// What the puck can measure at all. Away from the annotations the plane goes on to anything,

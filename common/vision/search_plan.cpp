@@ -18,8 +18,8 @@ constexpr std::int64_t kWidePeriod_us = 40'000;
 // A track that is sound and has proved to be the puck's is hardly questioned from afar.
 constexpr std::int64_t kCalmPeriod_us = 500'000;
 constexpr std::int64_t kRestingPeriod_us = 1'000'000;
-// A faint puck may have got away unseen, a covered one may be gone, but not without stirring where
-// it lay.
+// A faint puck may have got away unseen, a covered one may be gone, and what has never moved may be
+// no puck; but nothing gets away without stirring where it lay.
 constexpr std::int64_t kMaybeRestingPeriod_us = 50'000;
 // While nothing moves the search finds nothing that could prove itself.
 constexpr std::int64_t kStillPeriod_us = 1'000'000;
@@ -50,8 +50,9 @@ std::int64_t SearchPlan::usual_period_us(const Situation& now, bool is_still) {
   if (now.is_resting) {
     return now.may_rest_elsewhere && !is_still ? kMaybeRestingPeriod_us : kRestingPeriod_us;
   }
-  if (now.main.quality < TrackTrust::kSound || !now.is_trusted) return kWidePeriod_us;
-  if (!now.is_proven) return kWidePeriod_us;
+  if (now.main.quality < TrackTrust::kSound || !now.is_trusted || !now.is_proven) {
+    return kWidePeriod_us;
+  }
   return now.main.strength > kLively ? kNever_us : kCalmPeriod_us;
 }
 

@@ -47,7 +47,7 @@ bool is_only_round(const Claim& claim, const Defence& main) {
          main.since_sound_us < kBadFor_us;
 }
 
-// The main track moves, and is more of a puck in every respect.
+// The main track moves, and has more events, on more sides, and is more of a puck to searches.
 bool is_lesser(const Claim& claim, const Defence& main) {
   return main.looks.is_good() && main.looks.is_fast() &&
          claim.looks.strength < main.looks.strength / 2 && claim.looks.cover < main.looks.cover &&
@@ -95,8 +95,8 @@ bool outshines(const Claim& claim, const Defence& main) {
 bool surpasses(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
   const double handicap = main.looks.has_pucks_size() ? 0 : 0.2;
-  return claim.age_us > 15'000 && claim.leads && looks.is_fast() && looks.is_whole_ring() &&
-         looks.has_pucks_size() && looks.is_good() &&
+  return main.knows_pucks && claim.age_us > 15'000 && claim.leads && looks.is_fast() &&
+         looks.is_whole_ring() && looks.has_pucks_size() && looks.is_good() &&
          looks.quality > main.looks.quality - handicap &&
          looks.strength > 1.5 * std::max(main.looks.strength, kLeastStrength) &&
          looks.cover > main.looks.cover && claim.found.score > main.score;

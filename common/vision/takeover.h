@@ -48,13 +48,14 @@ bool moves_by_itself(const Claim& claim);
 /// It is by far the stronger, wherever it is, and the main track has not been sound for long or it
 /// is evident itself.
 bool outshines(const Claim& claim, const Defence& main);
-/// It moves as a puck does and is of its size, and it is more of a puck in every respect: by its
-/// events, how many they are and on how many sides, and to searches.
+/// It moves as a puck does and is of its size, and it is more of a puck in every respect: its
+/// events are better, at least half as many again, and on more sides, and searches say so, too.
+/// What is not of a puck's size it need not quite equal in quality.
 bool surpasses(const Claim& claim, const Defence& main);
 /// It moves as a puck does; the main track has never done so, or has not been good for so long
-/// that it has lost what it followed. It need not look quite as good, a whole ring less so: a round
-/// mark on the table is the better ring. What is no whole ring must not be less of a puck to
-/// searches.
+/// that it has lost what it followed. It need not look quite as good, and a whole ring may look
+/// worse still: a round mark on the table is the better ring. What is no whole ring must not be
+/// less of a puck to searches.
 bool outmoves(const Claim& claim, const Defence& main);
 /// It is evident, or clear at once, and not less of a puck to searches; the main track is not to be
 /// trusted, or has not been sound for long. While that moves as only pucks do, what is slow unmasks
@@ -68,19 +69,19 @@ bool displaces_stranger(const Claim& claim, const Defence& main);
 /// other opinion on the wall it is.
 bool succeeds_nearby(const Claim& claim, const Defence& main);
 
-/// It moves as a puck does, beyond doubt; the main track is taken to rest, and has never done so
-/// itself, or the puck is so faint that it is never evident, or was covered and has not been seen
-/// for a while, so that it may have been taken away.
+/// It moves as a puck does, beyond doubt or as a whole ring; the main track is taken to rest, and
+/// has never done so itself, or the puck is so faint that it is never evident, or was covered and
+/// has not been seen for a while, so that it may have been taken away.
 bool outruns_rest(const Claim& claim, const Defence& main);
 
 /// It is clear at once; or, the less the correlation says, the more its events must, and the other
 /// way round, and the clearer those are, the sooner; the main track has not been good for a while.
 bool is_recognised(const Claim& claim, const Defence& main);
 
-/// Any of the first six, or recognised; but far from a track that moves and is more of a puck in
-/// every respect, none; against a puck at rest, which makes no events, that it is
-/// evident, outruns it, or is recognised, by a high score if it is not lost. A conjecture must move
-/// by itself, unless the main track has not been sound for long.
+/// Any of the first six, or recognised; but far from a track that moves, has twice its events, on
+/// more sides, and is more of a puck to searches, none; against a puck at rest, which makes no
+/// events, that it is evident, outruns it, or is recognised, by a high score if it is not lost. A
+/// conjecture must move by itself, unless the main track has not been sound for long.
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident, nor

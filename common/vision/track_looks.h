@@ -30,8 +30,8 @@ struct TrackLooks {
   /// It moves as nothing that is fixed to the table does, and is no larger than a puck, with events
   /// on enough sides.
   constexpr bool moves_as_pucks_do() const { return is_fast() && cover > 0.35 && !is_oversized(); }
-  /// It moves as a puck does, is no larger than one, and so strong that it is one even if what lies
-  /// beside or on it spoils its quality; stronger yet, if it looks a little large.
+  /// It moves as a puck does, is hardly larger than one, and so strong that it is one even if what
+  /// lies beside or on it spoils its quality; stronger yet, if it looks a little large.
   constexpr bool is_clear() const {
     return moves_as_pucks_do() && quality > 0.6 && strength > (is_large() ? 300 : 80);
   }

@@ -23,9 +23,7 @@ class TrackStanding {
              std::int64_t time_us);
 
   /// A search has just seen the puck where it is followed: it goes on to be.
-  void note_seen(std::int64_t time_us) {
-    if (state_ == TrackState::kTracking) held_us_ = time_us;
-  }
+  void note_seen(std::int64_t time_us) { held_us_ = time_us; }
   TrackState state() const { return state_; }
   bool is_resting() const { return is_resting_; }
   /// It has rested for so long that what it rests on is no moment's mistake.
@@ -40,7 +38,7 @@ class TrackStanding {
   TrackState state_ = TrackState::kSearching;
   bool is_resting_ = false;
   std::optional<Pixel> left_image_;
-  std::int64_t held_us_ = 0;   // when it was last good or at rest
+  std::int64_t held_us_ = 0;   // when it was last good, seen or at rest
   std::int64_t moved_us_ = 0;  // when it was last not at rest
 };
 

@@ -55,7 +55,7 @@ class TrackTrust {
   static constexpr std::int64_t kSoundFirst_us = 20'000;
   static constexpr std::int64_t kWeaklyFoundFor_us = 20'000;
 
-  std::int64_t good_us_ = 0;     // when it was last good
+  std::int64_t good_us_ = 0;     // when it was last good, or seen
   std::int64_t sound_us_ = 0;    // when it was last sound
   std::int64_t unsound_us_ = 0;  // for how long it has been seen and not sound
   std::int64_t trust_us_ = 0;    // grows while it is sound, wanes while it is not

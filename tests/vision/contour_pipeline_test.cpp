@@ -413,6 +413,7 @@ TEST_CASE("a puck is followed whose side wall makes events below the face that w
                          .face_on_px = 60,
                          .principal_x_px = 160,
                          .principal_y_px = 120};
+  REQUIRE(PuckContour(kSensor, model, {0, 0, 0}, true).other_wall_share() < -0.1);
   for (const bool has_wall : {false, true}) {
     CAPTURE(has_wall);
     Table table(preset_params(Preset::kDefault), 1, model);

@@ -137,6 +137,11 @@ TEST_CASE("The other opinion on the side wall goes by what the annotations outli
   CHECK(PuckContour(kSensor, model, kExact, true).other_wall_share() ==
         doctest::Approx(0.25 * tilted));
 
+  // What the calibration has seen is not looked for again, thin as it may be.
+  model.disc->thickness = 0.1;
+  const double thin = model.wall_of_width();
+  CHECK(PuckContour(kSensor, model, {0, thin, 0}, true).other_wall_share() == 0);
+
   // Of the face alone: the wall shows below it, while the face's upper edge stays where it is.
   model.disc->thickness = 0.03;
   const PuckContour contour(kSensor, model, kExact, true);

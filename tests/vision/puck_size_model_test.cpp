@@ -59,9 +59,9 @@ TEST_CASE("what the side wall adds to the height is the disc's, an ordinary puck
                          .principal_x_px = 320,
                          .principal_y_px = 240};
   CHECK(model.wall_of_width() == doctest::Approx(0.2 * std::sqrt(0.75)));
-  model.disc->thickness = 0.08;
+  model.disc->thickness = 0.05;
   CHECK(model.wall_of_width() > 0);
-  model.disc->thickness = 0.079;
+  model.disc->thickness = 0.049;
   CHECK(model.wall_of_width() == 0);
 }
 

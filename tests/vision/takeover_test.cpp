@@ -428,7 +428,7 @@ TEST_CASE("It needs some strength, however little the track has") {
 }
 
 TEST_CASE(
-    "What is less of a puck in every respect than a track that moves takes over only nearby") {
+    "What has half the events of a track that moves, on fewer sides, takes over only nearby") {
   Defence main{.looks = {.speed_px_s = 301, .quality = 0.66, .strength = 300, .cover = 0.8},
                .may_be_overtaken = true,
                .knows_pucks = true,

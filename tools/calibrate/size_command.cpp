@@ -62,7 +62,8 @@ void print(const SizeCalibration& calibration, std::size_t rows, SensorSize sens
                           : "the disc is not written: the annotations are too few for it, or it "
                             "explains them worse or as no puck on a table");
   if (calibration.model.wall_of_width() <= 0) {
-    std::printf("the annotations outline the puck's face alone: its side wall is expected below that\n");
+    std::printf(
+        "the annotations outline the puck's face alone: its side wall is looked for below it\n");
   }
   print_coverage(calibration, sensor);
   for (const std::string& warning : calibration.warnings) {
