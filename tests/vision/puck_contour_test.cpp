@@ -14,6 +14,13 @@ constexpr SensorSize kSensor{641, 480};
 constexpr PuckSizeModel kFlat{30, 0, 0, 20, 0, 0};
 // Its width ends at row −200.
 constexpr PuckSizeModel kPlane{20, 0, 0.1, 10, 0, 0.1};
+// Likewise.
+constexpr DiscModel kDisc{.width_0 = 20,
+                          .width_y = 0.1,
+                          .face_on_px = 60,
+                          .thickness = 0.2,
+                          .principal_x_px = 320,
+                          .principal_y_px = 239.5};
 constexpr ContourCalibration kExact{0, 0, 0};
 
 TEST_CASE("The distance from the contour is exact along the axes and outward normals are unit") {
@@ -98,12 +105,7 @@ TEST_CASE("A ring that leans further than its box can hold stays within the box"
 
 TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {
   PuckSizeModel model = kFlat;
-  model.disc = DiscModel{.width_0 = 20,
-                         .width_y = 0.1,
-                         .face_on_px = 60,
-                         .thickness = 0.2,
-                         .principal_x_px = 320,
-                         .principal_y_px = 239.5};
+  model.disc = kDisc;
   const PuckSize size = model.disc->at({600, 240});
   const ContourRing ring = PuckContour(kSensor, model, kExact, true).ring_at({600, 240}, 0);
   CHECK(ring.semi_y == doctest::Approx(size.height / 2));
@@ -127,15 +129,10 @@ TEST_CASE("The other opinion on the side wall is the opposite of the calibrated 
 
 TEST_CASE("The other opinion on the side wall goes by what the annotations outline") {
   PuckSizeModel model = kFlat;
-  model.disc = DiscModel{.width_0 = 20,
-                         .width_y = 0.1,
-                         .face_on_px = 60,
-                         .thickness = 0.25,
-                         .principal_x_px = 320,
-                         .principal_y_px = 239.5};
+  model.disc = kDisc;
   const double tilted = std::cos(model.disc->tilt_deg() * std::numbers::pi / 180);
   CHECK(PuckContour(kSensor, model, kExact, true).other_wall_share() ==
-        doctest::Approx(0.25 * tilted));
+        doctest::Approx(0.2 * tilted));
 
   // What the calibration has seen is not looked for again, thin as it may be.
   model.disc->thickness = 0.1;
