@@ -84,18 +84,22 @@ double ContourFilter::speed_variance(double normal_x, double normal_y) const {
 }
 
 void ContourFilter::correct(double distance_px, double normal_x, double normal_y) {
-  std::array<double, kSize> ph;
+  State ph;
   for (std::size_t i = 0; i < kSize; ++i) {
     ph[i] = normal_x * cov(i, 0) + normal_y * cov(i, 1) + cov(i, 4);
   }
   // Far events are believed less, without an edge between belief and disbelief.
   const double variance = params_.event_variance_px2 * (1 + distance_px * distance_px / 4);
   const double per_innovation = 1 / (normal_x * ph[0] + normal_y * ph[1] + ph[4] + variance);
-  for (std::size_t i = 0; i < kSize; ++i) state_[i] += ph[i] * per_innovation * distance_px;
+  apply(ph, per_innovation, distance_px);
+  keep_in_bounds();
+}
+
+void ContourFilter::apply(const State& ph, double per_innovation, double innovation) {
+  for (std::size_t i = 0; i < kSize; ++i) state_[i] += ph[i] * per_innovation * innovation;
   for (std::size_t i = 0; i < kSize; ++i) {
     for (std::size_t j = 0; j < kSize; ++j) cov(i, j) -= ph[i] * ph[j] * per_innovation;
   }
-  keep_in_bounds();
 }
 
 void ContourFilter::keep_in_bounds() {
@@ -112,14 +116,10 @@ void ContourFilter::keep_in_bounds() {
 void ContourFilter::correct_place(double dx, double dy, double sigma_px) {
   const std::array<double, 2> place{state_[0] + dx, state_[1] + dy};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    std::array<double, kSize> ph;
+    State ph;
     for (std::size_t i = 0; i < kSize; ++i) ph[i] = cov(i, axis);
     const double per_innovation = 1 / (ph[axis] + sigma_px * sigma_px);
-    const double innovation = place[axis] - state_[axis];
-    for (std::size_t i = 0; i < kSize; ++i) state_[i] += ph[i] * per_innovation * innovation;
-    for (std::size_t i = 0; i < kSize; ++i) {
-      for (std::size_t j = 0; j < kSize; ++j) cov(i, j) -= ph[i] * ph[j] * per_innovation;
-    }
+    apply(ph, per_innovation, place[axis] - state_[axis]);
   }
   keep_in_bounds();
 }

@@ -84,6 +84,11 @@ class ContourFilter {
 
  private:
   static constexpr std::size_t kSize = 5;
+  using State = std::array<double, kSize>;
+
+  /// The Kalman step for one measured number: `ph` is the covariance of the state with it,
+  /// `per_innovation` the inverse of its variance.
+  void apply(const State& ph, double per_innovation, double innovation);
   void keep_in_bounds();
   double& cov(std::size_t row, std::size_t column) { return covariance_[row * kSize + column]; }
   double cov(std::size_t row, std::size_t column) const {
@@ -92,7 +97,7 @@ class ContourFilter {
 
   ContourFilterParams params_;
   std::int64_t time_us_ = 0;
-  std::array<double, kSize> state_{};
+  State state_{};
   std::array<double, kSize * kSize> covariance_{};
 };
 

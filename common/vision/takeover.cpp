@@ -49,7 +49,7 @@ bool is_only_round(const Claim& claim, const Defence& main) {
 
 // The main track moves, and has more events, on more sides, and is more of a puck to searches.
 bool is_lesser(const Claim& claim, const Defence& main) {
-  return main.looks.is_good() && main.looks.is_fast() &&
+  return main.knows_pucks && main.looks.is_good() && main.looks.is_fast() &&
          claim.looks.strength < main.looks.strength / 2 && claim.looks.cover < main.looks.cover &&
          claim.found.score < main.score;
 }
@@ -174,7 +174,7 @@ bool is_convincing(const Claim& claim, const Defence& main) {
     return is_evident(claim) || outruns_rest(claim, main) ||
            (is_recognised(claim, main) && (main.is_lost || claim.found.score > kLikelyScore));
   }
-  if (main.knows_pucks && is_lesser(claim, main)) return succeeds_nearby(claim, main);
+  if (is_lesser(claim, main)) return succeeds_nearby(claim, main);
   return is_recognised(claim, main) || outshines(claim, main) || surpasses(claim, main) ||
          outmoves(claim, main) || unmasks(claim, main) || displaces_stranger(claim, main) ||
          succeeds_nearby(claim, main);

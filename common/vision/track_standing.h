@@ -24,6 +24,7 @@ class TrackStanding {
 
   /// A search has just seen the puck where it is followed: it goes on to be.
   void note_seen(std::int64_t time_us) { held_us_ = time_us; }
+
   TrackState state() const { return state_; }
   bool is_resting() const { return is_resting_; }
   /// It has rested for so long that what it rests on is no moment's mistake.
