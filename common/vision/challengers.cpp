@@ -20,6 +20,10 @@ constexpr std::int64_t kSearchLife_us = 60'000;
 // but not refuted, so that it may be found again.
 constexpr std::int64_t kThrivingLife_us = 150'000;
 
+// Where there is no room for more, what has been tried for so long and is no better is given up.
+constexpr std::int64_t kSupportedAfter_us = 5'000;
+constexpr double kUnsupported = 0.1;
+
 // A challenger that has come so near to the main track is the same track.
 constexpr double kSame_px = 2;
 constexpr double kSame_px_s = 100;
@@ -110,7 +114,7 @@ void Challengers::add_found(const Answer& answer, const ContourContext& context)
     if (answer.main && distance_px(candidate.position, *answer.main) < kSame_px) continue;
     if (note_known(candidate.position, found, seen_us)) continue;
     if (refuted_.contains(candidate.position, candidate.score, answer.time_us)) continue;
-    if (candidate.score > kEvidentScore) make_room();
+    make_room_for(candidate, answer.time_us);
     try_one(candidate.position, sought, found);
     if (!context.ingredients.wall) continue;
     try_one(context.contour.centre_with_wall(candidate.position, sought, not_sought), not_sought,
@@ -132,14 +136,33 @@ bool Challengers::note_known(Pixel position, const Challenger::Found& found, std
   return is_known;
 }
 
-// What is evident must not wait until others have been tried.
-void Challengers::make_room() {
+// Of those that were found.
+const Challenger* Challengers::least_good(std::int64_t time_us) const {
+  const Challenger* worst = nullptr;
+  for (const Challenger& one : challengers_) {
+    if (!is_found(one) || one.tried_us(time_us) < kSupportedAfter_us) continue;
+    if (worst == nullptr || one.track().quality() < worst->track().quality()) worst = &one;
+  }
+  return worst;
+}
+
+// What no event has spoken for yet makes room; what is evident must not even wait for that.
+void Challengers::make_room_for(const SearchCandidate& candidate, std::int64_t time_us) {
+  const auto give_up = [this](const Challenger& one) {
+    challengers_.erase(challengers_.begin() + (&one - challengers_.data()));
+  };
   while (std::count_if(challengers_.begin(), challengers_.end(), is_found) > kMostFound - 2) {
-    const auto worst = std::min_element(
-        challengers_.begin(), challengers_.end(), [](const Challenger& a, const Challenger& b) {
-          return is_found(a) && (!is_found(b) || a.found().score < b.found().score);
-        });
-    challengers_.erase(worst);
+    const Challenger* worst = least_good(time_us);
+    if (worst != nullptr && worst->track().quality() < kUnsupported) {
+      give_up(*worst);
+    } else if (candidate.score > kEvidentScore) {
+      give_up(*std::min_element(
+          challengers_.begin(), challengers_.end(), [](const Challenger& a, const Challenger& b) {
+            return is_found(a) && (!is_found(b) || a.found().score < b.found().score);
+          }));
+    } else {
+      return;
+    }
   }
 }
 

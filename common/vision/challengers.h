@@ -48,6 +48,8 @@ class Challengers {
 
   /// Adds what a search found and is neither `main`, nor known, nor refuted of late: once
   /// for each opinion on the puck's side wall. What is known is noted to have been found again.
+  /// Where there is no room, what no event speaks for gives way, and to what is evident the least
+  /// likely.
   void add_found(const Answer& answer, const ContourContext& context);
 
   void decide(std::int64_t time_us, const ContourContext& context);
@@ -72,7 +74,8 @@ class Challengers {
 
  private:
   bool note_known(Pixel position, const Challenger::Found& found, std::int64_t time_us);
-  void make_room();
+  const Challenger* least_good(std::int64_t time_us) const;
+  void make_room_for(const SearchCandidate& candidate, std::int64_t time_us);
 
   std::vector<Challenger> challengers_;
   RefutedPlaces refuted_;

@@ -103,6 +103,8 @@ bool surpasses(const Claim& claim, const Defence& main) {
 }
 
 bool outmoves(const Claim& claim, const Defence& main) {
+  // A puck that has hardly moved yet looks good, and clutter may be ring enough for a moment.
+  if (!claim.leads && main.looks.is_good() && main.since_sound_us < kBadFor_us) return false;
   const bool has_gone_bad = main.may_be_overtaken && main.since_good_us > kBadFor_us;
   // A round mark may be as good a ring as there is, a mallet or a hand is none.
   const bool is_ring = claim.looks.is_whole_ring();

@@ -265,6 +265,36 @@ TEST_CASE("What is evident takes the place of the least likely") {
   CHECK(has(0.7) == 2);
 }
 
+TEST_CASE("Where there is no room, what no event has spoken for within 5 ms gives way") {
+  Challengers challengers;
+  for (int i = 0; i < 18; ++i) find(challengers, {{{20.0 + 20 * i, 100}, 0.5}});
+  const auto is_tried = [&](double score) {
+    return std::any_of(challengers.begin(), challengers.end(),
+                       [&](const Challenger& one) { return one.found().score == score; });
+  };
+  find(challengers, {{{300, 300}, 0.3}}, 4'999);
+  CHECK_FALSE(is_tried(0.3));
+  find(challengers, {{{300, 300}, 0.4}}, 5'000);
+  CHECK(is_tried(0.4));
+  CHECK(test::count(challengers) == 36);
+
+  // What events speak for keeps its place.
+  challengers.clear();
+  std::vector<test::MovingContour> pucks;
+  for (int i = 0; i < 18; ++i) {
+    const Pixel place{20.0 + 30 * i, 100};
+    find(challengers, {{place, 0.5}});
+    pucks.emplace_back(kContext.contour, place, PixelVelocity{0, 300});
+  }
+  for (test::MovingContour& puck : pucks) {
+    for (const ContourEvent& event : puck.events(0, 5'000)) challengers.take(event, 0, kContext);
+  }
+  challengers.decide(5'000, kContext);
+  find(challengers, {{{300, 300}, 0.4}}, 5'000);
+  CHECK_FALSE(is_tried(0.4));
+  CHECK(test::count(challengers) == 36);
+}
+
 TEST_CASE("Challengers that are too old or the same as the main track are given up") {
   Challengers challengers;
   challengers.add(Kind::kTwin, kContext, kStart, 0, 0);

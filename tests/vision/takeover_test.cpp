@@ -53,6 +53,11 @@ TEST_CASE("What the correlation scores above 0.65 is evident after 5 ms if its e
 
 constexpr Claim kMoving{
     .looks = {.speed_px_s = 301, .quality = 0.76, .strength = 26, .cover = 0.36}, .age_us = 12'001};
+constexpr Claim kLeading = [] {
+  Claim claim = kMoving;
+  claim.leads = true;
+  return claim;
+}();
 
 TEST_CASE("What is faster than the head turns, in all directions, moves by itself") {
   CHECK(moves_by_itself(kMoving));
@@ -341,17 +346,31 @@ TEST_CASE("Against a puck at rest only a high score is recognised, unless it is 
 TEST_CASE("What moves by itself takes over from what never has") {
   Defence main = kStrongMain;
   main.looks.quality = 0.85;
-  CHECK_FALSE(is_convincing(kMoving, main));
+  CHECK_FALSE(is_convincing(kLeading, main));
   main.is_proven = false;
-  CHECK(outmoves(kMoving, main));
-  CHECK(is_convincing(kMoving, main));
+  CHECK(outmoves(kLeading, main));
+  CHECK(is_convincing(kLeading, main));
   main.looks.quality = 0.87;
-  CHECK_FALSE(is_convincing(kMoving, main));
-  Claim ring = kMoving;
+  CHECK_FALSE(is_convincing(kLeading, main));
+  Claim ring = kLeading;
   ring.looks.cover = 0.51;
   CHECK(is_convincing(ring, main));
   main.looks.quality = 0.97;
   CHECK_FALSE(is_convincing(ring, main));
+}
+
+TEST_CASE("What does not lead does not outmove what is good and has just been sound") {
+  Defence main = kStrongMain;
+  main.is_proven = false;
+  main.looks.quality = 0.85;
+  Claim claim = kLeading;
+  claim.leads = false;
+  CHECK_FALSE(outmoves(claim, main));
+  main.since_sound_us = 20'000;
+  CHECK(outmoves(claim, main));
+  main.since_sound_us = 0;
+  main.looks.strength = 6;
+  CHECK(outmoves(claim, main));
 }
 
 TEST_CASE("What is no whole ring does not outmove what looks more like a puck to searches") {
@@ -360,7 +379,7 @@ TEST_CASE("What is no whole ring does not outmove what looks more like a puck to
   main.knows_pucks = true;
   main.looks.quality = 0.8;
   main.score = 0.7;
-  Claim claim = kMoving;
+  Claim claim = kLeading;
   claim.found.score = 0.59;
   CHECK_FALSE(outmoves(claim, main));
   claim.looks.cover = 0.51;
