@@ -94,7 +94,7 @@ void ContourPipeline::decide(std::int64_t time_us) {
     stop_if_silent(*main_, context_, time_us);
     // While the head turns, a faint puck makes events at rest, too; of others it is not known that
     // the head turns.
-    if (!head_turns() && settling_.settle(*main_, context_, time_us)) {
+    if (!head_turns() && settling_.settle(*main_, context_, trust_.was_covered(), time_us)) {
       witness_.put(main_->filter().position(), time_us);
     }
     stop_beyond_image(*main_, context_, sensor_, now_us_);
@@ -115,7 +115,7 @@ void ContourPipeline::decide(std::int64_t time_us) {
   }
   if (main_) {
     const TrackLooks looks = main_->looks();
-    standing_.judge(looks, witness_.agrees(looks.position, context_), head_turns(), trust_,
+    standing_.judge(looks, witness_.is_near(looks.position, context_), head_turns(), trust_,
                     time_us);
   }
   plan_search(time_us);

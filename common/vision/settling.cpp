@@ -8,30 +8,32 @@ namespace {
 // Enough events to be sure of the place to a few tenths of a pixel.
 constexpr double kClearStrength = 40;
 constexpr double kClearStrengthOfFaint = 15;
-constexpr double kSlow_px_s = 120;
+constexpr double kSlow_px_s = 200;
 // Few enough that noise may be a part of them that counts.
 constexpr double kFewEvents = 12;
 // They die away within a few times the memory of the evidence, or the puck creeps on.
-constexpr std::int64_t kDyingFor_us = 60'000;
+constexpr std::int64_t kDyingFor_us = 80'000;
 // Noise leads a track no farther in that time.
-constexpr double kDrift_px = 6;
+constexpr double kDrift_px = 12;
 
 }  // namespace
 
-bool Settling::settle(ContourTrack& main, const ContourContext& context, std::int64_t time_us) {
+bool Settling::settle(ContourTrack& main, const ContourContext& context, bool was_covered,
+                      std::int64_t time_us) {
   // Otherwise it may be a mallet that stops.
   if (!context.ingredients.settling || !context.is_trusted) return false;
   const TrackLooks looks = main.looks();
   const double clear_strength =
       context.signature.is_faint() ? kClearStrengthOfFaint : kClearStrength;
   if (looks.quality > TrackTrust::kSound && looks.strength > clear_strength) {
-    place_ = looks.position;
+    place_ = main.last_ring_position();
     was_slow_ = looks.speed_px_s < kSlow_px_s;
     clear_us_ = time_us;
     return false;
   }
-  if (!was_slow_ || looks.near_events > kFewEvents || time_us - clear_us_ > kDyingFor_us ||
-      distance_px(place_, looks.position) > kDrift_px) {
+  // A covered puck's events die away while it goes on.
+  if (was_covered || !was_slow_ || looks.near_events > kFewEvents ||
+      time_us - clear_us_ > kDyingFor_us || distance_px(place_, looks.position) > kDrift_px) {
     return false;
   }
   main.stop_at(place_, time_us, context);

@@ -8,6 +8,12 @@ namespace {
 constexpr double kSlow_px_s = 60;
 constexpr double kSupportedQuality = 0.1;
 constexpr double kSupportedStrength = 15;
+constexpr double kSupportedShare = 0.5;
+// A puck that comes to rest against a mallet looks bad before both fall silent, so soon and so near
+// that it can be no other.
+constexpr double kWholeCover = 0.45;
+constexpr std::int64_t kComesToRestFor_us = 150'000;
+constexpr double kComesToRestWithin_px = 8;
 // A puck whose centre has been outside the image for so long, unseen, has left.
 constexpr std::int64_t kLeaving_us = 10'000;
 
@@ -23,11 +29,20 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_agrees, bool head
   if (!is_resting_) moved_us_ = time_us;
   // Beside a hand or a mallet the track looks poor. That the blob agrees, and that the ring still
   // has more events than its surroundings explain, says that it is right all the same.
-  const bool is_supported = trust.is_trusted() && witness_agrees &&
-                            main.quality > kSupportedQuality && main.strength > kSupportedStrength;
+  const bool is_supported =
+      trust.is_trusted() && witness_agrees && main.strength > kSupportedStrength &&
+      (main.quality > kSupportedQuality || main.strength > kSupportedShare * main.near_events);
+  const bool came_to_rest = is_resting_ && trust.is_trusted() && trust.is_proven() &&
+                            !trust.was_covered() && time_us - whole_us_ < kComesToRestFor_us &&
+                            distance_px(whole_at_, main.position) < kComesToRestWithin_px;
   if (in_image && trust.is_believed() &&
-      (main.is_good() || is_supported || (is_resting_ && state_ == TrackState::kTracking))) {
+      (main.is_good() || is_supported || came_to_rest ||
+       (is_resting_ && state_ == TrackState::kTracking))) {
     held_us_ = time_us;
+    if (main.cover > kWholeCover || is_resting_) {
+      whole_us_ = time_us;
+      whole_at_ = main.position;
+    }
     left_image_.reset();
   }
   if (time_us - held_us_ <= (in_image ? coast_us_ : kLeaving_us)) {

@@ -22,7 +22,8 @@ class TrackStanding {
   void judge(const TrackLooks& main, bool witness_agrees, bool head_turns, const TrackTrust& trust,
              std::int64_t time_us);
 
-  /// A search has just seen the puck where it is followed: it goes on to be.
+  /// A search has just seen the puck where it is followed, or it cannot have left: it goes on to be
+  /// there.
   void note_seen(std::int64_t time_us) { held_us_ = time_us; }
 
   TrackState state() const { return state_; }
@@ -40,6 +41,8 @@ class TrackStanding {
   bool is_resting_ = false;
   std::optional<Pixel> left_image_;
   std::int64_t held_us_ = 0;   // when it was last good, seen or at rest
+  std::int64_t whole_us_ = 0;  // when it was last so with its ring whole
+  Pixel whole_at_;
   std::int64_t moved_us_ = 0;  // when it was last not at rest
 };
 

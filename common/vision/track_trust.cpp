@@ -7,6 +7,8 @@ namespace {
 
 // So that trust that has grown for long is still lost within a second of bad looks.
 constexpr std::int64_t kMostTrust_us = 1'000'000;
+// What is half hidden may be sound for a while, and is covered all the same.
+constexpr double kUncovered = 0.5;
 // A weakly found track that moves as a puck does is the puck's after so long.
 constexpr std::int64_t kBelievedAfter_us = 3'000;
 // Of what is clear by its events, hardly anything but a puck looks so much like one to searches.
@@ -21,7 +23,8 @@ void TrackTrust::judge(const TrackLooks& main, double seen_score, bool unseen, s
   const bool is_sound = main.quality > kSound || (main.is_clear() && seen_score > kSeen);
   if (is_sound) sound_us_ = time_us;
   unsound_us_ = is_sound ? 0 : unsound_us_ + (unseen ? 0 : passed_us);
-  was_covered_ = !is_sound && (was_covered_ || main.is_covered());
+  const bool is_whole = is_sound && main.cover > kUncovered;
+  was_covered_ = !is_whole && (was_covered_ || main.is_covered());
   if (is_sound || !unseen) {
     trust_us_ =
         std::clamp<std::int64_t>(trust_us_ + (is_sound ? passed_us : -passed_us), 0, kMostTrust_us);

@@ -42,7 +42,8 @@ class TrackTrust {
     return !was_weakly_found_ || sound_us_ - found_us_ > kWeaklyFoundFor_us;
   }
 
-  /// Something has been on it since it was last sound or found: a hand may have taken it away.
+  /// Something has been on it since it was last sound on most sides, or found: a hand may have
+  /// taken it away.
   bool was_covered() const { return was_covered_; }
 
   std::int64_t since_good_us(std::int64_t time_us) const { return time_us - good_us_; }

@@ -6,6 +6,7 @@ namespace puck {
 namespace {
 
 constexpr double kAgreement_widths = 0.25;
+constexpr double kNear_px = 4.5;
 constexpr double kAstray_widths = 0.5;
 constexpr std::int64_t kAstrayFor_us = 20'000;
 constexpr std::int64_t kSpeakingPeriod_us = 1'000;
@@ -53,6 +54,10 @@ void WitnessCheck::put(Pixel position, std::int64_t time_us) {
 bool WitnessCheck::agrees(Pixel main, const ContourContext& context) const {
   return distance_px(witness_.position(), main) <
          kAgreement_widths * context.contour.size_at(main).width;
+}
+
+bool WitnessCheck::is_near(Pixel main, const ContourContext& context) const {
+  return agrees(main, context) || distance_px(witness_.position(), main) < kNear_px;
 }
 
 bool WitnessCheck::vouches(Pixel main, const ContourContext& context) const {

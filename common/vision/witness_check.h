@@ -26,6 +26,8 @@ class WitnessCheck {
   void put(Pixel position, std::int64_t time_us);
 
   bool agrees(Pixel main, const ContourContext& context) const;
+  /// The same, or it is so near that what lies beside a small puck may have drawn it off.
+  bool is_near(Pixel main, const ContourContext& context) const;
   /// It agrees, and what it follows are the puck's events.
   bool vouches(Pixel main, const ContourContext& context) const;
   Pixel position() const { return witness_.position(); }

@@ -48,11 +48,12 @@ class Stopped {
   std::optional<ContourTrack> track;
   Pixel place;
   std::int64_t now_us = 0;
+  bool was_covered = false;
 
  private:
   bool decide(std::int64_t time_us) {
     track->decide(time_us, false, context);
-    return settling_.settle(*track, context, time_us);
+    return settling_.settle(*track, context, was_covered, time_us);
   }
 
   Settling settling_;
@@ -72,6 +73,18 @@ TEST_CASE("Without it a few stray events lead the track away") {
   CHECK(distance_px(stopped.track->filter().position(), stopped.place) > 1.5);
 }
 
+TEST_CASE("A puck that is caught while it still goes on rests near where it was caught") {
+  Stopped stopped({180, 40});
+  CHECK(stopped.wait(80'000));
+  CHECK(distance_px(stopped.track->filter().position(), stopped.place) < 3);
+}
+
+TEST_CASE("A covered puck's events die away while it goes on, so that it does not settle") {
+  Stopped stopped({35, 10});
+  stopped.was_covered = true;
+  CHECK_FALSE(stopped.wait(50'000));
+}
+
 TEST_CASE("A fast puck that falls silent does not settle, since it may be covered") {
   Stopped stopped({500, 0});
   CHECK_FALSE(stopped.wait(50'000));
@@ -89,9 +102,9 @@ TEST_CASE("A successor does not settle where the track before it was clear") {
   CHECK_FALSE(stopped.wait(50'000));
 }
 
-TEST_CASE("Where a puck was clear more than 60 ms ago says nothing any more") {
+TEST_CASE("Where a puck was clear more than 80 ms ago says nothing any more") {
   Stopped stopped({35, 10});
-  stopped.now_us += 61'000;
+  stopped.now_us += 81'000;
   CHECK_FALSE(stopped.wait(50'000));
 }
 

@@ -103,6 +103,63 @@ TEST_CASE("A poor track that is trusted is held as long as the blob and its ring
   CHECK(state_after(poor, true, trusted) == TrackState::kLost);
 }
 
+TEST_CASE("Whatever its quality it is held while more than half of what is near lies on its ring") {
+  TrackTrust trusted;
+  trusted.judge(kGood, 0, false, 300'000, 300'000);
+  TrackLooks poor = kGood;
+  poor.quality = 0;
+  poor.near_events = 60;
+  const auto state_after = [&](double strength) {
+    poor.strength = strength;
+    TrackStanding standing(kSensor, 50'000);
+    standing.judge(kGood, true, false, trusted, 100'000);
+    standing.judge(poor, true, false, trusted, 200'000);
+    return standing.state();
+  };
+  CHECK(state_after(31) == TrackState::kTracking);
+  CHECK(state_after(30) == TrackState::kLost);
+}
+
+// Trust in a track that has been sound and fast for 300 ms.
+TrackTrust proven() {
+  TrackTrust trust;
+  trust.judge(kGood, 0, false, 100'000, 300'000);
+  return trust;
+}
+
+// Tracked at 100 ms with this cover, lost, and silent near there; its state then.
+TrackState state_at_rest(std::int64_t silent_us, double away_px, double cover,
+                         const TrackTrust& trust) {
+  TrackLooks seen = kGood;
+  seen.cover = cover;
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(seen, true, false, trust, 100'000);
+  TrackLooks bad = kGood;
+  bad.quality = bad.strength = 0;
+  standing.judge(bad, true, false, trust, silent_us - 1);
+  REQUIRE(standing.state() == TrackState::kLost);
+  TrackLooks silent = kSilent;
+  silent.position.x += away_px;
+  standing.judge(silent, true, false, trust, silent_us);
+  return standing.state();
+}
+
+TEST_CASE(
+    "What is bad beside a mallet and falls silent soon, near where it was whole, rests there") {
+  CHECK(state_at_rest(200'000, 0, 0.5, proven()) == TrackState::kTracking);
+  CHECK(state_at_rest(249'999, 7, 0.5, proven()) == TrackState::kTracking);
+  CHECK(state_at_rest(250'000, 7, 0.5, proven()) == TrackState::kLost);
+  CHECK(state_at_rest(200'000, 8, 0.5, proven()) == TrackState::kLost);
+}
+
+TEST_CASE("It does not if it was half hidden or covered, nor if it has not proved to be the puck") {
+  CHECK(state_at_rest(200'000, 0, 0.45, proven()) == TrackState::kLost);
+  TrackTrust covered = proven();
+  covered.judge({.inside_events = 13}, 0, true, 100'500, 500);
+  CHECK(state_at_rest(200'000, 0, 0.5, covered) == TrackState::kLost);
+  CHECK(state_at_rest(200'000, 0, 0.5, sound()) == TrackState::kLost);
+}
+
 TEST_CASE("A lost track is not found again by resting") {
   TrackStanding standing(kSensor, 50'000);
   standing.judge(kSilent, true, false, sound(), 200'000);

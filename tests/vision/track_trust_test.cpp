@@ -5,7 +5,7 @@
 namespace puck {
 namespace {
 
-constexpr TrackLooks kSound{.quality = 0.9, .strength = 50};
+constexpr TrackLooks kSound{.quality = 0.9, .strength = 50, .cover = 0.8};
 constexpr TrackLooks kGood{.quality = 0.6, .strength = 50};
 constexpr TrackLooks kBad{.quality = 0.2, .strength = 50};
 constexpr TrackLooks kFast{.speed_px_s = 301, .quality = 0.9, .strength = 50};
@@ -61,6 +61,20 @@ TEST_CASE("A track was covered from when something is inside its ring until it i
   CHECK_FALSE(track.trust.was_covered());
   track.look(covered, 1);
   track.trust.note_found(false, track.now_us);
+  CHECK_FALSE(track.trust.was_covered());
+}
+
+TEST_CASE("What is sound on few sides is half hidden, and covered all the same") {
+  Judged track;
+  TrackLooks covered = kBad;
+  covered.inside_events = 13;
+  track.look(covered, 1);
+  TrackLooks half = kSound;
+  half.cover = 0.5;
+  track.look(half, 1);
+  CHECK(track.trust.was_covered());
+  half.cover = 0.51;
+  track.look(half, 1);
   CHECK_FALSE(track.trust.was_covered());
 }
 

@@ -17,6 +17,21 @@ TEST_CASE("The witness agrees within a quarter of the puck's width") {
   CHECK_FALSE(witness.agrees({300 + 0.26 * width, 200}, kContext));
 }
 
+TEST_CASE(
+    "It is near where it agrees, and within 4.5 px, since the blob of a small puck is drawn off") {
+  WitnessCheck witness;
+  const Pixel far_end{300, 30};
+  witness.put(far_end, 0);
+  REQUIRE(kContext.contour.size_at(far_end).width < 18);
+  CHECK_FALSE(witness.agrees({far_end.x + 4.4, far_end.y}, kContext));
+  CHECK(witness.is_near({far_end.x + 4.4, far_end.y}, kContext));
+  CHECK_FALSE(witness.is_near({far_end.x + 4.6, far_end.y}, kContext));
+  witness.put({300, 400}, 0);
+  const double width = kContext.contour.size_at({300, 400}).width;
+  CHECK(witness.is_near({300 + 0.24 * width, 400}, kContext));
+  CHECK_FALSE(witness.is_near({300 + 0.26 * width, 400}, kContext));
+}
+
 TEST_CASE("It vouches only for a puck that makes more than one event at a pixel") {
   ContourContext context = kContext;
   WitnessCheck witness;
