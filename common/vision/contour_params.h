@@ -31,7 +31,8 @@ struct ContourIngredients {
   bool stopping = true;      ///< A puck that falls silent is taken to have stopped.
   bool settling = true;      ///< A puck whose events fade comes to rest where it was last clear.
   bool holding = true;       ///< A puck at rest stays while something comes near.
-  bool background = true;    ///< What stands still while the head turns counts less.
+  bool left_behind = true;  ///< A track led away from a puck that cannot have left is brought back.
+  bool background = true;   ///< What stands still while the head turns counts less.
   bool early_background = true;  ///< … for which a trusted track that looks doubtful suffices.
   bool clear_rings = true;       ///< … unless a faint puck is sought, and it is a clear ring.
   bool faint_rests = true;       ///< What may be a faint puck at rest is looked for elsewhere, too.
@@ -51,7 +52,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 31> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 32> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -73,6 +74,7 @@ inline constexpr std::array<ContourIngredient, 31> kContourIngredients{{
     {"stopping", &ContourIngredients::stopping},
     {"settling", &ContourIngredients::settling},
     {"holding", &ContourIngredients::holding},
+    {"left-behind", &ContourIngredients::left_behind},
     {"background", &ContourIngredients::background},
     {"early-background", &ContourIngredients::early_background},
     {"clear-rings", &ContourIngredients::clear_rings},

@@ -75,6 +75,7 @@ void ContourPipeline::take_event(const Event& event, std::int64_t time_us) {
   // A puck of good contrast has so many events that it would only lose by leaving some out.
   if (seen.still && context_.signature.is_faint()) return;
   if (main_) witness_.take(event.x, event.y);
+  left_behind_.take(seen.x, seen.y);
   const double worth = main_ ? main_->take(seen, context_) : 0;
   twins_.take(worth);
   challengers_.take(seen, worth, context_);
@@ -98,6 +99,7 @@ void ContourPipeline::decide(std::int64_t time_us) {
       witness_.put(main_->filter().position(), time_us);
     }
     stop_beyond_image(*main_, context_, sensor_, now_us_);
+    return_if_left_behind(time_us);
     if (held_rest_.is_held()) {
       witness_.put(main_->filter().position(), time_us);
       challengers_.dismiss_born();
@@ -141,6 +143,16 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   if (shows_wall()) {
     sought_wall_.learn(context_.contour.is_other_wall(main_->wall_share()), passed_us);
   }
+}
+
+void ContourPipeline::return_if_left_behind(std::int64_t time_us) {
+  const LeftBehind::Situation now{.is_sure = trust_.is_trusted() && trust_.is_proven() &&
+                                             !trust_.was_covered() &&
+                                             standing_.state() == TrackState::kTracking,
+                                  .is_resting = standing_.is_resting(),
+                                  .sensor = sensor_};
+  if (left_behind_.bring_back(*main_, now, context_, time_us)) held_rest_.seize(time_us);
+  if (left_behind_.is_there()) standing_.note_seen(time_us);
 }
 
 bool ContourPipeline::is_unseen(std::int64_t time_us) const {
@@ -233,6 +245,7 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
   if (kind == Challenger::Kind::kSearch) {
     challengers_.clear();
     missed_.end();
+    left_behind_.forget();
   } else {
     challengers_.dismiss_born();
   }
@@ -271,6 +284,7 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
   near_ = !main_ || awaits ? image
                            : region_of_tracks(*main_, challengers_, witness_.position(),
                                               context_.contour, sensor_);
+  near_ = near_.united(left_behind_.region()).intersect(image);
   // What is found will have events to catch up on, as many as are kept.
   const Region searched = search_plan_.searched();
   if (!searched.empty() && missed_.has_room()) {

@@ -10,6 +10,7 @@
 #include "common/vision/contour_track.h"
 #include "common/vision/event_history.h"
 #include "common/vision/held_rest.h"
+#include "common/vision/left_behind.h"
 #include "common/vision/missed_events.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/search_plan.h"
@@ -57,6 +58,7 @@ class ContourPipeline final : public TrackingPipeline {
   void decide_before(std::int64_t time_us);
   void decide(std::int64_t time_us);
   void judge_main(std::int64_t time_us);
+  void return_if_left_behind(std::int64_t time_us);
   bool is_unseen(std::int64_t time_us) const;
   void challenge_main(std::int64_t time_us);
   /// The main track is the puck's beyond doubt, so that its opinion on the side wall is, too.
@@ -84,6 +86,7 @@ class ContourPipeline final : public TrackingPipeline {
   TrackStanding standing_;
   Settling settling_;
   HeldRest held_rest_;
+  LeftBehind left_behind_;
   WitnessCheck witness_;
   Twins twins_;
   Challengers challengers_;

@@ -30,6 +30,11 @@ class HeldRest {
   bool is_held() const { return is_held_; }
   /// Whether it was let go at the last decision because the puck sets off.
   bool sets_off() const { return sets_off_; }
+  /// The main track has been brought back to rest although something happens beside it.
+  void seize(std::int64_t time_us) {
+    is_held_ = true;
+    quiet_us_ = time_us;
+  }
   /// The main track is another one.
   void forget() { is_held_ = sets_off_ = false; }
 

@@ -23,6 +23,7 @@ void PuckSignature::learn(const Sample& sample, std::int64_t duration_us) {
   sum_.swept_px2 = keep * sum_.swept_px2 + sample.swept_px2;
   sum_.quick_events = keep * sum_.quick_events + sample.quick_events;
   sum_.first_events = keep * sum_.first_events + sample.first_events;
+  if (density() > 0) last_density_ = density();
 }
 
 double PuckSignature::contrast_sign() const {

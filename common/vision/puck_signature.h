@@ -45,10 +45,13 @@ class PuckSignature {
   double multiplicity() const;
   /// Contour events per px² swept; nothing (0) while it is not known.
   double density() const;
+  /// The same, or, after a rest, what it was when it was last known.
+  double last_density() const { return last_density_; }
 
  private:
   static constexpr double kLeastEvents = 30;
   Sample sum_;  // Fading with 0.5 s.
+  double last_density_ = 0;
 };
 
 }  // namespace puck

@@ -67,6 +67,16 @@ TEST_CASE("What rests is not held while the puck is lost, since it may be gone")
   CHECK_FALSE(may_hold(lost, signature(5)));
 }
 
+TEST_CASE("What is brought back to rest is held at once, for 100 ms") {
+  HeldRest rest;
+  rest.seize(100'000);
+  CHECK(rest.is_held());
+  rest.judge(kBeside, false, 200'000);
+  CHECK(rest.is_held());
+  rest.judge(kBeside, false, 200'500);
+  CHECK_FALSE(rest.is_held());
+}
+
 TEST_CASE("Nothing is held that has not rested") {
   HeldRest rest;
   rest.judge(kBeside, false, 100'000);

@@ -40,6 +40,15 @@ TEST_CASE("A dark puck is told from a bright one, and a faint one from either") 
   CHECK(faint.is_faint());
 }
 
+TEST_CASE("What the density was is known after a rest in which all else is forgotten") {
+  PuckSignature signature;
+  CHECK(signature.last_density() == 0);
+  signature.learn(passing(3'000, 5, false), 1'000);
+  for (int i = 0; i < 10; ++i) signature.learn({}, 500'000);
+  REQUIRE(signature.density() == 0);
+  CHECK(signature.last_density() == doctest::Approx(5));
+}
+
 TEST_CASE("A puck of two events a pixel may be faint, one of three is not") {
   PuckSignature unknown;
   CHECK_FALSE(unknown.may_be_faint());

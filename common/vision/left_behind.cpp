@@ -1,0 +1,52 @@
+#include "common/vision/left_behind.h"
+
+#include <cmath>
+
+#include "common/vision/track_trust.h"
+
+namespace puck {
+namespace {
+
+// So long after the puck rested the track may be bad for a moment only.
+constexpr std::int64_t kDisturbedFor_us = 5'000;
+constexpr double kBad = 0.7;
+
+// Parts outside the image make no events.
+bool is_inside_image(Pixel position, const ContourRing& ring, SensorSize sensor) {
+  const double half_width = ring.semi_x + std::abs(ring.shear) * ring.semi_y;
+  const double half_height = ring.semi_y + std::abs(ring.rise);
+  return position.x > half_width && position.x < sensor.width - half_width &&
+         position.y > half_height && position.y < sensor.height - half_height;
+}
+
+}  // namespace
+
+bool LeftBehind::bring_back(ContourTrack& main, const Situation& now, const ContourContext& context,
+                            std::int64_t time_us) {
+  if (!context.ingredients.left_behind || context.signature.is_faint()) return false;
+  const TrackLooks looks = main.looks();
+  if (now.is_sure && now.is_resting) {
+    const ContourRing ring = context.contour.ring_at(looks.position, main.wall_share());
+    if (is_inside_image(looks.position, ring, now.sensor)) place_.put(looks.position, ring);
+    rested_us_ = time_us;
+    is_there_ = false;
+    return false;
+  }
+  const double density = context.signature.last_density();
+  is_there_ = looks.quality < TrackTrust::kSound && place_.must_hold_puck(density);
+  if (!is_there_) place_.forget();
+  if (time_us - rested_us_ < kDisturbedFor_us || looks.quality > kBad ||
+      !place_.must_hold_puck(density, looks.position)) {
+    return false;
+  }
+  main.stop_at(place_.position(), time_us, context);
+  main.park();
+  return true;
+}
+
+void LeftBehind::forget() {
+  place_.forget();
+  is_there_ = false;
+}
+
+}  // namespace puck
