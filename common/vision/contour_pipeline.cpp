@@ -151,7 +151,9 @@ void ContourPipeline::return_if_left_behind(std::int64_t time_us) {
                                              standing_.state() == TrackState::kTracking,
                                   .is_resting = standing_.is_resting(),
                                   .sensor = sensor_};
-  if (left_behind_.bring_back(*main_, now, context_, time_us)) held_rest_.seize(time_us);
+  if (left_behind_.bring_back(*main_, now, context_, time_us) && context_.ingredients.holding) {
+    held_rest_.seize(time_us);
+  }
   if (left_behind_.is_there()) standing_.note_seen(time_us);
 }
 

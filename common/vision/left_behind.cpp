@@ -23,11 +23,19 @@ bool is_inside_image(Pixel position, const ContourRing& ring, SensorSize sensor)
 
 bool LeftBehind::bring_back(ContourTrack& main, const Situation& now, const ContourContext& context,
                             std::int64_t time_us) {
-  if (!context.ingredients.left_behind || context.signature.is_faint()) return false;
+  // A faint puck may leave unseen.
+  if (!context.ingredients.left_behind || context.signature.is_faint()) {
+    forget();
+    return false;
+  }
   const TrackLooks looks = main.looks();
   if (now.is_sure && now.is_resting) {
     const ContourRing ring = context.contour.ring_at(looks.position, main.wall_share());
-    if (is_inside_image(looks.position, ring, now.sensor)) place_.put(looks.position, ring);
+    if (is_inside_image(looks.position, ring, now.sensor)) {
+      place_.put(looks.position, ring);
+    } else {
+      place_.forget();
+    }
     rested_us_ = time_us;
     is_there_ = false;
     return false;

@@ -7,8 +7,8 @@
 namespace puck {
 
 /// A puck that comes to rest makes fewer and fewer events, until noise, or the hand that has caught
-/// it, has as many and leads the track away. So the place where a slow puck was last seen clearly is
-/// remembered; when its events die away soon after, it rests there.
+/// it, has as many and leads the track away. So the place where a slow puck was last seen clearly
+/// is remembered; when its events die away soon after, it rests there.
 class Settling {
  public:
   /// To be called after each decision of the main track; true when it has put it to rest.

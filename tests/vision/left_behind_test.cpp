@@ -26,8 +26,8 @@ class Disturbed {
     left_behind.bring_back(*track, {is_sure, true, test::kSensor}, context, now_us);
   }
 
-  // Something that looks like a puck glides by for 20 ms from `start`, the track upon it but with
-  // the wrong size, so that it looks bad; whether the track was brought back.
+  // Something that looks like a puck glides by for 20 ms from `start`, upon it a track that sees
+  // no events, so that it looks bad; whether the track was brought back.
   bool glide(Pixel start, PixelVelocity velocity) {
     test::MovingContour shape(context.contour, start, velocity);
     bool is_back = false;
@@ -104,6 +104,28 @@ TEST_CASE("A faint puck may leave unseen") {
   REQUIRE(puck.context.signature.last_density() > 0);
   puck.rest();
   CHECK_FALSE(puck.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+}
+
+TEST_CASE("A place is forgotten when the puck turns out to be faint") {
+  Disturbed puck;
+  puck.rest();
+  REQUIRE(puck.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+  REQUIRE(puck.left_behind.is_there());
+  puck.context.signature = {};
+  puck.context.signature.learn(
+      {.events = 9'000, .swept_px2 = 3'000, .quick_events = 300, .first_events = 300}, 1'000);
+  CHECK_FALSE(puck.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+  CHECK_FALSE(puck.left_behind.is_there());
+  CHECK(puck.left_behind.region().empty());
+}
+
+TEST_CASE("A rest at the image's border takes the place of the one before") {
+  Disturbed puck;
+  puck.rest();
+  REQUIRE_FALSE(puck.left_behind.region().empty());
+  puck.track.emplace(puck.context, ContourFilter::Start{.position = {2, 180}}, puck.now_us, 0);
+  puck.rest();
+  CHECK(puck.left_behind.region().empty());
 }
 
 TEST_CASE("No place is watched that lies in part outside the image") {
