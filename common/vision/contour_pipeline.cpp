@@ -146,14 +146,11 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
 }
 
 void ContourPipeline::return_if_left_behind(std::int64_t time_us) {
-  const LeftBehind::Situation now{.is_sure = trust_.is_trusted() && trust_.is_proven() &&
-                                             !trust_.was_covered() &&
-                                             standing_.state() == TrackState::kTracking,
-                                  .is_resting = standing_.is_resting(),
-                                  .sensor = sensor_};
-  if (left_behind_.bring_back(*main_, now, context_, time_us) && context_.ingredients.holding) {
-    held_rest_.seize(time_us);
-  }
+  const LeftBehind::Situation now{
+      .is_sure = trust_.is_surely_puck() && standing_.state() == TrackState::kTracking,
+      .is_resting = standing_.is_resting(),
+      .sensor = sensor_};
+  if (left_behind_.bring_back(*main_, now, context_, time_us)) held_rest_.seize(context_, time_us);
   if (left_behind_.is_there()) standing_.note_seen(time_us);
 }
 

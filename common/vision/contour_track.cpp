@@ -65,7 +65,7 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   const double dy = event.y - (filter_.position().y + dt * velocity.y);
   const double reach = RingEvidence::kReach_px + 1;
   if (std::abs(dy + ring_.rise) > ring_.semi_y + reach ||
-      std::abs(dx) > ring_.semi_x + std::abs(ring_.shear) * ring_.semi_y + reach) {
+      std::abs(dx) > ring_.half_width() + reach) {
     return 0;
   }
   ContourOffset offset = ring_.offset(dx, dy, filter_.growth_px());

@@ -25,8 +25,7 @@ void HeldRest::hold(ContourTrack& main, const TrackStanding& standing,
 void HeldRest::judge(const TrackLooks& main, bool is_resting, std::int64_t time_us) {
   sets_off_ = false;
   if (is_resting) {
-    is_held_ = true;
-    quiet_us_ = time_us;
+    keep(time_us);
     return;
   }
   if (!is_held_) return;

@@ -23,6 +23,12 @@ class HeldRest {
   void hold(ContourTrack& main, const TrackStanding& standing, const ContourContext& context,
             std::int64_t time_us);
 
+  /// The main track has been brought back to rest although something happens beside it. Switched
+  /// like hold().
+  void seize(const ContourContext& context, std::int64_t time_us) {
+    if (context.ingredients.holding) keep(time_us);
+  }
+
   /// The judgement alone; `is_resting`: may_hold().
   void judge(const TrackLooks& main, bool is_resting, std::int64_t time_us);
 
@@ -30,18 +36,18 @@ class HeldRest {
   bool is_held() const { return is_held_; }
   /// Whether it was let go at the last decision because the puck sets off.
   bool sets_off() const { return sets_off_; }
-  /// The main track has been brought back to rest although something happens beside it.
-  void seize(std::int64_t time_us) {
-    is_held_ = true;
-    quiet_us_ = time_us;
-  }
   /// The main track is another one.
   void forget() { is_held_ = sets_off_ = false; }
 
  private:
+  void keep(std::int64_t time_us) {
+    is_held_ = true;
+    quiet_us_ = time_us;
+  }
+
   bool is_held_ = false;
   bool sets_off_ = false;
-  std::int64_t quiet_us_ = 0;  // when it last rested undisturbed
+  std::int64_t quiet_us_ = 0;  // when it last rested undisturbed, or was seized
 };
 
 }  // namespace puck

@@ -13,7 +13,7 @@ constexpr double kBad = 0.7;
 
 // Parts outside the image make no events.
 bool is_inside_image(Pixel position, const ContourRing& ring, SensorSize sensor) {
-  const double half_width = ring.semi_x + std::abs(ring.shear) * ring.semi_y;
+  const double half_width = ring.half_width();
   const double half_height = ring.semi_y + std::abs(ring.rise);
   return position.x > half_width && position.x < sensor.width - half_width &&
          position.y > half_height && position.y < sensor.height - half_height;
@@ -42,7 +42,10 @@ bool LeftBehind::bring_back(ContourTrack& main, const Situation& now, const Cont
   }
   const double density = context.signature.last_density();
   is_there_ = looks.quality < TrackTrust::kSound && place_.must_hold_puck(density);
-  if (!is_there_) place_.forget();
+  if (!is_there_) {
+    place_.forget();
+    return false;
+  }
   if (time_us - rested_us_ < kDisturbedFor_us || looks.quality > kBad ||
       !place_.must_hold_puck(density, looks.position)) {
     return false;

@@ -27,6 +27,9 @@ struct ContourRing {
   double shear = 0;   ///< px along x per px along y.
   double rise = 0;    ///< How far the ring's centre lies above the puck's, px.
 
+  /// No part of it lies farther than this, px, to either side of its centre.
+  double half_width() const { return semi_x + std::abs(shear) * semi_y; }
+
   /// Of a pixel at (dx, dy) from the puck's centre, with the ring larger by `growth_px` all round.
   ContourOffset offset(double dx, double dy, double growth_px) const {
     // Inverted once each: this is done for every event near a track.

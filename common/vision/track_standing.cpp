@@ -19,21 +19,21 @@ constexpr std::int64_t kLeaving_us = 10'000;
 
 }  // namespace
 
-void TrackStanding::judge(const TrackLooks& main, bool witness_agrees, bool head_turns,
+void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool head_turns,
                           const TrackTrust& trust, std::int64_t time_us) {
   const Pixel nearest_in_image{std::clamp(main.position.x, 0.0, sensor_.width - 1.0),
                                std::clamp(main.position.y, 0.0, sensor_.height - 1.0)};
   const bool in_image = main.position == nearest_in_image;
   is_resting_ = main.is_quiet() && !head_turns && trust.may_rest() &&
-                main.speed_px_s < kSlow_px_s && witness_agrees;
+                main.speed_px_s < kSlow_px_s && witness_is_near;
   if (!is_resting_) moved_us_ = time_us;
   // Beside a hand or a mallet the track looks poor. That the blob agrees, and that the ring still
   // has more events than its surroundings explain, says that it is right all the same.
   const bool is_supported =
-      trust.is_trusted() && witness_agrees && main.strength > kSupportedStrength &&
+      trust.is_trusted() && witness_is_near && main.strength > kSupportedStrength &&
       (main.quality > kSupportedQuality || main.strength > kSupportedShare * main.near_events);
-  const bool came_to_rest = is_resting_ && trust.is_trusted() && trust.is_proven() &&
-                            !trust.was_covered() && time_us - whole_us_ < kComesToRestFor_us &&
+  const bool came_to_rest = is_resting_ && trust.is_surely_puck() &&
+                            time_us - whole_us_ < kComesToRestFor_us &&
                             distance_px(whole_at_, main.position) < kComesToRestWithin_px;
   if (in_image && trust.is_believed() &&
       (main.is_good() || is_supported || came_to_rest ||

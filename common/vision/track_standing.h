@@ -17,9 +17,9 @@ class TrackStanding {
   /// `coast_us`: how long a track without support is still believed.
   TrackStanding(SensorSize sensor, std::int64_t coast_us) : sensor_(sensor), coast_us_(coast_us) {}
 
-  /// To be called at each decision while there is a main track. `head_turns`: what rests makes
-  /// events as well.
-  void judge(const TrackLooks& main, bool witness_agrees, bool head_turns, const TrackTrust& trust,
+  /// To be called at each decision while there is a main track. `witness_is_near`:
+  /// WitnessCheck::is_near. `head_turns`: what rests makes events as well.
+  void judge(const TrackLooks& main, bool witness_is_near, bool head_turns, const TrackTrust& trust,
              std::int64_t time_us);
 
   /// A search has just seen the puck where it is followed, or it cannot have left: it goes on to be

@@ -34,6 +34,8 @@ class TrackTrust {
   bool is_exhausted() const { return trust_us_ == 0; }
   /// It has moved as nothing but the puck does.
   bool is_proven() const { return is_proven_; }
+  /// Trusted, proven, and nothing has been on it: it is the puck.
+  bool is_surely_puck() const { return is_trusted() && is_proven() && !was_covered(); }
   /// Since it was found it has been seen to be a puck, so that it may rest.
   bool may_rest() const { return sound_us_ - found_us_ > kSoundFirst_us; }
   /// What was found on little evidence is not said to be the puck before it has looked like one

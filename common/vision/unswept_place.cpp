@@ -55,9 +55,8 @@ bool UnsweptPlace::is_unswept(double density, const Parts& left) const {
 
 Region UnsweptPlace::region() const {
   if (!is_known_) return {};
-  const double half_width = ring_.semi_x + std::abs(ring_.shear) * ring_.semi_y;
   return Region::around({position_.x, position_.y - ring_.rise},
-                        2 * static_cast<int>(half_width) + 3,
+                        2 * static_cast<int>(ring_.half_width()) + 3,
                         2 * static_cast<int>(ring_.semi_y) + 3);
 }
 

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/contour_world.h"
+
 namespace puck {
 namespace {
 
@@ -69,11 +71,20 @@ TEST_CASE("What rests is not held while the puck is lost, since it may be gone")
 
 TEST_CASE("What is brought back to rest is held at once, for 100 ms") {
   HeldRest rest;
-  rest.seize(100'000);
+  rest.seize(test::contour_context(), 100'000);
   CHECK(rest.is_held());
   rest.judge(kBeside, false, 200'000);
   CHECK(rest.is_held());
   rest.judge(kBeside, false, 200'500);
+  CHECK_FALSE(rest.is_held());
+}
+
+TEST_CASE(
+    "With holding switched off what is brought back is not held, as nothing would let it go") {
+  HeldRest rest;
+  ContourContext context = test::contour_context();
+  context.ingredients.holding = false;
+  rest.seize(context, 100'000);
   CHECK_FALSE(rest.is_held());
 }
 

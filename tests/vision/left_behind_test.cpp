@@ -14,11 +14,20 @@ constexpr Pixel kPlace{300, 180};
 // A puck that was seen to glide, and rests at kPlace; then a track that something leads away.
 class Disturbed {
  public:
-  explicit Disturbed(Pixel place = kPlace) : place_(place) {
+  explicit Disturbed(Pixel place = kPlace) {
     context.is_trusted = true;
-    context.signature.learn(
-        {.events = 9'000, .swept_px2 = 3'000, .quick_events = 300, .first_events = 60}, 1'000);
+    learn_events_each(5);
     track.emplace(context, ContourFilter::Start{.position = place}, 0, 0);
+  }
+
+  // The puck turns out to make so many events at each pixel.
+  void learn_events_each(double events_each) {
+    context.signature = {};
+    context.signature.learn({.events = 9'000,
+                             .swept_px2 = 3'000,
+                             .quick_events = 300,
+                             .first_events = 300 / events_each},
+                            1'000);
   }
 
   void rest(bool is_sure = true) {
@@ -46,21 +55,22 @@ class Disturbed {
     return is_back;
   }
 
+  // … past the place, a puck's width to its right.
+  bool glide_beside() {
+    const double width = 2 * context.contour.ring_at(kPlace, 0).semi_x;
+    return glide({kPlace.x + width, kPlace.y - 20}, {0, 1'000});
+  }
+
   ContourContext context = test::contour_context();
   LeftBehind left_behind;
   std::optional<ContourTrack> track;
   std::int64_t now_us = 100'000;
-
- private:
-  Pixel place_;
 };
-
-double width() { return 2 * test::contour_context().contour.ring_at(kPlace, 0).semi_x; }
 
 TEST_CASE("A bad track beside the place that the puck cannot have left is brought back to rest") {
   Disturbed puck;
   puck.rest();
-  CHECK(puck.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+  CHECK(puck.glide_beside());
   CHECK(puck.left_behind.is_there());
   CHECK(distance_px(puck.track->filter().position(), kPlace) < 0.01);
   CHECK(puck.track->filter().speed_px_s() == 0);
@@ -88,33 +98,29 @@ TEST_CASE("The track may be bad for 5 ms") {
 TEST_CASE("Nothing is brought back without a rest beyond doubt, or with it switched off") {
   Disturbed unsure;
   unsure.rest(false);
-  CHECK_FALSE(unsure.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+  CHECK_FALSE(unsure.glide_beside());
   Disturbed off;
   off.context.ingredients.left_behind = false;
   off.rest();
-  CHECK_FALSE(off.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+  CHECK_FALSE(off.glide_beside());
 }
 
 TEST_CASE("A faint puck may leave unseen") {
   Disturbed puck;
-  puck.context.signature = {};
-  puck.context.signature.learn(
-      {.events = 9'000, .swept_px2 = 3'000, .quick_events = 300, .first_events = 300}, 1'000);
+  puck.learn_events_each(1);
   REQUIRE(puck.context.signature.is_faint());
   REQUIRE(puck.context.signature.last_density() > 0);
   puck.rest();
-  CHECK_FALSE(puck.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+  CHECK_FALSE(puck.glide_beside());
 }
 
 TEST_CASE("A place is forgotten when the puck turns out to be faint") {
   Disturbed puck;
   puck.rest();
-  REQUIRE(puck.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+  REQUIRE(puck.glide_beside());
   REQUIRE(puck.left_behind.is_there());
-  puck.context.signature = {};
-  puck.context.signature.learn(
-      {.events = 9'000, .swept_px2 = 3'000, .quick_events = 300, .first_events = 300}, 1'000);
-  CHECK_FALSE(puck.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+  puck.learn_events_each(1);
+  CHECK_FALSE(puck.glide_beside());
   CHECK_FALSE(puck.left_behind.is_there());
   CHECK(puck.left_behind.region().empty());
 }
@@ -138,7 +144,7 @@ TEST_CASE("Of a place that is forgotten nothing is brought back") {
   Disturbed puck;
   puck.rest();
   puck.left_behind.forget();
-  CHECK_FALSE(puck.glide({kPlace.x + width(), kPlace.y - 20}, {0, 1'000}));
+  CHECK_FALSE(puck.glide_beside());
   CHECK_FALSE(puck.left_behind.is_there());
 }
 

@@ -83,41 +83,40 @@ TEST_CASE(
   CHECK_FALSE(standing.is_resting());
 }
 
+// Trust in a track that has been sound for 300 ms.
+TrackTrust trusted() {
+  TrackTrust trust;
+  trust.judge(kGood, 0, false, 300'000, 300'000);
+  return trust;
+}
+
+// Of a trusted track that was good, and looks like this 100 ms later.
+TrackState state_after(const TrackLooks& looks, bool witness_is_near, const TrackTrust& trust) {
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kGood, true, false, trusted(), 100'000);
+  standing.judge(looks, witness_is_near, false, trust, 200'000);
+  return standing.state();
+}
+
 TEST_CASE("A poor track that is trusted is held as long as the blob and its ring support it") {
-  TrackTrust trusted;
-  trusted.judge(kGood, 0, false, 300'000, 300'000);
   TrackLooks poor = kGood;
   poor.quality = 0.2;
   poor.strength = 16;
-  const auto state_after = [&](const TrackLooks& looks, bool witness_agrees,
-                               const TrackTrust& trust) {
-    TrackStanding standing(kSensor, 50'000);
-    standing.judge(kGood, true, false, trusted, 100'000);
-    standing.judge(looks, witness_agrees, false, trust, 200'000);
-    return standing.state();
-  };
-  CHECK(state_after(poor, true, trusted) == TrackState::kTracking);
-  CHECK(state_after(poor, false, trusted) == TrackState::kLost);
+  CHECK(state_after(poor, true, trusted()) == TrackState::kTracking);
+  CHECK(state_after(poor, false, trusted()) == TrackState::kLost);
   CHECK(state_after(poor, true, sound()) == TrackState::kLost);
   poor.strength = 15;
-  CHECK(state_after(poor, true, trusted) == TrackState::kLost);
+  CHECK(state_after(poor, true, trusted()) == TrackState::kLost);
 }
 
 TEST_CASE("Whatever its quality it is held while more than half of what is near lies on its ring") {
-  TrackTrust trusted;
-  trusted.judge(kGood, 0, false, 300'000, 300'000);
   TrackLooks poor = kGood;
   poor.quality = 0;
   poor.near_events = 60;
-  const auto state_after = [&](double strength) {
-    poor.strength = strength;
-    TrackStanding standing(kSensor, 50'000);
-    standing.judge(kGood, true, false, trusted, 100'000);
-    standing.judge(poor, true, false, trusted, 200'000);
-    return standing.state();
-  };
-  CHECK(state_after(31) == TrackState::kTracking);
-  CHECK(state_after(30) == TrackState::kLost);
+  poor.strength = 31;
+  CHECK(state_after(poor, true, trusted()) == TrackState::kTracking);
+  poor.strength = 30;
+  CHECK(state_after(poor, true, trusted()) == TrackState::kLost);
 }
 
 // Trust in a track that has been sound and fast for 300 ms.

@@ -8,6 +8,7 @@ namespace {
 constexpr TrackLooks kSound{.quality = 0.9, .strength = 50, .cover = 0.8};
 constexpr TrackLooks kGood{.quality = 0.6, .strength = 50};
 constexpr TrackLooks kBad{.quality = 0.2, .strength = 50};
+constexpr TrackLooks kCovered{.quality = 0.2, .strength = 50, .inside_events = 13};
 constexpr TrackLooks kFast{.speed_px_s = 301, .quality = 0.9, .strength = 50};
 
 // A track that decisions, 500 µs apart, are made about.
@@ -49,26 +50,23 @@ TEST_CASE("A track was covered from when something is inside its ring until it i
   Judged track;
   track.look(kSound, 100);
   CHECK_FALSE(track.trust.was_covered());
-  TrackLooks covered = kBad;
-  covered.inside_events = 12;
-  track.look(covered, 1);
+  TrackLooks hardly_covered = kCovered;
+  hardly_covered.inside_events = 12;
+  track.look(hardly_covered, 1);
   CHECK_FALSE(track.trust.was_covered());
-  covered.inside_events = 13;
-  track.look(covered, 1);
+  track.look(kCovered, 1);
   track.look(kBad, 1'000, true);
   CHECK(track.trust.was_covered());
   track.look(kSound, 1);
   CHECK_FALSE(track.trust.was_covered());
-  track.look(covered, 1);
+  track.look(kCovered, 1);
   track.trust.note_found(false, track.now_us);
   CHECK_FALSE(track.trust.was_covered());
 }
 
 TEST_CASE("What is sound on few sides is half hidden, and covered all the same") {
   Judged track;
-  TrackLooks covered = kBad;
-  covered.inside_events = 13;
-  track.look(covered, 1);
+  track.look(kCovered, 1);
   TrackLooks half = kSound;
   half.cover = 0.5;
   track.look(half, 1);
