@@ -244,10 +244,11 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
   if (kind == Challenger::Kind::kSearch) {
     challengers_.clear();
     missed_.end();
-    left_behind_.forget();
   } else {
     challengers_.dismiss_born();
   }
+  // The place of one that takes the wall to be another is not the same.
+  if (kind == Challenger::Kind::kSearch || kind == Challenger::Kind::kWall) left_behind_.forget();
 }
 
 void ContourPipeline::plan_search(std::int64_t time_us) {

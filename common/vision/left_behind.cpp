@@ -1,7 +1,5 @@
 #include "common/vision/left_behind.h"
 
-#include <cmath>
-
 #include "common/vision/track_trust.h"
 
 namespace puck {
@@ -14,9 +12,9 @@ constexpr double kBad = 0.7;
 // Parts outside the image make no events.
 bool is_inside_image(Pixel position, const ContourRing& ring, SensorSize sensor) {
   const double half_width = ring.half_width();
-  const double half_height = ring.semi_y + std::abs(ring.rise);
+  const double middle_y = position.y - ring.rise;
   return position.x > half_width && position.x < sensor.width - half_width &&
-         position.y > half_height && position.y < sensor.height - half_height;
+         middle_y > ring.semi_y && middle_y < sensor.height - ring.semi_y;
 }
 
 }  // namespace

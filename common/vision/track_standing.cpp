@@ -29,17 +29,20 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool hea
   if (!is_resting_) moved_us_ = time_us;
   // Beside a hand or a mallet the track looks poor. That the blob agrees, and that the ring still
   // has more events than its surroundings explain, says that it is right all the same.
-  const bool is_supported =
-      trust.is_trusted() && witness_is_near && main.strength > kSupportedStrength &&
-      (main.quality > kSupportedQuality || main.strength > kSupportedShare * main.near_events);
-  const bool came_to_rest = is_resting_ && trust.is_surely_puck() &&
-                            time_us - whole_us_ < kComesToRestFor_us &&
-                            distance_px(whole_at_, main.position) < kComesToRestWithin_px;
+  const bool may_be_right =
+      trust.is_trusted() && witness_is_near && main.strength > kSupportedStrength;
+  const bool is_supported = may_be_right && main.quality > kSupportedQuality;
+  const bool stays = time_us - whole_us_ < kComesToRestFor_us &&
+                     distance_px(whole_at_, main.position) < kComesToRestWithin_px;
+  const bool is_caught =
+      may_be_right && stays && main.strength > kSupportedShare * main.near_events;
+  const bool came_to_rest = is_resting_ && trust.is_surely_puck() && stays;
   if (in_image && trust.is_believed() &&
-      (main.is_good() || is_supported || came_to_rest ||
+      (main.is_good() || is_supported || is_caught || came_to_rest ||
        (is_resting_ && state_ == TrackState::kTracking))) {
     held_us_ = time_us;
-    if (main.cover > kWholeCover || is_resting_) {
+    // What is held only because it was whole a moment ago does not become whole by it.
+    if (is_resting_ || (main.cover > kWholeCover && (main.is_good() || is_supported))) {
       whole_us_ = time_us;
       whole_at_ = main.position;
     }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -304,6 +305,38 @@ TEST_CASE("a mallet that trembles beside a puck at rest for 3 s does not lead th
     }
     CHECK(table.estimate().state == TrackState::kTracking);
     CHECK(table.error_px() < 1.5);
+  }
+}
+
+// How far off the track of a puck at rest is at worst while a mallet comes down to it and draws
+// back for 60 ms; 100 if it is lost.
+double worst_px_beside_mallet(const PipelineParams& params, double beside_px, int down_ms,
+                              PixelVelocity back, std::uint32_t seed) {
+  Table table(params, seed);
+  table.come_to_rest();
+  table.approach({beside_px, -70}, {0, 500}, down_ms);
+  const Pixel nearest{beside_px, -70 + 0.5 * down_ms};
+  double worst_px = 0;
+  for (int i = 0; i < 60; ++i) {
+    table.approach({nearest.x + back.x * i * 1e-3, nearest.y + back.y * i * 1e-3}, back, 1);
+    worst_px = std::max(worst_px, table.error_px());
+  }
+  return worst_px;
+}
+
+TEST_CASE("a mallet that touches a puck at rest and draws back does not take the track with it") {
+  PipelineParams without = preset_params(Preset::kDefault);
+  without.contour.ingredients.left_behind = false;
+  for (std::uint32_t seed = 1; seed <= std::min(kSeeds, 2u); ++seed) {
+    CAPTURE(seed);
+    for (const auto& [beside_px, down_ms, back] : {std::tuple{-20.0, 112, PixelVelocity{-400, 0}},
+                                                   {-10.0, 108, {-200, -150}},
+                                                   {-10.0, 104, {400, -150}}}) {
+      CAPTURE(back.x);
+      CHECK(worst_px_beside_mallet(preset_params(Preset::kDefault), beside_px, down_ms, back,
+                                   seed) < 1.5);
+      CHECK(worst_px_beside_mallet(without, beside_px, down_ms, back, seed) > 20);
+    }
   }
 }
 

@@ -14,10 +14,10 @@ constexpr Pixel kPlace{300, 180};
 // A puck that was seen to glide, and rests at kPlace; then a track that something leads away.
 class Disturbed {
  public:
-  explicit Disturbed(Pixel place = kPlace) {
+  explicit Disturbed(Pixel place = kPlace, double wall_share = 0) {
     context.is_trusted = true;
     learn_events_each(5);
-    track.emplace(context, ContourFilter::Start{.position = place}, 0, 0);
+    track.emplace(context, ContourFilter::Start{.position = place}, 0, wall_share);
   }
 
   // The puck turns out to make so many events at each pixel.
@@ -59,6 +59,36 @@ class Disturbed {
   bool glide_beside() {
     const double width = 2 * context.contour.ring_at(kPlace, 0).semi_x;
     return glide({kPlace.x + width, kPlace.y - 20}, {0, 1'000});
+  }
+
+  // A track follows something that glides by, two widths to the right of the place, for 40 ms,
+  // while so many events a millisecond lie beside that; its quality in the end.
+  double follow_away(int clutter) {
+    const ContourRing ring = context.contour.ring_at(kPlace, 0);
+    const Pixel start{kPlace.x + 4 * ring.semi_x, kPlace.y - 20};
+    const PixelVelocity velocity{0, 1'000};
+    test::MovingContour shape(context.contour, start, velocity);
+    track.emplace(context, ContourFilter::Start{.position = start, .velocity = velocity}, now_us,
+                  0);
+    const std::int64_t began_us = now_us;
+    for (std::int64_t t = 0; t < 40'000; t += 1'000) {
+      for (ContourEvent event : shape.events(t, t + 1'000)) {
+        event.time_us += began_us;
+        track->take(event, context);
+      }
+      const Pixel place = shape.position_at(t + 1'000);
+      for (int i = 0; i < clutter; ++i) {
+        track->take({now_us + 999, place.x + ring.semi_x + 4, place.y - 10 + i % 21, true, true},
+                    context);
+      }
+      now_us += 1'000;
+      track->decide(now_us, false, context);
+    }
+    return track->quality();
+  }
+
+  bool is_brought_back() {
+    return left_behind.bring_back(*track, {true, false, test::kSensor}, context, now_us);
   }
 
   ContourContext context = test::contour_context();
@@ -135,9 +165,65 @@ TEST_CASE("A rest at the image's border takes the place of the one before") {
 }
 
 TEST_CASE("No place is watched that lies in part outside the image") {
-  Disturbed puck({2, 180});
+  const auto is_watched = [](Pixel place, double wall_share = 0) {
+    Disturbed puck(place, wall_share);
+    puck.rest();
+    return !puck.left_behind.region().empty();
+  };
+  const ContourContext context = test::contour_context();
+  const auto ring_at = [&](Pixel place) { return context.contour.ring_at(place, 0); };
+  const double left = ring_at({20, 180}).half_width();
+  CHECK_FALSE(is_watched({left - 1, 180}));
+  CHECK(is_watched({left + 1, 180}));
+  const double right = 640 - ring_at({620, 180}).half_width();
+  CHECK_FALSE(is_watched({right + 1, 180}));
+  CHECK(is_watched({right - 1, 180}));
+  const double top = ring_at({300, 5}).semi_y;
+  CHECK_FALSE(is_watched({300, top - 1}));
+  CHECK(is_watched({300, top + 1}));
+  const double bottom = 480 - ring_at({300, 460}).semi_y;
+  CHECK_FALSE(is_watched({300, bottom + 1}));
+  CHECK(is_watched({300, bottom - 1}));
+  // The ring of a wall that makes events lies below the puck's face.
+  const ContourRing low = context.contour.ring_at({300, 460}, -0.2);
+  REQUIRE(low.rise < -2);
+  CHECK_FALSE(is_watched({300, 480 - low.semi_y + low.rise + 1}, -0.2));
+  CHECK(is_watched({300, 480 - low.semi_y + low.rise - 1}, -0.2));
+}
+
+TEST_CASE("A track is bad below a quality of 0.7, and from 0.85 on it is where the puck is") {
+  Disturbed bad;
+  bad.rest();
+  const double bad_quality = bad.follow_away(200);
+  CHECK(bad_quality > 0.6);
+  CHECK(bad_quality < 0.7);
+  CHECK(bad.is_brought_back());
+
+  Disturbed poor;
+  poor.rest();
+  const double poor_quality = poor.follow_away(130);
+  CHECK(poor_quality > 0.7);
+  CHECK(poor_quality < 0.8);
+  CHECK_FALSE(poor.is_brought_back());
+  CHECK(poor.left_behind.is_there());
+
+  Disturbed sound;
+  sound.rest();
+  CHECK(sound.follow_away(0) > 0.85);
+  CHECK_FALSE(sound.is_brought_back());
+  CHECK_FALSE(sound.left_behind.is_there());
+  CHECK(sound.left_behind.region().empty());
+}
+
+TEST_CASE("What has been brought back is as sure of its place as a puck at rest") {
+  Disturbed puck;
   puck.rest();
-  CHECK(puck.left_behind.region().empty());
+  REQUIRE(puck.follow_away(200) < 0.7);
+  REQUIRE(puck.is_brought_back());
+  CHECK(puck.track->filter().distance_variance(1, 0) < 0.2);
+  puck.rest();
+  CHECK_FALSE(puck.left_behind.is_there());
+  CHECK_FALSE(puck.left_behind.region().empty());
 }
 
 TEST_CASE("Of a place that is forgotten nothing is brought back") {

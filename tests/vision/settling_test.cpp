@@ -28,15 +28,20 @@ class Stopped {
     place = puck.position_at(now_us);
   }
 
-  // Every 10 ms an event of noise lies 2 px outside the contour, on its right; whether the track
-  // has been put to rest.
-  bool wait(std::int64_t duration_us) {
+  // Every 10 ms, or so often, an event of noise lies 2 px outside the contour, on its right, no two
+  // in a row at the same pixel; whether the track has been put to rest.
+  bool wait(std::int64_t duration_us, std::int64_t each_us = 10'000) {
     const ContourRing ring = context.contour.ring_at(place, 0);
     bool settled = false;
-    for (const std::int64_t end_us = now_us + duration_us; now_us < end_us; now_us += 10'000) {
-      track->take({now_us + 5'000, place.x + ring.semi_x + 2, place.y - ring.rise, true, true},
+    for (const std::int64_t end_us = now_us + duration_us; now_us < end_us; now_us += each_us) {
+      const auto row = static_cast<double>(now_us / each_us % 7 - 3);
+      track->take({.time_us = now_us + each_us / 2,
+                   .x = place.x + ring.semi_x + 2,
+                   .y = place.y - ring.rise + row,
+                   .on = true,
+                   .first = true},
                   context);
-      settled = decide(now_us + 10'000) || settled;
+      settled = decide(now_us + each_us) || settled;
     }
     return settled;
   }
@@ -77,6 +82,26 @@ TEST_CASE("A puck that is caught while it still goes on rests near where it was 
   Stopped stopped({180, 40});
   CHECK(stopped.wait(80'000));
   CHECK(distance_px(stopped.track->filter().position(), stopped.place) < 3);
+}
+
+TEST_CASE("A puck at 150 px/s is slow, one at 260 px/s is not") {
+  CHECK(Stopped({150, 0}).wait(50'000));
+  CHECK_FALSE(Stopped({260, 0}).wait(50'000));
+}
+
+TEST_CASE("A puck whose events do not die away does not settle") {
+  Stopped stopped({35, 10});
+  CHECK_FALSE(stopped.wait(50'000, 1'000));
+}
+
+TEST_CASE("A track that something has led more than 12 px away does not settle") {
+  for (const double away_px : {11.0, 13.0}) {
+    CAPTURE(away_px);
+    Stopped stopped({35, 10});
+    const Pixel led_to{stopped.track->filter().position().x + away_px, stopped.place.y};
+    stopped.track->stop_at(led_to, stopped.now_us, stopped.context);
+    CHECK(stopped.wait(50'000) == (away_px < 12));
+  }
 }
 
 TEST_CASE("A covered puck's events die away while it goes on, so that it does not settle") {

@@ -109,14 +109,36 @@ TEST_CASE("A poor track that is trusted is held as long as the blob and its ring
   CHECK(state_after(poor, true, trusted()) == TrackState::kLost);
 }
 
+// The state of a trusted track that was good with this cover at 100 ms, then looked bad, with so
+// much of what is near on its ring, each millisecond until `time_us`, moving on at that speed.
+TrackState state_while_caught(double cover, double strength, double px_per_ms,
+                              std::int64_t time_us) {
+  TrackStanding standing(kSensor, 50'000);
+  TrackLooks looks = kGood;
+  looks.cover = cover;
+  standing.judge(looks, true, false, trusted(), 100'000);
+  looks.quality = 0;
+  looks.near_events = 60;
+  looks.strength = strength;
+  for (std::int64_t t = 101'000; t <= time_us; t += 1'000) {
+    looks.position.x += px_per_ms;
+    standing.judge(looks, true, false, trusted(), t);
+  }
+  return standing.state();
+}
+
 TEST_CASE("Whatever its quality it is held while more than half of what is near lies on its ring") {
-  TrackLooks poor = kGood;
-  poor.quality = 0;
-  poor.near_events = 60;
-  poor.strength = 31;
-  CHECK(state_after(poor, true, trusted()) == TrackState::kTracking);
-  poor.strength = 30;
-  CHECK(state_after(poor, true, trusted()) == TrackState::kLost);
+  CHECK(state_while_caught(0.5, 31, 0, 151'000) == TrackState::kTracking);
+  CHECK(state_while_caught(0.5, 30, 0, 151'000) == TrackState::kLost);
+}
+
+TEST_CASE(
+    "It is so only soon after and near where it was whole, since what is not the puck is lost") {
+  CHECK(state_while_caught(0.5, 31, 0, 299'000) == TrackState::kTracking);
+  CHECK(state_while_caught(0.5, 31, 0, 300'000) == TrackState::kLost);
+  CHECK(state_while_caught(0.45, 31, 0, 151'000) == TrackState::kLost);
+  CHECK(state_while_caught(0.5, 31, 0.14, 207'000) == TrackState::kTracking);
+  CHECK(state_while_caught(0.5, 31, 0.14, 208'000) == TrackState::kLost);
 }
 
 // Trust in a track that has been sound and fast for 300 ms.
@@ -149,6 +171,20 @@ TEST_CASE(
   CHECK(state_at_rest(249'999, 7, 0.5, proven()) == TrackState::kTracking);
   CHECK(state_at_rest(250'000, 7, 0.5, proven()) == TrackState::kLost);
   CHECK(state_at_rest(200'000, 8, 0.5, proven()) == TrackState::kLost);
+}
+
+TEST_CASE("What has rested is whole, however few events there were") {
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kGood, true, false, proven(), 100'000);
+  for (std::int64_t t = 101'000; t <= 400'000; t += 1'000) {
+    standing.judge(kSilent, true, false, proven(), t);
+  }
+  TrackLooks bad = kGood;
+  bad.quality = bad.strength = 0;
+  standing.judge(bad, true, false, proven(), 451'000);
+  REQUIRE(standing.state() == TrackState::kLost);
+  standing.judge(kSilent, true, false, proven(), 500'000);
+  CHECK(standing.state() == TrackState::kTracking);
 }
 
 TEST_CASE("It does not if it was half hidden or covered, nor if it has not proved to be the puck") {

@@ -72,6 +72,10 @@ TEST_CASE("What is sound on few sides is half hidden, and covered all the same")
   track.look(half, 1);
   CHECK(track.trust.was_covered());
   half.cover = 0.51;
+  half.quality = TrackTrust::kSound;
+  track.look(half, 1);
+  CHECK(track.trust.was_covered());
+  half.quality = 0.9;
   track.look(half, 1);
   CHECK_FALSE(track.trust.was_covered());
 }

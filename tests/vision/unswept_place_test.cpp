@@ -1,5 +1,7 @@
 #include "common/vision/unswept_place.h"
 
+#include <array>
+
 #include <doctest/doctest.h>
 
 #include "tests/vision/contour_world.h"
@@ -79,6 +81,93 @@ TEST_CASE("Of too few events to be expected nothing follows") {
   // 0.64 of the disc's events must be more than 15.
   CHECK_FALSE(place.must_hold_puck(14 / (0.64 * area)));
   CHECK(place.must_hold_puck(16 / (0.64 * area)));
+}
+
+// A place whose ring lies high above its puck, and leans. At one event a px² each quarter of what
+// counts of its disc, 0.64 of it, is to make 40.2 events.
+class LeaningPlace {
+ public:
+  LeaningPlace() { put(); }
+  void put() { place.put(kPlace, kRing); }
+
+  // Shows so many events at a point of the disc.
+  void show(double u, double v, int events) {
+    const double dy = v * kRing.semi_y;
+    for (int i = 0; i < events; ++i) {
+      place.take(kPlace.x + u * kRing.semi_x + kRing.shear * dy, kPlace.y - kRing.rise + dy);
+    }
+  }
+  // … in the middle of each of the first so many of left, right, top and bottom.
+  void show_parts(int parts, int events) {
+    constexpr std::array<std::array<double, 2>, 4> kMiddles{
+        {{-0.5, 0}, {0.5, 0}, {0, -0.5}, {0, 0.5}}};
+    for (int i = 0; i < parts; ++i) show(kMiddles.at(i)[0], kMiddles.at(i)[1], events);
+  }
+
+  bool holds() const { return place.must_hold_puck(1); }
+  // If the puck's centre is at this point of the disc now.
+  bool holds_with_puck_at(double u, double v) const {
+    const double dy = v * kRing.semi_y;
+    return place.must_hold_puck(1, {kPlace.x + u * kRing.semi_x + kRing.shear * dy, kPlace.y + dy});
+  }
+
+  static constexpr ContourRing kRing{.semi_x = 10, .semi_y = 8, .shear = 0.5, .rise = 6};
+  UnsweptPlace place;
+};
+
+TEST_CASE("A part is swept once it has made a fifth of the events that an edge would have made") {
+  LeaningPlace place;
+  place.show_parts(4, 8);
+  CHECK(place.holds());
+  place.show_parts(4, 1);
+  CHECK_FALSE(place.holds());
+  place.put();
+  CHECK(place.holds());
+}
+
+TEST_CASE("A place is swept when less than two fifths of its parts are not") {
+  LeaningPlace place;
+  place.show_parts(2, 9);
+  CHECK(place.holds());
+  place.show(0, -0.5, 9);
+  CHECK_FALSE(place.holds());
+  // One of the three that what has gone down has left is just a third.
+  LeaningPlace left;
+  left.show_parts(2, 9);
+  CHECK_FALSE(left.holds_with_puck_at(0, 1.4));
+}
+
+TEST_CASE("A part has been left once the puck's contour is past its middle") {
+  const LeaningPlace place;
+  CHECK_FALSE(place.holds_with_puck_at(0.49, 0));
+  CHECK(place.holds_with_puck_at(0.51, 0));
+  CHECK_FALSE(place.holds_with_puck_at(0, -0.49));
+  CHECK(place.holds_with_puck_at(0, -0.51));
+  // … where it leans as well.
+  CHECK_FALSE(place.holds_with_puck_at(0.49, 0.1));
+  CHECK(place.holds_with_puck_at(-0.51, 0.1));
+}
+
+TEST_CASE("What lies near the contour or beyond it does not count") {
+  LeaningPlace place;
+  for (const double r : {0.81, 0.95, 1.2}) {
+    place.show(-r, 0, 50);
+    place.show(r, 0, 50);
+    place.show(0, -r, 50);
+    place.show(0, r, 50);
+  }
+  CHECK(place.holds());
+  place.show(-0.79, 0, 50);
+  place.show(0.79, 0, 50);
+  place.show(0, -0.79, 50);
+  CHECK_FALSE(place.holds());
+}
+
+TEST_CASE("The region follows the ring to where it lies above the puck") {
+  const Region region = LeaningPlace().place.region();
+  CHECK(region.contains(300, 180 - 6 - 7));
+  CHECK(region.contains(300, 180 - 6 + 7));
+  CHECK_FALSE(region.contains(300, 180 + 6));
 }
 
 TEST_CASE("The region holds all that counts, and little else") {
