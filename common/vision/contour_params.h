@@ -21,7 +21,8 @@ struct ContourIngredients {
   bool sector_saturation = true;  ///< Events in one direction count less and less.
   bool twins = true;              ///< A twin at rest is there to take over at a bounce.
   bool wall = true;               ///< Whether the puck's side wall makes events is found out.
-  bool wall_search = true;        ///< … and the search looks for it as it was found to be.
+  bool wall_edge = true;    ///< Edges between the puck's face and its wall say nothing against it.
+  bool wall_search = true;  ///< … and the search looks for it as it was found to be.
   bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
   bool search = true;       ///< A doubtful track is challenged by the correlation near it.
   bool wide_search = true;  ///< … and, unless it is beyond doubt, everywhere.
@@ -52,7 +53,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 32> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 33> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -64,6 +65,7 @@ inline constexpr std::array<ContourIngredient, 32> kContourIngredients{{
     {"sector-saturation", &ContourIngredients::sector_saturation},
     {"twins", &ContourIngredients::twins},
     {"wall", &ContourIngredients::wall},
+    {"wall-edge", &ContourIngredients::wall_edge},
     {"wall-search", &ContourIngredients::wall_search},
     {"witness", &ContourIngredients::witness},
     {"search", &ContourIngredients::search},

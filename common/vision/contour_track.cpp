@@ -56,6 +56,11 @@ void ContourTrack::follow_contour(const ContourContext& context) {
   ring_made_at_ = filter_.position();
   ring_ = context.contour.ring_at(ring_made_at_, wall_share_);
   areas_ = RingEvidence::areas_of(ring_);
+  if (!context.ingredients.wall_edge) return;
+  const bool is_other = context.contour.is_other_wall(wall_share_);
+  wall_edge_ = {ring_,
+                context.contour.ring_at(ring_made_at_, context.contour.wall_share(!is_other))};
+  areas_ = wall_edge_.areas();
 }
 
 double ContourTrack::take(const ContourEvent& event, const ContourContext& context) {
@@ -75,6 +80,10 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   const double distance = std::abs(offset.distance_px);
   if (offset.distance_px > RingEvidence::kReach_px) return 0;
 
+  if (distance > RingEvidence::kRing_px && wall_edge_.contains(dx, dy, filter_.growth_px())) {
+    evidence_.add_wall(offset.distance_px < 0);
+    return 0;
+  }
   // A hot pixel says nothing about a puck at rest, however often it fires.
   const bool repeats = context.ingredients.settling &&
                        recent_pixels_.repeats(static_cast<int>(event.x), static_cast<int>(event.y));

@@ -9,6 +9,7 @@
 #include "common/vision/recent_pixels.h"
 #include "common/vision/ring_evidence.h"
 #include "common/vision/track_looks.h"
+#include "common/vision/wall_edge.h"
 
 namespace puck {
 
@@ -94,6 +95,7 @@ class ContourTrack {
   ContourRing ring_;
   Pixel ring_made_at_;
   RingAreas areas_;
+  WallEdge wall_edge_;
   RingEvidence evidence_;
   RecentPixels recent_pixels_;
   double quality_ = 0;

@@ -20,6 +20,8 @@ void RingEvidence::fade(double keep) {
   wrong_ *= keep;
   inside_ *= keep;
   outside_ *= keep;
+  wall_inside_ *= keep;
+  wall_outside_ *= keep;
   repeats_ *= keep;
   for (double& sector : sectors_) sector *= keep;
 }

@@ -37,12 +37,17 @@ class RingEvidence {
   void add_wrong_sign() { wrong_ += 1; }
   void add_inside() { inside_ += 1; }
   void add_outside() { outside_ += 1; }
+  /// For an event that may be of the puck's side wall, outside or inside the ring: it counts as
+  /// little for the ring as against it.
+  void add_wall(bool is_inside) { (is_inside ? wall_inside_ : wall_outside_) += 1; }
   /// For an event that is counted besides: it is of the same pixel as another of late.
   void add_repeat() { repeats_ += 1; }
 
   double ring_events() const { return ring_ + wrong_; }
-  double inside_events() const { return inside_; }
-  double near_events() const { return ring_ + wrong_ + inside_ + outside_ - repeats_; }
+  double inside_events() const { return inside_ + wall_inside_; }
+  double near_events() const {
+    return ring_ + wrong_ + inside_ + outside_ + wall_inside_ + wall_outside_ - repeats_;
+  }
 
   /// From −1 to 1: how far the ring stands out, less where it covers few directions.
   double quality(const RingAreas& areas) const;
@@ -64,6 +69,8 @@ class RingEvidence {
   double wrong_ = 0;
   double inside_ = 0;
   double outside_ = 0;
+  double wall_inside_ = 0;
+  double wall_outside_ = 0;
   double repeats_ = 0;
   std::array<double, kContourSectors> sectors_{};
 };

@@ -6,13 +6,14 @@ namespace puck {
 namespace {
 
 // Enough events to be sure of the place to a few tenths of a pixel.
-constexpr double kClearStrength = 40;
+constexpr double kClearStrength = 20;
 constexpr double kClearStrengthOfFaint = 15;
 constexpr double kSlow_px_s = 200;
 // Few enough that noise may be a part of them that counts.
 constexpr double kFewEvents = 12;
 // They die away within a few times the memory of the evidence, or the puck creeps on.
-constexpr std::int64_t kDyingFor_us = 80'000;
+constexpr std::int64_t kDyingFor_us = 150'000;
+constexpr std::int64_t kDyingOfFaintFor_us = 80'000;
 // Noise leads a track no farther in that time.
 constexpr double kDrift_px = 12;
 
@@ -31,9 +32,10 @@ bool Settling::settle(ContourTrack& main, const ContourContext& context, bool wa
     clear_us_ = time_us;
     return false;
   }
+  const std::int64_t dying_us = context.signature.is_faint() ? kDyingOfFaintFor_us : kDyingFor_us;
   // A covered puck's events die away while it goes on.
   if (was_covered || !was_slow_ || looks.near_events > kFewEvents ||
-      time_us - clear_us_ > kDyingFor_us || distance_px(place_, looks.position) > kDrift_px) {
+      time_us - clear_us_ > dying_us || distance_px(place_, looks.position) > kDrift_px) {
     return false;
   }
   main.stop_at(place_, time_us, context);

@@ -184,6 +184,33 @@ TEST_CASE("What is too large makes a track doubtful, unless size-penalty is off"
   CHECK(doubted < 0.7 * track_of_larger(1, context).quality());
 }
 
+// The quality of a track of a puck whose wall has another tone than its face, so that both its
+// whole contour, which is followed, and its face's lower edge make events.
+double quality_of_two_toned(const ContourContext& context) {
+  const PixelVelocity velocity{100, 200};
+  test::MovingContour whole(context.contour, {300, 180}, velocity);
+  test::MovingContour face(context.contour, {300, 180}, velocity, 3,
+                           context.contour.other_wall_share());
+  ContourTrack track(context, {.position = {300, 180}, .velocity = velocity}, 0, 0);
+  for (std::int64_t t = 0; t < 60'000; t += 1'000) {
+    for (const ContourEvent& event : whole.events(t, t + 1'000)) track.take(event, context);
+    const double lowest_edge_y = face.position_at(t).y;
+    for (const ContourEvent& event : face.events(t, t + 1'000)) {
+      if (event.y > lowest_edge_y) track.take(event, context);
+    }
+    track.decide(t + 1'000, false, context);
+  }
+  CHECK(error_px(track, whole.position_at(60'000)) < 1);
+  return track.quality();
+}
+
+TEST_CASE("The edge between face and wall says nothing against a puck, unless wall-edge is off") {
+  ContourContext context = test::contour_context();
+  CHECK(quality_of_two_toned(context) > 0.9);
+  context.ingredients.wall_edge = false;
+  CHECK(quality_of_two_toned(context) < 0.8);
+}
+
 TEST_CASE("A twin at rest overtakes a track that missed a bounce, and only then") {
   const ContourContext all = test::contour_context();
   test::MovingContour before(all.contour, {250, 180}, {2500, 0});

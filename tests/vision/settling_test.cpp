@@ -46,8 +46,11 @@ class Stopped {
     return settled;
   }
 
-  // Another track takes over.
-  void succeed() { settling_.forget(); }
+  // Another track, of which there are no events yet, takes over where this one is.
+  void succeed() {
+    track.emplace(context, ContourFilter::Start{.position = track->filter().position()}, now_us, 0);
+    settling_.forget();
+  }
 
   ContourContext context = test::contour_context();
   std::optional<ContourTrack> track;
@@ -127,10 +130,25 @@ TEST_CASE("A successor does not settle where the track before it was clear") {
   CHECK_FALSE(stopped.wait(50'000));
 }
 
-TEST_CASE("Where a puck was clear more than 80 ms ago says nothing any more") {
-  Stopped stopped({35, 10});
-  stopped.now_us += 81'000;
-  CHECK_FALSE(stopped.wait(50'000));
+TEST_CASE("Where a puck was clear more than 150 ms ago says nothing any more") {
+  Stopped soon({35, 10});
+  soon.now_us += 120'000;
+  CHECK(soon.wait(10'000));
+  Stopped late({35, 10});
+  late.now_us += 150'000;
+  CHECK_FALSE(late.wait(50'000));
+}
+
+TEST_CASE("A faint puck may be silent while it goes on, so that 80 ms are too long") {
+  for (const std::int64_t silent_us : {60'000, 80'000}) {
+    CAPTURE(silent_us);
+    Stopped faint({35, 10});
+    faint.context.signature = {};
+    faint.context.signature.learn({.quick_events = 300, .first_events = 300}, 1'000);
+    REQUIRE(faint.context.signature.is_faint());
+    faint.now_us += silent_us;
+    CHECK(faint.wait(10'000) == (silent_us < 80'000));
+  }
 }
 
 }  // namespace
