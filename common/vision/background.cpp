@@ -21,9 +21,11 @@ constexpr double kFew = 5;
 constexpr double kStiffness = 4;
 constexpr double kSpeedGain = 0.04;
 // Events on the map in so many cells of the image, each so many of late: the scene moves as one.
+// Arms that cross half of it have them in up to 25 cells of 48, a table while the head turns in 37
+// to 48.
 constexpr double kActivityMemory_us = 50'000;
 constexpr double kActive = 5;
-constexpr int kLeastActiveCells = 10;
+constexpr int kLeastActiveCells = 34;
 // … and of all events, which a hand and two mallets have in fewer cells, and noise from 60 kev/s
 // on.
 constexpr double kBusy = 60;

@@ -29,7 +29,7 @@ class Background {
   /// To be called at each decision.
   void decide(std::int64_t time_us);
 
-  /// To be called before a time in which it is not told of events.
+  /// To be called before a time in which it is not told of events, but for naps.
   void forget();
 
   /// The map is of a scene that moves as one, or so it seems. Otherwise nothing is known to stand
@@ -44,6 +44,12 @@ class Background {
   /// For long nothing has been known to stand still and little of the image has been busy, so that
   /// the head is at rest: all that is seen of a table is busy at once when it turns.
   bool head_rests() const { return calm_us_ > kRestsAfter_us; }
+
+  /// Whether events need not be taken now, nor decisions made: while the head rests a glance from
+  /// time to time tells when it begins to turn.
+  bool may_nap(std::int64_t time_us) const {
+    return head_rests() && time_us % kNap_us >= kGlance_us;
+  }
 
   /// Whether an event here is of something that stands still.
   bool is_still(double x, double y) const {
@@ -60,6 +66,8 @@ class Background {
   static constexpr double kStill = 15;
   // A scene that moves as one is known, or busy, sooner.
   static constexpr std::int64_t kRestsAfter_us = 300'000;
+  static constexpr std::int64_t kNap_us = 200'000;
+  static constexpr std::int64_t kGlance_us = 20'000;
   static constexpr int kColumns = 8;
   static constexpr int kRows = 6;
   using Cells = std::array<double, static_cast<std::size_t>(kColumns* kRows)>;  // of the image

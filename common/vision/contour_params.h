@@ -34,7 +34,7 @@ struct ContourIngredients {
   bool holding = true;       ///< A puck at rest stays while something comes near.
   bool left_behind = true;  ///< A track led away from a puck that cannot have left is brought back.
   bool background = true;   ///< What stands still while the head turns counts less.
-  bool early_background = true;  ///< … for which a trusted track that looks doubtful suffices.
+  bool early_background = true;  ///< … which is known by the time that a track becomes doubtful.
   bool clear_rings = true;       ///< … unless a faint puck is sought, and it is a clear ring.
   bool faint_rests = true;       ///< What may be a faint puck at rest is looked for elsewhere, too.
   /// What moves by itself takes over from a track that has gone bad, or rests and never moved.

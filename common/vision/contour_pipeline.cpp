@@ -275,12 +275,13 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
   const Region image = Region::all_of(sensor_);
   const bool awaits = standing_.state() == TrackState::kLost && search_plan_.is_still(time_us);
   // A puck of good contrast is followed without it; but what stands still must be known by the time
-  // that something else may be taken for it.
+  // that a mark may be taken for it.
   consults_background_ = !main_ || !context_.is_trusted || context_.signature.is_faint();
-  const bool is_doubtful =
-      context_.ingredients.early_background && trust_.since_sound_us(time_us) > kDoubtfulAfter_us;
-  watches_background_ = context_.ingredients.background && (consults_background_ || is_doubtful);
-  if (!watches_background_) background_.forget();
+  const bool is_doubtful = trust_.since_sound_us(time_us) > kDoubtfulAfter_us;
+  const bool is_wanted = consults_background_ || context_.ingredients.early_background;
+  watches_background_ = context_.ingredients.background && is_wanted &&
+                        (consults_background_ || is_doubtful || !background_.may_nap(time_us));
+  if (!is_wanted) background_.forget();
   near_ = !main_ || awaits ? image
                            : region_of_tracks(*main_, challengers_, witness_.position(),
                                               context_.contour, sensor_);

@@ -191,6 +191,8 @@ TEST_CASE("while the answer of a search is awaited, events are taken wherever it
   const Region image = Region::all_of(kSensor);
   PipelineParams params = preset_params(Preset::kDefault);
   params.contour.calibration = {0, 0, 0};
+  // It would watch all of the image as well.
+  params.contour.ingredients.early_background = false;
   const auto pipeline = make_pipeline(kSensor, params, kSizeModel);
   const PuckContour contour(kSensor, kSizeModel, params.contour.calibration, true);
   test::MovingContour puck(contour, {60, 100}, {150, 30});

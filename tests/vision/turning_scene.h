@@ -18,16 +18,17 @@ class TurningScene {
   static double sway_px(std::int64_t time_us) {
     return 25 * std::sin(2 * std::numbers::pi * static_cast<double>(time_us) * 1e-6 / 2);
   }
-  /// A place on the edge of mark `mark`, 0 to 24, now.
+  static constexpr int kMarks = 45;
+  /// A place on the edge of one of the marks now.
   static Pixel place(int mark, double angle, std::int64_t time_us) {
-    return {80.0 + 120 * (mark % 5) + 15 * std::cos(angle) + sway_px(time_us),
-            60.0 + 90 * (mark / 5) + 15 * std::sin(angle)};
+    return {80.0 + 60 * (mark % 9) + 15 * std::cos(angle) + sway_px(time_us),
+            60.0 + 90 * (mark / 9) + 15 * std::sin(angle)};
   }
 
   /// Shows the scene for so long, from where it was left.
   void show(Background& background, int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
-      for (int mark = 0; mark < 25; ++mark) {
+      for (int mark = 0; mark < kMarks; ++mark) {
         for (int n = 0; n < 20; ++n) {
           state_ = state_ * 1664525u + 1013904223u;
           const double angle = 2 * std::numbers::pi * (state_ >> 8) / 0x1p24;
@@ -50,13 +51,13 @@ class TurningScene {
 inline double still_share_of_marks(const Background& background, std::int64_t time_us) {
   int still = 0;
   constexpr int kPlaces = 20;
-  for (int mark = 0; mark < 25; ++mark) {
+  for (int mark = 0; mark < TurningScene::kMarks; ++mark) {
     for (int i = 0; i < kPlaces; ++i) {
       const Pixel at = TurningScene::place(mark, 2 * std::numbers::pi * i / kPlaces, time_us);
       if (background.is_still(at.x, at.y)) ++still;
     }
   }
-  return still / (25.0 * kPlaces);
+  return still / (1.0 * TurningScene::kMarks * kPlaces);
 }
 
 }  // namespace puck::test
