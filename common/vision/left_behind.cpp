@@ -8,6 +8,9 @@ namespace {
 // So long after the puck rested the track may be bad for a moment only.
 constexpr std::int64_t kDisturbedFor_us = 5'000;
 constexpr double kBad = 0.7;
+// A hand that comes to the puck has taken it or gone by then. Events that never arrived would leave
+// the place unswept for ever.
+constexpr std::int64_t kLongest_us = 1'000'000;
 
 // Parts outside the image make no events.
 bool is_inside_image(Pixel position, const ContourRing& ring, SensorSize sensor) {
@@ -39,7 +42,8 @@ bool LeftBehind::bring_back(ContourTrack& main, const Situation& now, const Cont
     return false;
   }
   const double density = context.signature.last_density();
-  is_there_ = looks.quality < TrackTrust::kSound && place_.must_hold_puck(density);
+  is_there_ = looks.quality < TrackTrust::kSound && time_us - rested_us_ < kLongest_us &&
+              place_.must_hold_puck(density);
   if (!is_there_) {
     place_.forget();
     return false;

@@ -125,6 +125,19 @@ TEST_CASE("The track may be bad for 5 ms") {
   CHECK(puck.left_behind.bring_back(*puck.track, astray, puck.context, 105'000));
 }
 
+TEST_CASE("A second after the puck rested, events that got lost may be all that is missing") {
+  Disturbed puck;
+  puck.rest();
+  const LeftBehind::Situation astray{true, false, test::kSensor};
+  puck.track.emplace(puck.context, ContourFilter::Start{.position = {340, 180}}, 0, 0);
+  puck.track->decide(1'099'999, false, puck.context);
+  CHECK(puck.left_behind.bring_back(*puck.track, astray, puck.context, 1'099'999));
+  puck.track.emplace(puck.context, ContourFilter::Start{.position = {340, 180}}, 0, 0);
+  puck.track->decide(1'100'000, false, puck.context);
+  CHECK_FALSE(puck.left_behind.bring_back(*puck.track, astray, puck.context, 1'100'000));
+  CHECK_FALSE(puck.left_behind.is_there());
+}
+
 TEST_CASE("Nothing is brought back without a rest beyond doubt, or with it switched off") {
   Disturbed unsure;
   unsure.rest(false);
