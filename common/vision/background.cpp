@@ -33,6 +33,8 @@ constexpr int kLeastBusyCells = 16;
 // While the head turns, more than this share of all that is seen is on the map, hands and mallets
 // included.
 constexpr double kTurningShare = 0.6;
+// A map on which so little lies for so long is of another scene, or smeared.
+constexpr std::int64_t kLongestUnknown_us = 2'000'000;
 
 using Steps = CameraTurn::Steps;
 
@@ -52,19 +54,26 @@ Steps solved(std::array<Steps, 3> a, Steps b) {
   return b;
 }
 
+CameraTurn turn_of(SensorSize sensor) {
+  return {{(sensor.width - 1) / 2.0, (sensor.height - 1) / 2.0}, kFocal_widths * sensor.width};
+}
+
 }  // namespace
 
-Background::Background(SensorSize sensor)
-    : sensor_(sensor),
-      map_(sensor),
-      turn_({(sensor.width - 1) / 2.0, (sensor.height - 1) / 2.0}, kFocal_widths * sensor.width) {
+Background::Background(SensorSize sensor) : sensor_(sensor), map_(sensor), turn_(turn_of(sensor)) {
   taken_.reserve(kMostEvents);
+}
+
+void Background::clear_map() {
+  map_.clear();
+  turn_ = turn_of(sensor_);
+  speed_ = {};
+  unknown_us_ = 0;
 }
 
 void Background::forget() {
   if (is_empty_) return;
-  map_.clear();
-  speed_ = {};
+  clear_map();
   activity_ = {};
   events_ = {};
   taken_.clear();
@@ -79,8 +88,14 @@ void Background::decide(std::int64_t time_us) {
   if (passed_us < kPeriod_us) return;
   aligned_us_ = time_us;
   is_empty_ = false;
-  align();
+  // Noise would turn it away from the map, never to come back.
+  if (head_rests()) {
+    speed_ = {};
+  } else {
+    align();
+  }
   note_activity(passed_us);
+  if (unknown_us_ > kLongestUnknown_us) clear_map();
   map_.advance(time_us);
   for (const Pixel& event : taken_) map_.add(turn_.then_of(event));
   taken_.clear();
@@ -142,6 +157,7 @@ void Background::note_activity(std::int64_t passed_us) {
   const bool is_calm = !is_known_ && count_above(events_, kBusy) < kLeastBusyCells;
   // Of the first period it is not known when it began.
   calm_us_ = is_calm ? calm_us_ + std::min(passed_us, kPeriod_us) : 0;
+  unknown_us_ = is_known_ ? 0 : unknown_us_ + std::min(passed_us, kPeriod_us);
 }
 
 double Background::still_share(const ContourRing& ring, Pixel centre) const {

@@ -21,8 +21,8 @@ struct ContourIngredients {
   bool sector_saturation = true;  ///< Events in one direction count less and less.
   bool twins = true;              ///< A twin at rest is there to take over at a bounce.
   bool wall = true;               ///< Whether the puck's side wall makes events is found out.
-  bool wall_edge = true;    ///< Edges between the puck's face and its wall say nothing against it.
-  bool wall_search = true;  ///< … and the search looks for it as it was found to be.
+  bool wall_search = true;        ///< … and the search looks for it as it was found to be.
+  bool wall_edge = true;          ///< … and an edge between its face and it counts neither way.
   bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
   bool search = true;       ///< A doubtful track is challenged by the correlation near it.
   bool wide_search = true;  ///< … and, unless it is beyond doubt, everywhere.

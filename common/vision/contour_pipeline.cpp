@@ -197,7 +197,8 @@ bool ContourPipeline::head_turns() const {
 }
 
 ClaimContext ContourPipeline::claim_context() const {
-  return {.head_rests = context_.ingredients.slow_movers && background_.head_rests(),
+  return {.head_rests =
+              context_.ingredients.slow_movers && watches_closely_ && background_.head_rests(),
           .at_once = context_.ingredients.at_once};
 }
 
@@ -279,8 +280,9 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
   consults_background_ = !main_ || !context_.is_trusted || context_.signature.is_faint();
   const bool is_doubtful = trust_.since_sound_us(time_us) > kDoubtfulAfter_us;
   const bool is_wanted = consults_background_ || context_.ingredients.early_background;
+  watches_closely_ = consults_background_ || is_doubtful;
   watches_background_ = context_.ingredients.background && is_wanted &&
-                        (consults_background_ || is_doubtful || !background_.may_nap(time_us));
+                        (watches_closely_ || !background_.may_nap(time_us));
   if (!is_wanted) background_.forget();
   near_ = !main_ || awaits ? image
                            : region_of_tracks(*main_, challengers_, witness_.position(),

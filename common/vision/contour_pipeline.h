@@ -102,6 +102,7 @@ class ContourPipeline final : public TrackingPipeline {
   Region events_needed_;
   Region near_;  // what the tracks take of it
   bool watches_background_ = false;
+  bool watches_closely_ = false;      // without naps
   bool consults_background_ = false;  // whether the head turns is asked of it
   Region puck_;                       // whose events are not the background's
 };

@@ -55,8 +55,10 @@ ContourTrack::ContourTrack(const ContourContext& context, const ContourFilter::S
 void ContourTrack::follow_contour(const ContourContext& context) {
   ring_made_at_ = filter_.position();
   ring_ = context.contour.ring_at(ring_made_at_, wall_share_);
-  areas_ = RingEvidence::areas_of(ring_);
-  if (!context.ingredients.wall_edge) return;
+  if (!context.ingredients.wall || !context.ingredients.wall_edge) {
+    areas_ = RingEvidence::areas_of(ring_);
+    return;
+  }
   const bool is_other = context.contour.is_other_wall(wall_share_);
   wall_edge_ = {ring_,
                 context.contour.ring_at(ring_made_at_, context.contour.wall_share(!is_other))};
@@ -73,17 +75,22 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
       std::abs(dx) > ring_.half_width() + reach) {
     return 0;
   }
-  ContourOffset offset = ring_.offset(dx, dy, filter_.growth_px());
-  const double normal_speed = offset.normal_x * velocity.x + offset.normal_y * velocity.y;
+  const auto along_normal = [&](const ContourOffset& place) {
+    return place.normal_x * velocity.x + place.normal_y * velocity.y;
+  };
   // The event shows where the contour was a little earlier.
-  if (context.ingredients.lag) offset.distance_px += context.contour.behind_px(normal_speed);
+  const auto offset_from = [&](const ContourRing& ring) {
+    ContourOffset place = ring.offset(dx, dy, filter_.growth_px());
+    if (context.ingredients.lag) {
+      place.distance_px += context.contour.behind_px(along_normal(place));
+    }
+    return place;
+  };
+  const ContourOffset offset = offset_from(ring_);
+  const double normal_speed = along_normal(offset);
   const double distance = std::abs(offset.distance_px);
   if (offset.distance_px > RingEvidence::kReach_px) return 0;
 
-  if (distance > RingEvidence::kRing_px && wall_edge_.contains(dx, dy, filter_.growth_px())) {
-    evidence_.add_wall(offset.distance_px < 0);
-    return 0;
-  }
   // A hot pixel says nothing about a puck at rest, however often it fires.
   const bool repeats = context.ingredients.settling &&
                        recent_pixels_.repeats(static_cast<int>(event.x), static_cast<int>(event.y));
@@ -110,6 +117,11 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   if (!event.first && context.ingredients.first_events && context.signature.is_faint()) return 0;
 
   if (repeats) evidence_.add_repeat();
+  if (distance > RingEvidence::kRing_px && wall_edge_.is_known() &&
+      std::abs(offset_from(wall_edge_.ring()).distance_px) <= RingEvidence::kRing_px) {
+    evidence_.add_wall(offset.distance_px < 0);
+    return 0;
+  }
   double worth = 0;
   if (distance > RingEvidence::kRing_px) {
     ++clutter_since_ring_;

@@ -37,8 +37,8 @@ class RingEvidence {
   void add_wrong_sign() { wrong_ += 1; }
   void add_inside() { inside_ += 1; }
   void add_outside() { outside_ += 1; }
-  /// For an event that may be of the puck's side wall, outside or inside the ring: it counts as
-  /// little for the ring as against it.
+  /// For an event that may be of the puck's side wall, outside or inside the ring: it says nothing
+  /// of whether the ring stands out, but may be of something on the puck.
   void add_wall(bool is_inside) { (is_inside ? wall_inside_ : wall_outside_) += 1; }
   /// For an event that is counted besides: it is of the same pixel as another of late.
   void add_repeat() { repeats_ += 1; }

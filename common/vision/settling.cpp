@@ -11,7 +11,7 @@ constexpr double kClearStrengthOfFaint = 15;
 constexpr double kSlow_px_s = 200;
 // Few enough that noise may be a part of them that counts.
 constexpr double kFewEvents = 12;
-// They die away within a few times the memory of the evidence, or the puck creeps on.
+// They die away so soon, or the puck creeps on.
 constexpr std::int64_t kDyingFor_us = 150'000;
 constexpr std::int64_t kDyingOfFaintFor_us = 80'000;
 // Noise leads a track no farther in that time.

@@ -41,7 +41,7 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool hea
       (main.is_good() || is_supported || is_caught || came_to_rest ||
        (is_resting_ && state_ == TrackState::kTracking))) {
     held_us_ = time_us;
-    // What is held only because it was whole a moment ago does not become whole by it.
+    // What is held as caught does not become whole by it.
     if (is_resting_ || (main.cover > kWholeCover && (main.is_good() || is_supported))) {
       whole_us_ = time_us;
       whole_at_ = main.position;

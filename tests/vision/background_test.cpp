@@ -111,20 +111,58 @@ TEST_CASE("The head no longer rests a few milliseconds after it has begun to tur
   CHECK_FALSE(background.head_rests());
 }
 
-TEST_CASE("While the head rests a glance of 20 ms each 200 ms will do") {
+TEST_CASE("While the head rests a glance of 100 ms each 300 ms will do") {
   Background background(TurningScene::kSensor);
   CHECK_FALSE(background.may_nap(150'000));
   for (int i = 1; i <= 400; ++i) background.decide(i * 1'000);
   REQUIRE(background.head_rests());
-  CHECK_FALSE(background.may_nap(419'999));
-  CHECK(background.may_nap(420'000));
-  CHECK(background.may_nap(599'999));
+  CHECK_FALSE(background.may_nap(699'999));
+  CHECK(background.may_nap(700'000));
+  CHECK(background.may_nap(899'999));
+  CHECK_FALSE(background.may_nap(900'000));
   // After a nap the head has begun to turn.
   TurningScene scene;
   Background unused(TurningScene::kSensor);
-  scene.show(unused, 600);
+  scene.show(unused, 900);
   scene.show(background, 12);
-  CHECK_FALSE(background.may_nap(700'000));
+  CHECK_FALSE(background.may_nap(1'000'000));
+}
+
+// For how long a head that turns again has to be watched until the background is known, ms; before
+// that it has stopped while it turned and has rested for so long, looked at only as long as needed.
+int known_again_after_ms(int resting_ms, int noise_a_ms) {
+  Background background(TurningScene::kSensor);
+  TurningScene scene;
+  scene.show(background, 1'000);
+  REQUIRE(background.is_known());
+  std::int64_t time_us = scene.time_us();
+  std::uint32_t random = 1;
+  for (int i = 0; i < resting_ms; ++i) {
+    time_us += 1'000;
+    if (background.may_nap(time_us)) continue;
+    for (int n = 0; n < noise_a_ms; ++n) {
+      random = random * 1664525u + 1013904223u;
+      background.take((random >> 8) % 640, (random >> 20) % 480);
+    }
+    background.decide(time_us);
+  }
+  scene.wait_until(time_us);
+  for (int i = 1; i <= 1'000; ++i) {
+    scene.show(background, 1);
+    if (background.is_known()) return i;
+  }
+  return 1'000;
+}
+
+TEST_CASE(
+    "A head that stops while it turns, and turns again after a rest, is known again at once") {
+  for (const int resting_ms : {500, 5'000, 30'000}) {
+    for (const int noise_a_ms : {0, 3, 30, 150}) {
+      CAPTURE(resting_ms);
+      CAPTURE(noise_a_ms);
+      CHECK(known_again_after_ms(resting_ms, noise_a_ms) < 100);
+    }
+  }
 }
 
 TEST_CASE("A hand with more events than all that stands still does not draw the map along") {

@@ -184,31 +184,68 @@ TEST_CASE("What is too large makes a track doubtful, unless size-penalty is off"
   CHECK(doubted < 0.7 * track_of_larger(1, context).quality());
 }
 
+// What a sensor is late by.
+constexpr std::int64_t kLag_us = 1'000;
+
 // The quality of a track of a puck whose wall has another tone than its face, so that both its
 // whole contour, which is followed, and its face's lower edge make events.
-double quality_of_two_toned(const ContourContext& context) {
-  const PixelVelocity velocity{100, 200};
+double quality_of_two_toned(const ContourContext& context, PixelVelocity velocity) {
   test::MovingContour whole(context.contour, {300, 180}, velocity);
   test::MovingContour face(context.contour, {300, 180}, velocity, 3,
                            context.contour.other_wall_share());
   ContourTrack track(context, {.position = {300, 180}, .velocity = velocity}, 0, 0);
   for (std::int64_t t = 0; t < 60'000; t += 1'000) {
-    for (const ContourEvent& event : whole.events(t, t + 1'000)) track.take(event, context);
+    const auto show = [&](ContourEvent event) {
+      event.time_us += kLag_us;
+      track.take(event, context);
+    };
+    for (const ContourEvent& event : whole.events(t, t + 1'000)) show(event);
     const double lowest_edge_y = face.position_at(t).y;
     for (const ContourEvent& event : face.events(t, t + 1'000)) {
-      if (event.y > lowest_edge_y) track.take(event, context);
+      if (event.y > lowest_edge_y) show(event);
     }
-    track.decide(t + 1'000, false, context);
+    track.decide(t + 1'000 + kLag_us, false, context);
   }
-  CHECK(error_px(track, whole.position_at(60'000)) < 1);
+  CHECK(error_px(track, whole.position_at(60'000 + kLag_us)) < 1);
   return track.quality();
 }
 
 TEST_CASE("The edge between face and wall says nothing against a puck, unless wall-edge is off") {
   ContourContext context = test::contour_context();
-  CHECK(quality_of_two_toned(context) > 0.9);
+  context.contour = PuckContour(test::kSensor, test::kSizeModel, {kLag_us, 0, 0}, true);
+  const PixelVelocity slow{100, 200};
+  const PixelVelocity fast{100, 1'500};
+  CHECK(quality_of_two_toned(context, slow) > 0.9);
+  CHECK(quality_of_two_toned(context, fast) > 0.9);
   context.ingredients.wall_edge = false;
-  CHECK(quality_of_two_toned(context) < 0.8);
+  CHECK(quality_of_two_toned(context, slow) < 0.8);
+  context.ingredients.wall_edge = true;
+  context.ingredients.wall = false;
+  CHECK(quality_of_two_toned(context, slow) < 0.8);
+}
+
+TEST_CASE("A hot pixel on the other edge does not make a puck at rest look disturbed") {
+  const ContourContext context = test::contour_context();
+  const ContourRing face = context.contour.ring_at({300, 180}, context.contour.other_wall_share());
+  ContourTrack track(context, {.position = {300, 180}}, 0, 0);
+  for (std::int64_t t = 1'000; t < 1'000'000; t += 1'000) {
+    track.take({t, 300, std::round(180 - face.rise + face.semi_y), true, false}, context);
+    track.decide(t, false, context);
+    track.park();
+  }
+  CHECK(track.looks().near_events < 2);
+  CHECK(track.looks().inside_events < 2);
+}
+
+TEST_CASE("What lies on the other edge says that something happens, and may be on the puck") {
+  const ContourContext context = test::contour_context();
+  const ContourRing face = context.contour.ring_at({300, 180}, context.contour.other_wall_share());
+  ContourTrack track(context, {.position = {300, 180}}, 0, 0);
+  for (int i = -3; i <= 3; ++i) {
+    track.take({1'000, 300.0 + i, std::round(180 - face.rise + face.semi_y), true, true}, context);
+  }
+  CHECK(track.looks().near_events == 7);
+  CHECK(track.looks().inside_events == 7);
 }
 
 TEST_CASE("A twin at rest overtakes a track that missed a bounce, and only then") {

@@ -41,6 +41,8 @@ class TurningScene {
     }
   }
   std::int64_t time_us() const { return time_us_; }
+  /// Goes on at another time.
+  void wait_until(std::int64_t time_us) { time_us_ = time_us; }
 
  private:
   std::int64_t time_us_ = 0;
