@@ -37,9 +37,9 @@ class Background {
   /// still: with a still camera only hands and mallets might have drawn it.
   bool is_known() const { return is_known_; }
 
-  /// Most of what is seen is known to stand still, so that it is the head that moves. Hands and
-  /// mallets that come back again and again to where they were draw a map, too, but have as many
-  /// events beside it. Noise counts as well: of much of it no head is seen to turn.
+  /// Most of what is seen is known to stand still, so that it is the head that moves: hands and
+  /// mallets may have as many events, but beside the map. Noise counts as well: of much of it no head
+  /// is seen to turn.
   bool head_turns() const { return head_turns_; }
 
   /// For long nothing has been known to stand still and little of the image has been busy, so that

@@ -248,7 +248,8 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
   } else {
     challengers_.dismiss_born();
   }
-  // The place of one that takes the wall to be another is not the same.
+  // What the search found may be another puck than the one that rested; and where one rests depends
+  // on what its wall is taken to be.
   if (kind == Challenger::Kind::kSearch || kind == Challenger::Kind::kWall) left_behind_.forget();
 }
 
