@@ -38,8 +38,8 @@ class Background {
   bool is_known() const { return is_known_; }
 
   /// Most of what is seen is known to stand still, so that it is the head that moves: hands and
-  /// mallets may have as many events, but beside the map. Noise counts as well: of much of it no head
-  /// is seen to turn.
+  /// mallets may have as many events, but beside the map. Noise counts as well: of much of it no
+  /// head is seen to turn.
   bool head_turns() const { return head_turns_; }
 
   /// For long nothing has been known to stand still and little of the image has been busy, so that
