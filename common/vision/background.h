@@ -47,8 +47,7 @@ class Background {
   bool head_rests() const { return calm_us_ > kRestsAfter_us; }
 
   /// Whether events need not be taken now, nor decisions made: while the head rests a glance from
-  /// time to time tells when it begins to turn, unless it moves the image by less than some 15 px a
-  /// second.
+  /// time to time tells when it begins to turn, even by no more than 10 px a second in the image.
   bool may_nap(std::int64_t time_us) const {
     return head_rests() && time_us % kNap_us >= kGlance_us;
   }

@@ -128,6 +128,30 @@ TEST_CASE("While the head rests a glance of 100 ms each 300 ms will do") {
   CHECK_FALSE(background.may_nap(1'000'000));
 }
 
+TEST_CASE("Glances see a turn of 10 px a second") {
+  constexpr double kSpeed_px_ms = 0.01;
+  Background background(TurningScene::kSensor);
+  std::int64_t time_us = 0;
+  for (int i = 0; i < 400; ++i) background.decide(time_us += 1'000);
+  REQUIRE(background.head_rests());
+  int glances_ms = 0;
+  for (int i = 0; i < 400; ++i) {
+    time_us += 1'000;
+    if (background.may_nap(time_us)) continue;
+    ++glances_ms;
+    // Each place on the marks' edges makes an event each time that it has moved by half a pixel.
+    for (int mark = 0; mark < TurningScene::kMarks; ++mark) {
+      for (int n = i % 50; n < 100; n += 50) {
+        const Pixel place = TurningScene::place(mark, n * 0.0628, 0);
+        background.take(std::round(place.x + i * kSpeed_px_ms), std::round(place.y));
+      }
+    }
+    background.decide(time_us);
+  }
+  CAPTURE(glances_ms);
+  CHECK_FALSE(background.head_rests());
+}
+
 // For how long a head that turns again has to be watched until the background is known, ms; before
 // that it has stopped while it turned and has rested for so long, looked at only as long as needed.
 int known_again_after_ms(int resting_ms, int noise_a_ms) {

@@ -49,8 +49,7 @@ class Disturbed {
       }
       now_us += 1'000;
       track->decide(now_us, false, context);
-      is_back =
-          left_behind.bring_back(*track, {true, false, test::kSensor}, context, now_us) || is_back;
+      is_back = is_brought_back() || is_back;
     }
     return is_back;
   }
@@ -204,34 +203,33 @@ TEST_CASE("No place is watched that lies in part outside the image") {
   CHECK(is_watched({300, 480 - low.semi_y + low.rise - 1}, -0.2));
 }
 
+// A puck that rested, and a track that followed something away from it with so much clutter that
+// its quality lies in between.
+Disturbed followed_away(int clutter, double least_quality, double most_quality) {
+  Disturbed puck;
+  puck.rest();
+  const double quality = puck.follow_away(clutter);
+  CHECK(quality > least_quality);
+  CHECK(quality < most_quality);
+  return puck;
+}
+
 TEST_CASE("A track is bad below a quality of 0.7, and from 0.85 on it is where the puck is") {
-  Disturbed bad;
-  bad.rest();
-  const double bad_quality = bad.follow_away(200);
-  CHECK(bad_quality > 0.6);
-  CHECK(bad_quality < 0.7);
+  Disturbed bad = followed_away(200, 0.6, 0.7);
   CHECK(bad.is_brought_back());
 
-  Disturbed poor;
-  poor.rest();
-  const double poor_quality = poor.follow_away(130);
-  CHECK(poor_quality > 0.7);
-  CHECK(poor_quality < 0.8);
+  Disturbed poor = followed_away(130, 0.7, 0.8);
   CHECK_FALSE(poor.is_brought_back());
   CHECK(poor.left_behind.is_there());
 
-  Disturbed sound;
-  sound.rest();
-  CHECK(sound.follow_away(0) > 0.85);
+  Disturbed sound = followed_away(0, 0.85, 1);
   CHECK_FALSE(sound.is_brought_back());
   CHECK_FALSE(sound.left_behind.is_there());
   CHECK(sound.left_behind.region().empty());
 }
 
 TEST_CASE("What has been brought back is as sure of its place as a puck at rest") {
-  Disturbed puck;
-  puck.rest();
-  REQUIRE(puck.follow_away(200) < 0.7);
+  Disturbed puck = followed_away(200, 0.6, 0.7);
   REQUIRE(puck.is_brought_back());
   CHECK(puck.track->filter().distance_variance(1, 0) < 0.2);
   puck.rest();
