@@ -1,0 +1,50 @@
+#include "common/vision/noise_floor.h"
+
+namespace puck {
+namespace {
+
+// Long enough for some tens of events in a part of the image, of a sensor that is noisy at all.
+constexpr std::int64_t kPeriod_us = 50'000;
+// What has not been decided on for so long may have had no events for want of packets.
+constexpr std::int64_t kGap_us = 5'000;
+// Until all events come when they are wanted.
+constexpr std::int64_t kLeadIn_us = 10'000;
+// Even while the head turns, most of a table's image has fewer edges than this share of its parts.
+constexpr double kQuietShare = 0.2;
+constexpr double kRise = 0.1;
+constexpr double kFall = 0.5;
+
+}  // namespace
+
+NoiseFloor::NoiseFloor(SensorSize sensor)
+    : pixels_a_cell_(static_cast<double>(sensor.width) * sensor.height / kCells) {
+  for (int x = 0; x < sensor.width; ++x) {
+    column_of_.push_back(static_cast<std::uint8_t>(x * kColumns / sensor.width));
+  }
+  for (int y = 0; y < sensor.height; ++y) {
+    first_of_row_.push_back(static_cast<std::uint8_t>(y * kRows / sensor.height * kColumns));
+  }
+}
+
+void NoiseFloor::decide(std::int64_t time_us, bool took_all) {
+  const std::int64_t passed_us = time_us - decided_us_;
+  const bool is_gapless = took_all && passed_us < kGap_us;
+  counted_us_ = is_gapless ? counted_us_ + passed_us : -kLeadIn_us;
+  decided_us_ = time_us;
+  if (counted_us_ < 0) counts_ = {};
+  if (counted_us_ < kPeriod_us) return;
+  learn();
+  counts_ = {};
+  counted_us_ = 0;
+}
+
+void NoiseFloor::learn() {
+  const auto quiet = counts_.begin() + static_cast<std::ptrdiff_t>(kQuietShare * kCells);
+  std::nth_element(counts_.begin(), quiet, counts_.end());
+  const double rate = *quiet / (pixels_a_cell_ * static_cast<double>(counted_us_));
+  const double gain = !is_known_ ? 1 : (rate > rate_ ? kRise : kFall);
+  rate_ += gain * (rate - rate_);
+  is_known_ = true;
+}
+
+}  // namespace puck

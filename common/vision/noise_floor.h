@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "common/events/sensor_size.h"
+
+namespace puck {
+
+/// Of a count of events, how many are more than noise makes there now and then; `noise`: how many
+/// it makes on average. What a sensor with hardly any noise makes is left in.
+inline double beyond_noise(double count, double noise) {
+  constexpr double kSigmas = 2;
+  constexpr double kHardlyAny = 4;
+  const double usual = noise + kSigmas * std::sqrt(noise);
+  return std::max(0.0, count - std::max(0.0, usual - kHardlyAny));
+}
+
+/// Measures how many events the sensor's pixels make by themselves: as many as in the quietest
+/// parts of the image. While the head turns even those may be busy, so that more noise is believed
+/// slowly, less of it soon. The same events give the same answers, to the bit. One thread at a
+/// time.
+class NoiseFloor {
+ public:
+  explicit NoiseFloor(SensorSize sensor);
+
+  /// Takes an event of anywhere in the image.
+  void take(int x, int y) {
+    ++counts_[std::size_t{column_of_[static_cast<std::size_t>(x)]} +
+              first_of_row_[static_cast<std::size_t>(y)]];
+  }
+
+  /// To be called at each decision. `took_all`: since the last one events of the whole image were
+  /// wanted. Of other times, of those without decisions, and of a moment after them, nothing is
+  /// learned.
+  void decide(std::int64_t time_us, bool took_all);
+
+  /// Events of a pixel in a µs; 0 while it is not known.
+  double per_pixel_us() const { return rate_; }
+
+ private:
+  static constexpr int kColumns = 8;
+  static constexpr int kRows = 6;
+  static constexpr int kCells = kColumns * kRows;
+
+  void learn();
+
+  double pixels_a_cell_;
+  // Cells by x and y: dividing takes longer, and is done for every event.
+  std::vector<std::uint8_t> column_of_;
+  std::vector<std::uint8_t> first_of_row_;
+  std::array<int, std::size_t{kCells}> counts_{};
+  std::int64_t decided_us_ = std::numeric_limits<std::int64_t>::min() / 2;
+  std::int64_t counted_us_ = 0;  // below 0: not to be counted yet
+  double rate_ = 0;
+  bool is_known_ = false;
+};
+
+}  // namespace puck
