@@ -14,6 +14,8 @@ constexpr double kFocal_widths = 1.1;
 // A place with so many events half counts as one that stands still.
 constexpr double kHalf = 60;
 constexpr int kIterations = 2;
+// What stands still is so much clearer than noise.
+constexpr double kAboveNoise = 10;
 // However many events a cell has, they count for no more than so many.
 constexpr double kFew = 5;
 // How stiffly the turn keeps to its prediction, in squared slopes of the fit; and how much of what
@@ -26,8 +28,7 @@ constexpr double kSpeedGain = 0.04;
 constexpr double kActivityMemory_us = 50'000;
 constexpr double kActive = 5;
 constexpr int kLeastActiveCells = 34;
-// … and of all events, which a hand and two mallets have in fewer cells, and noise from 60 kev/s
-// on.
+// … and of all events but noise, which a hand and two mallets have in fewer cells.
 constexpr double kBusy = 60;
 constexpr int kLeastBusyCells = 16;
 // While the head turns, more than this share of all that is seen is on the map, hands and mallets
@@ -76,6 +77,7 @@ void Background::forget() {
   clear_map();
   activity_ = {};
   events_ = {};
+  noise_ = 0;
   taken_.clear();
   is_known_ = false;
   head_turns_ = false;
@@ -83,7 +85,7 @@ void Background::forget() {
   is_empty_ = true;
 }
 
-void Background::decide(std::int64_t time_us) {
+void Background::decide(std::int64_t time_us, double noise_per_pixel_us) {
   const std::int64_t passed_us = time_us - aligned_us_;
   if (passed_us < kPeriod_us) return;
   aligned_us_ = time_us;
@@ -94,10 +96,15 @@ void Background::decide(std::int64_t time_us) {
   } else {
     align();
   }
-  note_activity(passed_us);
+  // What has happened in a nap was not taken.
+  const auto taken_us = static_cast<double>(std::min(passed_us, kPeriod_us));
+  const double noise = noise_per_pixel_us * taken_us / static_cast<double>(stride_);
+  still_level_ = std::max(kStill, map_.level_of_noise() + kAboveNoise);
+  note_activity(passed_us, noise);
   if (unknown_us_ > kLongestUnknown_us) clear_map();
   map_.advance(time_us);
   for (const Pixel& event : taken_) map_.add(turn_.then_of(event));
+  map_.note_noise(noise);
   taken_.clear();
   stride_ = 1 + seen_ / kMostEvents;
   seen_ = 0;
@@ -137,14 +144,15 @@ void Background::align() {
   }
 }
 
-void Background::note_activity(std::int64_t passed_us) {
+void Background::note_activity(std::int64_t passed_us, double noise) {
   const double keep = std::exp(-static_cast<double>(passed_us) / kActivityMemory_us);
   for (double& cell : activity_) cell *= keep;
   for (double& cell : events_) cell *= keep;
+  noise_ = keep * noise_ + noise;
   for (const Pixel& event : taken_) {
     const std::size_t cell = cell_of(event);
     events_[cell] += 1;
-    if (map_.level(turn_.then_of(event)) > kStill) activity_[cell] += 1;
+    if (map_.level(turn_.then_of(event)) > still_level_) activity_[cell] += 1;
   }
   const auto count_above = [](const Cells& cells, double least) {
     return std::count_if(cells.begin(), cells.end(), [&](double cell) { return cell > least; });
@@ -153,8 +161,10 @@ void Background::note_activity(std::int64_t passed_us) {
     return std::accumulate(cells.begin(), cells.end(), 0.0);
   };
   is_known_ = count_above(activity_, kActive) >= kLeastActiveCells;
-  head_turns_ = is_known_ && sum_of(activity_) > kTurningShare * sum_of(events_);
-  const bool is_calm = !is_known_ && count_above(events_, kBusy) < kLeastBusyCells;
+  const double all_noise = noise_ * sensor_.width * sensor_.height;
+  const double cell_noise = all_noise / static_cast<double>(events_.size());
+  head_turns_ = is_known_ && sum_of(activity_) > kTurningShare * (sum_of(events_) - all_noise);
+  const bool is_calm = !is_known_ && count_above(events_, kBusy + cell_noise) < kLeastBusyCells;
   // Of the first period it is not known when it began.
   calm_us_ = is_calm ? calm_us_ + std::min(passed_us, kPeriod_us) : 0;
   unknown_us_ = is_known_ ? 0 : unknown_us_ + std::min(passed_us, kPeriod_us);

@@ -28,7 +28,8 @@ class Background {
   }
 
   /// To be called at each decision.
-  void decide(std::int64_t time_us);
+  /// `noise_per_pixel_us`: NoiseFloor's.
+  void decide(std::int64_t time_us, double noise_per_pixel_us = 0);
 
   /// To be called before a time in which it is not told of events, but for naps.
   void forget();
@@ -38,8 +39,7 @@ class Background {
   bool is_known() const { return is_known_; }
 
   /// Most of what is seen is known to stand still, so that it is the head that moves: hands and
-  /// mallets may have as many events, but beside the map. Noise counts as well: of much of it no
-  /// head is seen to turn.
+  /// mallets may have as many events, but beside the map.
   bool head_turns() const { return head_turns_; }
 
   /// For long nothing has been known to stand still and little of the image has been busy, so that
@@ -54,7 +54,7 @@ class Background {
 
   /// Whether an event here is of something that stands still.
   bool is_still(double x, double y) const {
-    return is_known_ && map_.level(turn_.then_of({x, y})) > kStill;
+    return is_known_ && map_.level(turn_.then_of({x, y})) > still_level_;
   }
 
   /// Share of a ring, 0 to 1, on which whatever is seen stands still.
@@ -79,7 +79,7 @@ class Background {
     return static_cast<std::size_t>(static_cast<int>(event.y) * kRows / sensor_.height * kColumns +
                                     static_cast<int>(event.x) * kColumns / sensor_.width);
   }
-  void note_activity(std::int64_t passed_us);
+  void note_activity(std::int64_t passed_us, double noise);
 
   SensorSize sensor_;
   FadingMap map_;
@@ -89,8 +89,10 @@ class Background {
   std::uint64_t seen_ = 0;  // in this period
   std::uint64_t stride_ = 1;
   std::int64_t aligned_us_ = 0;
-  Cells activity_{};  // events on the map, fading
-  Cells events_{};    // all events, fading
+  double still_level_ = kStill;  // more than noise has on the map
+  Cells activity_{};             // events on the map, fading
+  Cells events_{};               // all events, fading
+  double noise_ = 0;             // those that a pixel made by itself, on average, fading
   bool is_known_ = false;
   bool head_turns_ = false;
   std::int64_t calm_us_ = 0;     // see head_rests

@@ -31,7 +31,10 @@ struct ContourIngredients {
   bool fresh_search = true;  ///< The search sees what has made events of late only.
   bool stopping = true;      ///< A puck that falls silent is taken to have stopped.
   bool settling = true;      ///< A puck whose events fade comes to rest where it was last clear.
-  bool holding = true;       ///< A puck at rest stays while something comes near.
+  /// The sensor's noise is measured, where all of its events are taken, and neither disturbs a puck
+  /// at rest nor passes for what stands still.
+  bool noise_floor = true;
+  bool holding = true;      ///< A puck at rest stays while something comes near.
   bool left_behind = true;  ///< A track led away from a puck that cannot have left is brought back.
   bool background = true;   ///< What stands still while the head turns counts less.
   bool early_background = true;  ///< … which is known by the time that a track becomes doubtful.
@@ -53,7 +56,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 33> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 34> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -75,6 +78,7 @@ inline constexpr std::array<ContourIngredient, 33> kContourIngredients{{
     {"fresh-search", &ContourIngredients::fresh_search},
     {"stopping", &ContourIngredients::stopping},
     {"settling", &ContourIngredients::settling},
+    {"noise-floor", &ContourIngredients::noise_floor},
     {"holding", &ContourIngredients::holding},
     {"left-behind", &ContourIngredients::left_behind},
     {"background", &ContourIngredients::background},

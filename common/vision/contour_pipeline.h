@@ -12,6 +12,7 @@
 #include "common/vision/held_rest.h"
 #include "common/vision/left_behind.h"
 #include "common/vision/missed_events.h"
+#include "common/vision/noise_floor.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/search_plan.h"
 #include "common/vision/seen_score.h"
@@ -96,11 +97,13 @@ class ContourPipeline final : public TrackingPipeline {
   SeenScore seen_score_;
   SearchResult found_;
   Background background_;
+  NoiseFloor noise_floor_;
 
   std::int64_t now_us_ = 0;
   std::int64_t decided_us_ = 0;
   Region events_needed_;
-  Region near_;  // what the tracks take of it
+  Region near_;            // what the tracks take of it
+  bool takes_all_ = true;  // events of the whole image
   bool watches_background_ = false;
   bool watches_closely_ = false;      // without naps
   bool consults_background_ = false;  // whether the head turns is asked of it

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/vision/noise_floor.h"
+
 namespace puck {
 namespace {
 
@@ -34,6 +36,8 @@ constexpr double kParkedSigma_px = 0.4;
 constexpr double kParkedSigma_px_s = 60;
 // … fewer than so many more on the ring than chance puts there.
 constexpr double kStray = 2;
+// … and than noise does now and then.
+constexpr double kStraySigmas = 2;
 // How well a search sees where the puck is.
 constexpr double kSearchSigma_px = 1.5;
 // How far the ring's centre may move before the ring's shape is made anew.
@@ -146,7 +150,9 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
       std::clamp(kGate_sigma * kGate_sigma * (variance + 1), kSmallestGate_px * kSmallestGate_px,
                  kLargestGate_px * kLargestGate_px);
   if (distance * distance >= gate_px2) return worth;
-  if (is_parked_ && evidence_.strength(areas_) < kStray) return worth;
+  if (is_parked_ && evidence_.strength(areas_) < kStray + kStraySigmas * std::sqrt(ring_noise_)) {
+    return worth;
+  }
   filter_.predict(event.time_us, blind_);
   filter_.correct(offset.distance_px, offset.normal_x, offset.normal_y);
   if (distance <= RingEvidence::kRing_px) {
@@ -177,14 +183,15 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
   const double keep = std::exp(-passed_us / kSignMemory_us);
   signed_speed_ *= keep;
   absolute_speed_ *= keep;
-  quality_ = evidence_.quality(areas_);
+  const double noise_per_px2 = context.noise_per_pixel_us * RingEvidence::kMemory_us;
+  const double growth_px = filter_.growth_px();
+  ring_noise_ = noise_per_px2 * areas_.ring;
+  inside_noise_ = noise_per_px2 * ring_.inside_area(RingEvidence::kRing_px - growth_px);
+  near_noise_ = noise_per_px2 * ring_.reach_area(RingEvidence::kReach_px + growth_px);
+  const double penalty = shape_penalty(context);
+  quality_ = penalty * evidence_.quality(areas_);
+  clarity_ = penalty * evidence_.quality(areas_, noise_per_px2);
   strength_ = evidence_.strength(areas_);
-  if (context.ingredients.purity) quality_ *= purity(context);
-  if (context.ingredients.size_penalty) {
-    const double excess_px = (filter_.growth_px() - kLarge_px) / (kTooLarge_px - kLarge_px);
-    const double factor = context.is_trusted ? kTooLargeFactor : kStrangerTooLargeFactor;
-    quality_ *= 1 - (1 - factor) * std::clamp(excess_px, 0.0, 1.0);
-  }
   shape_quality_ = quality_;
   if (!context.ingredients.size_penalty) return;
   const double expected = expected_events(context.signature);
@@ -192,7 +199,18 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
       evidence_.ring_events() > kTooDense * expected) {
     const double excess = evidence_.ring_events() / (kTooDense * expected);
     quality_ /= excess * excess;
+    clarity_ /= excess * excess;
   }
+}
+
+double ContourTrack::shape_penalty(const ContourContext& context) const {
+  double penalty = context.ingredients.purity ? purity(context) : 1;
+  if (context.ingredients.size_penalty) {
+    const double excess_px = (filter_.growth_px() - kLarge_px) / (kTooLarge_px - kLarge_px);
+    const double factor = context.is_trusted ? kTooLargeFactor : kStrangerTooLargeFactor;
+    penalty *= 1 - (1 - factor) * std::clamp(excess_px, 0.0, 1.0);
+  }
+  return penalty;
 }
 
 TrackLooks ContourTrack::looks() const {
@@ -203,10 +221,11 @@ TrackLooks ContourTrack::looks() const {
           .growth_px = filter_.growth_px(),
           .quality = quality_,
           .agreement = evidence_.agreement(areas_),
+          .clarity = clarity_,
           .strength = strength_,
           .cover = evidence_.cover(),
-          .near_events = evidence_.near_events(),
-          .inside_events = evidence_.inside_events()};
+          .near_events = beyond_noise(evidence_.near_events(), near_noise_),
+          .inside_events = beyond_noise(evidence_.inside_events(), inside_noise_)};
 }
 
 void ContourTrack::park() {
@@ -228,7 +247,7 @@ void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourCo
   // Of a puck of good contrast what little goes on around it keeps it from being taken to rest.
   if (!context.signature.is_faint()) return;
   evidence_ = {};
-  quality_ = shape_quality_ = strength_ = 0;
+  quality_ = clarity_ = shape_quality_ = strength_ = 0;
 }
 
 // A disc of one tone has one sign where it advances and the other one where it recedes.

@@ -33,6 +33,8 @@ struct ContourContext {
   bool is_trusted = false;
   /// Nothing is tracked yet.
   bool is_first = false;
+  /// NoiseFloor's.
+  double noise_per_pixel_us = 0;
 };
 
 /// One belief about where the puck is: a filter that events correct, and what the events of the
@@ -86,6 +88,7 @@ class ContourTrack {
  private:
   void follow_contour(const ContourContext& context);
   double swept_px2_per_s() const;
+  double shape_penalty(const ContourContext& context) const;
   double purity(const ContourContext& context) const;
   double contrast_sign(const ContourContext& context) const;
 
@@ -99,8 +102,13 @@ class ContourTrack {
   RingEvidence evidence_;
   RecentPixels recent_pixels_;
   double quality_ = 0;
+  double clarity_ = 0;
   double shape_quality_ = 0;
   double strength_ = 0;
+  // Events that the sensor makes by itself in the memory of the evidence.
+  double ring_noise_ = 0;
+  double inside_noise_ = 0;
+  double near_noise_ = 0;
   std::int64_t decided_us_ = 0;
   bool blind_ = false;
   bool is_parked_ = false;  // until the next decision

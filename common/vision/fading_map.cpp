@@ -8,6 +8,10 @@ namespace {
 constexpr double kMemory_us = 1'500'000;
 // The unit is brought back to 1 before floats run out, which a few seconds are far from.
 constexpr double kSmallestUnit = 1e-6;
+// Of an event, at all places that it is added to: the sum of its weights, and of their squares.
+constexpr double kWeights = 4;
+constexpr double kSquares = 2.25;
+constexpr double kSigmas = 4;
 
 }  // namespace
 
@@ -16,12 +20,26 @@ FadingMap::FadingMap(SensorSize sensor)
       margin_y_(sensor.height / 4),
       map_(sensor.width + 2 * margin_x_, sensor.height + 2 * margin_y_) {}
 
+void FadingMap::note_noise(double events) {
+  noise_ += events;
+  noise_variance_ += events;
+}
+
+double FadingMap::level_of_noise() const {
+  return kWeights * noise_ + kSigmas * std::sqrt(kSquares * noise_variance_);
+}
+
 void FadingMap::clear() {
   for (int y = 0; y < map_.height(); ++y) std::fill_n(map_.row(y), map_.width(), 0.0F);
+  noise_ = 0;
+  noise_variance_ = 0;
 }
 
 void FadingMap::advance(std::int64_t time_us) {
-  unit_ *= std::exp(-static_cast<double>(time_us - time_us_) / kMemory_us);
+  const double keep = std::exp(-static_cast<double>(time_us - time_us_) / kMemory_us);
+  unit_ *= keep;
+  noise_ *= keep;
+  noise_variance_ *= keep * keep;
   time_us_ = time_us;
   if (unit_ > kSmallestUnit) return;
   for (int y = 0; y < map_.height(); ++y) {

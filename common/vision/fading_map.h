@@ -24,6 +24,11 @@ class FadingMap {
 
   /// Nothing has been anywhere.
   void clear();
+  /// Notes that of what has been added since the last call each pixel has made so many events by
+  /// itself, on average.
+  void note_noise(double events);
+  /// What the noise that was noted hardly ever exceeds anywhere.
+  double level_of_noise() const;
 
   /// Moves on to `time_us`, not before the last.
   void advance(std::int64_t time_us);
@@ -46,6 +51,8 @@ class FadingMap {
   int margin_y_;
   Image<float> map_;  // In units of unit_: new events count for more, instead of old ones for less.
   double unit_ = 1;
+  double noise_ = 0;  // of a pixel, fading
+  double noise_variance_ = 0;
   std::int64_t time_us_ = 0;
 };
 

@@ -15,6 +15,10 @@ constexpr double kTurningWidths_per_s = 9;
 
 }  // namespace
 
+double ContourRing::reach_area(double reach_px) const {
+  return std::numbers::pi * (semi_x + reach_px) * (semi_y + reach_px);
+}
+
 double ContourRing::band_area(double half_width_px) const {
   return 2 * std::numbers::pi * mean_radius() * 2 * half_width_px;
 }
@@ -25,8 +29,7 @@ double ContourRing::inside_area(double half_width_px) const {
 }
 
 double ContourRing::outside_area(double half_width_px, double reach_px) const {
-  return std::numbers::pi * ((semi_x + reach_px) * (semi_y + reach_px) -
-                             (semi_x + half_width_px) * (semi_y + half_width_px));
+  return reach_area(reach_px) - reach_area(half_width_px);
 }
 
 PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,

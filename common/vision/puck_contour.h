@@ -46,8 +46,10 @@ struct ContourRing {
     return {(rho - 1) * rho * per_slope, gx * per_slope, gy * per_slope, sector_of(u, v)};
   }
 
-  /// Area of the band within `half_width_px` of the ring; of what is farther inside than that; and
-  /// of the band from there to `reach_px` outside; px².
+  /// Area of all that is not farther outside than `reach_px`; of the band within `half_width_px` of
+  /// the ring; of what is farther inside than that; and of the band from there to `reach_px`
+  /// outside; px².
+  double reach_area(double reach_px) const;
   double band_area(double half_width_px) const;
   double inside_area(double half_width_px) const;
   double outside_area(double half_width_px, double reach_px) const;

@@ -41,19 +41,22 @@ double RingEvidence::cover() const {
   return squares > 0 ? ring_ * ring_ / (kContourSectors * squares) : 0;
 }
 
-double RingEvidence::stands_out(const RingAreas& areas, double doubt) const {
-  const double good = ring_ / areas.ring;
-  const double bad = wrong_ / areas.ring;
-  const double clutter = clutter_density(areas, inside_, outside_);
+double RingEvidence::stands_out(const RingAreas& areas, double noise_per_px2, double doubt) const {
+  // Where signs are judged half of the noise has the wrong one.
+  const double wrong_noise = std::min(wrong_, noise_per_px2 * areas.ring / 2);
+  const double good = std::max(0.0, (ring_ + wrong_noise) / areas.ring - noise_per_px2);
+  const double bad = (wrong_ - wrong_noise) / areas.ring;
+  const double clutter = std::max(0.0, clutter_density(areas, inside_, outside_) - noise_per_px2);
   return (good - bad - clutter) / (good + bad + clutter + doubt);
 }
 
-double RingEvidence::quality(const RingAreas& areas) const {
-  return stands_out(areas, kDoubt) * std::min(1.0, cover() / kWholeCover);
+double RingEvidence::quality(const RingAreas& areas, double noise_per_px2) const {
+  return stands_out(areas, noise_per_px2, kDoubt + noise_per_px2) *
+         std::min(1.0, cover() / kWholeCover);
 }
 
 double RingEvidence::agreement(const RingAreas& areas) const {
-  return ring_ + wrong_ + inside_ + outside_ < kNothing ? 1 : stands_out(areas, 0);
+  return ring_ + wrong_ + inside_ + outside_ < kNothing ? 1 : stands_out(areas, 0, 0);
 }
 
 double RingEvidence::strength(const RingAreas& areas) const {

@@ -50,7 +50,9 @@ class RingEvidence {
   }
 
   /// From −1 to 1: how far the ring stands out, less where it covers few directions.
-  double quality(const RingAreas& areas) const;
+  /// `noise_per_px2`: events that the sensor makes by itself in 15 ms, neither for the ring nor
+  /// against it.
+  double quality(const RingAreas& areas, double noise_per_px2 = 0) const;
   /// How far the ring stands out from what little there is: few events are no reason to doubt, nor
   /// are few directions; 1 if there is nothing.
   double agreement(const RingAreas& areas) const;
@@ -60,7 +62,7 @@ class RingEvidence {
   double cover() const;
 
  private:
-  double stands_out(const RingAreas& areas, double doubt) const;
+  double stands_out(const RingAreas& areas, double noise_per_px2, double doubt) const;
   static double clutter_density(const RingAreas& areas, double inside, double outside) {
     return (inside / areas.inside + outside / areas.outside) / 2;
   }

@@ -9,7 +9,7 @@ namespace {
 constexpr double kClearStrength = 20;
 constexpr double kClearStrengthOfFaint = 15;
 constexpr double kSlow_px_s = 200;
-// Few enough that noise may be a part of them that counts.
+// Few enough that what noise is left may be a part of them that counts.
 constexpr double kFewEvents = 12;
 // They die away so soon, or the puck creeps on.
 constexpr std::int64_t kDyingFor_us = 150'000;
@@ -24,15 +24,16 @@ bool Settling::settle(ContourTrack& main, const ContourContext& context, bool wa
   // Otherwise it may be a mallet that stops.
   if (!context.ingredients.settling || !context.is_trusted) return false;
   const TrackLooks looks = main.looks();
-  const double clear_strength =
-      context.signature.is_faint() ? kClearStrengthOfFaint : kClearStrength;
-  if (looks.quality > TrackTrust::kSound && looks.strength > clear_strength) {
+  const bool is_faint = context.signature.is_faint();
+  const double clear_strength = is_faint ? kClearStrengthOfFaint : kClearStrength;
+  const double clarity = context.signature.may_be_faint() ? looks.quality : looks.clarity;
+  if (clarity > TrackTrust::kSound && looks.strength > clear_strength) {
     place_ = main.last_ring_position();
     was_slow_ = looks.speed_px_s < kSlow_px_s;
     clear_us_ = time_us;
     return false;
   }
-  const std::int64_t dying_us = context.signature.is_faint() ? kDyingOfFaintFor_us : kDyingFor_us;
+  const std::int64_t dying_us = is_faint ? kDyingOfFaintFor_us : kDyingFor_us;
   // A covered puck's events die away while it goes on.
   if (was_covered || !was_slow_ || looks.near_events > kFewEvents ||
       time_us - clear_us_ > dying_us || distance_px(place_, looks.position) > kDrift_px) {

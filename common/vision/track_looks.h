@@ -13,11 +13,13 @@ struct TrackLooks {
   double slide = 1;           ///< ContourFilter::slide().
   double growth_px = 0;       ///< By how much its contour is larger than the size model says.
   double quality = 0;         ///< From −1 to 1.
-  double agreement = 0;    ///< From −1 to 1: quality, but that few events are no reason to doubt.
-  double strength = 0;     ///< How many more events lie on the ring than clutter would put there.
-  double cover = 0;        ///< Share of the directions that the ring's events cover.
-  double near_events = 0;  ///< On the ring, inside and around it, of late, but no repeats.
-  double inside_events = 0;  ///< Well inside the ring, of late, repeats as well.
+  double agreement = 0;  ///< From −1 to 1: quality, but that few events are no reason to doubt.
+  double clarity = 0;    ///< From −1 to 1: quality, but that the sensor's noise says nothing.
+  double strength = 0;   ///< How many more events lie on the ring than clutter would put there.
+  double cover = 0;      ///< Share of the directions that the ring's events cover.
+  /// On the ring, inside and around it, of late, but neither repeats nor noise.
+  double near_events = 0;
+  double inside_events = 0;  ///< Well inside the ring, of late, no noise, but repeats as well.
 
   /// Believed as it stands.
   constexpr bool is_good() const { return quality > 0.5 && strength > 6; }

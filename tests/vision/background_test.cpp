@@ -189,6 +189,90 @@ TEST_CASE(
   }
 }
 
+// A sensor all of whose pixels fire by themselves, 3 times a second; the background is told of it.
+class NoisyScene {
+ public:
+  template <typename Look>
+  void watch(int milliseconds, Look&& look) {
+    for (int i = 0; i < milliseconds; ++i) {
+      // About as many as are taken, so that all of them are now and then, and half of them.
+      const std::uint32_t count = 900 + next() % 200;
+      for (std::uint32_t n = 0; n < count; ++n) background.take(next() % 640, next() % 480);
+      look();
+      time_us += 1'000;
+      background.decide(time_us, told ? 1'000 / (640 * 480 * 1e3) : 0);
+    }
+  }
+  void rest(int milliseconds) {
+    watch(milliseconds, [] {});
+  }
+  void turn(int milliseconds) {
+    watch(milliseconds, [this] {
+      for (int mark = 0; mark < TurningScene::kMarks; ++mark) {
+        for (int n = 0; n < 20; ++n) {
+          const Pixel at = TurningScene::place(mark, 1e-4 * (next() % 62'832), time_us);
+          background.take(std::round(at.x), std::round(at.y));
+        }
+      }
+    });
+  }
+  // Share of the places between the marks that are taken to stand still.
+  double still_share_between() const {
+    int still = 0;
+    for (int x = 40; x < 600; ++x) still += background.is_still(x, 105);
+    return still / 560.0;
+  }
+
+  Background background{TurningScene::kSensor};
+  bool told = true;
+  std::int64_t time_us = 0;
+
+ private:
+  std::uint32_t next() {
+    random_ = random_ * 1664525u + 1013904223u;
+    return random_ >> 8;
+  }
+
+  std::uint32_t random_ = 1;
+};
+
+TEST_CASE(
+    "Noise that fills the image does not stand still while the head rests, once it is known") {
+  NoisyScene scene;
+  scene.rest(400);
+  for (int i = 0; i < 2'000; ++i) {
+    scene.rest(1);
+    REQUIRE(scene.background.head_rests());
+  }
+  CHECK_FALSE(scene.background.is_known());
+  CHECK(scene.still_share_between() == 0);
+  NoisyScene untold;
+  untold.told = false;
+  untold.rest(2'400);
+  CHECK_FALSE(untold.background.head_rests());
+}
+
+TEST_CASE("What stands still is told from noise while the head turns") {
+  NoisyScene scene;
+  scene.turn(1'000);
+  for (int i = 0; i < 1'000; ++i) {
+    scene.turn(1);
+    REQUIRE(scene.background.head_turns());
+  }
+  CHECK_FALSE(scene.background.head_rests());
+  CHECK(still_share_of_marks(scene.background, scene.time_us) > 0.8);
+  CHECK(scene.still_share_between() < 0.05);
+}
+
+TEST_CASE("Glances see through noise that the head begins to turn") {
+  NoisyScene scene;
+  scene.rest(400);
+  REQUIRE(scene.background.head_rests());
+  scene.time_us += 200'000;  // a nap
+  scene.turn(30);
+  CHECK_FALSE(scene.background.head_rests());
+}
+
 TEST_CASE("A hand with more events than all that stands still does not draw the map along") {
   Background background(TurningScene::kSensor);
   TurningScene scene;

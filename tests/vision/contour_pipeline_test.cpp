@@ -91,15 +91,7 @@ class Table {
   void rest(int milliseconds, int pixels = 1) {
     for (int i = 0; i < milliseconds; ++i) {
       EventPacket packet{{now_us_}, {}};
-      for (int n = 0; n < pixels; ++n) {
-        random_ = random_ * 1664525u + 1013904223u;
-        const std::uint32_t x = (random_ >> 8) % 320;
-        random_ = random_ * 1664525u + 1013904223u;
-        const std::uint32_t y = (random_ >> 8) % 240;
-        packet.events.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-                                 static_cast<std::uint16_t>(random_ >> 31),
-                                 static_cast<std::uint32_t>(500 + n)});
-      }
+      for (int n = 0; n < pixels; ++n) packet.events.push_back(stray(500 + n));
       show(packet);
     }
   }
@@ -133,6 +125,8 @@ class Table {
 
   // Events that a px of contour makes on each px of its way.
   double density = 3;
+  // Pixels that fire at random all the while, so many a millisecond.
+  int noise_a_ms = 0;
   // The puck's side wall makes events where the calibration says that it does not.
   void show_other_wall() { wall_share_ = contour_.other_wall_share(); }
   void put(Pixel position) { puck_ = position; }
@@ -151,7 +145,23 @@ class Table {
     return params;
   }
 
-  void show(const EventPacket& packet) {
+  void add_noise(EventPacket& packet) {
+    for (int n = 0; n < noise_a_ms; ++n) packet.events.push_back(stray(n * 1000 / noise_a_ms));
+    std::stable_sort(packet.events.begin(), packet.events.end(),
+                     [](const Event& a, const Event& b) { return a.offset_us < b.offset_us; });
+  }
+
+  Event stray(int offset_us) {
+    random_ = random_ * 1664525u + 1013904223u;
+    const std::uint32_t x = (random_ >> 8) % 320;
+    random_ = random_ * 1664525u + 1013904223u;
+    const std::uint32_t y = (random_ >> 8) % 240;
+    return {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+            static_cast<std::uint16_t>(random_ >> 31), static_cast<std::uint32_t>(offset_us)};
+  }
+
+  void show(EventPacket packet) {
+    if (noise_a_ms > 0) add_noise(packet);
     if (!packet.empty()) tracker_.update(packet);
     now_us_ += 1000;
     estimate_ = tracker_.estimate();
@@ -277,6 +287,28 @@ TEST_CASE(
     }
     table.glide({0, 1500}, 2);
     CHECK(table.error_px() < 2);
+  }
+}
+
+// Whether a puck that comes to rest before a noisy sensor, 3 Hz a pixel, is tracked all the while.
+bool rests_in_noise(const PipelineParams& params, std::uint32_t seed) {
+  Table table(params, seed);
+  table.noise_a_ms = 230;
+  table.come_to_rest();
+  for (int i = 0; i < 100; ++i) {
+    table.rest(10);
+    if (table.estimate().state != TrackState::kTracking || table.error_px() > 1.5) return false;
+  }
+  return table.estimate().resting;
+}
+
+TEST_CASE("a puck at rest is not lost in the sensor's noise") {
+  PipelineParams without = preset_params(Preset::kDefault);
+  without.contour.ingredients.noise_floor = false;
+  for (std::uint32_t seed = 1; seed <= std::min(kSeeds, 2u); ++seed) {
+    CAPTURE(seed);
+    CHECK(rests_in_noise(preset_params(Preset::kDefault), seed));
+    CHECK_FALSE(rests_in_noise(without, seed));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "common/vision/fading_map.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include <doctest/doctest.h>
 
@@ -26,6 +27,39 @@ TEST_CASE("Between pixels the map is linear, and says how steep it is") {
   CHECK(sample.level == doctest::Approx(3.5));
   CHECK(sample.slope_x == doctest::Approx(-2));
   CHECK(sample.slope_y == doctest::Approx(-1.75));
+}
+
+TEST_CASE(
+    "Of uniform noise hardly a place has more than is said of it, and some have half as much") {
+  constexpr int kEventsAMs = 12;  // of 64 × 48 pixels
+  FadingMap map(kSensor);
+  CHECK(map.level_of_noise() == 0);
+  std::uint32_t random = 1;
+  const auto next = [&random](std::uint32_t bound) {
+    random = random * 1664525u + 1013904223u;
+    return (random >> 8) % bound;
+  };
+  for (int i = 1; i <= 6'000; ++i) {
+    map.advance(i * 1'000);
+    map.note_noise(kEventsAMs / (64.0 * 48));
+    for (int n = 0; n < kEventsAMs; ++n) {
+      const std::uint32_t x = next(64);
+      map.add({static_cast<double>(x), static_cast<double>(next(48))});
+    }
+  }
+  const double level = map.level_of_noise();
+  int above = 0;
+  int above_half = 0;
+  for (int y = 2; y < 46; ++y) {
+    for (int x = 2; x < 62; ++x) {
+      above += map.level(Pixel{1.0 * x, 1.0 * y}) > level;
+      above_half += map.level(Pixel{1.0 * x, 1.0 * y}) > level / 2;
+    }
+  }
+  CHECK(above <= 3);  // of 2,640
+  CHECK(above_half > 1'300);
+  map.clear();
+  CHECK(map.level_of_noise() == 0);
 }
 
 TEST_CASE("The map fades with 1.5 s, for as long as it is kept") {

@@ -64,6 +64,22 @@ TEST_CASE("Few events that all lie on the ring agree, though their quality is po
   CHECK(evidence.agreement(kAreas) == 1);
 }
 
+TEST_CASE(
+    "Noise says nothing for a ring nor against it, but more of it leaves less to be sure of") {
+  // 0.05 events a px² everywhere, and as many again on the ring.
+  RingEvidence evidence = whole_ring(2);
+  for (int i = 0; i < 15; ++i) evidence.add_inside();
+  for (int i = 0; i < 30; ++i) evidence.add_outside();
+  CHECK(evidence.quality(kAreas) < 0.4);
+  CHECK(evidence.quality(kAreas, 0.05) == doctest::Approx(0.07 / (0.07 + 0.02 + 0.05)));
+  // Where signs are judged, half of the noise on the ring has the wrong one.
+  RingEvidence judged = whole_ring(1);
+  for (int i = 0; i < 5; ++i) judged.add_wrong_sign();
+  CHECK(judged.quality(kAreas, 0.05) == doctest::Approx(0.035 / (0.035 + 0.02 + 0.05)));
+  // More than there is: nothing is left, and not less than that.
+  CHECK(evidence.quality(kAreas, 0.5) == 0);
+}
+
 TEST_CASE("Evidence fades") {
   RingEvidence evidence = whole_ring(10);
   evidence.fade(0.25);

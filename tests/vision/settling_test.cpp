@@ -1,5 +1,6 @@
 #include "common/vision/settling.h"
 
+#include <cstdint>
 #include <optional>
 
 #include <doctest/doctest.h>
@@ -9,10 +10,12 @@
 namespace puck {
 namespace {
 
-// A track that follows a puck for 100 ms, which then stands still at once.
+// A track that follows a puck for 100 ms, which then stands still at once. Meanwhile each pixel
+// fires so many times a second by itself.
 class Stopped {
  public:
-  explicit Stopped(PixelVelocity velocity) {
+  explicit Stopped(PixelVelocity velocity, double noise_hz = 0, bool is_noise_known = true) {
+    if (is_noise_known) context.noise_per_pixel_us = noise_hz * 1e-6;
     context.is_trusted = true;
     test::MovingContour puck(context.contour, {300, 180}, velocity);
     track.emplace(context, ContourFilter::Start{.position = {300, 180}, .velocity = velocity}, 0,
@@ -21,6 +24,13 @@ class Stopped {
       for (ContourEvent event : puck.events(now_us, now_us + 1'000)) {
         event.first = false;  // as of a puck of good contrast
         track->take(event, context);
+      }
+      for (double n = noise_hz * 120 * 100 * 1e-3; n > 0; --n) {
+        track->take({.time_us = now_us + 999,
+                     .x = 240.0 + next(120),
+                     .y = 130.0 + next(100),
+                     .on = next(2) == 1},
+                    context);
       }
       decide(now_us + 1'000);
       context.signature.learn(track->take_sample(), 1'000);
@@ -59,6 +69,13 @@ class Stopped {
   bool was_covered = false;
 
  private:
+  std::uint32_t next(std::uint32_t bound) {
+    random_ = random_ * 1664525u + 1013904223u;
+    return (random_ >> 8) % bound;
+  }
+
+  std::uint32_t random_ = 1;
+
   bool decide(std::int64_t time_us) {
     track->decide(time_us, false, context);
     return settling_.settle(*track, context, was_covered, time_us);
@@ -72,6 +89,14 @@ TEST_CASE("A slow puck whose events die away rests where it was last seen clearl
   CHECK(stopped.wait(50'000));
   CHECK(stopped.track->filter().speed_px_s() == 0);
   CHECK(distance_px(stopped.track->filter().position(), stopped.place) < 0.7);
+}
+
+TEST_CASE("A puck is clear whatever the sensor's noise around it, if that is known") {
+  Stopped known({35, 10}, 2);
+  CHECK(known.wait(50'000));
+  CHECK(distance_px(known.track->filter().position(), known.place) < 1);
+  Stopped unknown({35, 10}, 2, false);
+  CHECK_FALSE(unknown.wait(50'000));
 }
 
 TEST_CASE("Without it a few stray events lead the track away") {
