@@ -30,7 +30,8 @@ const std::vector<std::string> kSets{"still",
                                      "occlusion",
                                      "goals",
                                      "leaves-image",
-                                     "second-puck"};
+                                     "second-puck",
+                                     "noisy"};
 
 // Returns what it told of its progress.
 std::string compare(const TemporaryFolder& folder) {

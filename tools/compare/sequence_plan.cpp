@@ -72,7 +72,8 @@ std::vector<SequenceSet> sequence_sets() {
        .title = "leaves the image, moving",
        .scene = "leaves_image.toml",
        .moving = true},
-      {.name = "second-puck", .title = "second puck, still", .scene = "second_puck.toml"}};
+      {.name = "second-puck", .title = "second puck, still", .scene = "second_puck.toml"},
+      {.name = "noisy", .title = "noisy sensor, rests, still", .scene = "noisy_sensor.toml"}};
   int next_hard_seed = 1201;
   for (SequenceSet& set : sets) {
     if (set.scene.empty()) continue;
