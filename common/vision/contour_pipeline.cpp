@@ -45,7 +45,8 @@ ContourPipeline::ContourPipeline(SensorSize sensor, const ContourPipelineParams&
       background_(sensor),
       noise_floor_(sensor),
       events_needed_(Region::all_of(sensor)),
-      near_(events_needed_) {
+      near_(events_needed_),
+      measures_noise_(params.ingredients.noise_floor) {
   context_.filter.follows_size = params.ingredients.size_state;
   context_.is_first = true;
   found_.candidates.reserve(PuckDetector::kMostDetections);
@@ -63,7 +64,7 @@ void ContourPipeline::take_event(const Event& event, std::int64_t time_us) {
   now_us_ = std::max(now_us_, time_us);
   const bool first = history_.is_first(event, time_us);
   if (first) search_plan_.take(event.x, event.y);
-  if (takes_all_) noise_floor_.take(event.x, event.y);
+  if (measures_noise_) noise_floor_.take(event.x, event.y);
   if (watches_background_ && !puck_.contains(event.x, event.y)) {
     background_.take(event.x, event.y);
   }
@@ -91,10 +92,8 @@ void ContourPipeline::decide_before(std::int64_t time_us) {
 
 void ContourPipeline::decide(std::int64_t time_us) {
   now_us_ = std::max(now_us_, time_us);
-  if (context_.ingredients.noise_floor) {
-    noise_floor_.decide(time_us, takes_all_);
-    context_.noise_per_pixel_us = noise_floor_.per_pixel_us();
-  }
+  noise_floor_.decide(time_us, measures_noise_);
+  context_.noise_per_pixel_us = noise_floor_.per_pixel_us();
   if (watches_background_) background_.decide(time_us, context_.noise_per_pixel_us);
   if (main_) {
     judge_main(time_us);
@@ -301,7 +300,7 @@ void ContourPipeline::plan_events(std::int64_t time_us) {
     near_ = near_.united(searched.inflated(kSearchMargin_px)).intersect(image);
   }
   events_needed_ = watches_background_ ? image : near_;
-  takes_all_ = events_needed_ == image;
+  measures_noise_ = context_.ingredients.noise_floor && events_needed_ == image;
   puck_ = {};
   if (main_ && main_->is_good()) {
     const Pixel position = main_->filter().position();

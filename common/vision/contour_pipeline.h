@@ -102,8 +102,8 @@ class ContourPipeline final : public TrackingPipeline {
   std::int64_t now_us_ = 0;
   std::int64_t decided_us_ = 0;
   Region events_needed_;
-  Region near_;            // what the tracks take of it
-  bool takes_all_ = true;  // events of the whole image
+  Region near_;          // what the tracks take of it
+  bool measures_noise_;  // all events of the image are wanted for it
   bool watches_background_ = false;
   bool watches_closely_ = false;      // without naps
   bool consults_background_ = false;  // whether the head turns is asked of it

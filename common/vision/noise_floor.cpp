@@ -9,8 +9,9 @@ constexpr std::int64_t kPeriod_us = 50'000;
 constexpr std::int64_t kGap_us = 5'000;
 // Until all events come when they are wanted.
 constexpr std::int64_t kLeadIn_us = 10'000;
-// Even while the head turns, most of a table's image has fewer edges than this share of its parts.
+// Even while the head turns, so large a share of the image's parts has hardly an edge in it.
 constexpr double kQuietShare = 0.2;
+// Of a change, what is believed after each period.
 constexpr double kRise = 0.1;
 constexpr double kFall = 0.5;
 
