@@ -61,7 +61,8 @@ CameraTurn turn_of(SensorSize sensor) {
 
 }  // namespace
 
-Background::Background(SensorSize sensor) : sensor_(sensor), map_(sensor), turn_(turn_of(sensor)) {
+Background::Background(SensorSize sensor)
+    : sensor_(sensor), cells_(sensor), map_(sensor), turn_(turn_of(sensor)) {
   taken_.reserve(kMostEvents);
 }
 

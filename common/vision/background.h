@@ -8,6 +8,7 @@
 #include "common/events/sensor_size.h"
 #include "common/vision/camera_turn.h"
 #include "common/vision/fading_map.h"
+#include "common/vision/image_cells.h"
 #include "common/vision/pixel.h"
 #include "common/vision/puck_contour.h"
 
@@ -69,19 +70,17 @@ class Background {
   static constexpr std::int64_t kRestsAfter_us = 300'000;
   static constexpr std::int64_t kNap_us = 300'000;
   static constexpr std::int64_t kGlance_us = 100'000;
-  static constexpr int kColumns = 8;
-  static constexpr int kRows = 6;
-  using Cells = std::array<double, static_cast<std::size_t>(kColumns* kRows)>;  // of the image
+  using Cells = std::array<double, ImageCells::kCount>;
 
   void align();
   void clear_map();
   std::size_t cell_of(Pixel event) const {
-    return static_cast<std::size_t>(static_cast<int>(event.y) * kRows / sensor_.height * kColumns +
-                                    static_cast<int>(event.x) * kColumns / sensor_.width);
+    return cells_.cell_of(static_cast<int>(event.x), static_cast<int>(event.y));
   }
   void note_activity(std::int64_t passed_us, double noise);
 
   SensorSize sensor_;
+  ImageCells cells_;
   FadingMap map_;
   CameraTurn turn_;
   CameraTurn::Steps speed_{};  // a period

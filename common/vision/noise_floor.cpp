@@ -18,14 +18,8 @@ constexpr double kFall = 0.5;
 }  // namespace
 
 NoiseFloor::NoiseFloor(SensorSize sensor)
-    : pixels_a_cell_(static_cast<double>(sensor.width) * sensor.height / kCells) {
-  for (int x = 0; x < sensor.width; ++x) {
-    column_of_.push_back(static_cast<std::uint8_t>(x * kColumns / sensor.width));
-  }
-  for (int y = 0; y < sensor.height; ++y) {
-    first_of_row_.push_back(static_cast<std::uint8_t>(y * kRows / sensor.height * kColumns));
-  }
-}
+    : pixels_a_cell_(static_cast<double>(sensor.width) * sensor.height / ImageCells::kCount),
+      cells_(sensor) {}
 
 void NoiseFloor::decide(std::int64_t time_us, bool took_all) {
   const std::int64_t passed_us = time_us - decided_us_;
@@ -40,7 +34,8 @@ void NoiseFloor::decide(std::int64_t time_us, bool took_all) {
 }
 
 void NoiseFloor::learn() {
-  const auto quiet = counts_.begin() + static_cast<std::ptrdiff_t>(kQuietShare * kCells);
+  const auto quiet =
+      counts_.begin() + static_cast<std::ptrdiff_t>(kQuietShare * ImageCells::kCount);
   std::nth_element(counts_.begin(), quiet, counts_.end());
   const double rate = *quiet / (pixels_a_cell_ * static_cast<double>(counted_us_));
   const double gain = !is_known_ ? 1 : (rate > rate_ ? kRise : kFall);

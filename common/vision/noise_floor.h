@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "common/events/sensor_size.h"
+#include "common/vision/image_cells.h"
 
 namespace puck {
 
@@ -30,10 +29,7 @@ class NoiseFloor {
   explicit NoiseFloor(SensorSize sensor);
 
   /// Takes an event of anywhere in the image.
-  void take(int x, int y) {
-    ++counts_[std::size_t{column_of_[static_cast<std::size_t>(x)]} +
-              first_of_row_[static_cast<std::size_t>(y)]];
-  }
+  void take(int x, int y) { ++counts_[cells_.cell_of(x, y)]; }
 
   /// To be called at each decision. `took_all`: since the last one events of the whole image were
   /// wanted. Of other times, of those without decisions, and of a moment after them, nothing is
@@ -44,17 +40,11 @@ class NoiseFloor {
   double per_pixel_us() const { return rate_; }
 
  private:
-  static constexpr int kColumns = 8;
-  static constexpr int kRows = 6;
-  static constexpr int kCells = kColumns * kRows;
-
   void learn();
 
   double pixels_a_cell_;
-  // Cells by x and y: dividing takes longer, and is done for every event.
-  std::vector<std::uint8_t> column_of_;
-  std::vector<std::uint8_t> first_of_row_;
-  std::array<int, std::size_t{kCells}> counts_{};
+  ImageCells cells_;
+  std::array<int, ImageCells::kCount> counts_{};
   std::int64_t decided_us_ = std::numeric_limits<std::int64_t>::min() / 2;
   std::int64_t counted_us_ = 0;  // below 0: not to be counted yet
   double rate_ = 0;

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/random_numbers.h"
 #include "tests/vision/turning_scene.h"
 
 namespace puck {
@@ -196,8 +197,11 @@ class NoisyScene {
   void watch(int milliseconds, Look&& look) {
     for (int i = 0; i < milliseconds; ++i) {
       // About as many as are taken, so that all of them are now and then, and half of them.
-      const std::uint32_t count = 900 + next() % 200;
-      for (std::uint32_t n = 0; n < count; ++n) background.take(next() % 640, next() % 480);
+      const std::uint32_t count = 900 + random_.below(200);
+      for (std::uint32_t n = 0; n < count; ++n) {
+        const double x = random_.below(640);
+        background.take(x, random_.below(480));
+      }
       look();
       time_us += 1'000;
       background.decide(time_us, told ? 1'000 / (640 * 480 * 1e3) : 0);
@@ -210,7 +214,7 @@ class NoisyScene {
     watch(milliseconds, [this] {
       for (int mark = 0; mark < TurningScene::kMarks; ++mark) {
         for (int n = 0; n < 20; ++n) {
-          const Pixel at = TurningScene::place(mark, 1e-4 * (next() % 62'832), time_us);
+          const Pixel at = TurningScene::place(mark, 1e-4 * random_.below(62'832), time_us);
           background.take(std::round(at.x), std::round(at.y));
         }
       }
@@ -228,12 +232,7 @@ class NoisyScene {
   std::int64_t time_us = 0;
 
  private:
-  std::uint32_t next() {
-    random_ = random_ * 1664525u + 1013904223u;
-    return random_ >> 8;
-  }
-
-  std::uint32_t random_ = 1;
+  test::RandomNumbers random_;
 };
 
 TEST_CASE(

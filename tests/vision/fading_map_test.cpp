@@ -1,9 +1,10 @@
 #include "common/vision/fading_map.h"
 
 #include <cmath>
-#include <cstdint>
 
 #include <doctest/doctest.h>
+
+#include "tests/vision/random_numbers.h"
 
 namespace puck {
 namespace {
@@ -34,17 +35,13 @@ TEST_CASE(
   constexpr int kEventsAMs = 12;  // of 64 × 48 pixels
   FadingMap map(kSensor);
   CHECK(map.level_of_noise() == 0);
-  std::uint32_t random = 1;
-  const auto next = [&random](std::uint32_t bound) {
-    random = random * 1664525u + 1013904223u;
-    return (random >> 8) % bound;
-  };
+  test::RandomNumbers random;
   for (int i = 1; i <= 6'000; ++i) {
     map.advance(i * 1'000);
     map.note_noise(kEventsAMs / (64.0 * 48));
     for (int n = 0; n < kEventsAMs; ++n) {
-      const std::uint32_t x = next(64);
-      map.add({static_cast<double>(x), static_cast<double>(next(48))});
+      const double x = random.below(64);
+      map.add({x, static_cast<double>(random.below(48))});
     }
   }
   const double level = map.level_of_noise();

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/random_numbers.h"
+
 namespace puck {
 namespace {
 
@@ -14,7 +16,8 @@ class Noisy {
   void run(int milliseconds, int events_a_ms, bool wants_all = true) {
     for (int i = 0; i < milliseconds; ++i) {
       for (int n = 0; n < events_a_ms; ++n) {
-        floor.take(static_cast<int>(random() % 320), static_cast<int>(random() % 240));
+        const auto x = static_cast<int>(random_.below(320));
+        floor.take(x, static_cast<int>(random_.below(240)));
       }
       for (int column = 0; column < busy_columns; ++column) {
         for (int y = 0; y < 240; ++y) floor.take(column, y);
@@ -30,13 +33,8 @@ class Noisy {
   int busy_columns = 0;  // from the left, of pixels that fire each millisecond besides
 
  private:
-  std::uint32_t random() {
-    state_ = state_ * 1664525u + 1013904223u;
-    return state_ >> 8;
-  }
-
   std::int64_t time_us_ = 0;
-  std::uint32_t state_ = 1;
+  test::RandomNumbers random_;
 };
 
 // 1.3 Hz of 320 × 240 pixels.

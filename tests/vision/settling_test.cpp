@@ -1,11 +1,11 @@
 #include "common/vision/settling.h"
 
-#include <cstdint>
 #include <optional>
 
 #include <doctest/doctest.h>
 
 #include "tests/vision/contour_world.h"
+#include "tests/vision/random_numbers.h"
 
 namespace puck {
 namespace {
@@ -25,11 +25,12 @@ class Stopped {
         event.first = false;  // as of a puck of good contrast
         track->take(event, context);
       }
-      for (double n = noise_hz * 120 * 100 * 1e-3; n > 0; --n) {
+      const int noise_a_ms = static_cast<int>(noise_hz * 120 * 100 * 1e-3);
+      for (int n = 0; n < noise_a_ms; ++n) {
         track->take({.time_us = now_us + 999,
-                     .x = 240.0 + next(120),
-                     .y = 130.0 + next(100),
-                     .on = next(2) == 1},
+                     .x = 240.0 + random_.below(120),
+                     .y = 130.0 + random_.below(100),
+                     .on = random_.below(2) == 1},
                     context);
       }
       decide(now_us + 1'000);
@@ -69,19 +70,13 @@ class Stopped {
   bool was_covered = false;
 
  private:
-  std::uint32_t next(std::uint32_t bound) {
-    random_ = random_ * 1664525u + 1013904223u;
-    return (random_ >> 8) % bound;
-  }
-
-  std::uint32_t random_ = 1;
-
   bool decide(std::int64_t time_us) {
     track->decide(time_us, false, context);
     return settling_.settle(*track, context, was_covered, time_us);
   }
 
   Settling settling_;
+  test::RandomNumbers random_;
 };
 
 TEST_CASE("A slow puck whose events die away rests where it was last seen clearly") {
