@@ -5,6 +5,12 @@
 
 namespace puck {
 
+/// Of an ordinary puck's side wall in the image's middle, in widths: 1.2 cm thick, 6.5 cm wide,
+/// seen from 30° above.
+inline constexpr double kOrdinaryWall = 0.165;
+/// Of the highest that any puck has.
+inline constexpr double kHighestWall = 0.5;
+
 /// How the events of the puck's contour lie to the ellipse that the size model gives: what
 /// `puck-calibrate lag` fits to a recording with truth. The defaults suit a sensor in good light
 /// and a puck whose side wall makes events, too.
@@ -28,11 +34,10 @@ struct ContourCalibration {
 
   /// What `wall_share` would be if the wall made events where it is said not to, or the other way
   /// round. `wall_of_width`: PuckSizeModel's. Where the annotations leave the wall out, its events
-  /// lie below what they outline.
+  /// lie below what they outline: an
+  /// ordinary puck's, until the tracker knows better (WallHeight).
   double other_wall_share(double wall_of_width) const {
-    // An ordinary puck's, 1.5 cm thick and 6.5 cm wide, seen from 30° above.
-    constexpr double kWallBelow = 0.2;
-    const double wall = wall_of_width > 0 ? wall_of_width : -kWallBelow;
+    const double wall = wall_of_width > 0 ? wall_of_width : -kOrdinaryWall;
     return std::abs(wall_share) > std::abs(wall) / 2 ? 0 : wall;
   }
 

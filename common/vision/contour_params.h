@@ -22,6 +22,7 @@ struct ContourIngredients {
   bool twins = true;              ///< A twin at rest is there to take over at a bounce.
   bool wall = true;               ///< Whether the puck's side wall makes events is found out.
   bool wall_search = true;        ///< … and the search looks for it as it was found to be.
+  bool wall_height = true;        ///< … and how high it is, where annotations leave it out.
   bool wall_edge = true;          ///< … and an edge between its face and it counts neither way.
   bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
   bool search = true;       ///< A doubtful track is challenged by the correlation near it.
@@ -56,7 +57,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 34> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 35> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -69,6 +70,7 @@ inline constexpr std::array<ContourIngredient, 34> kContourIngredients{{
     {"twins", &ContourIngredients::twins},
     {"wall", &ContourIngredients::wall},
     {"wall-edge", &ContourIngredients::wall_edge},
+    {"wall-height", &ContourIngredients::wall_height},
     {"wall-search", &ContourIngredients::wall_search},
     {"witness", &ContourIngredients::witness},
     {"search", &ContourIngredients::search},

@@ -1,6 +1,7 @@
 #include "common/vision/contour_pipeline.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/vision/candidate_order.h"
 #include "common/vision/decision_time.h"
@@ -23,6 +24,9 @@ constexpr std::int64_t kDoubtfulAfter_us = 20'000;
 constexpr double kLearnable = 0.7;
 // Of what is worse than this a search may find the puck in the very place where the track is.
 constexpr double kPoor = 0.6;
+// Steps in which the height of its wall, in widths, is followed, and is searched for.
+constexpr double kWallStep = 0.003;
+constexpr double kSearchedWallStep = 0.02;
 // How far around the puck events may be its own.
 constexpr int kPuckMargin_px = 6;
 // How far the events of a puck may lie beyond where its centre is searched for.
@@ -79,6 +83,7 @@ void ContourPipeline::take_event(const Event& event, std::int64_t time_us) {
   if (seen.still && context_.signature.is_faint()) return;
   if (main_) witness_.take(event.x, event.y);
   left_behind_.take(seen.x, seen.y);
+  wall_height_.take(seen);
   const double worth = main_ ? main_->take(seen, context_) : 0;
   twins_.take(worth);
   challengers_.take(seen, worth, context_);
@@ -147,6 +152,23 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   }
   if (shows_wall()) {
     sought_wall_.learn(context_.contour.is_other_wall(main_->wall_share()), passed_us);
+  }
+  learn_wall_height(passed_us);
+}
+
+// Where the annotations show the wall, or it was calibrated, its height is known.
+void ContourPipeline::learn_wall_height(std::int64_t passed_us) {
+  PuckContour& contour = context_.contour;
+  if (!context_.ingredients.wall || !context_.ingredients.wall_height ||
+      contour.other_wall_share() >= 0) {
+    return;
+  }
+  const bool is_puck = trust_.is_trusted() && trust_.is_proven() && main_->is_good();
+  wall_height_.watch(is_puck ? &*main_ : nullptr, contour, passed_us);
+  const std::optional<double> height = wall_height_.share();
+  if (height && std::abs(*height + contour.other_wall_share()) > kWallStep) {
+    contour.correct_other_wall_share(-*height);
+    searched_wall_share_ = -kSearchedWallStep * std::round(*height / kSearchedWallStep);
   }
 }
 
@@ -321,6 +343,7 @@ SearchRequest ContourPipeline::search_wanted() {
         sought_wall_.next({.is_early = !main_ && search_plan_.searched_us(now_us_) < kPatience_us,
                            .is_trusted = context_.is_trusted,
                            .may_be_faint = signature.may_be_faint()});
+    request.other_wall_share = searched_wall_share_;
   }
   return request;
 }

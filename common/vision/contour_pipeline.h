@@ -22,6 +22,7 @@
 #include "common/vision/track_trust.h"
 #include "common/vision/tracking_pipeline.h"
 #include "common/vision/twins.h"
+#include "common/vision/wall_height.h"
 #include "common/vision/witness_check.h"
 
 namespace puck {
@@ -64,6 +65,7 @@ class ContourPipeline final : public TrackingPipeline {
   void challenge_main(std::int64_t time_us);
   /// The main track is the puck's beyond doubt, so that its opinion on the side wall is, too.
   bool shows_wall() const;
+  void learn_wall_height(std::int64_t passed_us);
   ClaimContext claim_context() const;
   bool head_turns() const;
   bool rest_may_be_wrong() const;
@@ -94,6 +96,8 @@ class ContourPipeline final : public TrackingPipeline {
   MissedEvents missed_;
   SearchPlan search_plan_;
   SoughtWall sought_wall_;
+  WallHeight wall_height_;
+  double searched_wall_share_ = 0;  // SearchRequest::other_wall_share
   SeenScore seen_score_;
   SearchResult found_;
   Background background_;

@@ -58,6 +58,8 @@ ContourTrack::ContourTrack(const ContourContext& context, const ContourFilter::S
 
 void ContourTrack::follow_contour(const ContourContext& context) {
   ring_made_at_ = filter_.position();
+  // The wall's height may be known better by now.
+  if (context.contour.is_other_wall(wall_share_)) wall_share_ = context.contour.other_wall_share();
   ring_ = context.contour.ring_at(ring_made_at_, wall_share_);
   if (!context.ingredients.wall || !context.ingredients.wall_edge) {
     areas_ = RingEvidence::areas_of(ring_);

@@ -35,6 +35,9 @@ struct DiscModel {
   /// What the thickness adds to the height in the image's middle, in widths. What is thinner than
   /// any puck has been annotated without its wall: 0.
   double wall_of_width() const;
+  /// By how much more the thickness adds there, in widths, than in the image's middle: a wall is
+  /// seen the higher, the farther away it is.
+  double wall_profile(Pixel position) const;
   /// Of the optical axis below the horizon, degrees.
   double tilt_deg() const;
   double focal_px() const;

@@ -16,16 +16,18 @@ constexpr double kTurningWidths_per_s = 9;
 }  // namespace
 
 double ContourRing::reach_area(double reach_px) const {
-  return std::numbers::pi * (semi_x + reach_px) * (semi_y + reach_px);
+  return std::numbers::pi * (semi_x + reach_px) * (face_semi_y() + reach_px) +
+         4 * half_wall * (semi_x + reach_px);
 }
 
 double ContourRing::band_area(double half_width_px) const {
-  return 2 * std::numbers::pi * mean_radius() * 2 * half_width_px;
+  return 2 * std::numbers::pi * mean_radius() * 2 * half_width_px + 8 * half_wall * half_width_px;
 }
 
 double ContourRing::inside_area(double half_width_px) const {
-  return std::numbers::pi * std::max(semi_x - half_width_px, 1.0) *
-         std::max(semi_y - half_width_px, 1.0);
+  const double inner_x = std::max(semi_x - half_width_px, 1.0);
+  return std::numbers::pi * inner_x * std::max(face_semi_y() - half_width_px, 1.0) +
+         4 * half_wall * inner_x;
 }
 
 double ContourRing::outside_area(double half_width_px, double reach_px) const {
@@ -36,6 +38,7 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
                          const ContourCalibration& calibration, bool sheared)
     : size_model_(size_model),
       calibration_(calibration),
+      other_wall_share_(calibration.other_wall_share(size_model.wall_of_width())),
       middle_column_((sensor.width - 1) / 2.0),
       tangent_of_twice_lean_(std::tan(2 * calibration.lean_deg * std::numbers::pi / 180)),
       sheared_(sheared && size_model.width_growth() > kLeastSlope) {
@@ -46,20 +49,24 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
 }
 
 ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
+  const double share = wall_share_at(centre, wall_share);
   const PuckSize size = size_model_.at(centre);
   const double width = size.width + calibration_.grow_px;
   const double silhouette = size.height + calibration_.grow_px;
-  const double height = silhouette - wall_share * width;
+  const double height = silhouette - share * width;
   ContourRing ring;
   ring.semi_x = std::max(width / 2, kSmallestSemi_px);
   ring.semi_y = std::max(height / 2, kSmallestSemi_px);
-  ring.rise = wall_share * width / 2;
+  ring.rise = share * width / 2;
+  if (share < 0) {
+    ring.half_wall = std::clamp(-share * width / 2, 0.0, ring.semi_y - kSmallestSemi_px);
+  }
   const double below_horizon = centre.y - horizon_row_;
   if (sheared_ && below_horizon > width) {
     // Only the disc slants, not the wall below it.
     const double disc_height = silhouette - size_model_.wall_of_width() * width;
-    ring.shear =
-        (centre.x - middle_column_) / below_horizon * std::clamp(disc_height / height, 0.0, 1.0);
+    const double of_height = ring.half_wall > 0 ? 1 : std::clamp(disc_height / height, 0.0, 1.0);
+    ring.shear = (centre.x - middle_column_) / below_horizon * of_height;
   }
   if (tangent_of_twice_lean_ != 0) {
     // An ellipse that is turned in its box is a sheared one, and stays within it.
@@ -71,7 +78,7 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
         std::clamp(ring.shear + tangent_of_twice_lean_ / 2 * (ratio * ratio - 1), -most, most);
   }
   if (ring.shear != 0) {
-    const double sheared = ring.shear * ring.semi_y;
+    const double sheared = ring.shear * ring.face_semi_y();
     ring.semi_x = std::sqrt(std::max(ring.semi_x * ring.semi_x - sheared * sheared,
                                      kSmallestSemi_px * kSmallestSemi_px));
   }

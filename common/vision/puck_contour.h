@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/events/sensor_size.h"
@@ -19,23 +20,34 @@ struct ContourOffset {
 
 inline constexpr int kContourSectors = 12;
 
-/// The ellipse on which a puck's contour events lie: sheared, because a disc on a table that is
-/// seen from above and beside the middle is not upright, nor is any that a rolled camera sees.
+/// The ellipse, drawn out or not, on which a puck's contour events lie: sheared, because a disc on
+/// a table that is seen from above and beside the middle is not upright, nor is any that a rolled
+/// camera sees.
 struct ContourRing {
   double semi_x = 0;  ///< Half the width along a row through the centre, px.
   double semi_y = 0;  ///< Half the height, px.
   double shear = 0;   ///< px along x per px along y.
   double rise = 0;    ///< How far the ring's centre lies above the puck's, px.
+  /// Half of what its sides are straight for, px: a face with a wall below it is outlined by an
+  /// ellipse that is drawn out downwards.
+  double half_wall = 0;
 
   /// No part of it lies farther than this, px, to either side of its centre.
   double half_width() const { return semi_x + std::abs(shear) * semi_y; }
+
+  /// Half the height of the ellipse that is drawn out, px.
+  double face_semi_y() const { return semi_y - half_wall; }
+  /// How far below that ellipse's centre a row lies that is `ring_y` below the ring's: 0 along the
+  /// straight sides.
+  double of_face(double ring_y) const { return ring_y - std::clamp(ring_y, -half_wall, half_wall); }
 
   /// Of a pixel at (dx, dy) from the puck's centre, with the ring larger by `growth_px` all round.
   ContourOffset offset(double dx, double dy, double growth_px) const {
     // Inverted once each: this is done for every event near a track.
     const double per_a = 1 / (semi_x + growth_px);
-    const double per_b = 1 / (semi_y + growth_px);
-    const double y = dy + rise;
+    const double per_b = 1 / (face_semi_y() + growth_px);
+    const double ring_y = dy + rise;
+    const double y = of_face(ring_y);
     const double u = (dx - shear * y) * per_a;
     const double v = y * per_b;
     const double rho = std::sqrt(u * u + v * v);
@@ -55,7 +67,9 @@ struct ContourRing {
   double outside_area(double half_width_px, double reach_px) const;
 
  private:
-  double mean_radius() const { return std::sqrt((semi_x * semi_x + semi_y * semi_y) / 2); }
+  double mean_radius() const {
+    return std::sqrt((semi_x * semi_x + face_semi_y() * face_semi_y()) / 2);
+  }
 
   // Without an arc tangent: quarters, and in each the slopes of 30° and 60°.
   static int sector_of(double u, double v) {
@@ -76,11 +90,15 @@ class PuckContour {
 
   /// `wall_share`: by how much of its width the ring is lower than the puck's silhouette, because
   /// the puck's side wall makes no events, below 0 if it is taller because the annotations leave
-  /// the wall out: calibrated_wall_share() or other_wall_share().
+  /// the wall out, then in the image's middle: calibrated_wall_share() or other_wall_share().
   ContourRing ring_at(Pixel centre, double wall_share) const;
   double calibrated_wall_share() const { return calibration_.wall_share; }
-  double other_wall_share() const {
-    return calibration_.other_wall_share(size_model_.wall_of_width());
+  double other_wall_share() const { return other_wall_share_; }
+  /// The other wall's is found to be `share`. Rings that were made before do not change.
+  void correct_other_wall_share(double share) { other_wall_share_ = share; }
+  /// DiscModel::wall_profile; 1 where the disc is not known.
+  double wall_profile(Pixel place) const {
+    return size_model_.disc ? size_model_.disc->wall_profile(place) : 1;
   }
   /// Of the other wall, or of the calibrated one.
   double wall_share(bool is_other) const {
@@ -91,7 +109,8 @@ class PuckContour {
   /// Where the puck is if it makes a ring that, with wall share `from`, would be one at `centre`,
   /// but with wall share `to`: the ring stays in its place, the puck's centre does not.
   Pixel centre_with_wall(Pixel centre, double from, double to) const {
-    return {centre.x, centre.y + (to - from) * size_at(centre).width / 2};
+    const double share = wall_share_at(centre, to) - wall_share_at(centre, from);
+    return {centre.x, centre.y + share * size_at(centre).width / 2};
   }
   PuckSize size_at(Pixel centre) const { return size_model_.at(centre); }
   /// Faster than the image of what is fixed to the table while the head turns as it does in play,
@@ -104,8 +123,16 @@ class PuckContour {
   }
 
  private:
+  // A wall that the annotations leave out is foreshortened as it is there; the calibrated share is
+  // the one that suits all of the image best.
+  double wall_share_at(Pixel place, double wall_share) const {
+    const bool is_left_out = wall_share < 0 && is_other_wall(wall_share);
+    return is_left_out ? wall_share * wall_profile(place) : wall_share;
+  }
+
   PuckSizeModel size_model_;
   ContourCalibration calibration_;
+  double other_wall_share_ = 0;
   double middle_column_ = 0;
   double horizon_row_ = 0;
   double turning_px_s_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace puck {
 namespace {
@@ -14,10 +15,6 @@ PuckSizeModel lowered(PuckSizeModel model, double share_of_width) {
 ContourCalibration with_wall(ContourCalibration calibration, double wall_share) {
   calibration.wall_share = wall_share;
   return calibration;
-}
-
-double other_wall_share(const PipelineParams& params, const PuckSizeModel& size_model) {
-  return params.contour.calibration.other_wall_share(params.sizes_of(size_model).wall_of_width());
 }
 
 }  // namespace
@@ -37,16 +34,18 @@ PuckSearch::PuckSearch(SensorSize sensor, const PipelineParams& params,
     : sensor_(sensor),
       kernels_(params.kernels),
       has_ring_(params.tracker.ring.enabled),
-      calibrated_(sensor, params, params.sizes_of(size_model), 0,
-                  params.contour.calibration.wall_share),
-      other_wall_(sensor, params, params.sizes_of(size_model), other_wall_share(params, size_model),
-                  other_wall_share(params, size_model)) {}
+      params_(params),
+      sizes_(params.sizes_of(size_model)),
+      calibrated_(sensor, params, sizes_, 0, params.contour.calibration.wall_share),
+      other_wall_share_(params.contour.calibration.other_wall_share(sizes_.wall_of_width())),
+      tallest_(lowered(sizes_, other_wall_share_ < 0 ? -kHighestWall : other_wall_share_)),
+      other_wall_(std::in_place, sensor, params, sizes_, other_wall_share_, other_wall_share_) {}
 
 Region PuckSearch::snapshot_region(const Region& search) const {
   if (search.empty()) return {};
   const int reach = std::max({calibrated_.detector.reach(),
                               kernels_.reach_beyond(search, calibrated_.contour_size),
-                              kernels_.reach_beyond(search, other_wall_.contour_size)});
+                              kernels_.reach_beyond(search, tallest_)});
   return search.inflated(reach + GaussianBlur::kRadius).intersect(Region::all_of(sensor_));
 }
 
@@ -54,7 +53,7 @@ SearchResult PuckSearch::search(const SurfaceSnapshot& snapshot, const SearchReq
   SearchResult result{snapshot.newest_event, request, {}};
   if (snapshot.region.empty()) return result;
   picture_.set_surface(snapshot.grey.view(), snapshot.region);
-  Look& look = request.other_wall ? other_wall_ : calibrated_;
+  Look& look = look_of(request);
   for (const PuckDetector::Detection& found :
        look.detector.detect(picture_, request.region, kernels_)) {
     result.candidates.push_back(candidate_at(snapshot, look, found.position));
@@ -63,6 +62,16 @@ SearchResult PuckSearch::search(const SurfaceSnapshot& snapshot, const SearchReq
       result.candidates.begin(), result.candidates.end(),
       [](const SearchCandidate& a, const SearchCandidate& b) { return a.score > b.score; });
   return result;
+}
+
+PuckSearch::Look& PuckSearch::look_of(const SearchRequest& request) {
+  if (!request.other_wall) return calibrated_;
+  const double share = std::max(request.other_wall_share, -kHighestWall);
+  if (share != 0 && share != other_wall_share_) {
+    other_wall_share_ = share;
+    other_wall_.emplace(sensor_, params_, sizes_, share, share);
+  }
+  return *other_wall_;
 }
 
 SearchCandidate PuckSearch::candidate_at(const SurfaceSnapshot& snapshot, Look& look,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "common/events/sensor_size.h"
 #include "common/vision/correlation.h"
 #include "common/vision/gaussian_blur.h"
@@ -40,13 +42,18 @@ class PuckSearch {
     SoftRing ring;
   };
 
+  Look& look_of(const SearchRequest& request);
   SearchCandidate candidate_at(const SurfaceSnapshot& snapshot, Look& look, Pixel detected);
 
   SensorSize sensor_;
   KernelBank kernels_;
   bool has_ring_;
+  PipelineParams params_;
+  PuckSizeModel sizes_;
   Look calibrated_;
-  Look other_wall_;
+  double other_wall_share_;
+  PuckSizeModel tallest_;           // whatever the other wall's height is found to be
+  std::optional<Look> other_wall_;  // made anew when it is
   Correlation picture_;
 };
 

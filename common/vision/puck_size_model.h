@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/events/sensor_size.h"
+#include "common/vision/contour_calibration.h"
 #include "common/vision/disc_model.h"
 #include "common/vision/pixel.h"
 
@@ -47,10 +48,7 @@ struct PuckSizeModel {
 
   /// By what share of its width the side wall makes the puck higher than its face alone; 0 where
   /// the annotations outline the face. Of Equation (2) it is not known: an ordinary puck's.
-  double wall_of_width() const {
-    constexpr double kOrdinary = 0.165;
-    return disc ? disc->wall_of_width() : kOrdinary;
-  }
+  double wall_of_width() const { return disc ? disc->wall_of_width() : kOrdinaryWall; }
 
   /// Of the width from row to row, px/px.
   double width_growth() const { return disc ? disc->width_y : width_y; }

@@ -36,10 +36,10 @@ void RingSamples::gather(ImageView<const std::uint8_t> picture, const Region& pl
   const auto first_row = static_cast<int>(std::ceil(centre.y - reach_y(ring)));
   const auto last_row = static_cast<int>(std::floor(centre.y + reach_y(ring)));
   for (int y = std::max(first_row, place.y); y <= std::min(last_row, place.bottom() - 1); ++y) {
-    const double ring_y = y - centre.y + ring.rise;
-    const double middle = centre.x + ring.shear * ring_y;
-    const double outer = half_chord(ring.semi_x + kReachPx, ring.semi_y + kReachPx, ring_y);
-    const double inner = half_chord(ring.semi_x - kReachPx, ring.semi_y - kReachPx, ring_y);
+    const double face_y = ring.of_face(y - centre.y + ring.rise);
+    const double middle = centre.x + ring.shear * face_y;
+    const double outer = half_chord(ring.semi_x + kReachPx, ring.face_semi_y() + kReachPx, face_y);
+    const double inner = half_chord(ring.semi_x - kReachPx, ring.face_semi_y() - kReachPx, face_y);
     if (outer < 0) continue;
     const std::uint8_t* row = picture.row(y - place.y) - place.x;
     const int first = std::max(static_cast<int>(std::ceil(middle - outer)), place.x);

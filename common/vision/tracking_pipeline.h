@@ -19,6 +19,8 @@ struct SearchRequest {
   /// A puck whose side wall makes events where the calibration says that it does not, or the other
   /// way round (ContourCalibration::other_wall_share): its contour is of another height.
   bool other_wall = false;
+  /// PuckContour::other_wall_share as the tracker knows it by now; 0: as it is calibrated.
+  double other_wall_share = 0;
   /// Only edges that have made events of late are looked at (FreshPixels), where that is known
   /// (PipelineParams::searches_fresh).
   bool fresh_only = false;

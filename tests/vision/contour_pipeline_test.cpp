@@ -129,6 +129,11 @@ class Table {
   int noise_a_ms = 0;
   // The puck's side wall makes events where the calibration says that it does not.
   void show_other_wall() { wall_share_ = contour_.other_wall_share(); }
+  // … and is so high, in widths in the image's middle, where the annotations leave it out.
+  void show_wall(double height) {
+    contour_.correct_other_wall_share(-height);
+    show_other_wall();
+  }
   void put(Pixel position) { puck_ = position; }
   double error_px() const {
     if (!estimate_.position) return 100;
@@ -493,6 +498,27 @@ TEST_CASE("a puck is followed whose side wall makes events below the face that w
     CHECK(table.glide({700, 200}, 300) < 0.2);
     CHECK(table.estimate().state == TrackState::kTracking);
   }
+}
+
+TEST_CASE("how high a wall is that the annotations leave out is learned on the way") {
+  PuckSizeModel model = kSizeModel;
+  model.disc = DiscModel{.width_0 = 16,
+                         .width_y = 0.08,
+                         .face_on_px = 60,
+                         .principal_x_px = 160,
+                         .principal_y_px = 120};
+  const auto error_px = [&](bool learns) {
+    PipelineParams params = preset_params(Preset::kDefault);
+    params.contour.ingredients.wall_height = learns;
+    Table table(params, 1, model);
+    table.show_wall(0.24);
+    table.put({60, 60});
+    table.glide({300, 200}, 500);
+    return table.glide({100, 150}, 200);
+  };
+  const double learned_px = error_px(true);
+  CHECK(learned_px < 0.4);
+  CHECK(error_px(false) > 1.5 * learned_px);
 }
 
 TEST_CASE("a slow track, which may be a mallet's, shows no side wall") {

@@ -17,6 +17,7 @@ class Disturbed {
   explicit Disturbed(Pixel place = kPlace, double wall_share = 0) {
     context.is_trusted = true;
     learn_events_each(5);
+    if (wall_share != 0) context.contour.correct_other_wall_share(wall_share);
     track.emplace(context, ContourFilter::Start{.position = place}, 0, wall_share);
   }
 

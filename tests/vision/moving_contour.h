@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -12,7 +13,7 @@ namespace puck::test {
 
 /// What an ideal sensor would see of a puck that glides at constant velocity: events on its
 /// contour, as many as the contour sweeps px² times `per_px2`, with the signs of a dark puck.
-/// `wall_share`: PuckContour::ring_at's.
+/// `wall_share`: PuckContour::ring_at's; below 0 a wall shows below the puck's face.
 class MovingContour {
  public:
   MovingContour(const PuckContour& contour, Pixel start, PixelVelocity velocity, double per_px2 = 3,
@@ -33,7 +34,9 @@ class MovingContour {
     std::vector<ContourEvent> made;
     for (std::int64_t t = from_us; t < to_us; t += 10) {
       const Pixel centre = position_at(t);
-      const ContourRing ring = contour_.ring_at(centre, wall_share_);
+      const ContourRing ring = contour_.ring_at(centre, std::max(wall_share_, 0.0));
+      const ContourRing whole = contour_.ring_at(centre, wall_share_);
+      const double wall_px = whole.semi_y - whole.rise - (ring.semi_y - ring.rise);
       constexpr int kPlaces = 90;
       for (int i = 0; i < kPlaces; ++i) {
         const double angle = 2 * std::numbers::pi * (i + uniform()) / kPlaces;
@@ -45,8 +48,15 @@ class MovingContour {
             2 * std::numbers::pi / kPlaces *
             std::hypot(ring.semi_x * std::sin(angle), ring.semi_y * std::cos(angle));
         if (uniform() > std::abs(speed) * 10e-6 * length_px * per_px2_) continue;
-        made.push_back(
-            {t, std::round(centre.x + dx), std::round(centre.y + dy - ring.rise), speed < 0, true});
+        const double wall = dy > 0 ? wall_px : 0;
+        made.push_back({t, std::round(centre.x + dx), std::round(centre.y + dy - ring.rise + wall),
+                        speed < 0, true});
+      }
+      for (const double side : {-1, 1}) {
+        if (wall_px <= 0 || uniform() > std::abs(velocity_.x) * 10e-6 * wall_px * per_px2_)
+          continue;
+        made.push_back({t, std::round(centre.x + side * ring.semi_x),
+                        std::round(centre.y + uniform() * wall_px), side * velocity_.x < 0, true});
       }
     }
     return made;

@@ -148,6 +148,71 @@ TEST_CASE("The other opinion on the side wall goes by what the annotations outli
   CHECK(both.rise + both.semi_y == doctest::Approx(face.semi_y));
 }
 
+TEST_CASE("A wall that shows below the face draws its outline out") {
+  const PuckContour contour(kSensor, kFlat, {0, -0.3, 0}, true);
+  for (const Pixel centre : {Pixel{320, 240}, {600, 240}}) {
+    CAPTURE(centre.x);
+    const ContourRing face = contour.ring_at(centre, 0);
+    const ContourRing whole = contour.ring_at(centre, -0.3);
+    const double wall_px = 0.3 * contour.size_at(centre).width;
+    const auto distance_px = [&](const ContourRing& ring, double dx, double dy) {
+      return ring.offset(dx, dy, 0).distance_px;
+    };
+    // Whatever lies on the upper half of the face does so on the whole; on the lower half, a wall
+    // below. Between them the sides are straight.
+    for (int i = 1; i < 12; ++i) {
+      CAPTURE(i);
+      const double angle = std::numbers::pi * i / 12;
+      const double y = face.semi_y * std::sin(angle);
+      const double x = face.semi_x * std::cos(angle);
+      CHECK(distance_px(face, x - face.shear * y, -y) == doctest::Approx(0));
+      CHECK(distance_px(whole, x - face.shear * y, -y) == doctest::Approx(0));
+      CHECK(distance_px(whole, x + face.shear * y, y + wall_px) == doctest::Approx(0));
+      CHECK(distance_px(whole, face.semi_x + 2, wall_px * i / 12) ==
+            doctest::Approx(2).epsilon(0.2));
+    }
+    // Its areas, by what they hold of a fine grid.
+    constexpr double kStep = 0.25;
+    double inside = 0;
+    double reach = 0;
+    for (double dy = -40; dy < 50; dy += kStep) {
+      for (double dx = -40; dx < 40; dx += kStep) {
+        const double d = distance_px(whole, dx, dy);
+        inside += d < -1 ? kStep * kStep : 0;
+        reach += d < 5 ? kStep * kStep : 0;
+      }
+    }
+    CHECK(whole.inside_area(1) == doctest::Approx(inside).epsilon(0.04));
+    CHECK(whole.reach_area(5) == doctest::Approx(reach).epsilon(0.04));
+  }
+}
+
+TEST_CASE("A wall that the annotations leave out is as high as it is found to be, by where it is") {
+  PuckSizeModel model = kFlat;
+  model.disc = kDisc;
+  const PuckSizeModel whole = model;
+  model.disc->thickness = 0;
+  PuckContour contour(kSensor, model, kExact, true);
+  contour.correct_other_wall_share(-whole.wall_of_width());
+  CHECK(contour.other_wall_share() == -whole.wall_of_width());
+  CHECK(contour.is_other_wall(contour.other_wall_share()));
+  for (const Pixel place : {Pixel{320, 60}, {320, 240}, {320, 420}}) {
+    CAPTURE(place.y);
+    const ContourRing ring = contour.ring_at(place, contour.other_wall_share());
+    const PuckSize size = whole.disc->at(place);
+    CHECK(2 * ring.semi_y == doctest::Approx(size.height));
+    // As it rises, its centre is lower.
+    const Pixel lower = contour.centre_with_wall(place, 0, contour.other_wall_share());
+    CHECK(place.y - lower.y == doctest::Approx(-ring.rise));
+  }
+  // A share that was calibrated suits all of the image.
+  const PuckContour calibrated(kSensor, model, {0, -0.2, 0}, true);
+  for (const Pixel place : {Pixel{320, 60}, {320, 420}}) {
+    CHECK(calibrated.ring_at(place, -0.2).rise ==
+          doctest::Approx(-0.1 * calibrated.size_at(place).width));
+  }
+}
+
 TEST_CASE(
     "How fast the head's turn moves the image goes with the lens, which the puck's size tells") {
   const PuckContour contour(kSensor, kFlat, kExact, true);

@@ -79,6 +79,41 @@ TEST_CASE("a puck of another side wall than calibrated is found where it is by a
   }
 }
 
+TEST_CASE("a wall that is higher than an ordinary puck's is searched for as high as it was found") {
+  PuckSizeModel model = kSizeModel;
+  model.disc = DiscModel{.width_0 = 16,
+                         .width_y = 0.07,
+                         .face_on_px = 60,
+                         .principal_x_px = 320,
+                         .principal_y_px = 240};
+  const PipelineParams params = preset_params(Preset::kDefault);
+  constexpr double kWall = -0.36;
+  PuckContour contour(kSensor, model, params.contour.calibration, true);
+  contour.correct_other_wall_share(kWall);
+  PuckSearch search(kSensor, params, model);
+  const Pixel truth{320, 240};
+  const ContourRing ring = contour.ring_at(truth, kWall);
+  ErosSurface surface(kSensor, params.eros);
+  surface.update(EventPacket{{7000},
+                             test::contour_events(kSensor, {truth.x, truth.y - ring.rise},
+                                                  {2 * ring.semi_x, 2 * ring.semi_y}, 200)});
+  SurfaceSnapshot snapshot;
+  const auto best_of = [&](const SearchRequest& request) {
+    surface.snapshot(search.snapshot_region(request.region), snapshot);
+    const SearchResult result = search.search(snapshot, request);
+    REQUIRE_FALSE(result.candidates.empty());
+    return result.candidates.front();
+  };
+  const Region near = Region::around(truth, 81, 81);
+  const SearchCandidate as_calibrated = best_of({near, true});
+  const SearchCandidate as_found = best_of({near, true, kWall});
+  CHECK(distance_px(as_found.position, truth) < 1);
+  CHECK(as_found.score > as_calibrated.score + 0.05);
+  // No taller puck is believed, nor is anything forgotten.
+  CHECK(best_of({near, true, -9}).score < as_found.score);
+  CHECK(best_of({near, true, kWall}).score == as_found.score);
+}
+
 TEST_CASE("the authors' detection tells of the best place only") {
   const Region detection{60, 150, 500, 80};
   const SearchResult found = search_for_puck_at({300, 190}, detection, Preset::kReference);

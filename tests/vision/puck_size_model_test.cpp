@@ -65,6 +65,24 @@ TEST_CASE("what the side wall adds to the height is the disc's, an ordinary puck
   CHECK(model.wall_of_width() == 0);
 }
 
+TEST_CASE("a wall's share of the width goes with how far away it is, as the disc's heights do") {
+  DiscModel thick{.width_0 = 16,
+                  .width_y = 0.1,
+                  .face_on_px = 80,
+                  .thickness = 0.2,
+                  .principal_x_px = 320,
+                  .principal_y_px = 240};
+  DiscModel flat = thick;
+  flat.thickness = 0;
+  CHECK(thick.wall_profile({320, 240}) == doctest::Approx(1));
+  CHECK(flat.wall_profile({320, 100}) > 1.1);
+  for (const double y : {20.0, 240.0, 460.0}) {
+    const Pixel place{320, y};
+    const double wall = (thick.at(place).height - flat.at(place).height) / flat.at(place).width;
+    CHECK(thick.wall_of_width() * flat.wall_profile(place) == doctest::Approx(wall));
+  }
+}
+
 TEST_CASE("a size model that fits the sensor raises no doubt") {
   PuckSizeModel model{16, 0, 0.07, 5.6, 0, 0.07};
   CHECK(doubts_about(model, kSensor).empty());
