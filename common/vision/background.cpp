@@ -177,8 +177,9 @@ double Background::still_share(const ContourRing& ring, Pixel centre) const {
   int still = 0;
   for (int i = 0; i < kPlaces; ++i) {
     const double angle = 2 * std::numbers::pi * i / kPlaces;
-    const double dy = ring.semi_y * std::sin(angle);
-    const double dx = ring.semi_x * std::cos(angle) + ring.shear * dy;
+    const double face_dy = ring.face_semi_y() * std::sin(angle);
+    const double dx = ring.semi_x * std::cos(angle) + ring.shear * face_dy;
+    const double dy = face_dy + std::copysign(ring.half_wall, face_dy);
     if (is_still(centre.x + dx, centre.y + dy - ring.rise)) ++still;
   }
   return static_cast<double>(still) / kPlaces;

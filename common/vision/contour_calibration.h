@@ -5,12 +5,6 @@
 
 namespace puck {
 
-/// Of an ordinary puck's side wall in the image's middle, in widths: 1.2 cm thick, 6.5 cm wide,
-/// seen from 30° above.
-inline constexpr double kOrdinaryWall = 0.165;
-/// Of the highest that any puck has.
-inline constexpr double kHighestWall = 0.5;
-
 /// How the events of the puck's contour lie to the ellipse that the size model gives: what
 /// `puck-calibrate lag` fits to a recording with truth. The defaults suit a sensor in good light
 /// and a puck whose side wall makes events, too.
@@ -20,7 +14,7 @@ struct ContourCalibration {
   /// The ring of events is lower than the annotated height by this share of the width, and its
   /// centre lies half of that above the annotated one: 0 where the side wall below the puck's top
   /// makes events, the wall's visible height over the width where it makes none. Below 0 the ring
-  /// is taller, with its upper edge in place: the annotations leave the wall out.
+  /// is drawn out downwards: the annotations leave the wall out.
   double wall_share = 0;
   /// By how much the ring's full axes exceed the annotated ones, px.
   double grow_px = 0.5;
@@ -34,10 +28,9 @@ struct ContourCalibration {
 
   /// What `wall_share` would be if the wall made events where it is said not to, or the other way
   /// round. `wall_of_width`: PuckSizeModel's. Where the annotations leave the wall out, its events
-  /// lie below what they outline: an
-  /// ordinary puck's, until the tracker knows better (WallHeight).
-  double other_wall_share(double wall_of_width) const {
-    const double wall = wall_of_width > 0 ? wall_of_width : -kOrdinaryWall;
+  /// lie below what they outline: those of a wall as high as `ordinary_wall`, PuckSizeModel's.
+  double other_wall_share(double wall_of_width, double ordinary_wall) const {
+    const double wall = wall_of_width > 0 ? wall_of_width : -ordinary_wall;
     return std::abs(wall_share) > std::abs(wall) / 2 ? 0 : wall;
   }
 

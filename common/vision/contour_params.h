@@ -17,6 +17,7 @@ struct ContourIngredients {
   bool polarity = true;           ///< Events of the wrong sign are no contour events.
   bool first_events = true;       ///< A puck of low contrast is followed by first events only.
   bool size_penalty = true;       ///< Too many events, or too large a size, make a track doubtful.
+  bool bloom = true;              ///< … but a bright puck looks larger than it is.
   bool purity = true;             ///< Signs that do not suit a disc of one tone make it doubtful.
   bool sector_saturation = true;  ///< Events in one direction count less and less.
   bool twins = true;              ///< A twin at rest is there to take over at a bounce.
@@ -57,7 +58,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 35> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 36> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -65,6 +66,7 @@ inline constexpr std::array<ContourIngredient, 35> kContourIngredients{{
     {"polarity", &ContourIngredients::polarity},
     {"first-events", &ContourIngredients::first_events},
     {"size-penalty", &ContourIngredients::size_penalty},
+    {"bloom", &ContourIngredients::bloom},
     {"purity", &ContourIngredients::purity},
     {"sector-saturation", &ContourIngredients::sector_saturation},
     {"twins", &ContourIngredients::twins},

@@ -26,7 +26,7 @@ constexpr double kLearnable = 0.7;
 constexpr double kPoor = 0.6;
 // Steps in which the height of its wall, in widths, is followed, and is searched for.
 constexpr double kWallStep = 0.003;
-constexpr double kSearchedWallStep = 0.02;
+constexpr double kSearchedWallStep = 0.015;
 // How far around the puck events may be its own.
 constexpr int kPuckMargin_px = 6;
 // How far the events of a puck may lie beyond where its centre is searched for.
@@ -42,6 +42,7 @@ ContourPipeline::ContourPipeline(SensorSize sensor, const ContourPipelineParams&
                params.filter,
                params.ingredients,
                {}},
+      calibrated_other_wall_share_(context_.contour.other_wall_share()),
       history_(sensor),
       standing_(sensor, params.coast_us),
       search_plan_(sensor, detection_region),
@@ -146,7 +147,7 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   }
   trust_.judge(main_->looks(), seen_score_.value(), is_unseen(time_us), time_us, passed_us);
   context_.is_trusted = trust_.is_trusted();
-  if (trust_.is_exhausted()) context_.signature = {};
+  if (trust_.is_exhausted()) forget_looks();
   if (main_->is_good() && main_->shape_quality() > kLearnable) {
     context_.signature.learn(sample, passed_us);
   }
@@ -156,6 +157,14 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   learn_wall_height(passed_us);
 }
 
+// What was learned of the puck may be of something else.
+void ContourPipeline::forget_looks() {
+  context_.signature = {};
+  wall_height_ = {};
+  searched_wall_share_ = 0;
+  context_.contour.correct_other_wall_share(calibrated_other_wall_share_);
+}
+
 // Where the annotations show the wall, or it was calibrated, its height is known.
 void ContourPipeline::learn_wall_height(std::int64_t passed_us) {
   PuckContour& contour = context_.contour;
@@ -163,12 +172,14 @@ void ContourPipeline::learn_wall_height(std::int64_t passed_us) {
       contour.other_wall_share() >= 0) {
     return;
   }
-  const bool is_puck = trust_.is_trusted() && trust_.is_proven() && main_->is_good();
+  const bool is_puck = trust_.is_surely_puck() && main_->is_good();
   wall_height_.watch(is_puck ? &*main_ : nullptr, contour, passed_us);
   const std::optional<double> height = wall_height_.share();
   if (height && std::abs(*height + contour.other_wall_share()) > kWallStep) {
     contour.correct_other_wall_share(-*height);
-    searched_wall_share_ = -kSearchedWallStep * std::round(*height / kSearchedWallStep);
+    if (std::abs(*height + searched_wall_share_) > kSearchedWallStep) {
+      searched_wall_share_ = -*height;
+    }
   }
 }
 

@@ -65,6 +65,7 @@ class ContourPipeline final : public TrackingPipeline {
   void challenge_main(std::int64_t time_us);
   /// The main track is the puck's beyond doubt, so that its opinion on the side wall is, too.
   bool shows_wall() const;
+  void forget_looks();
   void learn_wall_height(std::int64_t passed_us);
   ClaimContext claim_context() const;
   bool head_turns() const;
@@ -82,6 +83,7 @@ class ContourPipeline final : public TrackingPipeline {
   SensorSize sensor_;
   ContourPipelineParams params_;
   ContourContext context_;
+  double calibrated_other_wall_share_;
   EventHistory history_;
 
   std::optional<ContourTrack> main_;

@@ -22,6 +22,9 @@ constexpr double kTooDense = 3;
 constexpr double kLarge_px = 0.6;
 constexpr double kTooLarge_px = 0.8;
 constexpr double kTooLargeFactor = 0.6;
+// … besides what brightness makes of it, of tracks of twice that strength.
+constexpr double kBloom_px = 0.5;
+constexpr double kBloomStrength = 30;
 // … while it is not known that the track is the puck's.
 constexpr double kStrangerTooLargeFactor = 0.4;
 // Slow edges make fewer events for the same way.
@@ -190,6 +193,7 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
   ring_noise_ = noise_per_px2 * areas_.ring;
   inside_noise_ = noise_per_px2 * ring_.inside_area(RingEvidence::kRing_px - growth_px);
   near_noise_ = noise_per_px2 * ring_.reach_area(RingEvidence::kReach_px + growth_px);
+  bloom_px_ = bloom_px(context);
   const double penalty = shape_penalty(context);
   quality_ = penalty * evidence_.quality(areas_);
   clarity_ = penalty * evidence_.quality(areas_, noise_per_px2);
@@ -208,11 +212,26 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
 double ContourTrack::shape_penalty(const ContourContext& context) const {
   double penalty = context.ingredients.purity ? purity(context) : 1;
   if (context.ingredients.size_penalty) {
-    const double excess_px = (filter_.growth_px() - kLarge_px) / (kTooLarge_px - kLarge_px);
+    const double excess_px =
+        (filter_.growth_px() - bloom_px_ - kLarge_px) / (kTooLarge_px - kLarge_px);
     const double factor = context.is_trusted ? kTooLargeFactor : kStrangerTooLargeFactor;
     penalty *= 1 - (1 - factor) * std::clamp(excess_px, 0.0, 1.0);
   }
   return penalty;
+}
+
+// The blurred edge of what is bright passes the sensor's thresholds well outside the middle of it,
+// where there is little light yet, and the brighter it is, with the more events. What is known to
+// be darker than the table is no such puck.
+double ContourTrack::bloom_px(const ContourContext& context) const {
+  if (!context.ingredients.bloom || absolute_speed_ < kSureOfSign ||
+      context.signature.contrast_sign() < 0) {
+    return 0;
+  }
+  const double brightness = signed_speed_ / absolute_speed_;
+  const double bright =
+      std::clamp((brightness - kMixedSigns) / (kPureSigns - kMixedSigns), 0.0, 1.0);
+  return kBloom_px * bright * std::clamp(strength_ / kBloomStrength - 1, 0.0, 1.0);
 }
 
 TrackLooks ContourTrack::looks() const {
@@ -220,7 +239,7 @@ TrackLooks ContourTrack::looks() const {
           .speed_px_s = filter_.speed_px_s(),
           .turning_px_s = turning_px_s_,
           .slide = filter_.slide(),
-          .growth_px = filter_.growth_px(),
+          .growth_px = filter_.growth_px() - bloom_px_,
           .quality = quality_,
           .agreement = evidence_.agreement(areas_),
           .clarity = clarity_,

@@ -88,6 +88,7 @@ class ContourTrack {
  private:
   void follow_contour(const ContourContext& context);
   double swept_px2_per_s() const;
+  double bloom_px(const ContourContext& context) const;
   double shape_penalty(const ContourContext& context) const;
   double purity(const ContourContext& context) const;
   double contrast_sign(const ContourContext& context) const;
@@ -105,6 +106,7 @@ class ContourTrack {
   double clarity_ = 0;
   double shape_quality_ = 0;
   double strength_ = 0;
+  double bloom_px_ = 0;  // by how much it looks larger than it is
   // Events that the sensor makes by itself in the memory of the evidence.
   double ring_noise_ = 0;
   double inside_noise_ = 0;

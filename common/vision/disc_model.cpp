@@ -40,6 +40,11 @@ double DiscModel::wall_of_width() const {
   return thickness < kThinnest ? 0 : thickness * std::sqrt(1 - sine * sine);
 }
 
+double DiscModel::ordinary_wall() const {
+  const double sine = sine_of_tilt();
+  return kOrdinaryThickness * std::sqrt(1 - sine * sine);
+}
+
 double DiscModel::wall_profile(Pixel position) const {
   const double sine = sine_of_tilt();
   return std::max(1 - width_at(position) / face_on_px * sine, 0.0) / (1 - sine * sine);

@@ -4,6 +4,11 @@
 
 namespace puck {
 
+/// Of an ordinary puck, in diameters: 1.2 cm of 6.5 cm.
+inline constexpr double kOrdinaryThickness = 0.19;
+/// No puck's wall is seen higher than so many of its widths.
+inline constexpr double kHighestWall = 0.5;
+
 /// The image of a flat cylinder, the puck, that lies on a plane in front of a pinhole camera: what
 /// the paper's Equation (2) approximates by two planes.
 ///
@@ -35,8 +40,10 @@ struct DiscModel {
   /// What the thickness adds to the height in the image's middle, in widths. What is thinner than
   /// any puck has been annotated without its wall: 0.
   double wall_of_width() const;
-  /// By how much more the thickness adds there, in widths, than in the image's middle: a wall is
-  /// seen the higher, the farther away it is.
+  /// The same for an ordinary puck.
+  double ordinary_wall() const;
+  /// How many times as high as in the image's middle a wall is seen there, in widths: the farther
+  /// away, the higher.
   double wall_profile(Pixel position) const;
   /// Of the optical axis below the horizon, degrees.
   double tilt_deg() const;

@@ -17,7 +17,7 @@ constexpr double kTurningWidths_per_s = 9;
 
 double ContourRing::reach_area(double reach_px) const {
   return std::numbers::pi * (semi_x + reach_px) * (face_semi_y() + reach_px) +
-         4 * half_wall * (semi_x + reach_px);
+         4 * half_wall * (drawn_out_semi_x() + reach_px);
 }
 
 double ContourRing::band_area(double half_width_px) const {
@@ -25,9 +25,9 @@ double ContourRing::band_area(double half_width_px) const {
 }
 
 double ContourRing::inside_area(double half_width_px) const {
-  const double inner_x = std::max(semi_x - half_width_px, 1.0);
-  return std::numbers::pi * inner_x * std::max(face_semi_y() - half_width_px, 1.0) +
-         4 * half_wall * inner_x;
+  return std::numbers::pi * std::max(semi_x - half_width_px, 1.0) *
+             std::max(face_semi_y() - half_width_px, 1.0) +
+         4 * half_wall * std::max(drawn_out_semi_x() - half_width_px, 1.0);
 }
 
 double ContourRing::outside_area(double half_width_px, double reach_px) const {
@@ -38,7 +38,8 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
                          const ContourCalibration& calibration, bool sheared)
     : size_model_(size_model),
       calibration_(calibration),
-      other_wall_share_(calibration.other_wall_share(size_model.wall_of_width())),
+      other_wall_share_(
+          calibration.other_wall_share(size_model.wall_of_width(), size_model.ordinary_wall())),
       middle_column_((sensor.width - 1) / 2.0),
       tangent_of_twice_lean_(std::tan(2 * calibration.lean_deg * std::numbers::pi / 180)),
       sheared_(sheared && size_model.width_growth() > kLeastSlope) {
@@ -65,8 +66,9 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
   if (sheared_ && below_horizon > width) {
     // Only the disc slants, not the wall below it.
     const double disc_height = silhouette - size_model_.wall_of_width() * width;
-    const double of_height = ring.half_wall > 0 ? 1 : std::clamp(disc_height / height, 0.0, 1.0);
-    ring.shear = (centre.x - middle_column_) / below_horizon * of_height;
+    const double drawn_out = height - 2 * ring.half_wall;
+    ring.shear =
+        (centre.x - middle_column_) / below_horizon * std::clamp(disc_height / drawn_out, 0.0, 1.0);
   }
   if (tangent_of_twice_lean_ != 0) {
     // An ellipse that is turned in its box is a sheared one, and stays within it.
@@ -81,6 +83,9 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
     const double sheared = ring.shear * ring.face_semi_y();
     ring.semi_x = std::sqrt(std::max(ring.semi_x * ring.semi_x - sheared * sheared,
                                      kSmallestSemi_px * kSmallestSemi_px));
+    const double slanted = ring.shear * ring.face_semi_y();
+    ring.sides_slope =
+        slanted * ring.face_semi_y() / (ring.semi_x * ring.semi_x + slanted * slanted);
   }
   return ring;
 }

@@ -28,26 +28,31 @@ struct ContourRing {
   double semi_y = 0;  ///< Half the height, px.
   double shear = 0;   ///< px along x per px along y.
   double rise = 0;    ///< How far the ring's centre lies above the puck's, px.
-  /// Half of what its sides are straight for, px: a face with a wall below it is outlined by an
+  /// Half the length of its straight sides, px: a face with a wall below it is outlined by an
   /// ellipse that is drawn out downwards.
   double half_wall = 0;
+  /// Where those begin on the ellipse, px along y per px along x from its centre.
+  double sides_slope = 0;
 
   /// No part of it lies farther than this, px, to either side of its centre.
   double half_width() const { return semi_x + std::abs(shear) * semi_y; }
 
   /// Half the height of the ellipse that is drawn out, px.
   double face_semi_y() const { return semi_y - half_wall; }
-  /// How far below that ellipse's centre a row lies that is `ring_y` below the ring's: 0 along the
-  /// straight sides.
-  double of_face(double ring_y) const { return ring_y - std::clamp(ring_y, -half_wall, half_wall); }
+  /// Half the width of that ellipse, px.
+  double drawn_out_semi_x() const { return std::hypot(semi_x, shear * face_semi_y()); }
+  /// How far below the ellipse's centre that lay, before it was drawn out, which lies at
+  /// (dx, ring_y) from the ring's.
+  double face_y(double dx, double ring_y) const {
+    return ring_y - std::clamp(ring_y - sides_slope * dx, -half_wall, half_wall);
+  }
 
   /// Of a pixel at (dx, dy) from the puck's centre, with the ring larger by `growth_px` all round.
   ContourOffset offset(double dx, double dy, double growth_px) const {
     // Inverted once each: this is done for every event near a track.
     const double per_a = 1 / (semi_x + growth_px);
     const double per_b = 1 / (face_semi_y() + growth_px);
-    const double ring_y = dy + rise;
-    const double y = of_face(ring_y);
+    const double y = face_y(dx, dy + rise);
     const double u = (dx - shear * y) * per_a;
     const double v = y * per_b;
     const double rho = std::sqrt(u * u + v * v);
@@ -89,12 +94,13 @@ class PuckContour {
               const ContourCalibration& calibration, bool sheared);
 
   /// `wall_share`: by how much of its width the ring is lower than the puck's silhouette, because
-  /// the puck's side wall makes no events, below 0 if it is taller because the annotations leave
-  /// the wall out, then in the image's middle: calibrated_wall_share() or other_wall_share().
+  /// the puck's side wall makes no events; below 0 if it is taller because the annotations leave
+  /// the wall out: calibrated_wall_share() or other_wall_share(), a left out wall's as it is in the
+  /// image's middle.
   ContourRing ring_at(Pixel centre, double wall_share) const;
   double calibrated_wall_share() const { return calibration_.wall_share; }
   double other_wall_share() const { return other_wall_share_; }
-  /// The other wall's is found to be `share`. Rings that were made before do not change.
+  /// The other wall's is found to be `share`. Tracks go by it from their next decision on.
   void correct_other_wall_share(double share) { other_wall_share_ = share; }
   /// DiscModel::wall_profile; 1 where the disc is not known.
   double wall_profile(Pixel place) const {
@@ -127,7 +133,7 @@ class PuckContour {
   // the one that suits all of the image best.
   double wall_share_at(Pixel place, double wall_share) const {
     const bool is_left_out = wall_share < 0 && is_other_wall(wall_share);
-    return is_left_out ? wall_share * wall_profile(place) : wall_share;
+    return is_left_out ? std::max(wall_share * wall_profile(place), -kHighestWall) : wall_share;
   }
 
   PuckSizeModel size_model_;

@@ -49,6 +49,9 @@ class PuckDetector {
   /// Throws std::invalid_argument when the fixed kernel cannot be drawn.
   PuckDetector(const DetectorParams& params, const PuckSizeModel& size_model);
 
+  /// Looks for pucks of these sizes from now on.
+  void look_for(const PuckSizeModel& size_model) { size_model_ = size_model; }
+
   /// How far a kernel of the detector's own reaches around its candidates, px; the bank's reach as
   /// far as their sizes.
   int reach() const { return fixed_kernel_.width() / 2 + 1; }

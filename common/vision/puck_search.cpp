@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace puck {
 namespace {
@@ -12,21 +11,21 @@ PuckSizeModel lowered(PuckSizeModel model, double share_of_width) {
   return model;
 }
 
-ContourCalibration with_wall(ContourCalibration calibration, double wall_share) {
-  calibration.wall_share = wall_share;
-  return calibration;
-}
-
 }  // namespace
 
 PuckSearch::Look::Look(SensorSize sensor, const PipelineParams& params,
-                       const PuckSizeModel& size_model, double kernel_wall_share,
-                       double ring_wall_share)
+                       const PuckSizeModel& size_model, double kernel_wall_share, bool other_wall)
     : contour_size(lowered(size_model, kernel_wall_share)),
       rise_of_width(kernel_wall_share / 2),
       detector(params.detector, contour_size),
-      ring(sensor, params.tracker.ring, size_model,
-           with_wall(params.contour.calibration, ring_wall_share)) {}
+      ring(sensor, params.tracker.ring, size_model, params.contour.calibration, other_wall) {}
+
+void PuckSearch::Look::take_wall(const PuckSizeModel& size_model, double wall_share) {
+  contour_size = lowered(size_model, wall_share);
+  rise_of_width = wall_share / 2;
+  detector.look_for(contour_size);
+  ring.correct_other_wall_share(wall_share);
+}
 
 // The kernels of the calibrated wall are of the puck's size, as the paper has it.
 PuckSearch::PuckSearch(SensorSize sensor, const PipelineParams& params,
@@ -34,12 +33,12 @@ PuckSearch::PuckSearch(SensorSize sensor, const PipelineParams& params,
     : sensor_(sensor),
       kernels_(params.kernels),
       has_ring_(params.tracker.ring.enabled),
-      params_(params),
       sizes_(params.sizes_of(size_model)),
-      calibrated_(sensor, params, sizes_, 0, params.contour.calibration.wall_share),
-      other_wall_share_(params.contour.calibration.other_wall_share(sizes_.wall_of_width())),
+      other_wall_share_(params.contour.calibration.other_wall_share(sizes_.wall_of_width(),
+                                                                    sizes_.ordinary_wall())),
       tallest_(lowered(sizes_, other_wall_share_ < 0 ? -kHighestWall : other_wall_share_)),
-      other_wall_(std::in_place, sensor, params, sizes_, other_wall_share_, other_wall_share_) {}
+      calibrated_(sensor, params, sizes_, 0, false),
+      other_wall_(sensor, params, sizes_, other_wall_share_, true) {}
 
 Region PuckSearch::snapshot_region(const Region& search) const {
   if (search.empty()) return {};
@@ -66,12 +65,13 @@ SearchResult PuckSearch::search(const SurfaceSnapshot& snapshot, const SearchReq
 
 PuckSearch::Look& PuckSearch::look_of(const SearchRequest& request) {
   if (!request.other_wall) return calibrated_;
-  const double share = std::max(request.other_wall_share, -kHighestWall);
-  if (share != 0 && share != other_wall_share_) {
-    other_wall_share_ = share;
-    other_wall_.emplace(sensor_, params_, sizes_, share, share);
+  // Only a wall that the annotations leave out may turn out to be of another height.
+  if (other_wall_share_ < 0) {
+    const double share =
+        request.other_wall_share < 0 ? request.other_wall_share : other_wall_share_;
+    other_wall_.take_wall(sizes_, std::max(share, -kHighestWall));
   }
-  return *other_wall_;
+  return other_wall_;
 }
 
 SearchCandidate PuckSearch::candidate_at(const SurfaceSnapshot& snapshot, Look& look,

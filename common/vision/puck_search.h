@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "common/events/sensor_size.h"
 #include "common/vision/correlation.h"
 #include "common/vision/gaussian_blur.h"
@@ -34,7 +32,10 @@ class PuckSearch {
   /// What a puck looks like, by one opinion on its side wall.
   struct Look {
     Look(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
-         double kernel_wall_share, double ring_wall_share);
+         double kernel_wall_share, bool other_wall);
+
+    /// Its wall is as high as that, from now on.
+    void take_wall(const PuckSizeModel& size_model, double wall_share);
 
     PuckSizeModel contour_size;  ///< Of the contour that the kernels show.
     double rise_of_width;        ///< How far its centre lies above the puck's.
@@ -48,12 +49,11 @@ class PuckSearch {
   SensorSize sensor_;
   KernelBank kernels_;
   bool has_ring_;
-  PipelineParams params_;
   PuckSizeModel sizes_;
+  double other_wall_share_;  // as it is calibrated
+  PuckSizeModel tallest_;    // whatever the other wall's height is found to be
   Look calibrated_;
-  double other_wall_share_;
-  PuckSizeModel tallest_;           // whatever the other wall's height is found to be
-  std::optional<Look> other_wall_;  // made anew when it is
+  Look other_wall_;
   Correlation picture_;
 };
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "common/events/sensor_size.h"
-#include "common/vision/contour_calibration.h"
 #include "common/vision/disc_model.h"
 #include "common/vision/pixel.h"
 
@@ -48,7 +47,14 @@ struct PuckSizeModel {
 
   /// By what share of its width the side wall makes the puck higher than its face alone; 0 where
   /// the annotations outline the face. Of Equation (2) it is not known: an ordinary puck's.
-  double wall_of_width() const { return disc ? disc->wall_of_width() : kOrdinaryWall; }
+  double wall_of_width() const { return disc ? disc->wall_of_width() : ordinary_wall(); }
+
+  /// The same for an ordinary puck's wall; of Equation (2) it is not known how the camera is
+  /// tilted: 30°.
+  double ordinary_wall() const {
+    constexpr double kFrom30Degrees = 0.165;
+    return disc ? disc->ordinary_wall() : kFrom30Degrees;
+  }
 
   /// Of the width from row to row, px/px.
   double width_growth() const { return disc ? disc->width_y : width_y; }

@@ -16,6 +16,31 @@ double half_chord(double semi_x, double semi_y, double y) {
   return v * v < 1 ? semi_x * std::sqrt(1 - v * v) : -1;
 }
 
+// Of a row, from its middle: as far as what is near the ring reaches, and as far as what is not.
+struct Chords {
+  double middle = 0;
+  double outer = -1;
+  double inner = -1;
+};
+
+Chords chords_of(const ContourRing& ring, double ring_y) {
+  constexpr double kReach_px = RingSamples::kReachPx;
+  const double semi_y = ring.face_semi_y();
+  if (ring.half_wall == 0) {
+    return {ring.shear * ring_y, half_chord(ring.semi_x + kReach_px, semi_y + kReach_px, ring_y),
+            half_chord(ring.semi_x - kReach_px, semi_y - kReach_px, ring_y)};
+  }
+  // Of what is drawn out, the rows are as wide as the wider, and the narrower, of those that either
+  // end of the straight sides makes of them.
+  const double upper = ring_y + ring.half_wall;
+  const double lower = ring_y - ring.half_wall;
+  if (upper < -semi_y - kReach_px || lower > semi_y + kReach_px) return {};
+  const double slant = std::abs(ring.shear) * ring.half_wall;
+  const double farther = std::abs(upper) > std::abs(lower) ? upper : lower;
+  return {ring.shear * ring_y, ring.drawn_out_semi_x() + slant + kReach_px,
+          half_chord(ring.semi_x - kReach_px, semi_y - kReach_px, farther) - slant};
+}
+
 }  // namespace
 
 double RingSamples::reach_x(const ContourRing& ring) {
@@ -36,21 +61,27 @@ void RingSamples::gather(ImageView<const std::uint8_t> picture, const Region& pl
   const auto first_row = static_cast<int>(std::ceil(centre.y - reach_y(ring)));
   const auto last_row = static_cast<int>(std::floor(centre.y + reach_y(ring)));
   for (int y = std::max(first_row, place.y); y <= std::min(last_row, place.bottom() - 1); ++y) {
-    const double face_y = ring.of_face(y - centre.y + ring.rise);
-    const double middle = centre.x + ring.shear * face_y;
-    const double outer = half_chord(ring.semi_x + kReachPx, ring.face_semi_y() + kReachPx, face_y);
-    const double inner = half_chord(ring.semi_x - kReachPx, ring.face_semi_y() - kReachPx, face_y);
-    if (outer < 0) continue;
+    const double ring_y = y - centre.y + ring.rise;
+    const Chords chords = chords_of(ring, ring_y);
+    if (chords.outer < 0) continue;
+    const double middle = centre.x + chords.middle;
     const std::uint8_t* row = picture.row(y - place.y) - place.x;
-    const int first = std::max(static_cast<int>(std::ceil(middle - outer)), place.x);
-    const int last = std::min(static_cast<int>(std::floor(middle + outer)), place.right() - 1);
+    const int first = std::max(static_cast<int>(std::ceil(middle - chords.outer)), place.x);
+    const int last =
+        std::min(static_cast<int>(std::floor(middle + chords.outer)), place.right() - 1);
     for (int x = first; x <= last; ++x) {
-      if (std::abs(x - middle) < inner) {
+      if (std::abs(x - middle) < chords.inner) {
         inside_sum_ += row[x];
         ++inside_pixels_;
         continue;
       }
       const ContourOffset offset = ring.offset(x - centre.x, y - centre.y, 0);
+      if (ring.half_wall > 0 && std::abs(offset.distance_px) > kReachPx) {
+        if (offset.distance_px > 0) continue;
+        inside_sum_ += row[x];
+        ++inside_pixels_;
+        continue;
+      }
       near_.push_back({static_cast<float>(offset.distance_px), static_cast<float>(offset.normal_x),
                        static_cast<float>(offset.normal_y), static_cast<float>(row[x]),
                        offset.sector});

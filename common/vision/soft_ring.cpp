@@ -16,9 +16,10 @@ constexpr double kFarShift_px = 0.5;
 }  // namespace
 
 SoftRing::SoftRing(SensorSize sensor, const SoftRingParams& params, const PuckSizeModel& size_model,
-                   const ContourCalibration& calibration)
+                   const ContourCalibration& calibration, bool other_wall)
     : refinement_(params.refinement),
-      contour_(sensor, size_model, calibration, params.sheared) {
+      contour_(sensor, size_model, calibration, params.sheared),
+      other_wall_(other_wall) {
   if (!(refinement_.half_width_px > 0)) {
     throw std::invalid_argument("tracker.ring.refinement.half_width_px must be above 0, got " +
                                 std::to_string(refinement_.half_width_px));
@@ -43,7 +44,7 @@ SoftRing::Fit SoftRing::fit(ImageView<const std::uint8_t> picture, const Region&
 
 void SoftRing::look(ImageView<const std::uint8_t> picture, const Region& place, Pixel start,
                     Fit& fit) {
-  samples_.gather(picture, place, contour_.ring_at(start, contour_.calibrated_wall_share()), start);
+  samples_.gather(picture, place, contour_.ring_at(start, contour_.wall_share(other_wall_)), start);
   fit.peak = refine_peak(samples_, refinement_);
   fit.position = {start.x + fit.peak.shift.x, start.y + fit.peak.shift.y};
 }

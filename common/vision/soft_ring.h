@@ -32,7 +32,10 @@ class SoftRing {
 
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
   SoftRing(SensorSize sensor, const SoftRingParams& params, const PuckSizeModel& size_model,
-           const ContourCalibration& calibration);
+           const ContourCalibration& calibration, bool other_wall = false);
+
+  /// PuckContour::correct_other_wall_share.
+  void correct_other_wall_share(double share) { contour_.correct_other_wall_share(share); }
 
   /// Begins at `start`, which should be at most about a pixel off. `place` is where the picture, a
   /// surface as it was copied, lies in the image.
@@ -43,6 +46,7 @@ class SoftRing {
 
   PeakRefinementParams refinement_;
   PuckContour contour_;
+  bool other_wall_;
   RingSamples samples_;
 };
 

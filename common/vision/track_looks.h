@@ -11,8 +11,9 @@ struct TrackLooks {
   double speed_px_s = 0;
   double turning_px_s = 300;  ///< PuckContour::turning_px_s().
   double slide = 1;           ///< ContourFilter::slide().
-  double growth_px = 0;       ///< By how much its contour is larger than the size model says.
-  double quality = 0;         ///< From −1 to 1.
+  /// By how much its contour is larger than the size model says, less what brightness makes of it.
+  double growth_px = 0;
+  double quality = 0;    ///< From −1 to 1.
   double agreement = 0;  ///< From −1 to 1: quality, but that few events are no reason to doubt.
   double clarity = 0;    ///< From −1 to 1: quality, but that the sensor's noise says nothing.
   double strength = 0;   ///< How many more events lie on the ring than clutter would put there.

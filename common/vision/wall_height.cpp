@@ -36,7 +36,7 @@ void WallHeight::watch(const ContourTrack* puck, const PuckContour& contour,
   width_px_ = contour.size_at(position_).width;
   if (width_px_ < kLeastWidth_px) return;
   is_watching_ = true;
-  face_ = contour.ring_at(position_, contour.calibrated_wall_share());
+  face_ = contour.ring_at(position_, 0);
   profile_ = contour.wall_profile(position_);
   behind_px_ = {contour.behind_px(velocity_.x), contour.behind_px(velocity_.y)};
   const double keep = std::exp(-static_cast<double>(passed_us) / kMemory_us);
@@ -91,7 +91,8 @@ std::optional<double> WallHeight::share() const {
     if (count_around(bin) > count_around(edge)) edge = bin;
   }
   const double count = count_around(edge);
-  if (count < kEnough) return std::nullopt;
+  // The most at the lowest height are those of the face's own edge, blurred.
+  if (edge == first || count < kEnough) return std::nullopt;
   double moment = 0;
   double elsewhere = 0;
   double bins_elsewhere = 0;

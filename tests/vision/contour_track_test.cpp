@@ -157,8 +157,9 @@ TEST_CASE("Many events in one direction are worth less, unless sector-saturation
   CHECK(worth_of_last() == 1);
 }
 
-// A track of something round that is larger than the puck by so much.
-ContourTrack track_of_larger(double wider_px, ContourContext context) {
+// A track of something round that is larger than the puck by so much, and darker than the table or
+// brighter.
+ContourTrack track_of_larger(double wider_px, ContourContext context, bool is_bright = false) {
   PuckSizeModel larger = test::kSizeModel;
   larger.width_0 += 2 * wider_px;
   larger.height_0 += 2 * wider_px;
@@ -166,7 +167,13 @@ ContourTrack track_of_larger(double wider_px, ContourContext context) {
   test::MovingContour mallet(contour, {250, 180}, {700, 300});
   context.filter.follows_size = context.ingredients.size_state;
   ContourTrack track(context, {.position = {250, 180}, .velocity = {700, 300}}, 0, 0);
-  test::follow(track, mallet, context, 0, 60'000);
+  for (std::int64_t t = 0; t < 60'000; t += 1'000) {
+    for (ContourEvent event : mallet.events(t, t + 1'000)) {
+      event.on = event.on != is_bright;
+      track.take(event, context);
+    }
+    track.decide(t + 1'000, false, context);
+  }
   return track;
 }
 
@@ -182,6 +189,23 @@ TEST_CASE("What is too large makes a track doubtful, unless size-penalty is off"
   const double doubted = track_of_larger(1, context).quality();
   context.ingredients.size_penalty = false;
   CHECK(doubted < 0.7 * track_of_larger(1, context).quality());
+}
+
+TEST_CASE("A bright puck looks larger than it is, which does not make it doubtful") {
+  ContourContext context = test::contour_context();
+  const TrackLooks dark = track_of_larger(0.8, context).looks();
+  const TrackLooks bright = track_of_larger(0.8, context, true).looks();
+  CHECK(dark.growth_px == doctest::Approx(0.8).epsilon(0.2));
+  CHECK(bright.growth_px == doctest::Approx(dark.growth_px - 0.5).epsilon(0.05));
+  CHECK(bright.quality > 1.3 * dark.quality);
+  CHECK(bright.has_pucks_size());
+
+  SUBCASE("unless ingredient bloom is off") { context.ingredients.bloom = false; }
+  SUBCASE("unless the puck is known to be dark") {
+    context.signature.learn({.signed_speed = -10'000, .absolute_speed = 10'000}, 1'000);
+  }
+  CHECK(track_of_larger(0.8, context, true).looks().growth_px ==
+        doctest::Approx(dark.growth_px).epsilon(0.05));
 }
 
 // What a sensor is late by.

@@ -48,15 +48,18 @@ class MovingContour {
             2 * std::numbers::pi / kPlaces *
             std::hypot(ring.semi_x * std::sin(angle), ring.semi_y * std::cos(angle));
         if (uniform() > std::abs(speed) * 10e-6 * length_px * per_px2_) continue;
-        const double wall = dy > 0 ? wall_px : 0;
+        const double wall = dy > whole.sides_slope * dx ? wall_px : 0;
         made.push_back({t, std::round(centre.x + dx), std::round(centre.y + dy - ring.rise + wall),
                         speed < 0, true});
       }
       for (const double side : {-1, 1}) {
         if (wall_px <= 0 || uniform() > std::abs(velocity_.x) * 10e-6 * wall_px * per_px2_)
           continue;
-        made.push_back({t, std::round(centre.x + side * ring.semi_x),
-                        std::round(centre.y + uniform() * wall_px), side * velocity_.x < 0, true});
+        const double dx = side * whole.drawn_out_semi_x();
+        made.push_back(
+            {t, std::round(centre.x + dx),
+             std::round(centre.y + whole.sides_slope * dx - ring.rise + uniform() * wall_px),
+             side * velocity_.x < 0, true});
       }
     }
     return made;

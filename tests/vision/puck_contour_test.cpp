@@ -148,9 +148,18 @@ TEST_CASE("The other opinion on the side wall goes by what the annotations outli
   CHECK(both.rise + both.semi_y == doctest::Approx(face.semi_y));
 }
 
+// Where an ellipse is as far to the side as it gets, px along y per px along x.
+double face_sides_slope(const ContourRing& face) {
+  const double slanted = face.shear * face.semi_y;
+  return slanted * face.semi_y / (face.semi_x * face.semi_x + slanted * slanted);
+}
+
 TEST_CASE("A wall that shows below the face draws its outline out") {
-  const PuckContour contour(kSensor, kFlat, {0, -0.3, 0}, true);
-  for (const Pixel centre : {Pixel{320, 240}, {600, 240}}) {
+  PuckSizeModel model = kFlat;
+  model.disc = kDisc;
+  model.disc->thickness = 0;
+  const PuckContour contour(kSensor, model, {0, -0.3, 0}, true);
+  for (const Pixel centre : {Pixel{320, 240}, {600, 240}, {20, 300}}) {
     CAPTURE(centre.x);
     const ContourRing face = contour.ring_at(centre, 0);
     const ContourRing whole = contour.ring_at(centre, -0.3);
@@ -158,18 +167,27 @@ TEST_CASE("A wall that shows below the face draws its outline out") {
     const auto distance_px = [&](const ContourRing& ring, double dx, double dy) {
       return ring.offset(dx, dy, 0).distance_px;
     };
-    // Whatever lies on the upper half of the face does so on the whole; on the lower half, a wall
-    // below. Between them the sides are straight.
-    for (int i = 1; i < 12; ++i) {
+    // What is above the ends of the face's width stays where it is, the rest lies a wall below. The
+    // sides between them are straight.
+    for (int i = 0; i < 24; ++i) {
       CAPTURE(i);
-      const double angle = std::numbers::pi * i / 12;
+      const double angle = 2 * std::numbers::pi * (i + 0.5) / 24;
       const double y = face.semi_y * std::sin(angle);
-      const double x = face.semi_x * std::cos(angle);
-      CHECK(distance_px(face, x - face.shear * y, -y) == doctest::Approx(0));
-      CHECK(distance_px(whole, x - face.shear * y, -y) == doctest::Approx(0));
-      CHECK(distance_px(whole, x + face.shear * y, y + wall_px) == doctest::Approx(0));
-      CHECK(distance_px(whole, face.semi_x + 2, wall_px * i / 12) ==
-            doctest::Approx(2).epsilon(0.2));
+      const double x = face.semi_x * std::cos(angle) + face.shear * y;
+      CHECK(distance_px(face, x, y) == doctest::Approx(0));
+      const double below = y > face_sides_slope(face) * x ? wall_px : 0;
+      CHECK(distance_px(whole, x, y + below) == doctest::Approx(0));
+    }
+    const double half_width = std::hypot(face.semi_x, face.shear * face.semi_y);
+    for (const double side : {-1, 1}) {
+      const double end_y = side * face_sides_slope(face) * half_width;
+      for (int i = 1; i < 4; ++i) {
+        const ContourOffset place =
+            whole.offset(side * (half_width + 0.5), end_y + wall_px * i / 4, 0);
+        CHECK(place.distance_px == doctest::Approx(0.5).epsilon(0.05));
+        CHECK(place.normal_x == doctest::Approx(side).epsilon(0.01));
+        CHECK(std::abs(place.normal_y) < 0.05);
+      }
     }
     // Its areas, by what they hold of a fine grid.
     constexpr double kStep = 0.25;

@@ -112,6 +112,7 @@ TEST_CASE("a wall that is higher than an ordinary puck's is searched for as high
   // No taller puck is believed, nor is anything forgotten.
   CHECK(best_of({near, true, -9}).score < as_found.score);
   CHECK(best_of({near, true, kWall}).score == as_found.score);
+  CHECK(best_of({near, true}).score == as_calibrated.score);
 }
 
 TEST_CASE("the authors' detection tells of the best place only") {

@@ -31,8 +31,9 @@ class Watched {
  public:
   // `wall`: how high it is, in widths, in the image's middle. `grown_px`: by how much the puck is
   // larger all round than the model.
-  explicit Watched(double wall, double grown_px = 0)
-      : truth_(kSensor, face_model(), {0, 0, 2 * grown_px}, true) {
+  explicit Watched(double wall, double grown_px = 0, double calibrated = 0)
+      : truth_(kSensor, face_model(), {0, 0, 2 * grown_px}, true),
+        context_{PuckContour(kSensor, face_model(), {0, calibrated, 0}, true), {}, {}, {}} {
     truth_.correct_other_wall_share(-wall);
   }
 
@@ -70,13 +71,13 @@ class Watched {
   }
 
   PuckContour truth_;
-  ContourContext context_{PuckContour(kSensor, face_model(), {0, 0, 0}, true), {}, {}, {}};
+  ContourContext context_;
   test::RandomNumbers random_;
 };
 
 TEST_CASE("The height of the puck's wall is learned wherever it is seen, and however it moves") {
   for (const double wall : {0.13, 0.2, 0.3, 0.4}) {
-    for (const Pixel start : {Pixel{200, 100}, {320, 240}, {420, 380}}) {
+    for (const Pixel start : {Pixel{120, 140}, {320, 240}, {520, 380}}) {
       for (const PixelVelocity velocity :
            {PixelVelocity{0, 200}, {0, -200}, {500, 150}, {-500, 150}}) {
         CAPTURE(wall);
@@ -108,6 +109,16 @@ TEST_CASE("A track that is too low or too high, and a puck of another size, do n
     CAPTURE(grown_px);
     Watched puck(0.25, grown_px);
     puck.track_low_px = off_px;
+    puck.glide({320, 240}, {200, 300}, 200);
+    REQUIRE(puck.height.share());
+    CHECK(std::abs(*puck.height.share() - 0.25) < 0.015);
+  }
+}
+
+TEST_CASE("The share that was calibrated does not change what is learned of the wall") {
+  for (const double calibrated : {-0.04, 0.04}) {
+    CAPTURE(calibrated);
+    Watched puck(0.25, 0, calibrated);
     puck.glide({320, 240}, {200, 300}, 200);
     REQUIRE(puck.height.share());
     CHECK(std::abs(*puck.height.share() - 0.25) < 0.015);
