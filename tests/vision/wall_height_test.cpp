@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -103,8 +102,13 @@ TEST_CASE("An edge between face and wall and clutter do not hide how high a wall
 }
 
 TEST_CASE("A track that is too low or too high, and a puck of another size, do not mislead") {
-  for (const auto& [off_px, grown_px] :
-       {std::pair{-0.7, 0.0}, {0.7, 0.0}, {0.0, 0.5}, {0.4, -0.4}}) {
+  struct Case {
+    double off_px;
+    double grown_px;
+  };
+  for (const Case& now : {Case{-0.7, 0}, {0.7, 0}, {0, 0.5}, {0.4, -0.4}}) {
+    const double off_px = now.off_px;
+    const double grown_px = now.grown_px;
     CAPTURE(off_px);
     CAPTURE(grown_px);
     Watched puck(0.25, grown_px);
