@@ -483,13 +483,19 @@ TEST_CASE("the search looks for the side wall that a track beyond doubt has show
   }
 }
 
-TEST_CASE("a puck is followed whose side wall makes events below the face that was annotated") {
+// Of a puck whose annotations leave its wall out.
+PuckSizeModel face_model() {
   PuckSizeModel model = kSizeModel;
   model.disc = DiscModel{.width_0 = 16,
                          .width_y = 0.08,
                          .face_on_px = 60,
                          .principal_x_px = 160,
                          .principal_y_px = 120};
+  return model;
+}
+
+TEST_CASE("a puck is followed whose side wall makes events below the face that was annotated") {
+  const PuckSizeModel model = face_model();
   REQUIRE(PuckContour(kSensor, model, {0, 0, 0}, true).other_wall_share() < -0.1);
   for (const bool has_wall : {false, true}) {
     CAPTURE(has_wall);
@@ -501,12 +507,7 @@ TEST_CASE("a puck is followed whose side wall makes events below the face that w
 }
 
 TEST_CASE("how high a wall is that the annotations leave out is learned on the way") {
-  PuckSizeModel model = kSizeModel;
-  model.disc = DiscModel{.width_0 = 16,
-                         .width_y = 0.08,
-                         .face_on_px = 60,
-                         .principal_x_px = 160,
-                         .principal_y_px = 120};
+  const PuckSizeModel model = face_model();
   const auto error_px = [&](bool learns) {
     PipelineParams params = preset_params(Preset::kDefault);
     params.contour.ingredients.wall_height = learns;
