@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/vision/puck_size_model.h"
+
 namespace puck {
 
 /// How the events of the puck's contour lie to the ellipse that the size model gives: what
@@ -27,10 +29,11 @@ struct ContourCalibration {
   double lean_deg = 0;
 
   /// What `wall_share` would be if the wall made events where it is said not to, or the other way
-  /// round. `wall_of_width`: PuckSizeModel's. Where the annotations leave the wall out, its events
-  /// lie below what they outline: those of a wall as high as `ordinary_wall`, PuckSizeModel's.
-  double other_wall_share(double wall_of_width, double ordinary_wall) const {
-    const double wall = wall_of_width > 0 ? wall_of_width : -ordinary_wall;
+  /// round. Where the annotations leave the wall out, its events lie below what they outline: those
+  /// of an ordinary puck's.
+  double other_wall_share(const PuckSizeModel& sizes) const {
+    const double wall_of_width = sizes.wall_of_width();
+    const double wall = wall_of_width > 0 ? wall_of_width : -sizes.ordinary_wall();
     return std::abs(wall_share) > std::abs(wall) / 2 ? 0 : wall;
   }
 

@@ -42,7 +42,6 @@ ContourPipeline::ContourPipeline(SensorSize sensor, const ContourPipelineParams&
                params.filter,
                params.ingredients,
                {}},
-      calibrated_other_wall_share_(context_.contour.other_wall_share()),
       history_(sensor),
       standing_(sensor, params.coast_us),
       search_plan_(sensor, detection_region),
@@ -162,7 +161,7 @@ void ContourPipeline::forget_looks() {
   context_.signature = {};
   wall_height_ = {};
   searched_wall_share_ = 0;
-  context_.contour.correct_other_wall_share(calibrated_other_wall_share_);
+  context_.contour.forget_other_wall_share();
 }
 
 // Where the annotations show the wall, or it was calibrated, its height is known.

@@ -83,7 +83,6 @@ class ContourPipeline final : public TrackingPipeline {
   SensorSize sensor_;
   ContourPipelineParams params_;
   ContourContext context_;
-  double calibrated_other_wall_share_;
   EventHistory history_;
 
   std::optional<ContourTrack> main_;

@@ -38,8 +38,7 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
                          const ContourCalibration& calibration, bool sheared)
     : size_model_(size_model),
       calibration_(calibration),
-      other_wall_share_(
-          calibration.other_wall_share(size_model.wall_of_width(), size_model.ordinary_wall())),
+      other_wall_share_(calibration.other_wall_share(size_model)),
       middle_column_((sensor.width - 1) / 2.0),
       tangent_of_twice_lean_(std::tan(2 * calibration.lean_deg * std::numbers::pi / 180)),
       sheared_(sheared && size_model.width_growth() > kLeastSlope) {
@@ -83,9 +82,8 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
     const double sheared = ring.shear * ring.face_semi_y();
     ring.semi_x = std::sqrt(std::max(ring.semi_x * ring.semi_x - sheared * sheared,
                                      kSmallestSemi_px * kSmallestSemi_px));
-    const double slanted = ring.shear * ring.face_semi_y();
     ring.sides_slope =
-        slanted * ring.face_semi_y() / (ring.semi_x * ring.semi_x + slanted * slanted);
+        sheared * ring.face_semi_y() / (ring.semi_x * ring.semi_x + sheared * sheared);
   }
   return ring;
 }

@@ -102,6 +102,8 @@ class PuckContour {
   double other_wall_share() const { return other_wall_share_; }
   /// The other wall's is found to be `share`. Tracks go by it from their next decision on.
   void correct_other_wall_share(double share) { other_wall_share_ = share; }
+  /// It is what the calibration says again.
+  void forget_other_wall_share() { other_wall_share_ = calibration_.other_wall_share(size_model_); }
   /// DiscModel::wall_profile; 1 where the disc is not known.
   double wall_profile(Pixel place) const {
     return size_model_.disc ? size_model_.disc->wall_profile(place) : 1;

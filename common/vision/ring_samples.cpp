@@ -58,6 +58,10 @@ void RingSamples::gather(ImageView<const std::uint8_t> picture, const Region& pl
   inside_pixels_ = 0;
   // Also when it is not a number.
   if (!(reach_x(ring) < kFarthestReach_px && reach_y(ring) < kFarthestReach_px)) return;
+  const auto add_inside = [this](std::uint8_t pixel) {
+    inside_sum_ += pixel;
+    ++inside_pixels_;
+  };
   const auto first_row = static_cast<int>(std::ceil(centre.y - reach_y(ring)));
   const auto last_row = static_cast<int>(std::floor(centre.y + reach_y(ring)));
   for (int y = std::max(first_row, place.y); y <= std::min(last_row, place.bottom() - 1); ++y) {
@@ -71,15 +75,12 @@ void RingSamples::gather(ImageView<const std::uint8_t> picture, const Region& pl
         std::min(static_cast<int>(std::floor(middle + chords.outer)), place.right() - 1);
     for (int x = first; x <= last; ++x) {
       if (std::abs(x - middle) < chords.inner) {
-        inside_sum_ += row[x];
-        ++inside_pixels_;
+        add_inside(row[x]);
         continue;
       }
       const ContourOffset offset = ring.offset(x - centre.x, y - centre.y, 0);
       if (ring.half_wall > 0 && std::abs(offset.distance_px) > kReachPx) {
-        if (offset.distance_px > 0) continue;
-        inside_sum_ += row[x];
-        ++inside_pixels_;
+        if (offset.distance_px < 0) add_inside(row[x]);
         continue;
       }
       near_.push_back({static_cast<float>(offset.distance_px), static_cast<float>(offset.normal_x),

@@ -87,10 +87,13 @@ double WallHeight::count_around(std::size_t bin) const {
 std::optional<double> WallHeight::share() const {
   const std::size_t first = bin_of(kLowest);
   std::size_t edge = first;
-  for (std::size_t bin = first; bin <= bin_of(kHighest); ++bin) {
-    if (count_around(bin) > count_around(edge)) edge = bin;
+  double count = count_around(edge);
+  for (std::size_t bin = first + 1; bin <= bin_of(kHighest); ++bin) {
+    const double here = count_around(bin);
+    if (here <= count) continue;
+    edge = bin;
+    count = here;
   }
-  const double count = count_around(edge);
   // The most at the lowest height are those of the face's own edge, blurred.
   if (edge == first || count < kEnough) return std::nullopt;
   double moment = 0;
