@@ -221,11 +221,11 @@ double ContourTrack::shape_penalty(const ContourContext& context) const {
 }
 
 // The blurred edge of what is bright passes the sensor's thresholds well outside the middle of it,
-// where there is little light yet, and the brighter it is, with the more events. What is known to
-// be darker than the table is no such puck.
+// where there is little light yet, and the brighter it is, with the more events. Until the puck is
+// known to be bright, a bright mallet that is as much too large must not pass for it.
 double ContourTrack::bloom_px(const ContourContext& context) const {
   if (!context.ingredients.bloom || absolute_speed_ < kSureOfSign ||
-      context.signature.contrast_sign() < 0) {
+      context.signature.contrast_sign() <= 0) {
     return 0;
   }
   const double brightness = signed_speed_ / absolute_speed_;

@@ -194,6 +194,8 @@ TEST_CASE("What is too large makes a track doubtful, unless size-penalty is off"
 TEST_CASE("A bright puck looks larger than it is, which does not make it doubtful") {
   ContourContext context = test::contour_context();
   const TrackLooks dark = track_of_larger(0.8, context).looks();
+  const PuckSignature unknown = context.signature;
+  context.signature.learn({.signed_speed = 10'000, .absolute_speed = 10'000}, 1'000);
   const TrackLooks bright = track_of_larger(0.8, context, true).looks();
   CHECK(dark.growth_px == doctest::Approx(0.8).epsilon(0.2));
   CHECK(bright.growth_px == doctest::Approx(dark.growth_px - 0.5).epsilon(0.05));
@@ -201,7 +203,9 @@ TEST_CASE("A bright puck looks larger than it is, which does not make it doubtfu
   CHECK(bright.has_pucks_size());
 
   SUBCASE("unless ingredient bloom is off") { context.ingredients.bloom = false; }
+  SUBCASE("unless it is not known whether the puck is bright") { context.signature = unknown; }
   SUBCASE("unless the puck is known to be dark") {
+    context.signature = unknown;
     context.signature.learn({.signed_speed = -10'000, .absolute_speed = 10'000}, 1'000);
   }
   CHECK(track_of_larger(0.8, context, true).looks().growth_px ==
