@@ -5,9 +5,14 @@
 namespace puck {
 namespace {
 
-// So long after the puck rested the track may be bad for a moment only.
+// So long after the puck was undisturbed the track may be bad for a moment only.
 constexpr std::int64_t kDisturbedFor_us = 5'000;
 constexpr double kBad = 0.7;
+// A puck that a hand or a mallet stops never rests undisturbed, so that it is enough if it is this
+// slow, in the speeds of what a head's turn moves. A track that stopped for lack of events without
+// being at rest may have lost a fast puck under an arm.
+constexpr double kSlow = 0.5;
+constexpr double kStopped_px_s = 1;
 // A hand that comes to the puck has taken it or gone by then. Events that never arrived would leave
 // the place unswept for ever.
 constexpr std::int64_t kLongest_us = 1'000'000;
@@ -20,6 +25,11 @@ bool is_inside_image(Pixel position, const ContourRing& ring, SensorSize sensor)
          middle_y > ring.semi_y && middle_y < sensor.height - ring.semi_y;
 }
 
+bool is_slow_puck(const TrackLooks& looks) {
+  return looks.quality > kBad && looks.is_whole_ring() && looks.speed_px_s > kStopped_px_s &&
+         looks.speed_px_s < kSlow * looks.turning_px_s;
+}
+
 }  // namespace
 
 bool LeftBehind::bring_back(ContourTrack& main, const Situation& now, const ContourContext& context,
@@ -30,25 +40,25 @@ bool LeftBehind::bring_back(ContourTrack& main, const Situation& now, const Cont
     return false;
   }
   const TrackLooks looks = main.looks();
-  if (now.is_sure && now.is_resting) {
+  if (now.is_sure && (now.is_resting || is_slow_puck(looks))) {
     const ContourRing ring = context.contour.ring_at(looks.position, main.wall_share());
     if (is_inside_image(looks.position, ring, now.sensor)) {
       place_.put(looks.position, ring);
     } else {
       place_.forget();
     }
-    rested_us_ = time_us;
+    undisturbed_us_ = time_us;
     is_there_ = false;
     return false;
   }
   const double density = context.signature.last_density();
-  is_there_ = looks.quality < TrackTrust::kSound && time_us - rested_us_ < kLongest_us &&
+  is_there_ = looks.quality < TrackTrust::kSound && time_us - undisturbed_us_ < kLongest_us &&
               place_.must_hold_puck(density);
   if (!is_there_) {
     place_.forget();
     return false;
   }
-  if (time_us - rested_us_ < kDisturbedFor_us || looks.quality > kBad ||
+  if (time_us - undisturbed_us_ < kDisturbedFor_us || looks.quality > kBad ||
       !place_.must_hold_puck(density, looks.position)) {
     return false;
   }

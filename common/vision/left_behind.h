@@ -9,10 +9,10 @@
 
 namespace puck {
 
-/// A hand or a mallet that comes to a puck at rest leads the track away: its edges make as many
-/// events as the puck's, at the wrong place. So the place where the puck rests is watched. As long
-/// as the puck cannot have left it, it is there, and a track that has gone bad elsewhere is brought
-/// back.
+/// A hand or a mallet that comes to a puck at rest, or stops it, leads the track away: its edges
+/// make as many events as the puck's, at the wrong place. So the place where the puck rests, or was
+/// last seen whole while slow, is watched. As long as the puck cannot have left it, it is there,
+/// and a track that has gone bad elsewhere is brought back.
 class LeftBehind {
  public:
   /// What is known of the main track.
@@ -41,7 +41,7 @@ class LeftBehind {
  private:
   UnsweptPlace place_;
   bool is_there_ = false;
-  std::int64_t rested_us_ = 0;  // when it last rested undisturbed
+  std::int64_t undisturbed_us_ = 0;  // when it last rested, or was whole and slow
 };
 
 }  // namespace puck

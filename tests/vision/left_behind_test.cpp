@@ -87,6 +87,26 @@ class Disturbed {
     return track->quality();
   }
 
+  // A puck arrives at kPlace within 60 ms and does not rest there; `is_whole`: its left half is
+  // seen, too.
+  void arrive(PixelVelocity velocity, bool is_whole = true) {
+    const Pixel start{kPlace.x - 0.06 * velocity.x, kPlace.y - 0.06 * velocity.y};
+    test::MovingContour shape(context.contour, start, velocity);
+    track.emplace(context, ContourFilter::Start{.position = start, .velocity = velocity}, now_us,
+                  0);
+    const std::int64_t began_us = now_us;
+    for (std::int64_t t = 0; t < 60'000; t += 1'000) {
+      for (ContourEvent event : shape.events(t, t + 1'000)) {
+        if (!is_whole && event.x < shape.position_at(t).x) continue;
+        event.time_us += began_us;
+        track->take(event, context);
+      }
+      now_us += 1'000;
+      track->decide(now_us, false, context);
+      is_brought_back();
+    }
+  }
+
   bool is_brought_back() {
     return left_behind.bring_back(*track, {true, false, test::kSensor}, context, now_us);
   }
@@ -146,6 +166,36 @@ TEST_CASE("Nothing is brought back without a rest beyond doubt, or with it switc
   off.context.ingredients.left_behind = false;
   off.rest();
   CHECK_FALSE(off.glide_beside());
+}
+
+TEST_CASE("The place of a slow puck is watched before it rests") {
+  Disturbed puck;
+  const double slow_px_s = puck.context.contour.turning_px_s() / 2;
+  puck.arrive({0.8 * slow_px_s, 0});
+  REQUIRE_FALSE(puck.left_behind.region().empty());
+  CHECK(puck.glide_beside());
+  CHECK(distance_px(puck.track->filter().position(), kPlace) < 1);
+
+  Disturbed fast;
+  fast.arrive({1.2 * slow_px_s, 0});
+  CHECK(fast.left_behind.region().empty());
+  CHECK_FALSE(fast.glide_beside());
+}
+
+TEST_CASE("The place of a slow puck is not known while it is hidden in part") {
+  Disturbed puck;
+  puck.arrive({0.4 * puck.context.contour.turning_px_s(), 0}, false);
+  CHECK(puck.left_behind.region().empty());
+}
+
+TEST_CASE("Where a track stopped for lack of events no place is watched") {
+  Disturbed puck;
+  puck.arrive({2 * puck.context.contour.turning_px_s(), 0});
+  REQUIRE(puck.track->quality() > 0.7);
+  REQUIRE(puck.left_behind.region().empty());
+  puck.track->stop_at(kPlace, puck.now_us, puck.context);
+  puck.is_brought_back();
+  CHECK(puck.left_behind.region().empty());
 }
 
 TEST_CASE("A faint puck may leave unseen") {
