@@ -74,7 +74,7 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
     const double ratio = width / std::max(silhouette, 2 * kSmallestSemi_px);
     const double most =
         std::sqrt(std::max(ring.semi_x * ring.semi_x - kSmallestSemi_px * kSmallestSemi_px, 0.0)) /
-        ring.semi_y;
+        ring.face_semi_y();
     ring.shear =
         std::clamp(ring.shear + tangent_of_twice_lean_ / 2 * (ratio * ratio - 1), -most, most);
   }

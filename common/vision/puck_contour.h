@@ -55,10 +55,10 @@ struct ContourRing {
     const double y = face_y(dx, dy + rise);
     const double u = (dx - shear * y) * per_a;
     const double v = y * per_b;
-    const double rho = std::sqrt(u * u + v * v);
+    const double rho = std::max(std::sqrt(u * u + v * v), kMiddle);
     const double gx = u * per_a;
     const double gy = v * per_b - shear * gx;
-    const double per_slope = 1 / (std::sqrt(gx * gx + gy * gy) + 1e-9);
+    const double per_slope = 1 / (std::sqrt(gx * gx + gy * gy) + kNoSlope);
     // To first order: (ρ − 1) / |∇ρ|.
     return {(rho - 1) * rho * per_slope, gx * per_slope, gy * per_slope, sector_of(u, v)};
   }
@@ -72,6 +72,10 @@ struct ContourRing {
   double outside_area(double half_width_px, double reach_px) const;
 
  private:
+  // There ∇ρ has no direction: the distance is −kMiddle / kNoSlope, 10 px inside.
+  static constexpr double kMiddle = 1e-8;
+  static constexpr double kNoSlope = 1e-9;
+
   double mean_radius() const {
     return std::sqrt((semi_x * semi_x + face_semi_y() * face_semi_y()) / 2);
   }

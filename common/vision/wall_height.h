@@ -29,7 +29,7 @@ class WallHeight {
   }
 
   /// By what share of the width the wall's lower edge lies below the face's, in the image's middle,
-  /// 0.07 to 0.49; nothing while no edge is clear.
+  /// 0.08 to 0.49; nothing while no edge is clear.
   std::optional<double> share() const;
 
  private:

@@ -34,6 +34,14 @@ TEST_CASE("The distance from the contour is exact along the axes and outward nor
   CHECK(std::hypot(oblique.normal_x, oblique.normal_y) == doctest::Approx(1));
 }
 
+TEST_CASE("The very middle of a ring lies inside, and so does that of one that is drawn out") {
+  CHECK(ContourRing{.semi_x = 15, .semi_y = 8}.offset(0, 0, 0).distance_px < -8);
+  const ContourRing drawn_out{.semi_x = 15, .semi_y = 8, .half_wall = 3};
+  for (const double dy : {-2.9, 0.0, 2.9}) {
+    CHECK(drawn_out.offset(0, dy, 0).distance_px < -5);
+  }
+}
+
 TEST_CASE("The twelve sectors of a ring cover 30 degrees each") {
   const ContourRing ring = PuckContour(kSensor, kFlat, kExact, true).ring_at({320, 240}, 0);
   std::array<int, kContourSectors> counts{};
