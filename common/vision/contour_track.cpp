@@ -22,11 +22,15 @@ constexpr double kTooDense = 3;
 constexpr double kLarge_px = 0.6;
 constexpr double kTooLarge_px = 0.8;
 constexpr double kTooLargeFactor = 0.6;
-// … besides what brightness makes of it, of tracks of twice that strength.
-constexpr double kBloom_px = 0.5;
-constexpr double kBloomStrength = 30;
 // … while it is not known that the track is the puck's.
 constexpr double kStrangerTooLargeFactor = 0.4;
+// Brightness makes a puck look larger by no more than this; nothing is known of that at this
+// strength, all at twice that.
+constexpr double kBloom_px = 0.5;
+constexpr double kBloomStrength = 30;
+// A contour that is larger by all that the filter can follow may be larger by anything; so may one
+// that is nearly as large.
+constexpr double kLeastFollowed_px = 0.1;
 // Slow edges make fewer events for the same way.
 constexpr double kLeastSpeed_px_s = 150;
 constexpr double kSignMemory_us = 40'000;
@@ -193,11 +197,11 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
   ring_noise_ = noise_per_px2 * areas_.ring;
   inside_noise_ = noise_per_px2 * ring_.inside_area(RingEvidence::kRing_px - growth_px);
   near_noise_ = noise_per_px2 * ring_.reach_area(RingEvidence::kReach_px + growth_px);
+  strength_ = evidence_.strength(areas_);
   bloom_px_ = bloom_px(context);
   const double penalty = shape_penalty(context);
   quality_ = penalty * evidence_.quality(areas_);
   clarity_ = penalty * evidence_.quality(areas_, noise_per_px2);
-  strength_ = evidence_.strength(areas_);
   shape_quality_ = quality_;
   if (!context.ingredients.size_penalty) return;
   const double expected = expected_events(context.signature);
@@ -225,13 +229,16 @@ double ContourTrack::shape_penalty(const ContourContext& context) const {
 // known to be bright, a bright mallet that is as much too large must not pass for it.
 double ContourTrack::bloom_px(const ContourContext& context) const {
   if (!context.ingredients.bloom || absolute_speed_ < kSureOfSign ||
-      context.signature.contrast_sign() <= 0) {
+      context.signature.contrast_sign() < kClearSign) {
     return 0;
   }
   const double brightness = signed_speed_ / absolute_speed_;
   const double bright =
       std::clamp((brightness - kMixedSigns) / (kPureSigns - kMixedSigns), 0.0, 1.0);
-  return kBloom_px * bright * std::clamp(strength_ / kBloomStrength - 1, 0.0, 1.0);
+  const double most_px = kBloom_px * bright * std::clamp(strength_ / kBloomStrength - 1, 0.0, 1.0);
+  const double growth_px = filter_.growth_px();
+  const double follows = (context.filter.largest_growth_px - growth_px) / kLeastFollowed_px;
+  return std::clamp(growth_px, 0.0, most_px * std::clamp(follows, 0.0, 1.0));
 }
 
 TrackLooks ContourTrack::looks() const {
