@@ -9,10 +9,12 @@ namespace {
 constexpr std::int64_t kDisturbedFor_us = 5'000;
 constexpr double kBad = 0.7;
 // A puck that a hand or a mallet stops never rests undisturbed, so that it is enough if it is this
-// slow, in the speeds of what a head's turn moves. A track that stopped for lack of events without
-// being at rest may have lost a fast puck under an arm.
+// slow, in the speeds of what a head's turn moves. But a track that stopped for lack of events
+// without being at rest may have lost a fast puck under an arm: what still speaks for it are the
+// events from before, so long.
 constexpr double kSlow = 0.5;
 constexpr double kStopped_px_s = 1;
+constexpr std::int64_t kStoppedFor_us = 20'000;
 // A hand that comes to the puck has taken it or gone by then. Events that never arrived would leave
 // the place unswept for ever.
 constexpr std::int64_t kLongest_us = 1'000'000;
@@ -26,7 +28,7 @@ bool is_inside_image(Pixel position, const ContourRing& ring, SensorSize sensor)
 }
 
 bool is_slow_puck(const TrackLooks& looks) {
-  return looks.quality > kBad && looks.is_whole_ring() && looks.speed_px_s > kStopped_px_s &&
+  return looks.quality > kBad && looks.is_whole_ring() &&
          looks.speed_px_s < kSlow * looks.turning_px_s;
 }
 
@@ -40,7 +42,9 @@ bool LeftBehind::bring_back(ContourTrack& main, const Situation& now, const Cont
     return false;
   }
   const TrackLooks looks = main.looks();
-  if (now.is_sure && (now.is_resting || is_slow_puck(looks))) {
+  if (looks.speed_px_s < kStopped_px_s) stopped_us_ = time_us;
+  const bool is_slow = is_slow_puck(looks) && time_us - stopped_us_ > kStoppedFor_us;
+  if (now.is_sure && (now.is_resting || is_slow)) {
     const ContourRing ring = context.contour.ring_at(looks.position, main.wall_share());
     if (is_inside_image(looks.position, ring, now.sensor)) {
       place_.put(looks.position, ring);

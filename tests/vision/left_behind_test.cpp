@@ -196,6 +196,17 @@ TEST_CASE("Where a track stopped for lack of events no place is watched") {
   puck.track->stop_at(kPlace, puck.now_us, puck.context);
   puck.is_brought_back();
   CHECK(puck.left_behind.region().empty());
+  // Nor does a stray event make it a slow puck.
+  const ContourRing ring = puck.context.contour.ring_at(kPlace, 0);
+  puck.track->take(
+      {puck.now_us + 500, kPlace.x + ring.semi_x + 1, kPlace.y - ring.rise, true, true},
+      puck.context);
+  puck.now_us += 1'000;
+  puck.track->decide(puck.now_us, false, puck.context);
+  REQUIRE(puck.track->filter().speed_px_s() > 1);
+  REQUIRE(puck.track->quality() > 0.7);
+  puck.is_brought_back();
+  CHECK(puck.left_behind.region().empty());
 }
 
 TEST_CASE("A faint puck may leave unseen") {
