@@ -36,20 +36,34 @@ class Disturbed {
     left_behind.bring_back(*track, {is_sure, true, test::kSensor}, context, now_us);
   }
 
+  // A track at the start of something's way.
+  test::MovingContour begin_track(Pixel start, PixelVelocity velocity) {
+    track.emplace(context, ContourFilter::Start{.position = start, .velocity = velocity}, now_us,
+                  0);
+    return test::MovingContour(context.contour, start, velocity);
+  }
+
+  void follow(ContourEvent event, std::int64_t began_us) {
+    event.time_us += began_us;
+    track->take(event, context);
+  }
+
+  void decide() {
+    now_us += 1'000;
+    track->decide(now_us, false, context);
+  }
+
   // Something that looks like a puck glides by for 20 ms from `start`, upon it a track that sees
   // no events, so that it looks bad; whether the track was brought back.
   bool glide(Pixel start, PixelVelocity velocity) {
-    test::MovingContour shape(context.contour, start, velocity);
+    test::MovingContour shape = begin_track(start, velocity);
     bool is_back = false;
     const std::int64_t from_us = now_us;
-    track.emplace(context, ContourFilter::Start{.position = start, .velocity = velocity}, now_us,
-                  0);
     while (now_us < from_us + 20'000) {
       for (const ContourEvent& event : shape.events(now_us - from_us, now_us - from_us + 1'000)) {
         left_behind.take(event.x, event.y);
       }
-      now_us += 1'000;
-      track->decide(now_us, false, context);
+      decide();
       is_back = is_brought_back() || is_back;
     }
     return is_back;
@@ -67,22 +81,16 @@ class Disturbed {
     const ContourRing ring = context.contour.ring_at(kPlace, 0);
     const Pixel start{kPlace.x + 4 * ring.semi_x, kPlace.y - 20};
     const PixelVelocity velocity{0, 1'000};
-    test::MovingContour shape(context.contour, start, velocity);
-    track.emplace(context, ContourFilter::Start{.position = start, .velocity = velocity}, now_us,
-                  0);
+    test::MovingContour shape = begin_track(start, velocity);
     const std::int64_t began_us = now_us;
     for (std::int64_t t = 0; t < 40'000; t += 1'000) {
-      for (ContourEvent event : shape.events(t, t + 1'000)) {
-        event.time_us += began_us;
-        track->take(event, context);
-      }
+      for (const ContourEvent& event : shape.events(t, t + 1'000)) follow(event, began_us);
       const Pixel place = shape.position_at(t + 1'000);
       for (int i = 0; i < clutter; ++i) {
         track->take({now_us + 999, place.x + ring.semi_x + 4, place.y - 10 + i % 21, true, true},
                     context);
       }
-      now_us += 1'000;
-      track->decide(now_us, false, context);
+      decide();
     }
     return track->quality();
   }
@@ -91,18 +99,13 @@ class Disturbed {
   // seen, too.
   void arrive(PixelVelocity velocity, bool is_whole = true) {
     const Pixel start{kPlace.x - 0.06 * velocity.x, kPlace.y - 0.06 * velocity.y};
-    test::MovingContour shape(context.contour, start, velocity);
-    track.emplace(context, ContourFilter::Start{.position = start, .velocity = velocity}, now_us,
-                  0);
+    test::MovingContour shape = begin_track(start, velocity);
     const std::int64_t began_us = now_us;
     for (std::int64_t t = 0; t < 60'000; t += 1'000) {
-      for (ContourEvent event : shape.events(t, t + 1'000)) {
-        if (!is_whole && event.x < shape.position_at(t).x) continue;
-        event.time_us += began_us;
-        track->take(event, context);
+      for (const ContourEvent& event : shape.events(t, t + 1'000)) {
+        if (is_whole || event.x > shape.position_at(t).x) follow(event, began_us);
       }
-      now_us += 1'000;
-      track->decide(now_us, false, context);
+      decide();
       is_brought_back();
     }
   }
@@ -201,8 +204,7 @@ TEST_CASE("Where a track stopped for lack of events no place is watched") {
   puck.track->take(
       {puck.now_us + 500, kPlace.x + ring.semi_x + 1, kPlace.y - ring.rise, true, true},
       puck.context);
-  puck.now_us += 1'000;
-  puck.track->decide(puck.now_us, false, puck.context);
+  puck.decide();
   REQUIRE(puck.track->filter().speed_px_s() > 1);
   REQUIRE(puck.track->quality() > 0.7);
   puck.is_brought_back();
