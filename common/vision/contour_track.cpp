@@ -50,6 +50,11 @@ constexpr double kSearchSigma_px = 1.5;
 // How far the ring's centre may move before the ring's shape is made anew.
 constexpr double kSamePlace_px = 0.5;
 
+// From 0, of both signs, to 1, of one.
+double purity_of(double contrast) {
+  return std::clamp((contrast - kMixedSigns) / (kPureSigns - kMixedSigns), 0.0, 1.0);
+}
+
 }  // namespace
 
 ContourTrack::ContourTrack(const ContourContext& context, const ContourFilter::Start& start,
@@ -228,14 +233,9 @@ double ContourTrack::shape_penalty(const ContourContext& context) const {
 // where there is little light yet, and the brighter it is, with the more events. Until the puck is
 // known to be bright, a bright mallet that is as much too large must not pass for it.
 double ContourTrack::bloom_px(const ContourContext& context) const {
-  if (!context.ingredients.bloom || absolute_speed_ < kSureOfSign ||
-      context.signature.contrast_sign() < kClearSign) {
-    return 0;
-  }
-  const double brightness = signed_speed_ / absolute_speed_;
-  const double bright =
-      std::clamp((brightness - kMixedSigns) / (kPureSigns - kMixedSigns), 0.0, 1.0);
-  const double most_px = kBloom_px * bright * std::clamp(strength_ / kBloomStrength - 1, 0.0, 1.0);
+  if (!context.ingredients.bloom || context.signature.contrast_sign() < kClearSign) return 0;
+  const double most_px =
+      kBloom_px * purity_of(own_contrast()) * std::clamp(strength_ / kBloomStrength - 1, 0.0, 1.0);
   const double growth_px = filter_.growth_px();
   const double follows = (context.filter.largest_growth_px - growth_px) / kLeastFollowed_px;
   return std::clamp(growth_px, 0.0, most_px * std::clamp(follows, 0.0, 1.0));
@@ -282,15 +282,19 @@ void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourCo
 double ContourTrack::purity(const ContourContext& context) const {
   if (absolute_speed_ < kSureOfSign) return 1;
   const double known = context.is_trusted ? context.signature.contrast_sign() : 0;
-  double contrast = signed_speed_ / absolute_speed_;
-  contrast = std::abs(known) > kSurePuckSign ? contrast * (known > 0 ? 1 : -1) : std::abs(contrast);
-  return std::clamp((contrast - kMixedSigns) / (kPureSigns - kMixedSigns), 0.0, 1.0);
+  const double contrast = own_contrast();
+  return purity_of(std::abs(known) > kSurePuckSign ? contrast * (known > 0 ? 1 : -1)
+                                                   : std::abs(contrast));
+}
+
+double ContourTrack::own_contrast() const {
+  return absolute_speed_ < kSureOfSign ? 0 : signed_speed_ / absolute_speed_;
 }
 
 // The puck's, or, while it is not known for sure, that of the track's own events.
 double ContourTrack::contrast_sign(const ContourContext& context) const {
   if (context.is_trusted) return context.signature.contrast_sign();
-  return absolute_speed_ < kSureOfSign ? 0 : signed_speed_ / absolute_speed_;
+  return own_contrast();
 }
 
 // Both edges of the disc sweep what lies across their motion.

@@ -92,6 +92,8 @@ class ContourTrack {
   double shape_penalty(const ContourContext& context) const;
   double purity(const ContourContext& context) const;
   double contrast_sign(const ContourContext& context) const;
+  // Like PuckSignature::contrast_sign, of the track's own events of late.
+  double own_contrast() const;
 
   ContourFilter filter_;
   double turning_px_s_;  // PuckContour's, which looks() has no context to ask for

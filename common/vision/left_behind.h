@@ -41,7 +41,7 @@ class LeftBehind {
  private:
   UnsweptPlace place_;
   bool is_there_ = false;
-  std::int64_t stopped_us_ = 0;
+  std::int64_t stopped_us_ = 0;      // when the track last stood still
   std::int64_t undisturbed_us_ = 0;  // when it last rested, or was whole and slow
 };
 

@@ -215,6 +215,11 @@ TEST_CASE("A bright puck looks larger than it is, which does not make it doubtfu
   CHECK_FALSE(dark.has_pucks_size());
 }
 
+TEST_CASE("A bright puck that looks much larger than it is stays beyond doubt") {
+  const double with_bloom = track_of_larger(0.75, bright_context(), true).quality();
+  CHECK(with_bloom > 1.3 * track_of_larger(0.75, test::contour_context(), true).quality());
+}
+
 TEST_CASE("A bright puck that does not look larger than it is has a puck's size") {
   const ContourContext context = bright_context();
   for (const double wider_px : {0.0, -0.3}) {
