@@ -41,10 +41,11 @@ void RowBlend::add(const SceneBody& body) {
     shape.coverage(y_, begin, inside_begin - begin, shares + begin);
     std::fill(shares + inside_begin, shares + inside_end, 1.0f);
     shape.coverage(y_, inside_end, end - inside_end, shares + inside_end);
-    if (shape.holds_previous) leave_out_before(before, {begin, end});
+    if (!shape.holds_previous) before = {};
     for (int i = begin; i < end; ++i) {
       const auto x = static_cast<std::size_t>(i);
-      const float share = left_over_[x] * shares[i];
+      const bool is_beyond = i >= before.begin && i < before.end;
+      const float share = left_over_[x] * (is_beyond ? beyond_before(x) : shares[i]);
       light_[x] += share * shape.luminance;
       left_over_[x] -= share;
     }
@@ -55,12 +56,9 @@ void RowBlend::add(const SceneBody& body) {
 
 // Of a pixel the shape before has left (1 − its share); this one takes what its own share is larger
 // by.
-void RowBlend::leave_out_before(Columns before, Columns columns) {
-  for (int i = std::max(before.begin, columns.begin); i < std::min(before.end, columns.end); ++i) {
-    const auto x = static_cast<std::size_t>(i);
-    const float left = 1 - shares_before_[x];
-    shares_[x] = left > 0 ? std::max(0.0f, (shares_[x] - shares_before_[x]) / left) : 0;
-  }
+float RowBlend::beyond_before(std::size_t x) const {
+  const float left = 1 - shares_before_[x];
+  return left > 0 ? std::max(0.0f, (shares_[x] - shares_before_[x]) / left) : 0;
 }
 
 float RowBlend::log_light_over(int x, float background) const {

@@ -24,8 +24,8 @@ class RowBlend {
   float log_light_over(int x, float background) const;
 
  private:
-  /// Leaves in `shares_` only what a shape covers beyond the shape before it, which it holds.
-  void leave_out_before(Columns before, Columns columns);
+  /// Share of what the shape before has left of a pixel that this one, which holds it, covers.
+  float beyond_before(std::size_t x) const;
 
   int y_ = 0;
   Columns columns_;

@@ -10,7 +10,8 @@ struct SceneParams {
   double rail_luminance = 0.30;
   double goal_luminance = 0.10;  ///< The openings in the end rails.
   double puck_luminance = 0.18;
-  double puck_side_luminance = 0;  ///< Of its side wall; 0: as its top.
+  double puck_side_luminance = 0;   ///< Of its side wall; 0: as its top.
+  double puck_print_luminance = 0;  ///< Of a ring printed on its top; 0: none.
   double mallet_luminance = 0.42;
   double skin_luminance = 0.50;   ///< Hand and forearm of the opponent.
   double robot_luminance = 0.70;  ///< Hand and forearm of the robot.
@@ -29,7 +30,10 @@ struct SceneParams {
   double goal_arc_radius_m = 0.34;  ///< Around the middle of each goal.
   double star_radius_m = 0.05;      ///< To a star's points.
   double rail_width_m = 0.07;
-  double puck_height_m = 0.012;   ///< Thickness of the puck.
+  double puck_height_m = 0.012;  ///< Thickness of the puck.
+  /// To the middle of the printed ring, which lies on the puck's top as a whole; and its width.
+  double puck_print_radius_m = 0.021;
+  double puck_print_width_m = 0.005;
   double mallet_height_m = 0.03;  ///< Of a mallet's base.
   double table_height_m = 0.81;   ///< Of the playing surface above the floor.
 };

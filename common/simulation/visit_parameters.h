@@ -71,6 +71,7 @@ void visit_parameters(Reader& reader, SimulationParams& params) {
   reader.read("scene.goal_luminance", scene.goal_luminance, kDarkest, kBrightest);
   reader.read("scene.puck_luminance", scene.puck_luminance, kDarkest, kBrightest);
   reader.read("scene.puck_side_luminance", scene.puck_side_luminance, 0.0, kBrightest);
+  reader.read("scene.puck_print_luminance", scene.puck_print_luminance, 0.0, kBrightest);
   reader.read("scene.mallet_luminance", scene.mallet_luminance, kDarkest, kBrightest);
   reader.read("scene.skin_luminance", scene.skin_luminance, kDarkest, kBrightest);
   reader.read("scene.robot_luminance", scene.robot_luminance, kDarkest, kBrightest);
@@ -86,6 +87,8 @@ void visit_parameters(Reader& reader, SimulationParams& params) {
   reader.read("scene.star_radius_m", scene.star_radius_m, 0.0, 0.3);
   reader.read("scene.rail_width_m", scene.rail_width_m, 0.0, 0.5);
   reader.read("scene.puck_height_m", scene.puck_height_m, 0.0, 0.05);
+  reader.read("scene.puck_print_radius_m", scene.puck_print_radius_m, 0.001, 0.06);
+  reader.read("scene.puck_print_width_m", scene.puck_print_width_m, 0.0005, 0.06);
   reader.read("scene.mallet_height_m", scene.mallet_height_m, 0.0, 0.07);
   reader.read("scene.table_height_m", scene.table_height_m, 0.1, 2.0);
 

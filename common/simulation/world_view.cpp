@@ -48,16 +48,26 @@ SceneBody WorldView::body(Body which, const TableGame& game, const CameraView& v
 
 SceneBody WorldView::puck_body(TablePoint puck, const CameraView& view) const {
   SceneBody body;
+  // From within: each shape holds those before it.
+  const auto add = [&](ProjectedCylinder shape, double luminance) {
+    body.shapes.push_back({std::move(shape), static_cast<float>(luminance), !body.shapes.empty()});
+  };
+  const auto disc_on_top = [&](double radius_m) {
+    return ProjectedCylinder(view, puck, radius_m, scene_.puck_height_m, scene_.puck_height_m);
+  };
+  const double top = scene_.puck_luminance;
+  if (scene_.puck_print_luminance > 0) {
+    const double half_width_m = scene_.puck_print_width_m / 2;
+    add(disc_on_top(scene_.puck_print_radius_m - half_width_m), top);
+    add(disc_on_top(scene_.puck_print_radius_m + half_width_m), scene_.puck_print_luminance);
+  }
   const double side = scene_.puck_side_luminance;
-  const auto top_luminance = static_cast<float>(scene_.puck_luminance);
-  if (side == 0 || side == scene_.puck_luminance) {
-    body.shapes.push_back({puck_shape(puck, view), top_luminance});
+  if (side == 0 || side == top) {
+    add(puck_shape(puck, view), top);
     return body;
   }
-  const double height_m = scene_.puck_height_m;
-  body.shapes.push_back(
-      {ProjectedCylinder(view, puck, table_.puck_radius_m, height_m, height_m), top_luminance});
-  body.shapes.push_back({puck_shape(puck, view), static_cast<float>(side), true});
+  add(disc_on_top(table_.puck_radius_m), top);
+  add(puck_shape(puck, view), side);
   return body;
 }
 

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -52,6 +55,52 @@ TEST_CASE("A puck whose side is as bright as the table shows only its top") {
   // The lowest row is the side's.
   const float bottom = light_at(0, truth.size_px.height / 2 - 0.5);
   CHECK(bottom == doctest::Approx(0.6).epsilon(0.02));
+}
+
+TEST_CASE("A ring printed on the puck lies on its face, and nowhere else") {
+  SimulationParams params = small_world();
+  const auto light_of = [&] {
+    SimulatedTable table(params);
+    return std::pair(table.truth(), table.log_intensity());
+  };
+  const auto [truth, plain] = light_of();
+  params.scene.puck_print_luminance = 0.5;
+  const auto [same_truth, printed] = light_of();
+  CHECK(same_truth.position_px == truth.position_px);
+  CHECK(same_truth.size_px.width == truth.size_px.width);
+
+  const PixelBox box{truth.position_px, {truth.size_px.width, truth.size_px.height}};
+  int changed = 0;
+  float brightest = 0;
+  for (int y = 0; y < printed.height(); ++y) {
+    for (int x = 0; x < printed.width(); ++x) {
+      if (printed(x, y) == plain(x, y)) continue;
+      ++changed;
+      brightest = std::max(brightest, std::exp(printed(x, y)));
+      // The ring ends at 0.72 of the radius; its edges are blurred.
+      CHECK(std::abs(x - box.centre.x) < 0.36 * box.size.width + 2);
+      CHECK(std::abs(y - box.centre.y) < 0.36 * box.size.height + 3);
+    }
+  }
+  CHECK(changed > 20);
+  CHECK(brightest > 0.3f);
+  CHECK(brightest <= 0.501f);
+  // In its middle the face shows.
+  const auto x = static_cast<int>(std::lround(truth.position_px.x));
+  const auto y = static_cast<int>(std::lround(truth.position_px.y)) - 1;
+  CHECK(printed(x, y) < std::log(0.35f));
+}
+
+TEST_CASE("A printed ring that the puck's face cannot hold is refused, if there is one") {
+  SimulationParams params = small_world();
+  params.scene.puck_print_radius_m = params.table.puck_radius_m;
+  CHECK_NOTHROW(check(params));
+  params.scene.puck_print_luminance = 0.5;
+  CHECK_THROWS_WITH_AS(check(params), doctest::Contains("less than table.puck_radius_m"),
+                       std::invalid_argument);
+  params.scene.puck_print_radius_m = 0.002;
+  CHECK_THROWS_WITH_AS(check(params), doctest::Contains("twice scene.puck_print_radius_m"),
+                       std::invalid_argument);
 }
 
 TEST_CASE("Logos stand on the plain table, away from the markings") {
