@@ -25,6 +25,9 @@ struct ContourIngredients {
   bool wall_search = true;        ///< … and the search looks for it as it was found to be.
   bool wall_height = true;        ///< … and how high it is, where annotations leave it out.
   bool wall_edge = true;          ///< … and an edge between its face and it counts neither way.
+  /// What lies inside the contour, where the surroundings are clear, is of the puck: its face may
+  /// have a print.
+  bool face_print = true;
   bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
   bool search = true;       ///< A doubtful track is challenged by the correlation near it.
   bool wide_search = true;  ///< … and, unless it is beyond doubt, everywhere.
@@ -58,7 +61,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 36> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 37> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -74,6 +77,7 @@ inline constexpr std::array<ContourIngredient, 36> kContourIngredients{{
     {"wall-edge", &ContourIngredients::wall_edge},
     {"wall-height", &ContourIngredients::wall_height},
     {"wall-search", &ContourIngredients::wall_search},
+    {"face-print", &ContourIngredients::face_print},
     {"witness", &ContourIngredients::witness},
     {"search", &ContourIngredients::search},
     {"wide-search", &ContourIngredients::wide_search},

@@ -73,14 +73,16 @@ void ContourTrack::follow_contour(const ContourContext& context) {
   // The wall's height may be known better by now.
   if (context.contour.is_other_wall(wall_share_)) wall_share_ = context.contour.other_wall_share();
   ring_ = context.contour.ring_at(ring_made_at_, wall_share_);
-  if (!context.ingredients.wall || !context.ingredients.wall_edge) {
+  if (context.ingredients.wall && context.ingredients.wall_edge) {
+    const bool is_other = context.contour.is_other_wall(wall_share_);
+    wall_edge_ = {ring_,
+                  context.contour.ring_at(ring_made_at_, context.contour.wall_share(!is_other))};
+    areas_ = wall_edge_.areas();
+  } else {
     areas_ = RingEvidence::areas_of(ring_);
-    return;
   }
-  const bool is_other = context.contour.is_other_wall(wall_share_);
-  wall_edge_ = {ring_,
-                context.contour.ring_at(ring_made_at_, context.contour.wall_share(!is_other))};
-  areas_ = wall_edge_.areas();
+  if (filter_.speed_px_s() > turning_px_s_) has_moved_ = true;
+  areas_.may_have_print = context.ingredients.face_print && has_moved_;
 }
 
 double ContourTrack::take(const ContourEvent& event, const ContourContext& context) {
@@ -143,13 +145,7 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   double worth = 0;
   if (distance > RingEvidence::kRing_px) {
     ++clutter_since_ring_;
-    if (offset.distance_px < 0) {
-      evidence_.add_inside();
-      worth = -0.5 * areas_.ring / areas_.inside;
-    } else {
-      evidence_.add_outside();
-      worth = -0.5 * areas_.ring / areas_.outside;
-    }
+    worth = offset.distance_px < 0 ? evidence_.add_inside(areas_) : evidence_.add_outside(areas_);
   } else if (wrong_sign) {
     evidence_.add_wrong_sign();
     worth = -1;
@@ -159,6 +155,8 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
     clutter_since_ring_ = 0;
   }
   if (wrong_sign) return worth;
+  // An edge of the print is not one of the contour that the track has yet to be drawn to.
+  if (offset.distance_px < -RingEvidence::kRing_px && evidence_.shows_print(areas_)) return worth;
   const double variance = filter_.distance_variance(offset.normal_x, offset.normal_y);
   const double gate_px2 =
       std::clamp(kGate_sigma * kGate_sigma * (variance + 1), kSmallestGate_px * kSmallestGate_px,

@@ -45,7 +45,7 @@ class ContourTrack {
                std::int64_t time_us, double wall_share);
 
   /// Takes an event; returns what it says for this track: above 0 for it, below 0 against it, 0 if
-  /// it lies too far off to say anything.
+  /// it says nothing: it lies too far off, or may be of a print on the puck's face.
   double take(const ContourEvent& event, const ContourContext& context);
 
   /// Moves on to a decision: fades the evidence and judges it. `blind`: unsupported for long.
@@ -98,6 +98,9 @@ class ContourTrack {
   ContourFilter filter_;
   double turning_px_s_;  // PuckContour's, which looks() has no context to ask for
   double wall_share_;
+  // It has been faster than what is fixed to the table, so that what lies in its middle may be a
+  // print: a mark with something in its middle is no puck.
+  bool has_moved_ = false;
   ContourRing ring_;
   Pixel ring_made_at_;
   RingAreas areas_;

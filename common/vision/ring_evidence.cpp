@@ -12,6 +12,13 @@ constexpr double kNothing = 0.13;
 // A ring whose events cover this share of the directions is whole: one that moves along an axis
 // has few events at its sides.
 constexpr double kWholeCover = 0.35;
+// As many events beside the ring as on it are worth half of what those are.
+constexpr double kClutterWorth = -0.5;
+// Events inside for each one on the ring, area for area: without a print there are far fewer.
+constexpr double kPrint = 0.5;
+// Events inside for each one on the ring: a print's two edges are shorter than the contour, and it
+// has none where that has none. More are of something on the puck.
+constexpr double kMostPrint = 2;
 
 }  // namespace
 
@@ -35,10 +42,34 @@ double RingEvidence::add_ring(int sector, bool saturates) {
   return worth;
 }
 
+bool RingEvidence::shows_print(const RingAreas& areas) const {
+  return is_print_inside(areas) && inside_ * areas.ring > kPrint * ring_ * areas.inside;
+}
+
+double RingEvidence::add_inside(const RingAreas& areas) {
+  inside_ += 1;
+  return is_print_inside(areas) ? 0 : kClutterWorth * areas.ring / areas.inside;
+}
+
+double RingEvidence::add_outside(const RingAreas& areas) {
+  outside_ += 1;
+  return kClutterWorth * areas.ring / areas.outside;
+}
+
 double RingEvidence::cover() const {
   double squares = 0;
   for (const double sector : sectors_) squares += sector * sector;
   return squares > 0 ? ring_ * ring_ / (kContourSectors * squares) : 0;
+}
+
+bool RingEvidence::is_print_inside(const RingAreas& areas) const {
+  return areas.may_have_print && inside_ <= kMostPrint * ring_ &&
+         inside_ / areas.inside > outside_ / areas.outside;
+}
+
+double RingEvidence::clutter_density(const RingAreas& areas) const {
+  const double around = outside_ / areas.outside;
+  return is_print_inside(areas) ? around : (inside_ / areas.inside + around) / 2;
 }
 
 double RingEvidence::stands_out(const RingAreas& areas, double noise_per_px2, double doubt) const {
@@ -46,7 +77,7 @@ double RingEvidence::stands_out(const RingAreas& areas, double noise_per_px2, do
   const double wrong_noise = std::min(wrong_, noise_per_px2 * areas.ring / 2);
   const double good = std::max(0.0, (ring_ + wrong_noise) / areas.ring - noise_per_px2);
   const double bad = (wrong_ - wrong_noise) / areas.ring;
-  const double clutter = std::max(0.0, clutter_density(areas, inside_, outside_) - noise_per_px2);
+  const double clutter = std::max(0.0, clutter_density(areas) - noise_per_px2);
   return (good - bad - clutter) / (good + bad + clutter + doubt);
 }
 
@@ -60,7 +91,7 @@ double RingEvidence::agreement(const RingAreas& areas) const {
 }
 
 double RingEvidence::strength(const RingAreas& areas) const {
-  return ring_ - wrong_ - areas.ring * clutter_density(areas, inside_, outside_);
+  return ring_ - wrong_ - areas.ring * clutter_density(areas);
 }
 
 }  // namespace puck

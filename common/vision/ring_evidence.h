@@ -6,11 +6,13 @@
 
 namespace puck {
 
-/// Areas around a contour in which events are counted, px².
+/// Areas around a contour in which events are counted, px², and what those inside may be.
 struct RingAreas {
   double ring = 1;
   double inside = 1;
   double outside = 1;
+  /// Of a print on the puck's face: what is denser inside than around the ring is no clutter then.
+  bool may_have_print = false;
 };
 
 /// What events say about a contour, over the last 15 ms, fading: how many lie on it with the right
@@ -35,13 +37,17 @@ class RingEvidence {
   /// direction that has had more than its share, so that a straight edge is no puck.
   double add_ring(int sector, bool saturates);
   void add_wrong_sign() { wrong_ += 1; }
-  void add_inside() { inside_ += 1; }
-  void add_outside() { outside_ += 1; }
+  /// Count an event well inside the ring, or outside; return what it is worth: at most 0.
+  double add_inside(const RingAreas& areas);
+  double add_outside(const RingAreas& areas);
   /// For an event that may be of the puck's side wall, outside or inside the ring: it says nothing
   /// of whether the ring stands out, but may be of something on the puck.
   void add_wall(bool is_inside) { (is_inside ? wall_inside_ : wall_outside_) += 1; }
   /// For an event that is counted besides: it is of the same pixel as another of late.
   void add_repeat() { repeats_ += 1; }
+
+  /// So much lies inside the ring, compared with what lies on it, that the face has a print.
+  bool shows_print(const RingAreas& areas) const;
 
   double ring_events() const { return ring_ + wrong_; }
   double inside_events() const { return inside_ + wall_inside_; }
@@ -63,9 +69,9 @@ class RingEvidence {
 
  private:
   double stands_out(const RingAreas& areas, double noise_per_px2, double doubt) const;
-  static double clutter_density(const RingAreas& areas, double inside, double outside) {
-    return (inside / areas.inside + outside / areas.outside) / 2;
-  }
+  // More lies inside than around, but no more than a print makes.
+  bool is_print_inside(const RingAreas& areas) const;
+  double clutter_density(const RingAreas& areas) const;
 
   double ring_ = 0;
   double wrong_ = 0;

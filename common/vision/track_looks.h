@@ -49,7 +49,7 @@ struct TrackLooks {
   constexpr bool is_undersized() const { return growth_px <= -0.6; }
   /// Of what is no puck most has to grow or to shrink to lie on a puck's ring.
   constexpr bool has_pucks_size() const { return !is_large() && growth_px > -0.35; }
-  /// Something is on the puck, a hand or a mallet.
+  /// Something is on the puck, a hand or a mallet; or a print, while it moves.
   constexpr bool is_covered() const { return inside_events > 12; }
   /// Next to nothing happens there.
   constexpr bool is_quiet() const { return near_events < 6; }

@@ -73,7 +73,9 @@ class Table {
     double sum = 0;
     for (int i = 0; i < milliseconds; ++i) {
       const std::int64_t from_us = i * 1000;
-      show(test::packet_of(puck.events(from_us, from_us + 1000), kSensor, now_us_, from_us));
+      std::vector<ContourEvent> events = puck.events(from_us, from_us + 1000);
+      if (has_print) events = test::with_print(events, puck);
+      show(test::packet_of(events, kSensor, now_us_, from_us));
       puck_ = puck.position_at(from_us + 1000);
       if (i >= milliseconds / 2) sum += error_px();
     }
@@ -127,6 +129,8 @@ class Table {
   double density = 3;
   // Pixels that fire at random all the while, so many a millisecond.
   int noise_a_ms = 0;
+  // There is a print on the puck's face.
+  bool has_print = false;
   // The puck's side wall makes events where the calibration says that it does not.
   void show_other_wall() { wall_share_ = contour_.other_wall_share(); }
   // … and is so high, in widths in the image's middle, where the annotations leave it out.
@@ -243,6 +247,19 @@ TEST_CASE("a puck that bounces is followed on") {
   table.glide({900, 100}, 150);
   table.glide({-800, 100}, 10);
   CHECK(table.glide({-800, 100}, 60) < 0.3);
+}
+
+TEST_CASE("a puck with a print on its face is found and followed, unless face-print is off") {
+  const auto error_px = [](bool face_print) {
+    PipelineParams params = preset_params(Preset::kDefault);
+    params.contour.ingredients.face_print = face_print;
+    Table table(params);
+    table.has_print = true;
+    table.glide({700, 200}, 150);
+    return table.glide({700, 200}, 200);
+  };
+  CHECK(error_px(true) < 0.3);
+  CHECK(error_px(false) > 5);
 }
 
 TEST_CASE("a puck that stops keeps its place without events") {

@@ -103,6 +103,54 @@ TEST_CASE("While nothing is tracked, signs tell nothing until the speed is known
   CHECK(quality_of_slow_mixed() < as_first);
 }
 
+// A track of a puck with a print on its face.
+struct PrintedPuck {
+  PrintedPuck(const ContourContext& all, PixelVelocity velocity)
+      : context(all), track(context, {.position = position, .velocity = velocity}, 0, 0) {
+    go_on(velocity);
+  }
+  // For 40 ms.
+  void go_on(PixelVelocity velocity) {
+    constexpr std::int64_t kPeriod_us = 40'000;
+    test::MovingContour puck(context.contour, position, velocity);
+    for (std::int64_t t = 0; t < kPeriod_us; t += 1000) {
+      for (ContourEvent event : test::with_print(puck.events(t, t + 1000), puck)) {
+        event.time_us += now_us;
+        track.take(event, context);
+      }
+      track.decide(now_us + t + 1000, false, context);
+    }
+    position = puck.position_at(kPeriod_us);
+    now_us += kPeriod_us;
+  }
+
+  const ContourContext& context;
+  Pixel position{250, 180};
+  std::int64_t now_us = 0;
+  ContourTrack track;
+};
+
+TEST_CASE("A print on the puck's face says nothing against it, unless face-print is off") {
+  ContourContext context = test::contour_context();
+  const PrintedPuck printed(context, {700, 300});
+  CHECK(printed.track.quality() > 0.85);
+  CHECK(error_px(printed.track, printed.position) < 0.3);
+  context.ingredients.face_print = false;
+  CHECK_FALSE(PrintedPuck(context, {700, 300}).track.is_good());
+}
+
+TEST_CASE("Only what has moved by itself may have a print") {
+  const ContourContext context = test::contour_context();
+  const double fixed_px_s = context.contour.turning_px_s();
+  CHECK_FALSE(PrintedPuck(context, {0.5 * fixed_px_s, 0}).track.is_good());
+  PrintedPuck printed(context, {1.5 * fixed_px_s, 0});
+  CHECK(printed.track.is_good());
+  // It need not go on doing so.
+  printed.go_on({0.5 * fixed_px_s, 0});
+  CHECK(printed.track.filter().speed_px_s() < fixed_px_s);
+  CHECK(printed.track.is_good());
+}
+
 // A track of a dark puck that goes to the right, and where its leading edge is.
 struct LeadingEdge {
   explicit LeadingEdge(const ContourContext& all)

@@ -79,4 +79,20 @@ class MovingContour {
   std::uint64_t state_ = 1;
 };
 
+/// Besides these events of a puck those of a disc of the other tone, half its size, on its face.
+inline std::vector<ContourEvent> with_print(const std::vector<ContourEvent>& events,
+                                            const MovingContour& puck) {
+  std::vector<ContourEvent> all;
+  for (const ContourEvent& event : events) {
+    const Pixel centre = puck.position_at(event.time_us);
+    ContourEvent print = event;
+    print.x = std::round((centre.x + event.x) / 2);
+    print.y = std::round((centre.y + event.y) / 2);
+    print.on = !event.on;
+    all.push_back(event);
+    all.push_back(print);
+  }
+  return all;
+}
+
 }  // namespace puck::test

@@ -6,6 +6,7 @@ namespace puck {
 namespace {
 
 constexpr RingAreas kAreas{200, 300, 600};
+constexpr RingAreas kPrintedAreas{200, 300, 600, true};
 
 RingEvidence whole_ring(int events_per_sector) {
   RingEvidence evidence;
@@ -24,8 +25,8 @@ TEST_CASE("A ring with nothing around it is of nearly perfect quality") {
 
 TEST_CASE("Events as dense everywhere as on the ring are no evidence") {
   RingEvidence evidence = whole_ring(20);
-  for (int i = 0; i < 360; ++i) evidence.add_inside();
-  for (int i = 0; i < 720; ++i) evidence.add_outside();
+  for (int i = 0; i < 360; ++i) evidence.add_inside(kAreas);
+  for (int i = 0; i < 720; ++i) evidence.add_outside(kAreas);
   CHECK(evidence.quality(kAreas) == doctest::Approx(0).epsilon(0.01));
   CHECK(evidence.strength(kAreas) == doctest::Approx(0).epsilon(0.01));
 }
@@ -57,7 +58,7 @@ TEST_CASE("Few events that all lie on the ring agree, though their quality is po
   for (const int sector : {3, 4, 9}) evidence.add_ring(sector, true);
   CHECK(evidence.agreement(kAreas) == doctest::Approx(1));
   CHECK(evidence.quality(kAreas) < 0.5);
-  for (int i = 0; i < 9; ++i) evidence.add_inside();
+  for (int i = 0; i < 9; ++i) evidence.add_inside(kAreas);
   // 3 / 200 on the ring against (9 / 300) / 2 elsewhere.
   CHECK(evidence.agreement(kAreas) == doctest::Approx(0));
   evidence.fade(0.01);
@@ -68,8 +69,8 @@ TEST_CASE(
     "Noise says nothing for a ring nor against it, but more of it leaves less to be sure of") {
   // 0.05 events a px² everywhere, and as many again on the ring.
   RingEvidence evidence = whole_ring(2);
-  for (int i = 0; i < 15; ++i) evidence.add_inside();
-  for (int i = 0; i < 30; ++i) evidence.add_outside();
+  for (int i = 0; i < 15; ++i) evidence.add_inside(kAreas);
+  for (int i = 0; i < 30; ++i) evidence.add_outside(kAreas);
   CHECK(evidence.quality(kAreas) < 0.4);
   CHECK(evidence.quality(kAreas, 0.05) == doctest::Approx(0.07 / (0.07 + 0.02 + 0.05)));
   // Where signs are judged, half of the noise on the ring has the wrong one.
@@ -78,6 +79,50 @@ TEST_CASE(
   CHECK(judged.quality(kAreas, 0.05) == doctest::Approx(0.035 / (0.035 + 0.02 + 0.05)));
   // More than there is: nothing is left, and not less than that.
   CHECK(evidence.quality(kAreas, 0.5) == 0);
+}
+
+TEST_CASE("What is inside a ring and not around it may be a print, which is no clutter") {
+  RingEvidence evidence = whole_ring(20);
+  for (int i = 0; i < 300; ++i) evidence.add_inside(kPrintedAreas);
+  CHECK(evidence.quality(kAreas) < 0.5);
+  CHECK(evidence.strength(kAreas) < 150);
+  CHECK(evidence.quality(kPrintedAreas) > 0.95);
+  CHECK(evidence.agreement(kPrintedAreas) == doctest::Approx(1));
+  CHECK(evidence.strength(kPrintedAreas) == doctest::Approx(240));
+  CHECK(evidence.add_inside(kAreas) == doctest::Approx(-0.5 * 200 / 300));
+  CHECK(evidence.add_inside(kPrintedAreas) == 0);
+  // What covers the puck is still counted.
+  CHECK(evidence.inside_events() == 302);
+}
+
+TEST_CASE("What is on the puck, while its ring makes hardly any events, is no print") {
+  RingEvidence evidence;
+  CHECK(evidence.add_inside(kPrintedAreas) < 0);
+  CHECK(evidence.agreement(kPrintedAreas) == doctest::Approx(-1));
+  for (const int sector : {3, 4, 9}) evidence.add_ring(sector, true);
+  for (int i = 0; i < 20; ++i) evidence.add_inside(kPrintedAreas);
+  CHECK(evidence.agreement(kPrintedAreas) == evidence.agreement(kAreas));
+  CHECK(evidence.agreement(kPrintedAreas) < 0);
+  CHECK_FALSE(evidence.shows_print(kPrintedAreas));
+}
+
+TEST_CASE("Of what is everywhere nothing passes for a print") {
+  RingEvidence evidence = whole_ring(20);
+  for (int i = 0; i < 720; ++i) CHECK(evidence.add_outside(kPrintedAreas) < 0);
+  for (int i = 0; i < 360; ++i) CHECK(evidence.add_inside(kPrintedAreas) < 0);
+  CHECK(evidence.quality(kPrintedAreas) == doctest::Approx(0).epsilon(0.01));
+  CHECK(evidence.quality(kPrintedAreas) == evidence.quality(kAreas));
+}
+
+TEST_CASE("A print shows when half as much lies inside as on the ring") {
+  RingEvidence evidence = whole_ring(10);
+  for (int i = 0; i < 90; ++i) evidence.add_inside(kPrintedAreas);
+  CHECK_FALSE(evidence.shows_print(kPrintedAreas));
+  evidence.add_inside(kPrintedAreas);
+  CHECK(evidence.shows_print(kPrintedAreas));
+  CHECK_FALSE(evidence.shows_print(kAreas));
+  for (int i = 0; i < 200; ++i) evidence.add_outside(kPrintedAreas);
+  CHECK_FALSE(evidence.shows_print(kPrintedAreas));
 }
 
 TEST_CASE("Evidence fades") {
