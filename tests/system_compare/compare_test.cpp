@@ -31,7 +31,8 @@ const std::vector<std::string> kSets{"still",
                                      "goals",
                                      "leaves-image",
                                      "second-puck",
-                                     "noisy"};
+                                     "noisy",
+                                     "printed"};
 
 // Returns what it told of its progress.
 std::string compare(const TemporaryFolder& folder) {

@@ -73,7 +73,10 @@ std::vector<SequenceSet> sequence_sets() {
        .scene = "leaves_image.toml",
        .moving = true},
       {.name = "second-puck", .title = "second puck, still", .scene = "second_puck.toml"},
-      {.name = "noisy", .title = "noisy sensor, rests, still", .scene = "noisy_sensor.toml"}};
+      {.name = "noisy", .title = "noisy sensor, rests, still", .scene = "noisy_sensor.toml"},
+      {.name = "printed",
+       .title = "a ring printed on the puck, still",
+       .scene = "printed_puck.toml"}};
   int next_hard_seed = 1201;
   for (SequenceSet& set : sets) {
     if (set.scene.empty()) continue;
