@@ -1,5 +1,6 @@
 #include "common/calibration/contour_samples.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace puck {
@@ -18,6 +19,10 @@ constexpr double kOutsideToPx = 7;
 constexpr int kFewestOnRing = 8;
 // Of the ring's events, in a band outside it of the same width.
 constexpr double kMostOutside = 0.2;
+// Of all samples those of the other sign than most: fewer are noise, more say that the recording's
+// signs tell nothing.
+constexpr double kFewestOfPrint = 0.02;
+constexpr double kMostOfPrint = 0.3;
 // Near enough to tell which events belong to the ring.
 constexpr ContourCalibration kRough{};
 
@@ -61,9 +66,30 @@ void ContourSamples::add(const Event& event, Timestamp time) {
   const double distance = offset.distance_px + kRough.behind_px(normal_speed);
   if (std::abs(distance) < kRingPx) ++ring_events_;
   if (distance > kOutsideFromPx && distance < kOutsideToPx) ++outside_events_;
+  sample.is_bright = (event.polarity != 0) == (normal_speed > 0);
   if (std::abs(distance) < kGatePx && std::abs(normal_speed) >= kLeastNormalShare * speed) {
     pending_.push_back(sample);
   }
+}
+
+void ContourSamples::finish() {
+  close_window();
+  leave_out_print();
+}
+
+// A print's outer edge has the other sign than the contour, which is not far away.
+void ContourSamples::leave_out_print() {
+  const auto bright = std::count_if(samples_.begin(), samples_.end(),
+                                    [](const ContourSample& sample) { return sample.is_bright; });
+  const auto count = static_cast<std::ptrdiff_t>(samples_.size());
+  const bool is_bright = 2 * bright > count;
+  const double others = static_cast<double>(is_bright ? count - bright : bright);
+  if (others < kFewestOfPrint * static_cast<double>(count) ||
+      others > kMostOfPrint * static_cast<double>(count)) {
+    return;
+  }
+  std::erase_if(samples_,
+                [&](const ContourSample& sample) { return sample.is_bright != is_bright; });
 }
 
 void ContourSamples::close_window() {

@@ -20,10 +20,14 @@ struct ContourSample {
   double dy = 0;
   Pixel centre;  ///< The true one.
   PixelVelocity velocity;
+  /// Of the sign that the contour has there if the puck is brighter than the table.
+  bool is_bright = false;
 };
 
 /// Gathers the events that tell where the contour of a moving puck fires. Those of times when
-/// something else fires beside the puck are left out; with too many, they are thinned evenly.
+/// something else fires beside the puck are left out, and so are those of the other sign than most,
+/// where there are so many that they are of a print on the puck; with too many, they are thinned
+/// evenly.
 class ContourSamples {
  public:
   /// The truth must outlive it. `lean_deg`: ContourCalibration's, which is not fitted.
@@ -33,7 +37,7 @@ class ContourSamples {
   /// Packets in the order of their times.
   void add(const EventPacket& packet);
   /// After the last packet.
-  void finish() { close_window(); }
+  void finish();
 
   std::span<const ContourSample> samples() const { return samples_; }
   double lean_deg() const { return lean_deg_; }
@@ -51,6 +55,7 @@ class ContourSamples {
  private:
   void add(const Event& event, Timestamp time);
   void close_window();
+  void leave_out_print();
 
   const TruthMotion& truth_;
   SensorSize sensor_;

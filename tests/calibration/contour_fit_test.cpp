@@ -26,6 +26,9 @@ struct Circling {
   double events_per_ms = 30;
   ContourCalibration calibration{400, 0, 0.5};
   double beside_per_ms = 0;  // Events 5 px outside the contour.
+  // Share of the events that a print makes, 2 px inside the contour and of the other sign.
+  double print_share = 0;
+  bool has_signs = true;
 
   static constexpr double kRadius = 100;
 
@@ -73,12 +76,15 @@ struct Circling {
         ny /= length;
         along = nx * std::cos(heading) + ny * std::sin(heading);
       } while (share(random) > std::abs(along));
-      const double out = beside + noise(random) - std::copysign(calibration.trail_px, along);
+      const bool is_print = print_share > 0 && share(random) < print_share;
+      const double out =
+          beside - (is_print ? 2 : 0) + noise(random) - std::copysign(calibration.trail_px, along);
       Event event;
       event.x = static_cast<std::uint16_t>(std::lround(c.x + a * std::cos(angle) + nx * out));
       event.y =
           static_cast<std::uint16_t>(std::lround(c.y - wall / 2 + b * std::sin(angle) + ny * out)) &
           0x7fff;
+      event.polarity = has_signs && (along < 0) != is_print ? 1 : 0;
       event.offset_us = static_cast<std::uint32_t>(t_us);
       packet.events.push_back(event);
     }
@@ -106,6 +112,16 @@ TEST_CASE("the lag, the wall's share and the growth that made the events are fou
   CHECK(std::abs(fit.front_px) < 0.05);
   CHECK(std::abs(fit.lower_px) < 0.1);
   CHECK(fit.events > 20'000);
+}
+
+TEST_CASE("a print within the contour is left out by its sign, where there are signs") {
+  Circling scene;
+  scene.print_share = 0.25;
+  const ContourFit fit = fit_of(scene);
+  CHECK(fit.calibration.lag_us == doctest::Approx(400).epsilon(0.05));
+  CHECK(std::abs(fit.calibration.grow_px - 0.5) < 0.15);
+  scene.has_signs = false;
+  CHECK(fit_of(scene).calibration.grow_px < 0.2);
 }
 
 TEST_CASE("what lags in time and what trails in space are told apart where the speed varies") {
