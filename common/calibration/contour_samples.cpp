@@ -81,15 +81,13 @@ void ContourSamples::finish() {
 void ContourSamples::leave_out_print() {
   const auto bright = std::count_if(samples_.begin(), samples_.end(),
                                     [](const ContourSample& sample) { return sample.is_bright; });
-  const auto count = static_cast<std::ptrdiff_t>(samples_.size());
-  const bool is_bright = 2 * bright > count;
-  const double others = static_cast<double>(is_bright ? count - bright : bright);
-  if (others < kFewestOfPrint * static_cast<double>(count) ||
-      others > kMostOfPrint * static_cast<double>(count)) {
-    return;
-  }
-  std::erase_if(samples_,
-                [&](const ContourSample& sample) { return sample.is_bright != is_bright; });
+  const auto dark = static_cast<std::ptrdiff_t>(samples_.size()) - bright;
+  const auto others = static_cast<double>(std::min(bright, dark));
+  const auto all = static_cast<double>(samples_.size());
+  if (others < kFewestOfPrint * all || others > kMostOfPrint * all) return;
+  std::erase_if(samples_, [is_bright = bright > dark](const ContourSample& sample) {
+    return sample.is_bright != is_bright;
+  });
 }
 
 void ContourSamples::close_window() {

@@ -45,13 +45,13 @@ void check(const SimulationParams& params) {
   require(params.table.robot_line_half_m + params.table.mallet_radius_m <= params.table.width_m / 2,
           "table.robot_line_half_m must leave room for the mallet between the side rails");
   const SceneParams& scene = params.scene;
-  require(scene.puck_print_luminance == 0 ||
-              scene.puck_print_radius_m + scene.puck_print_width_m / 2 < params.table.puck_radius_m,
-          "scene.puck_print_radius_m and half of scene.puck_print_width_m must be less than "
-          "table.puck_radius_m together");
-  require(
-      scene.puck_print_luminance == 0 || scene.puck_print_width_m < 2 * scene.puck_print_radius_m,
-      "scene.puck_print_width_m must be less than twice scene.puck_print_radius_m");
+  if (scene.puck_print_luminance > 0) {
+    require(scene.puck_print_radius_m + scene.puck_print_width_m / 2 < params.table.puck_radius_m,
+            "scene.puck_print_radius_m and half of scene.puck_print_width_m must be less than "
+            "table.puck_radius_m together");
+    require(scene.puck_print_width_m < 2 * scene.puck_print_radius_m,
+            "scene.puck_print_width_m must be less than twice scene.puck_print_radius_m");
+  }
   require(params.game.shot_speed_min_m_s <= params.game.shot_speed_max_m_s,
           "game.shot_speed_min_m_s must not be more than game.shot_speed_max_m_s");
   require(params.game.wait_min_s <= params.game.wait_max_s,

@@ -61,12 +61,8 @@ SceneBody WorldView::puck_body(TablePoint puck, const CameraView& view) const {
     add(disc_on_top(scene_.puck_print_radius_m - half_width_m), top);
     add(disc_on_top(scene_.puck_print_radius_m + half_width_m), scene_.puck_print_luminance);
   }
-  const double side = scene_.puck_side_luminance;
-  if (side == 0 || side == top) {
-    add(puck_shape(puck, view), top);
-    return body;
-  }
-  add(disc_on_top(table_.puck_radius_m), top);
+  const double side = scene_.puck_side_luminance > 0 ? scene_.puck_side_luminance : top;
+  if (side != top) add(disc_on_top(table_.puck_radius_m), top);
   add(puck_shape(puck, view), side);
   return body;
 }

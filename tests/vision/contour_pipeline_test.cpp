@@ -70,12 +70,11 @@ class Table {
   // Lets the puck glide for so long; the mean error of the last half, px.
   double glide(PixelVelocity velocity, int milliseconds) {
     test::MovingContour puck(contour_, puck_, velocity, density, wall_share_);
+    puck.has_print = has_print;
     double sum = 0;
     for (int i = 0; i < milliseconds; ++i) {
       const std::int64_t from_us = i * 1000;
-      std::vector<ContourEvent> events = puck.events(from_us, from_us + 1000);
-      if (has_print) events = test::with_print(events, puck);
-      show(test::packet_of(events, kSensor, now_us_, from_us));
+      show(test::packet_of(puck.events(from_us, from_us + 1000), kSensor, now_us_, from_us));
       puck_ = puck.position_at(from_us + 1000);
       if (i >= milliseconds / 2) sum += error_px();
     }

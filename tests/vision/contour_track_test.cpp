@@ -111,17 +111,14 @@ struct PrintedPuck {
   }
   // For 40 ms.
   void go_on(PixelVelocity velocity) {
-    constexpr std::int64_t kPeriod_us = 40'000;
-    test::MovingContour puck(context.contour, position, velocity);
-    for (std::int64_t t = 0; t < kPeriod_us; t += 1000) {
-      for (ContourEvent event : test::with_print(puck.events(t, t + 1000), puck)) {
-        event.time_us += now_us;
-        track.take(event, context);
-      }
-      track.decide(now_us + t + 1000, false, context);
-    }
-    position = puck.position_at(kPeriod_us);
-    now_us += kPeriod_us;
+    const double s = static_cast<double>(now_us) * 1e-6;
+    test::MovingContour puck(context.contour,
+                             {position.x - s * velocity.x, position.y - s * velocity.y}, velocity);
+    puck.has_print = true;
+    const std::int64_t end_us = now_us + 40'000;
+    test::follow(track, puck, context, now_us, end_us);
+    position = puck.position_at(end_us);
+    now_us = end_us;
   }
 
   const ContourContext& context;

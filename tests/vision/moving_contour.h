@@ -24,6 +24,9 @@ class MovingContour {
         per_px2_(per_px2),
         wall_share_(wall_share) {}
 
+  /// A disc of the other tone and of half its size on the puck's face makes events, too.
+  bool has_print = false;
+
   Pixel position_at(std::int64_t time_us) const {
     const double s = static_cast<double>(time_us) * 1e-6;
     return {start_.x + velocity_.x * s, start_.y + velocity_.y * s};
@@ -49,23 +52,34 @@ class MovingContour {
             std::hypot(ring.semi_x * std::sin(angle), ring.semi_y * std::cos(angle));
         if (uniform() > std::abs(speed) * 10e-6 * length_px * per_px2_) continue;
         const double wall = dy > whole.sides_slope * dx ? wall_px : 0;
-        made.push_back({t, std::round(centre.x + dx), std::round(centre.y + dy - ring.rise + wall),
-                        speed < 0, true});
+        add({t, std::round(centre.x + dx), std::round(centre.y + dy - ring.rise + wall), speed < 0,
+             true},
+            centre, made);
       }
       for (const double side : {-1, 1}) {
         if (wall_px <= 0 || uniform() > std::abs(velocity_.x) * 10e-6 * wall_px * per_px2_)
           continue;
         const double dx = side * whole.drawn_out_semi_x();
-        made.push_back(
-            {t, std::round(centre.x + dx),
+        add({t, std::round(centre.x + dx),
              std::round(centre.y + whole.sides_slope * dx - ring.rise + uniform() * wall_px),
-             side * velocity_.x < 0, true});
+             side * velocity_.x < 0, true},
+            centre, made);
       }
     }
     return made;
   }
 
  private:
+  void add(const ContourEvent& event, Pixel centre, std::vector<ContourEvent>& made) const {
+    made.push_back(event);
+    if (!has_print) return;
+    ContourEvent print = event;
+    print.x = std::round((centre.x + event.x) / 2);
+    print.y = std::round((centre.y + event.y) / 2);
+    print.on = !event.on;
+    made.push_back(print);
+  }
+
   double uniform() {
     state_ = state_ * 6364136223846793005u + 1442695040888963407u;
     return static_cast<double>(state_ >> 11) * 0x1p-53;
@@ -78,21 +92,5 @@ class MovingContour {
   double wall_share_;
   std::uint64_t state_ = 1;
 };
-
-/// Besides these events of a puck those of a disc of the other tone, half its size, on its face.
-inline std::vector<ContourEvent> with_print(const std::vector<ContourEvent>& events,
-                                            const MovingContour& puck) {
-  std::vector<ContourEvent> all;
-  for (const ContourEvent& event : events) {
-    const Pixel centre = puck.position_at(event.time_us);
-    ContourEvent print = event;
-    print.x = std::round((centre.x + event.x) / 2);
-    print.y = std::round((centre.y + event.y) / 2);
-    print.on = !event.on;
-    all.push_back(event);
-    all.push_back(print);
-  }
-  return all;
-}
 
 }  // namespace puck::test
