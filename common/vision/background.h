@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/events/sensor_size.h"
@@ -53,6 +54,10 @@ class Background {
     return head_rests() && time_us % kNap_us >= kGlance_us;
   }
 
+  /// How fast the image of what stands still moves there, px/s, while the head turns; nothing while
+  /// it is not known that it does.
+  std::optional<PixelVelocity> still_velocity_at(Pixel place) const;
+
   /// Whether an event here is of something that stands still.
   bool is_still(double x, double y) const {
     return is_known_ && map_.level(turn_.then_of({x, y})) > still_level_;
@@ -83,6 +88,7 @@ class Background {
   ImageCells cells_;
   FadingMap map_;
   CameraTurn turn_;
+  CameraTurn next_turn_;       // as it will be a period later
   CameraTurn::Steps speed_{};  // a period
   std::vector<Pixel> taken_;
   std::uint64_t seen_ = 0;  // in this period

@@ -26,6 +26,15 @@ class CameraTurn {
             middle_.y + focal_px_ * (turn_[3] * x + turn_[4] * y + turn_[5]) / depth};
   }
 
+  /// The inverse: where a pixel of then lies in the image of now.
+  Pixel now_of(Pixel then) const {
+    const double x = (then.x - middle_.x) / focal_px_;
+    const double y = (then.y - middle_.y) / focal_px_;
+    const double depth = turn_[2] * x + turn_[5] * y + turn_[8];
+    return {middle_.x + focal_px_ * (turn_[0] * x + turn_[3] * y + turn_[6]) / depth,
+            middle_.y + focal_px_ * (turn_[1] * x + turn_[4] * y + turn_[7]) / depth};
+  }
+
   /// By how much a pixel of then moves along x and y for each px of the steps.
   struct Slopes {
     Steps x;

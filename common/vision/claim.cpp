@@ -1,5 +1,7 @@
 #include "common/vision/claim.h"
 
+#include <cmath>
+
 namespace puck {
 namespace {
 
@@ -8,12 +10,28 @@ constexpr std::int64_t kClearAfter_us = 1'000;
 constexpr std::int64_t kLikelyAfter_us = 10'000;
 // Half hidden and moving one way a puck has events in so large a share of the directions.
 constexpr double kLeastCover = 0.28;
+// What stands still seems to move by less than this share of PuckContour::turning_px_s.
+constexpr double kWithScene = 0.5;
+
+std::optional<double> own_speed_px_s(const ContourFilter& filter, const ClaimContext& context) {
+  if (!context.own_motion || context.background == nullptr) return std::nullopt;
+  const auto still = context.background->still_velocity_at(filter.position());
+  if (!still) return std::nullopt;
+  const PixelVelocity velocity = filter.velocity();
+  return std::hypot(velocity.x - still->x, velocity.y - still->y);
+}
 
 }  // namespace
 
 Claim claim_of(const Challenger& challenger, const ClaimContext& context, std::int64_t time_us) {
-  return {challenger.track().looks(), challenger.age_us(time_us),  challenger.found(),
-          challenger.leads(),         challenger.has_other_wall(), context};
+  const ContourTrack& track = challenger.track();
+  return {.looks = track.looks(),
+          .age_us = challenger.age_us(time_us),
+          .found = challenger.found(),
+          .leads = challenger.leads(),
+          .has_other_wall = challenger.has_other_wall(),
+          .own_speed_px_s = own_speed_px_s(track.filter(), context),
+          .context = context};
 }
 
 // The bounds are such that of some 2,000 wrong claims of this age of development games none passes,
@@ -27,6 +45,10 @@ bool is_clear_at_once(const Claim& claim) {
   return (looks.quality > 0.65 && looks.strength > 80) ||
          (looks.quality > 0.85 && looks.strength > 60) ||
          (looks.quality > 0.7 && support(claim) > 2.15);
+}
+
+bool is_adrift(const Claim& claim) {
+  return claim.own_speed_px_s > kWithScene * claim.looks.turning_px_s && !stands_out(claim);
 }
 
 bool is_likely(const Claim& claim) {

@@ -49,6 +49,9 @@ struct ContourIngredients {
   bool overtaking = true;
   /// While the head rests, which the background tells, even what moves slowly moves by itself.
   bool slow_movers = true;
+  /// What is taken for the puck moves with the scene, or clearly by itself: what slides along an
+  /// edge does neither.
+  bool own_motion = true;
   bool recognition = true;  ///< What the search and its events together say is the puck takes over.
   bool sightings = true;    ///< What a search sees where a poor track is puts that right.
   bool at_once = true;      ///< What is clearly a puck, or likely, is believed on a few events.
@@ -61,7 +64,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 37> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 38> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -95,6 +98,7 @@ inline constexpr std::array<ContourIngredient, 37> kContourIngredients{{
     {"faint-rests", &ContourIngredients::faint_rests},
     {"overtaking", &ContourIngredients::overtaking},
     {"slow-movers", &ContourIngredients::slow_movers},
+    {"own-motion", &ContourIngredients::own_motion},
     {"recognition", &ContourIngredients::recognition},
     {"sightings", &ContourIngredients::sightings},
     {"at-once", &ContourIngredients::at_once},

@@ -236,7 +236,9 @@ bool ContourPipeline::head_turns() const {
 ClaimContext ContourPipeline::claim_context() const {
   return {.head_rests =
               context_.ingredients.slow_movers && watches_closely_ && background_.head_rests(),
-          .at_once = context_.ingredients.at_once};
+          .at_once = context_.ingredients.at_once,
+          .own_motion = context_.ingredients.own_motion,
+          .background = &background_};
 }
 
 // A faint puck falls silent while it moves, too.

@@ -35,6 +35,9 @@ bool has_had_time(const Claim& claim) {
          (claim.age_us > 3'000 && claim.looks.quality > 0.9 && claim.looks.strength > 40);
 }
 
+// The head turns, and it is known how.
+bool is_seen_turning(const Claim& claim) { return claim.own_speed_px_s.has_value(); }
+
 // To searches the main track looks more like a puck.
 bool is_outscored(const Claim& claim, const Defence& main) {
   return main.knows_pucks && claim.found.score < main.score - kScoreNoise;
@@ -123,6 +126,7 @@ bool displaces_stranger(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
   return !main.is_trusted && !is_outscored(claim, main) && !is_only_round(claim, main) &&
          claim.age_us > 15'000 && looks.quality > 0.8 && looks.strength > 20 &&
+         (!is_seen_turning(claim) || looks.is_whole_ring() || stands_out(claim)) &&
          !looks.is_oversized() && !looks.is_undersized() &&
          (looks.quality > main.looks.quality + 0.12 || looks.strength > 2 * main.looks.strength);
 }
@@ -187,8 +191,14 @@ bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
   const bool is_like_a_mark = claim.has_other_wall && searched_us <= kPatience_us;
   // Hands and mallets move as well.
   const TrackLooks& looks = claim.looks;
-  return (is_evident(claim) && !is_like_a_mark) || is_likely(claim) ||
-         (moves_by_itself(claim) && !looks.is_large() && !looks.may_slide()) ||
+  const bool is_strict = claim.context.own_motion;
+  if (is_strict && (looks.may_slide() || is_adrift(claim))) return false;
+  // While the head turns, two edges that cross seem to move as well.
+  const bool may_turn = is_strict && !claim.context.head_rests;
+  return (is_evident(claim) && !is_like_a_mark) ||
+         (is_likely(claim) && !(is_strict && looks.is_covered())) ||
+         (moves_by_itself(claim) && !looks.is_large() && !looks.may_slide() &&
+          (looks.is_whole_ring() || !may_turn)) ||
          (searched_us > kPatience_us && claim.age_us > 20'000 && looks.quality > 0.8 &&
           looks.strength > 30 && looks.is_whole_ring());
 }

@@ -23,6 +23,27 @@ TEST_CASE("What stands still is known as such through a whole sway of the head")
   }
 }
 
+TEST_CASE("How what stands still moves is known to a fifth of its fastest while the head turns") {
+  Background background(TurningScene::kSensor);
+  TurningScene scene;
+  CHECK_FALSE(background.still_velocity_at({320, 240}));
+  scene.show(background, 300);
+  double fastest_px_s = 0;
+  double worst_px_s = 0;
+  for (int i = 0; i < 2'000; ++i) {
+    scene.show(background, 1);
+    const std::int64_t time_us = scene.time_us();
+    const double truth_px_s =
+        500 * (TurningScene::sway_px(time_us + 1'000) - TurningScene::sway_px(time_us - 1'000));
+    const auto velocity = background.still_velocity_at({320, 240});
+    REQUIRE(velocity);
+    fastest_px_s = std::max(fastest_px_s, std::abs(truth_px_s));
+    worst_px_s = std::max({worst_px_s, std::abs(velocity->x - truth_px_s), std::abs(velocity->y)});
+  }
+  MESSAGE("still scene: fastest " << fastest_px_s << " px/s, worst error " << worst_px_s);
+  CHECK(worst_px_s < fastest_px_s / 5);
+}
+
 TEST_CASE("What passes once does not become part of what stands still") {
   Background background(TurningScene::kSensor);
   TurningScene scene;

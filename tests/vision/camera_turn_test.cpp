@@ -34,6 +34,16 @@ TEST_CASE("Turns add up to the angle of all, however many") {
   CHECK(distance_px(turn.then_of({17, 400}), {17, 400}) < 1e-6);
 }
 
+TEST_CASE("A pixel of then is where it came from") {
+  CameraTurn turn(kMiddle, kFocal_px);
+  turn.turn({40, -25, 60});
+  turn.turn({-3, 80, 5});
+  for (const Pixel place : {Pixel{17, 400}, Pixel{600, 30}, kMiddle}) {
+    REQUIRE(distance_px(turn.then_of(place), place) > 20);
+    CHECK(distance_px(turn.now_of(turn.then_of(place)), place) < 1e-9);
+  }
+}
+
 TEST_CASE("The slopes are by how much a step moves a pixel") {
   for (std::size_t k = 0; k < 3; ++k) {
     const Pixel place{120, 410};

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/turning_scene.h"
+
 namespace puck {
 namespace {
 
@@ -84,6 +86,40 @@ TEST_CASE("A whole ring is likely to be the puck where events and search support
   claim = kRing;
   claim.context.at_once = false;
   CHECK_FALSE(is_likely(claim));
+}
+
+TEST_CASE("What moves neither with the scene nor stands out is adrift, at half a turn's speed") {
+  Claim claim{.looks = {.turning_px_s = 200, .strength = 80}, .own_speed_px_s = 101};
+  CHECK(is_adrift(claim));
+  claim.looks.strength = 81;
+  CHECK_FALSE(is_adrift(claim));
+  claim.looks.strength = 80;
+  claim.own_speed_px_s = 100;
+  CHECK_FALSE(is_adrift(claim));
+  claim.own_speed_px_s = std::nullopt;
+  CHECK_FALSE(is_adrift(claim));
+}
+
+TEST_CASE("A claim says how fast it is in the scene, while it is known how that moves") {
+  const PuckSizeModel size{.width_0 = 40, .height_0 = 30};
+  const ContourContext tracks{PuckContour(test::TurningScene::kSensor, size, {}, true), {}, {}, {}};
+  ContourFilter::Start start;
+  start.position = {300, 200};
+  start.velocity = {400, -100};
+  const Challenger challenger(Challenger::Kind::kSearch, tracks, start, 0, 0, {});
+  Background background(test::TurningScene::kSensor);
+  ClaimContext context{.background = &background};
+  CHECK_FALSE(claim_of(challenger, context, 0).own_speed_px_s);
+  test::TurningScene scene;
+  scene.show(background, 400);
+  REQUIRE(background.head_turns());
+  const PixelVelocity still = background.still_velocity_at({300, 200}).value();
+  CHECK(claim_of(challenger, context, 0).own_speed_px_s.value() ==
+        doctest::Approx(std::hypot(400 - still.x, -100 - still.y)));
+  context.own_motion = false;
+  CHECK_FALSE(claim_of(challenger, context, 0).own_speed_px_s);
+  context = {};
+  CHECK_FALSE(claim_of(challenger, context, 0).own_speed_px_s);
 }
 
 }  // namespace

@@ -645,12 +645,14 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
   CHECK_FALSE(is_convincing_as_first(claim, 150'001));
   claim.found.score = 0.7;
   CHECK(is_convincing_as_first(claim, 0));
-  CHECK(is_convincing_as_first(kMoving, 0));
-  Claim mallet = kMoving;
+  Claim moving = kMoving;
+  moving.looks.cover = 0.51;
+  CHECK(is_convincing_as_first(moving, 0));
+  Claim mallet = moving;
   mallet.looks.growth_px = 0.35;
   CHECK(moves_by_itself(mallet));
   CHECK_FALSE(is_convincing_as_first(mallet, 0));
-  Claim line = kMoving;
+  Claim line = moving;
   line.looks.slide = 1.5;
   CHECK(is_convincing_as_first(line, 0));
   line.looks.slide = 1.6;
@@ -662,6 +664,76 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
   evident.has_other_wall = true;
   CHECK_FALSE(is_convincing_as_first(evident, 150'000));
   CHECK(is_convincing_as_first(evident, 150'001));
+}
+
+// Evident, likely, or neither, but waited for.
+constexpr Claim kEvident{
+    .looks = {.quality = 0.7, .strength = 20}, .age_us = 8'000, .found = {.score = 0.7}};
+constexpr Claim kLikely{.looks = {.quality = 0.8, .strength = 20, .cover = 0.6},
+                        .age_us = 11'000,
+                        .found = {.score = 0.6}};
+constexpr Claim kAwaited{.looks = {.quality = 0.81, .strength = 31, .cover = 0.51},
+                         .age_us = 20'001};
+
+Claim without_own_motion(Claim claim) {
+  claim.context.own_motion = false;
+  return claim;
+}
+
+TEST_CASE("The first moves with the scene of a turning head, or clearly by itself") {
+  for (Claim claim : {kEvident, kLikely, kAwaited}) {
+    claim.own_speed_px_s = 150;
+    CHECK(is_convincing_as_first(claim, 150'001));
+    claim.own_speed_px_s = 151;
+    CHECK_FALSE(is_convincing_as_first(claim, 150'001));
+    CHECK(is_convincing_as_first(without_own_motion(claim), 150'001));
+    claim.looks.strength = 81;
+    CHECK(is_convincing_as_first(claim, 150'001));
+  }
+}
+
+TEST_CASE("The first does not slide along an edge") {
+  for (Claim claim : {kEvident, kLikely, kAwaited}) {
+    claim.looks.slide = 1.5;
+    CHECK(is_convincing_as_first(claim, 150'001));
+    claim.looks.slide = 1.6;
+    CHECK_FALSE(is_convincing_as_first(claim, 150'001));
+    CHECK(is_convincing_as_first(without_own_motion(claim), 150'001));
+  }
+}
+
+TEST_CASE("With something in its middle the first is not likely") {
+  Claim claim = kLikely;
+  claim.looks.inside_events = 12;
+  CHECK(is_convincing_as_first(claim, 0));
+  claim.looks.inside_events = 13;
+  CHECK_FALSE(is_convincing_as_first(claim, 0));
+  CHECK(is_convincing_as_first(without_own_motion(claim), 0));
+}
+
+TEST_CASE("The first that moves by itself is a whole ring, unless the head rests") {
+  Claim claim = kMoving;
+  CHECK_FALSE(is_convincing_as_first(claim, 0));
+  CHECK(is_convincing_as_first(without_own_motion(claim), 0));
+  claim.looks.cover = 0.51;
+  CHECK(is_convincing_as_first(claim, 0));
+  claim.looks.cover = 0.5;
+  claim.context.head_rests = true;
+  CHECK(is_convincing_as_first(claim, 0));
+}
+
+TEST_CASE("Where it is known how the head turns only a whole ring displaces a stranger") {
+  Claim claim{.looks = {.position = {500, 0}, .quality = 0.9, .strength = 30, .cover = 0.5},
+              .age_us = 15'001};
+  const Defence main{.looks = {.quality = 0.7, .strength = 14}};
+  CHECK(displaces_stranger(claim, main));
+  claim.own_speed_px_s = 0;
+  CHECK_FALSE(displaces_stranger(claim, main));
+  claim.looks.cover = 0.51;
+  CHECK(displaces_stranger(claim, main));
+  claim.looks.cover = 0.5;
+  claim.looks.strength = 81;
+  CHECK(displaces_stranger(claim, main));
 }
 
 TEST_CASE("What moves by itself takes over from a proven track that has gone bad") {
