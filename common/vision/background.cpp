@@ -62,7 +62,7 @@ CameraTurn turn_of(SensorSize sensor) {
 }  // namespace
 
 Background::Background(SensorSize sensor)
-    : sensor_(sensor), cells_(sensor), map_(sensor), turn_(turn_of(sensor)), next_turn_(turn_) {
+    : sensor_(sensor), cells_(sensor), map_(sensor), turn_(turn_of(sensor)) {
   taken_.reserve(kMostEvents);
 }
 
@@ -70,6 +70,7 @@ void Background::clear_map() {
   map_.clear();
   turn_ = turn_of(sensor_);
   speed_ = {};
+  trail_.clear();
   unknown_us_ = 0;
 }
 
@@ -102,8 +103,7 @@ void Background::decide(std::int64_t time_us, double noise_per_pixel_us) {
   const double noise = noise_per_pixel_us * taken_us / static_cast<double>(stride_);
   still_level_ = std::max(kStill, map_.level_of_noise() + kAboveNoise);
   note_activity(passed_us, noise);
-  next_turn_ = turn_;
-  next_turn_.turn(speed_);
+  trail_.note(turn_, time_us);
   if (unknown_us_ > kLongestUnknown_us) clear_map();
   map_.advance(time_us);
   for (const Pixel& event : taken_) map_.add(turn_.then_of(event));
@@ -174,10 +174,7 @@ void Background::note_activity(std::int64_t passed_us, double noise) {
 }
 
 std::optional<PixelVelocity> Background::still_velocity_at(Pixel place) const {
-  if (!head_turns_) return std::nullopt;
-  const Pixel later = next_turn_.now_of(turn_.then_of(place));
-  constexpr double kPeriods_per_s = 1e6 / static_cast<double>(kPeriod_us);
-  return PixelVelocity{(later.x - place.x) * kPeriods_per_s, (later.y - place.y) * kPeriods_per_s};
+  return head_turns_ ? trail_.still_velocity_at(place) : std::nullopt;
 }
 
 double Background::still_share(const ContourRing& ring, Pixel centre) const {

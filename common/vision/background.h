@@ -12,6 +12,7 @@
 #include "common/vision/image_cells.h"
 #include "common/vision/pixel.h"
 #include "common/vision/puck_contour.h"
+#include "common/vision/turn_trail.h"
 
 namespace puck {
 
@@ -88,8 +89,8 @@ class Background {
   ImageCells cells_;
   FadingMap map_;
   CameraTurn turn_;
-  CameraTurn next_turn_;       // as it will be a period later
   CameraTurn::Steps speed_{};  // a period
+  TurnTrail trail_;
   std::vector<Pixel> taken_;
   std::uint64_t seen_ = 0;  // in this period
   std::uint64_t stride_ = 1;

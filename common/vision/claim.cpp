@@ -1,6 +1,9 @@
 #include "common/vision/claim.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "common/vision/background.h"
 
 namespace puck {
 namespace {
@@ -10,11 +13,15 @@ constexpr std::int64_t kClearAfter_us = 1'000;
 constexpr std::int64_t kLikelyAfter_us = 10'000;
 // Half hidden and moving one way a puck has events in so large a share of the directions.
 constexpr double kLeastCover = 0.28;
-// What stands still seems to move by less than this share of PuckContour::turning_px_s.
+// In the scene what stands still seems to move by less than this share of
+// PuckContour::turning_px_s, or than the filter's velocity is off; and what slides along an edge by
+// less than this multiple.
 constexpr double kWithScene = 0.5;
+constexpr double kFilterNoise_px_s = 120;
+constexpr double kBeyondSliding = 2;
 
 std::optional<double> own_speed_px_s(const ContourFilter& filter, const ClaimContext& context) {
-  if (!context.own_motion || context.background == nullptr) return std::nullopt;
+  if (context.background == nullptr) return std::nullopt;
   const auto still = context.background->still_velocity_at(filter.position());
   if (!still) return std::nullopt;
   const PixelVelocity velocity = filter.velocity();
@@ -42,13 +49,18 @@ bool is_clear_at_once(const Claim& claim) {
       !looks.is_fast() || looks.cover <= kLeastCover || !looks.has_pucks_size()) {
     return false;
   }
-  return (looks.quality > 0.65 && looks.strength > 80) ||
+  return (looks.quality > 0.65 && looks.is_very_strong()) ||
          (looks.quality > 0.85 && looks.strength > 60) ||
          (looks.quality > 0.7 && support(claim) > 2.15);
 }
 
 bool is_adrift(const Claim& claim) {
-  return claim.own_speed_px_s > kWithScene * claim.looks.turning_px_s && !stands_out(claim);
+  if (!claim.own_speed_px_s) return false;
+  const TrackLooks& looks = claim.looks;
+  const double own_px_s = *claim.own_speed_px_s;
+  const bool was_hit = looks.is_very_strong() ||
+                       (looks.is_whole_ring() && own_px_s > kBeyondSliding * looks.turning_px_s);
+  return own_px_s > std::max(kWithScene * looks.turning_px_s, kFilterNoise_px_s) && !was_hit;
 }
 
 bool is_likely(const Claim& claim) {

@@ -3,18 +3,20 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/vision/background.h"
 #include "common/vision/challenger.h"
 #include "common/vision/track_looks.h"
 
 namespace puck {
 
+class Background;
+
 /// What is the same for all claims at a decision.
 struct ClaimContext {
   bool head_rests = false;  ///< Background's: whatever moves in the image moves by itself.
   bool at_once = true;      ///< Ingredient `at-once`.
-  bool own_motion = true;   ///< Ingredient `own-motion`.
-  /// Says how what stands still moves; null: nothing does.
+  /// Ingredient `own-motion`: the head is not known to rest, so that what moves may stand still.
+  bool head_may_turn = false;
+  /// … and this says how what stands still moves; null: that is not known.
   const Background* background = nullptr;
 };
 
@@ -42,11 +44,10 @@ inline double support(const Claim& claim) { return claim.looks.quality + 2 * cla
 /// puck may come out from behind something.
 bool is_clear_at_once(const Claim& claim);
 
-/// So strong that the edge of a tile or of an arm hardly ever is.
-inline bool stands_out(const Claim& claim) { return claim.looks.strength > 80; }
-
 /// Ingredient `own-motion`. It moves neither with the scene of a turning head, as a puck at rest
-/// does, nor as clearly by itself as a puck that was hit: it may slide along an edge.
+/// does, nor as clearly by itself as one that was hit, with very many events or, as a whole ring,
+/// far faster than the scene: it may slide along an edge. False while it is not known how the head
+/// turns.
 bool is_adrift(const Claim& claim);
 
 /// Ingredient `at-once`. A whole ring that need not move: its events and the search's score

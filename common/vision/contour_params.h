@@ -49,8 +49,8 @@ struct ContourIngredients {
   bool overtaking = true;
   /// While the head rests, which the background tells, even what moves slowly moves by itself.
   bool slow_movers = true;
-  /// What is taken for the puck moves with the scene, or clearly by itself: what slides along an
-  /// edge does neither.
+  /// While the head may turn, what is found first moves with the scene or clearly by itself, as
+  /// what slides along an edge does not; and only whole rings displace it.
   bool own_motion = true;
   bool recognition = true;  ///< What the search and its events together say is the puck takes over.
   bool sightings = true;    ///< What a search sees where a poor track is puts that right.

@@ -234,11 +234,13 @@ bool ContourPipeline::head_turns() const {
 }
 
 ClaimContext ContourPipeline::claim_context() const {
-  return {.head_rests =
-              context_.ingredients.slow_movers && watches_closely_ && background_.head_rests(),
-          .at_once = context_.ingredients.at_once,
-          .own_motion = context_.ingredients.own_motion,
-          .background = &background_};
+  const ContourIngredients& ingredients = context_.ingredients;
+  const bool asks_for_turn =
+      ingredients.own_motion && ingredients.background && consults_background_;
+  return {.head_rests = ingredients.slow_movers && watches_closely_ && background_.head_rests(),
+          .at_once = ingredients.at_once,
+          .head_may_turn = asks_for_turn && !background_.head_rests(),
+          .background = asks_for_turn ? &background_ : nullptr};
 }
 
 // A faint puck falls silent while it moves, too.

@@ -126,7 +126,7 @@ bool displaces_stranger(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
   return !main.is_trusted && !is_outscored(claim, main) && !is_only_round(claim, main) &&
          claim.age_us > 15'000 && looks.quality > 0.8 && looks.strength > 20 &&
-         (!is_seen_turning(claim) || looks.is_whole_ring() || stands_out(claim)) &&
+         (!is_seen_turning(claim) || looks.is_whole_ring() || looks.is_very_strong()) &&
          !looks.is_oversized() && !looks.is_undersized() &&
          (looks.quality > main.looks.quality + 0.12 || looks.strength > 2 * main.looks.strength);
 }
@@ -189,16 +189,16 @@ bool is_convincing(const Claim& claim, const Defence& main) {
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
   // A round mark on the table has no side wall; the puck has the one that the calibration knows.
   const bool is_like_a_mark = claim.has_other_wall && searched_us <= kPatience_us;
-  // Hands and mallets move as well.
   const TrackLooks& looks = claim.looks;
-  const bool is_strict = claim.context.own_motion;
-  if (is_strict && (looks.may_slide() || is_adrift(claim))) return false;
-  // While the head turns, two edges that cross seem to move as well.
-  const bool may_turn = is_strict && !claim.context.head_rests;
+  const bool may_turn = claim.context.head_may_turn;
+  if (may_turn && searched_us <= kLongPatience_us && (looks.may_slide() || is_adrift(claim))) {
+    return false;
+  }
+  // Hands and mallets move as well; and so, while the head turns, do edges that cross.
+  const bool moves_as_first = moves_by_itself(claim) && !looks.is_large() && !looks.may_slide() &&
+                              (!may_turn || looks.is_whole_ring());
   return (is_evident(claim) && !is_like_a_mark) ||
-         (is_likely(claim) && !(is_strict && looks.is_covered())) ||
-         (moves_by_itself(claim) && !looks.is_large() && !looks.may_slide() &&
-          (looks.is_whole_ring() || !may_turn)) ||
+         (is_likely(claim) && !(may_turn && looks.is_covered())) || moves_as_first ||
          (searched_us > kPatience_us && claim.age_us > 20'000 && looks.quality > 0.8 &&
           looks.strength > 30 && looks.is_whole_ring());
 }

@@ -14,6 +14,8 @@ namespace puck {
 inline constexpr double kEvidentScore = 0.65;
 /// How long an evident puck is waited for before anything less is believed.
 inline constexpr std::int64_t kPatience_us = 150'000;
+/// … and one that does not seem to slide along an edge, while the head may turn.
+inline constexpr std::int64_t kLongPatience_us = 600'000;
 /// What the search found must convince for so long without a break; the first of all for longer,
 /// as nothing is known that it would have to be better than.
 inline constexpr std::int64_t kConvincedAfter_us = 1'500;
@@ -62,7 +64,8 @@ bool outmoves(const Claim& claim, const Defence& main);
 /// nothing.
 bool unmasks(const Claim& claim, const Defence& main);
 /// It looks better than a main track that is not to be trusted, is of a puck's size, and not less
-/// of a puck to searches; nor slow while that moves as only pucks do.
+/// of a puck to searches; nor slow while that moves as only pucks do. Where the head is known to
+/// turn it is a whole ring, or very strong.
 bool displaces_stranger(const Claim& claim, const Defence& main);
 /// It looks better near a main track that nothing vouches for, is no larger than a puck, and not
 /// less of one to searches; the farther away, the better it must look. It may be smaller: of the
@@ -87,7 +90,8 @@ bool is_convincing(const Claim& claim, const Defence& main);
 /// While nothing is known, `searched_us` after the first search began: what is neither evident, nor
 /// likely, nor moves by itself, being no larger than a puck, must look like a puck in every
 /// respect, and longer; so must, for a while, what is but evident, with another side wall than the
-/// puck.
+/// puck. While the head may turn it does not slide along an edge nor is adrift, for longer; is only
+/// likely with nothing in its middle; and moves by itself only as a whole ring.
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us);
 
 /// What the search found far away, or first, and is neither evident, clear at once, nor likely, nor

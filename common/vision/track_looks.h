@@ -30,13 +30,16 @@ struct TrackLooks {
   constexpr bool may_slide() const { return slide > 1.5; }
   /// Far more of its events lie on the ring than chance puts there.
   constexpr bool is_strong() const { return strength > 25; }
+  /// … and of those so many that hardly anything but a puck or a mallet has them.
+  constexpr bool is_very_strong() const { return strength > 80; }
   /// It moves as nothing that is fixed to the table does, and is no larger than a puck, with events
   /// on enough sides.
   constexpr bool moves_as_pucks_do() const { return is_fast() && cover > 0.35 && !is_oversized(); }
   /// It moves as a puck does, is hardly larger than one, and so strong that it is one even if what
   /// lies beside or on it spoils its quality; stronger yet, if it looks a little large.
   constexpr bool is_clear() const {
-    return moves_as_pucks_do() && quality > 0.6 && strength > (is_large() ? 300 : 80);
+    return moves_as_pucks_do() && quality > 0.6 && is_very_strong() &&
+           (!is_large() || strength > 300);
   }
   /// Larger than most pucks.
   constexpr bool is_large() const { return growth_px >= 0.35; }

@@ -13,19 +13,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-void run(const std::string& name, const TemporaryFolder& folder,
-         const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{program(name)};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  const Finished finished = run_program(command, {.folder = folder.path()});
-  INFO(finished.errors);
-  REQUIRE(finished.exit_code == 0);
-}
-
 Json evaluate(const TemporaryFolder& folder, const std::string& percent, const std::string& seed) {
-  run("puck-evaluate", folder,
-      {"game.raw", "--truth", "game.truth.csv", "--drop-packets", percent, "--drop-seed", seed,
-       "--json", "a.json"});
+  run_tool("puck-evaluate", folder,
+           {"game.raw", "--truth", "game.truth.csv", "--drop-packets", percent, "--drop-seed", seed,
+            "--json", "a.json"});
   return Json::parse(read_text(folder / "a.json"));
 }
 
@@ -54,7 +45,7 @@ TEST_CASE("the loss of 1 % of the packets costs less than 10 % of accuracy, came
     const TemporaryFolder folder;
     std::vector<std::string> arguments{"--output", "game"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    run("puck-simulate", folder, arguments);
+    run_tool("puck-simulate", folder, arguments);
     const Json whole = evaluate(folder, "0", "1");
     const double whole_px = whole["median_px"];
     const double one_px = mean_over_seeds(folder, "1", "median_px");

@@ -5,10 +5,22 @@
 #include <stdexcept>
 #include <thread>
 
+#include <doctest/doctest.h>
+
 #include "tests/support/status_counter.h"
 
 namespace puck {
 std::string program(const std::string& name) { return program_path(name); }
+
+void run_tool(const std::string& name, const TemporaryFolder& folder,
+              const std::vector<std::string>& arguments) {
+  CAPTURE(name);
+  std::vector<std::string> command{program(name)};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  const Finished finished = run_program(command, {.folder = folder.path()});
+  INFO(finished.errors);
+  REQUIRE(finished.exit_code == 0);
+}
 
 std::string new_lcm_url() {
   std::random_device random;

@@ -13,6 +13,7 @@
 #include "common/messaging/single_publisher.h"
 #include "tests/support/child_process.h"
 #include "tests/support/environment.h"
+#include "tests/support/temporary_folder.h"
 
 namespace puck {
 
@@ -21,6 +22,9 @@ inline const std::vector<std::string> kServices{"puck-camera", "puck-tracker", "
 
 /// Path of one of our programs.
 std::string program(const std::string& name);
+/// Runs one of them in a folder, and requires that it ends well.
+void run_tool(const std::string& name, const TemporaryFolder& folder,
+              const std::vector<std::string>& arguments);
 /// A bus on this host, on another port at every call.
 std::string new_lcm_url();
 

@@ -34,7 +34,7 @@ TEST_CASE("Turns add up to the angle of all, however many") {
   CHECK(distance_px(turn.then_of({17, 400}), {17, 400}) < 1e-6);
 }
 
-TEST_CASE("A pixel of then is where it came from") {
+TEST_CASE("now_of undoes then_of") {
   CameraTurn turn(kMiddle, kFocal_px);
   turn.turn({40, -25, 60});
   turn.turn({-3, 80, 5});

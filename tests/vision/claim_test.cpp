@@ -1,7 +1,12 @@
 #include "common/vision/claim.h"
 
+#include <cmath>
+#include <optional>
+
 #include <doctest/doctest.h>
 
+#include "common/vision/background.h"
+#include "common/vision/puck_contour.h"
 #include "tests/vision/turning_scene.h"
 
 namespace puck {
@@ -88,16 +93,31 @@ TEST_CASE("A whole ring is likely to be the puck where events and search support
   CHECK_FALSE(is_likely(claim));
 }
 
-TEST_CASE("What moves neither with the scene nor stands out is adrift, at half a turn's speed") {
-  Claim claim{.looks = {.turning_px_s = 200, .strength = 80}, .own_speed_px_s = 101};
-  CHECK(is_adrift(claim));
-  claim.looks.strength = 81;
-  CHECK_FALSE(is_adrift(claim));
-  claim.looks.strength = 80;
-  claim.own_speed_px_s = 100;
-  CHECK_FALSE(is_adrift(claim));
-  claim.own_speed_px_s = std::nullopt;
-  CHECK_FALSE(is_adrift(claim));
+// Just adrift.
+constexpr Claim kAdrift{.looks = {.turning_px_s = 300, .strength = 80, .cover = 0.51},
+                        .own_speed_px_s = 151};
+
+Claim at_own_speed(const Claim& claim, std::optional<double> speed_px_s) {
+  Claim changed = claim;
+  changed.own_speed_px_s = speed_px_s;
+  return changed;
+}
+
+TEST_CASE("What moves neither with the scene nor clearly by itself is adrift") {
+  CHECK(is_adrift(kAdrift));
+  CHECK_FALSE(is_adrift(at_own_speed(kAdrift, 150)));
+  CHECK_FALSE(is_adrift(at_own_speed(kAdrift, std::nullopt)));
+  CHECK_FALSE(is_adrift(with(kAdrift, &TrackLooks::strength, 81)));
+  // A whole ring that is far faster than the scene was hit.
+  CHECK(is_adrift(at_own_speed(kAdrift, 600)));
+  CHECK_FALSE(is_adrift(at_own_speed(kAdrift, 601)));
+  CHECK(is_adrift(at_own_speed(with(kAdrift, &TrackLooks::cover, 0.5), 601)));
+}
+
+TEST_CASE("Where the scene turns slowly the filter's noise is not taken for a drift") {
+  const Claim small = with(kAdrift, &TrackLooks::turning_px_s, 100);
+  CHECK(is_adrift(at_own_speed(small, 121)));
+  CHECK_FALSE(is_adrift(at_own_speed(small, 120)));
 }
 
 TEST_CASE("A claim says how fast it is in the scene, while it is known how that moves") {
@@ -116,9 +136,7 @@ TEST_CASE("A claim says how fast it is in the scene, while it is known how that 
   const PixelVelocity still = background.still_velocity_at({300, 200}).value();
   CHECK(claim_of(challenger, context, 0).own_speed_px_s.value() ==
         doctest::Approx(std::hypot(400 - still.x, -100 - still.y)));
-  context.own_motion = false;
-  CHECK_FALSE(claim_of(challenger, context, 0).own_speed_px_s);
-  context = {};
+  context.background = nullptr;
   CHECK_FALSE(claim_of(challenger, context, 0).own_speed_px_s);
 }
 

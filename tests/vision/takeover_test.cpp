@@ -309,22 +309,26 @@ TEST_CASE("What is clear at once is recognised at once, and unmasks an unsound t
   CHECK_FALSE(unmasks(kClear, sound));
 }
 
+// Likely, evident, or neither, but waited for.
+constexpr Claim kLikely{.looks = {.quality = 0.8, .strength = 20, .cover = 0.6},
+                        .age_us = 11'000,
+                        .found = {.score = 0.6}};
+constexpr Claim kEvident{
+    .looks = {.quality = 0.7, .strength = 20}, .age_us = 8'000, .found = {.score = 0.7}};
+constexpr Claim kAwaited{.looks = {.quality = 0.81, .strength = 31, .cover = 0.51},
+                         .age_us = 20'001};
+
 TEST_CASE("What is clear at once, or likely, was not found weakly, however far away") {
   CHECK_FALSE(is_weakly_found(kClear, std::nullopt));
   CHECK(is_weakly_found(without_at_once(kClear), std::nullopt));
-  const Claim likely{.looks = {.quality = 0.8, .strength = 20, .cover = 0.6},
-                     .age_us = 11'000,
-                     .found = {.score = 0.6}};
-  REQUIRE(is_likely(likely));
-  CHECK_FALSE(is_weakly_found(likely, std::nullopt));
-  CHECK(is_weakly_found(without_at_once(likely), std::nullopt));
+  REQUIRE(is_likely(kLikely));
+  CHECK_FALSE(is_weakly_found(kLikely, std::nullopt));
+  CHECK(is_weakly_found(without_at_once(kLikely), std::nullopt));
 }
 
 TEST_CASE("The first need but be likely, whatever wall it has") {
-  Claim likely{.looks = {.quality = 0.8, .strength = 20, .cover = 0.6},
-               .age_us = 11'000,
-               .found = {.score = 0.6},
-               .has_other_wall = true};
+  Claim likely = kLikely;
+  likely.has_other_wall = true;
   CHECK(is_convincing_as_first(likely, 0));
   CHECK_FALSE(is_convincing_as_first(without_at_once(likely), 0));
 }
@@ -645,14 +649,12 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
   CHECK_FALSE(is_convincing_as_first(claim, 150'001));
   claim.found.score = 0.7;
   CHECK(is_convincing_as_first(claim, 0));
-  Claim moving = kMoving;
-  moving.looks.cover = 0.51;
-  CHECK(is_convincing_as_first(moving, 0));
-  Claim mallet = moving;
+  CHECK(is_convincing_as_first(kMoving, 0));
+  Claim mallet = kMoving;
   mallet.looks.growth_px = 0.35;
   CHECK(moves_by_itself(mallet));
   CHECK_FALSE(is_convincing_as_first(mallet, 0));
-  Claim line = moving;
+  Claim line = kMoving;
   line.looks.slide = 1.5;
   CHECK(is_convincing_as_first(line, 0));
   line.looks.slide = 1.6;
@@ -666,71 +668,67 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
   CHECK(is_convincing_as_first(evident, 150'001));
 }
 
-// Evident, likely, or neither, but waited for.
-constexpr Claim kEvident{
-    .looks = {.quality = 0.7, .strength = 20}, .age_us = 8'000, .found = {.score = 0.7}};
-constexpr Claim kLikely{.looks = {.quality = 0.8, .strength = 20, .cover = 0.6},
-                        .age_us = 11'000,
-                        .found = {.score = 0.6}};
-constexpr Claim kAwaited{.looks = {.quality = 0.81, .strength = 31, .cover = 0.51},
-                         .age_us = 20'001};
-
-Claim without_own_motion(Claim claim) {
-  claim.context.own_motion = false;
+Claim while_turning(Claim claim) {
+  claim.context.head_may_turn = true;
   return claim;
 }
 
-TEST_CASE("The first moves with the scene of a turning head, or clearly by itself") {
+TEST_CASE("While the head may turn the first is not adrift, for 600 ms") {
   for (Claim claim : {kEvident, kLikely, kAwaited}) {
+    claim = while_turning(claim);
     claim.own_speed_px_s = 150;
     CHECK(is_convincing_as_first(claim, 150'001));
     claim.own_speed_px_s = 151;
-    CHECK_FALSE(is_convincing_as_first(claim, 150'001));
-    CHECK(is_convincing_as_first(without_own_motion(claim), 150'001));
-    claim.looks.strength = 81;
+    REQUIRE(is_adrift(claim));
+    CHECK_FALSE(is_convincing_as_first(claim, 600'000));
+    CHECK(is_convincing_as_first(claim, 600'001));
+    claim.context.head_may_turn = false;
     CHECK(is_convincing_as_first(claim, 150'001));
   }
 }
 
-TEST_CASE("The first does not slide along an edge") {
+TEST_CASE("While the head may turn the first does not slide along an edge, for 600 ms") {
   for (Claim claim : {kEvident, kLikely, kAwaited}) {
+    claim.looks.slide = 1.6;
+    CHECK(is_convincing_as_first(claim, 150'001));
+    claim = while_turning(claim);
+    CHECK_FALSE(is_convincing_as_first(claim, 600'000));
+    CHECK(is_convincing_as_first(claim, 600'001));
     claim.looks.slide = 1.5;
     CHECK(is_convincing_as_first(claim, 150'001));
-    claim.looks.slide = 1.6;
-    CHECK_FALSE(is_convincing_as_first(claim, 150'001));
-    CHECK(is_convincing_as_first(without_own_motion(claim), 150'001));
   }
 }
 
-TEST_CASE("With something in its middle the first is not likely") {
-  Claim claim = kLikely;
+TEST_CASE("While the head may turn what has something in its middle is not likely") {
+  Claim claim = while_turning(kLikely);
   claim.looks.inside_events = 12;
   CHECK(is_convincing_as_first(claim, 0));
   claim.looks.inside_events = 13;
   CHECK_FALSE(is_convincing_as_first(claim, 0));
-  CHECK(is_convincing_as_first(without_own_motion(claim), 0));
+  claim.context.head_may_turn = false;
+  CHECK(is_convincing_as_first(claim, 0));
 }
 
-TEST_CASE("The first that moves by itself is a whole ring, unless the head rests") {
-  Claim claim = kMoving;
+TEST_CASE("While the head may turn the first that moves by itself is a whole ring") {
+  Claim claim = while_turning(kMoving);
+  claim.looks.cover = 0.5;
   CHECK_FALSE(is_convincing_as_first(claim, 0));
-  CHECK(is_convincing_as_first(without_own_motion(claim), 0));
   claim.looks.cover = 0.51;
   CHECK(is_convincing_as_first(claim, 0));
-  claim.looks.cover = 0.5;
-  claim.context.head_rests = true;
-  CHECK(is_convincing_as_first(claim, 0));
 }
 
-TEST_CASE("Where it is known how the head turns only a whole ring displaces a stranger") {
-  Claim claim{.looks = {.position = {500, 0}, .quality = 0.9, .strength = 30, .cover = 0.5},
+TEST_CASE("Where it is known how the head turns only a whole or very strong ring displaces") {
+  Claim claim{.looks = {.position = {500, 0}, .quality = 0.9, .strength = 80, .cover = 0.5},
               .age_us = 15'001};
   const Defence main{.looks = {.quality = 0.7, .strength = 14}};
   CHECK(displaces_stranger(claim, main));
-  claim.own_speed_px_s = 0;
-  CHECK_FALSE(displaces_stranger(claim, main));
-  claim.looks.cover = 0.51;
-  CHECK(displaces_stranger(claim, main));
+  for (const double own_px_s : {0.0, 1'000.0}) {
+    claim.own_speed_px_s = own_px_s;
+    claim.looks.cover = 0.5;
+    CHECK_FALSE(displaces_stranger(claim, main));
+    claim.looks.cover = 0.51;
+    CHECK(displaces_stranger(claim, main));
+  }
   claim.looks.cover = 0.5;
   claim.looks.strength = 81;
   CHECK(displaces_stranger(claim, main));
