@@ -95,15 +95,16 @@ void Background::decide(std::int64_t time_us, double noise_per_pixel_us) {
   // Noise would turn it away from the map, never to come back.
   if (head_rests()) {
     speed_ = {};
+    trail_.clear();
   } else {
     align();
+    trail_.note(turn_, time_us);
   }
   // What has happened in a nap was not taken.
   const auto taken_us = static_cast<double>(std::min(passed_us, kPeriod_us));
   const double noise = noise_per_pixel_us * taken_us / static_cast<double>(stride_);
   still_level_ = std::max(kStill, map_.level_of_noise() + kAboveNoise);
   note_activity(passed_us, noise);
-  trail_.note(turn_, time_us);
   if (unknown_us_ > kLongestUnknown_us) clear_map();
   map_.advance(time_us);
   for (const Pixel& event : taken_) map_.add(turn_.then_of(event));

@@ -55,8 +55,8 @@ class Background {
     return head_rests() && time_us % kNap_us >= kGlance_us;
   }
 
-  /// How fast the image of what stands still moves there, px/s, while the head turns; nothing while
-  /// it is not known that it does.
+  /// How fast the image of what stands still moves there, px/s, while the head turns; none while it
+  /// is not known that it does, or has been known for less than TurnTrail takes.
   std::optional<PixelVelocity> still_velocity_at(Pixel place) const;
 
   /// Whether an event here is of something that stands still.

@@ -13,11 +13,11 @@ constexpr std::int64_t kClearAfter_us = 1'000;
 constexpr std::int64_t kLikelyAfter_us = 10'000;
 // Half hidden and moving one way a puck has events in so large a share of the directions.
 constexpr double kLeastCover = 0.28;
-// In the scene what stands still seems to move by less than this share of
-// PuckContour::turning_px_s, or than the filter's velocity is off; and what slides along an edge by
-// less than this multiple.
+// In the scene what stands still seems to move by less than this, in PuckContour::turning_px_s …
 constexpr double kWithScene = 0.5;
+// … or by less than this, since a filter's velocity is no better on few events.
 constexpr double kFilterNoise_px_s = 120;
+// What slides along an edge is slower than this, in PuckContour::turning_px_s.
 constexpr double kBeyondSliding = 2;
 
 std::optional<double> own_speed_px_s(const ContourFilter& filter, const ClaimContext& context) {
@@ -58,9 +58,10 @@ bool is_adrift(const Claim& claim) {
   if (!claim.own_speed_px_s) return false;
   const TrackLooks& looks = claim.looks;
   const double own_px_s = *claim.own_speed_px_s;
-  const bool was_hit = looks.is_very_strong() ||
-                       (looks.is_whole_ring() && own_px_s > kBeyondSliding * looks.turning_px_s);
-  return own_px_s > std::max(kWithScene * looks.turning_px_s, kFilterNoise_px_s) && !was_hit;
+  const bool cannot_slide =
+      looks.is_very_strong() ||
+      (looks.is_whole_ring() && own_px_s > kBeyondSliding * looks.turning_px_s);
+  return own_px_s > std::max(kWithScene * looks.turning_px_s, kFilterNoise_px_s) && !cannot_slide;
 }
 
 bool is_likely(const Claim& claim) {

@@ -14,7 +14,8 @@ class Background;
 struct ClaimContext {
   bool head_rests = false;  ///< Background's: whatever moves in the image moves by itself.
   bool at_once = true;      ///< Ingredient `at-once`.
-  /// Ingredient `own-motion`: the head is not known to rest, so that what moves may stand still.
+  /// Ingredient `own-motion`: the head is not known to rest, which takes 300 ms, so that what moves
+  /// may stand still. False while the background is not consulted.
   bool head_may_turn = false;
   /// … and this says how what stands still moves; null: that is not known.
   const Background* background = nullptr;
@@ -44,10 +45,9 @@ inline double support(const Claim& claim) { return claim.looks.quality + 2 * cla
 /// puck may come out from behind something.
 bool is_clear_at_once(const Claim& claim);
 
-/// Ingredient `own-motion`. It moves neither with the scene of a turning head, as a puck at rest
-/// does, nor as clearly by itself as one that was hit, with very many events or, as a whole ring,
-/// far faster than the scene: it may slide along an edge. False while it is not known how the head
-/// turns.
+/// Ingredient `own-motion`. It does not move with the scene of a turning head, as a puck at rest
+/// does, and may slide along an edge: it has not very many events, nor is it a whole ring that is
+/// far faster than the scene. False while it is not known how the head turns.
 bool is_adrift(const Claim& claim);
 
 /// Ingredient `at-once`. A whole ring that need not move: its events and the search's score

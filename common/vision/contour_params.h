@@ -50,7 +50,8 @@ struct ContourIngredients {
   /// While the head rests, which the background tells, even what moves slowly moves by itself.
   bool slow_movers = true;
   /// While the head may turn, what is found first moves with the scene or clearly by itself, as
-  /// what slides along an edge does not; and only whole rings displace it.
+  /// what slides along an edge does not; where it is known how it turns, only a whole or very
+  /// strong ring displaces what is not trusted.
   bool own_motion = true;
   bool recognition = true;  ///< What the search and its events together say is the puck takes over.
   bool sightings = true;    ///< What a search sees where a poor track is puts that right.

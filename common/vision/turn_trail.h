@@ -11,15 +11,15 @@
 namespace puck {
 
 /// How a camera has turned of late, from which follows how fast the image of what stands still
-/// moves: over a few milliseconds, so that a shaking head is followed.
+/// moves, under a shaking head as well. One thread at a time.
 class TurnTrail {
  public:
   /// How the camera is turned at `time_us`, later than at the last call.
   void note(const CameraTurn& turn, std::int64_t time_us);
-  /// What comes is not to be compared with what was.
+  /// Forgets all notes.
   void clear() { count_ = 0; }
 
-  /// Velocity of what stands still and is at `place` as of the last note, px/s; none before 8
+  /// Velocity of what stands still and is at `place` as of the last note, px/s; none before kNotes
   /// notes.
   std::optional<PixelVelocity> still_velocity_at(Pixel place) const;
 
@@ -28,6 +28,7 @@ class TurnTrail {
     CameraTurn turn{{}, 1};
     std::int64_t time_us = 0;
   };
+  // At one a millisecond: over fewer the alignment's noise shows, over more a shake is missed.
   static constexpr std::size_t kNotes = 12;
 
   std::array<Note, kNotes> notes_;  // a ring

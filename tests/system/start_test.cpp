@@ -24,21 +24,25 @@ double mean_px(const TemporaryFolder& folder, const std::vector<std::string>& op
   return nlohmann::json::parse(read_text(folder / "a.json"))["mean_px"];
 }
 
-// Development games in which that went wrong before.
+// Development games in which that goes wrong without the ingredient.
 TEST_CASE("under a turning head a faint puck is found before what slides along a tile's edges") {
-  double found_px = 0;
-  double slid_px = 0;
+  constexpr double kElsewhere_px = 100;
+  int found_elsewhere = 0;
+  int slid_elsewhere = 0;
   for (const char* seed : {"11", "14", "23", "36"}) {
     const TemporaryFolder folder;
     run_tool("puck-simulate", folder,
              {"--output", "game", "--seed", seed, "--seconds", "0.5", "--moving", "--scene",
               source_folder() / "tools/compare/scenes/low_contrast_5_m_s.toml"});
-    found_px += mean_px(folder, {});
-    slid_px += mean_px(folder, {"--without", "own-motion"});
+    const double found_px = mean_px(folder, {});
+    const double slid_px = mean_px(folder, {"--without", "own-motion"});
+    MESSAGE("mean error of the first half second, px: " << found_px << ", without own-motion "
+                                                        << slid_px);
+    found_elsewhere += found_px > kElsewhere_px;
+    slid_elsewhere += slid_px > kElsewhere_px;
   }
-  MESSAGE("mean error of the first half second, px: " << found_px / 4 << ", without own-motion "
-                                                      << slid_px / 4);
-  CHECK(found_px < slid_px / 3);
+  CHECK(found_elsewhere <= 1);
+  CHECK(slid_elsewhere > found_elsewhere);
 }
 
 }  // namespace

@@ -12,12 +12,17 @@
 namespace puck {
 std::string program(const std::string& name) { return program_path(name); }
 
+Finished call_tool(const std::string& name, const TemporaryFolder& folder,
+                   const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{program(name)};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return run_program(command, {.folder = folder.path()});
+}
+
 void run_tool(const std::string& name, const TemporaryFolder& folder,
               const std::vector<std::string>& arguments) {
   CAPTURE(name);
-  std::vector<std::string> command{program(name)};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  const Finished finished = run_program(command, {.folder = folder.path()});
+  const Finished finished = call_tool(name, folder, arguments);
   INFO(finished.errors);
   REQUIRE(finished.exit_code == 0);
 }

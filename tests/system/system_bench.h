@@ -22,7 +22,10 @@ inline const std::vector<std::string> kServices{"puck-camera", "puck-tracker", "
 
 /// Path of one of our programs.
 std::string program(const std::string& name);
-/// Runs one of them in a folder, and requires that it ends well.
+/// Runs one of them in a folder.
+Finished call_tool(const std::string& name, const TemporaryFolder& folder,
+                   const std::vector<std::string>& arguments);
+/// … and requires that it ends well.
 void run_tool(const std::string& name, const TemporaryFolder& folder,
               const std::vector<std::string>& arguments);
 /// A bus on this host, on another port at every call.

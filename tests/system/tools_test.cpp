@@ -23,9 +23,7 @@ class ToolBench {
     run_tool(name, folder, arguments);
   }
   Finished call(const std::string& name, const std::vector<std::string>& arguments) const {
-    std::vector<std::string> command{program(name)};
-    command.insert(command.end(), arguments.begin(), arguments.end());
-    return run_program(command, {.folder = folder.path()});
+    return call_tool(name, folder, arguments);
   }
   /// With truth, and with the figures written to a file.
   Json evaluate(const std::vector<std::string>& options) const {

@@ -25,7 +25,7 @@ TEST_CASE("What stands still is known as such through a whole sway of the head")
   }
 }
 
-TEST_CASE("How what stands still moves is known to a third while the head turns") {
+TEST_CASE("How what stands still moves is known to a third of its speed while the head turns") {
   Background background(TurningScene::kSensor);
   TurningScene scene;
   CHECK_FALSE(background.still_velocity_at({320, 240}));
@@ -298,6 +298,22 @@ TEST_CASE("Glances see through noise that the head begins to turn") {
   CHECK_FALSE(scene.background.head_rests());
 }
 
+TEST_CASE("How the scene moves is not known of a head at rest, nor afterwards from before") {
+  Background background(TurningScene::kSensor);
+  TurningScene scene;
+  scene.show(background, 300);
+  REQUIRE(background.still_velocity_at({320, 240}));
+  std::int64_t time_us = scene.time_us();
+  while (!background.head_rests()) background.decide(time_us += 1'000);
+  CHECK_FALSE(background.still_velocity_at({320, 240}));
+  // It turns again from where it was.
+  scene.wait_until(time_us);
+  while (!background.head_turns()) scene.show(background, 1);
+  if (const auto velocity = background.still_velocity_at({320, 240})) {
+    CHECK(std::abs(velocity->x) < 200);
+  }
+}
+
 TEST_CASE("A hand with more events than all that stands still does not draw the map along") {
   Background background(TurningScene::kSensor);
   TurningScene scene;
@@ -309,7 +325,10 @@ TEST_CASE("A hand with more events than all that stands still does not draw the 
     }
     scene.show(background, 1);
     REQUIRE(background.is_known());
-    CHECK(background.still_velocity_at({320, 240}).has_value() == background.head_turns());
+    const auto velocity = background.still_velocity_at({320, 240});
+    CHECK(velocity.has_value() == background.head_turns());
+    // The hand goes at 700 px/s.
+    if (velocity) CHECK(std::abs(velocity->x) < 200);
   }
   // So much of what is seen is the hand that it may be all that moves.
   CHECK_FALSE(background.head_turns());

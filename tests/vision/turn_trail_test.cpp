@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <doctest/doctest.h>
 
@@ -11,7 +12,7 @@ namespace {
 constexpr Pixel kMiddle{320, 240};
 constexpr double kFocal_px = 700;
 
-TEST_CASE("The image of what stands still moves against the steps, at each place as it does") {
+TEST_CASE("The image of what stands still moves against the steps, at each place by its slopes") {
   CameraTurn turn(kMiddle, kFocal_px);
   TurnTrail trail;
   for (int i = 1; i <= 20; ++i) {
@@ -42,7 +43,7 @@ TEST_CASE("However far apart the notes are, the velocity is a second's") {
 
 TEST_CASE("Of a shaking head the velocity is that of the last milliseconds") {
   TurnTrail trail;
-  const auto shaken_px = [](int i) { return 2 * std::sin(2 * 3.14159265 * 10 * i * 1e-3); };
+  const auto shaken_px = [](int i) { return 2 * std::sin(2 * std::numbers::pi * 10 * i * 1e-3); };
   CameraTurn turn(kMiddle, kFocal_px);
   double worst_px_s = 0;
   for (int i = 1; i <= 300; ++i) {
