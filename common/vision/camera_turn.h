@@ -18,21 +18,11 @@ class CameraTurn {
 
   CameraTurn(Pixel middle, double focal_px) : middle_(middle), focal_px_(focal_px) {}
 
-  Pixel then_of(Pixel now) const {
-    const double x = (now.x - middle_.x) / focal_px_;
-    const double y = (now.y - middle_.y) / focal_px_;
-    const double depth = turn_[6] * x + turn_[7] * y + turn_[8];
-    return {middle_.x + focal_px_ * (turn_[0] * x + turn_[1] * y + turn_[2]) / depth,
-            middle_.y + focal_px_ * (turn_[3] * x + turn_[4] * y + turn_[5]) / depth};
-  }
-
+  Pixel then_of(Pixel now) const { return seen_by(turn_, now); }
   /// The inverse: where a pixel of then lies in the image of now.
   Pixel now_of(Pixel then) const {
-    const double x = (then.x - middle_.x) / focal_px_;
-    const double y = (then.y - middle_.y) / focal_px_;
-    const double depth = turn_[2] * x + turn_[5] * y + turn_[8];
-    return {middle_.x + focal_px_ * (turn_[0] * x + turn_[3] * y + turn_[6]) / depth,
-            middle_.y + focal_px_ * (turn_[1] * x + turn_[4] * y + turn_[7]) / depth};
+    const auto& t = turn_;
+    return seen_by({t[0], t[3], t[6], t[1], t[4], t[7], t[2], t[5], t[8]}, then);
   }
 
   /// By how much a pixel of then moves along x and y for each px of the steps.
@@ -50,9 +40,20 @@ class CameraTurn {
   void turn(const Steps& steps);
 
  private:
+  using Rotation = std::array<double, 9>;  // row by row
+
+  // Where what is at a place is in the image of a camera whose rays are turned so.
+  Pixel seen_by(const Rotation& rays, Pixel place) const {
+    const double x = (place.x - middle_.x) / focal_px_;
+    const double y = (place.y - middle_.y) / focal_px_;
+    const double depth = rays[6] * x + rays[7] * y + rays[8];
+    return {middle_.x + focal_px_ * (rays[0] * x + rays[1] * y + rays[2]) / depth,
+            middle_.y + focal_px_ * (rays[3] * x + rays[4] * y + rays[5]) / depth};
+  }
+
   Pixel middle_;
   double focal_px_;
-  std::array<double, 9> turn_{1, 0, 0, 0, 1, 0, 0, 0, 1};  // rays of then from rays of now
+  Rotation turn_{1, 0, 0, 0, 1, 0, 0, 0, 1};  // rays of then from rays of now
 };
 
 }  // namespace puck
