@@ -191,12 +191,14 @@ bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
   const bool is_like_a_mark = claim.has_other_wall && searched_us <= kPatience_us;
   const TrackLooks& looks = claim.looks;
   const bool may_turn = claim.context.head_may_turn;
-  if (may_turn && searched_us <= kLongPatience_us && (looks.may_slide() || is_adrift(claim))) {
+  // What is very strong is no edge.
+  if (may_turn && searched_us <= kLongPatience_us &&
+      ((looks.may_slide() && !looks.is_very_strong()) || is_adrift(claim))) {
     return false;
   }
   // Hands and mallets move as well; and so, while the head turns, do edges that cross.
   const bool moves_as_first = moves_by_itself(claim) && !looks.is_large() && !looks.may_slide() &&
-                              (!may_turn || looks.is_whole_ring());
+                              (!may_turn || looks.is_whole_ring() || looks.is_very_strong());
   return (is_evident(claim) && !is_like_a_mark) ||
          (is_likely(claim) && !(may_turn && looks.is_covered())) || moves_as_first ||
          (searched_us > kPatience_us && claim.age_us > 20'000 && looks.quality > 0.8 &&

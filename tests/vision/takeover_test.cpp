@@ -699,6 +699,20 @@ TEST_CASE("While the head may turn the first does not slide along an edge, for 6
   }
 }
 
+TEST_CASE("While the head may turn what is very strong may seem to slide, or be half a ring") {
+  Claim claim = while_turning(kEvident);
+  claim.looks.slide = 1.6;
+  claim.looks.strength = 80;
+  CHECK_FALSE(is_convincing_as_first(claim, 0));
+  claim.looks.strength = 81;
+  CHECK(is_convincing_as_first(claim, 0));
+  claim = while_turning(kMoving);
+  claim.looks.strength = 80;
+  CHECK_FALSE(is_convincing_as_first(claim, 0));
+  claim.looks.strength = 81;
+  CHECK(is_convincing_as_first(claim, 0));
+}
+
 TEST_CASE("While the head may turn what has something in its middle is not likely") {
   Claim claim = while_turning(kLikely);
   claim.looks.inside_events = 12;
