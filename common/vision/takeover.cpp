@@ -38,6 +38,11 @@ bool has_had_time(const Claim& claim) {
 // The head turns, and it is known how.
 bool is_seen_turning(const Claim& claim) { return claim.own_speed_px_s.has_value(); }
 
+// Edges that cross have events on few sides, and not so many.
+bool is_more_than_edges(const TrackLooks& looks) {
+  return looks.is_whole_ring() || looks.is_very_strong();
+}
+
 // To searches the main track looks more like a puck.
 bool is_outscored(const Claim& claim, const Defence& main) {
   return main.knows_pucks && claim.found.score < main.score - kScoreNoise;
@@ -126,8 +131,8 @@ bool displaces_stranger(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
   return !main.is_trusted && !is_outscored(claim, main) && !is_only_round(claim, main) &&
          claim.age_us > 15'000 && looks.quality > 0.8 && looks.strength > 20 &&
-         (!is_seen_turning(claim) || looks.is_whole_ring() || looks.is_very_strong()) &&
-         !looks.is_oversized() && !looks.is_undersized() &&
+         (!is_seen_turning(claim) || is_more_than_edges(looks)) && !looks.is_oversized() &&
+         !looks.is_undersized() &&
          (looks.quality > main.looks.quality + 0.12 || looks.strength > 2 * main.looks.strength);
 }
 
@@ -198,7 +203,7 @@ bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
   }
   // Hands and mallets move as well; and so, while the head turns, do edges that cross.
   const bool moves_as_first = moves_by_itself(claim) && !looks.is_large() && !looks.may_slide() &&
-                              (!may_turn || looks.is_whole_ring() || looks.is_very_strong());
+                              (!may_turn || is_more_than_edges(looks));
   return (is_evident(claim) && !is_like_a_mark) ||
          (is_likely(claim) && !(may_turn && looks.is_covered())) || moves_as_first ||
          (searched_us > kPatience_us && claim.age_us > 20'000 && looks.quality > 0.8 &&

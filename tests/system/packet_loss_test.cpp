@@ -14,10 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json evaluate(const TemporaryFolder& folder, const std::string& percent, const std::string& seed) {
-  run_tool("puck-evaluate", folder,
-           {"game.raw", "--truth", "game.truth.csv", "--drop-packets", percent, "--drop-seed", seed,
-            "--json", "a.json"});
-  return Json::parse(read_text(folder / "a.json"));
+  return evaluate_game(folder, {"--drop-packets", percent, "--drop-seed", seed});
 }
 
 double mean_over_seeds(const TemporaryFolder& folder, const std::string& percent, const char* key) {

@@ -11,17 +11,10 @@
 namespace puck {
 namespace {
 
-double mean_px(const TemporaryFolder& folder, const std::vector<std::string>& options) {
-  std::vector<std::string> arguments{"game.raw",
-                                     "--truth",
-                                     "game.truth.csv",
-                                     "--json",
-                                     "a.json",
-                                     "--size-model",
-                                     source_folder() / "config/calibration/simulated_size.toml"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  run_tool("puck-evaluate", folder, arguments);
-  return nlohmann::json::parse(read_text(folder / "a.json"))["mean_px"];
+double mean_px(const TemporaryFolder& folder, std::vector<std::string> options) {
+  options.insert(options.end(),
+                 {"--size-model", source_folder() / "config/calibration/simulated_size.toml"});
+  return evaluate_game(folder, options)["mean_px"];
 }
 
 // Development games in which that goes wrong without the ingredient.

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/support/status_counter.h"
 
@@ -25,6 +26,14 @@ void run_tool(const std::string& name, const TemporaryFolder& folder,
   const Finished finished = call_tool(name, folder, arguments);
   INFO(finished.errors);
   REQUIRE(finished.exit_code == 0);
+}
+
+nlohmann::json evaluate_game(const TemporaryFolder& folder,
+                             const std::vector<std::string>& options) {
+  std::vector<std::string> arguments{"game.raw", "--truth", "game.truth.csv", "--json", "a.json"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  run_tool("puck-evaluate", folder, arguments);
+  return nlohmann::json::parse(read_text(folder / "a.json"));
 }
 
 std::string new_lcm_url() {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "common/messaging/bus.h"
 #include "common/messaging/single_publisher.h"
 #include "tests/support/child_process.h"
@@ -28,6 +30,9 @@ Finished call_tool(const std::string& name, const TemporaryFolder& folder,
 /// … and requires that it ends well.
 void run_tool(const std::string& name, const TemporaryFolder& folder,
               const std::vector<std::string>& arguments);
+/// The figures of puck-evaluate on a simulated recording in a folder, game, with its truth.
+nlohmann::json evaluate_game(const TemporaryFolder& folder,
+                             const std::vector<std::string>& options = {});
 /// A bus on this host, on another port at every call.
 std::string new_lcm_url();
 

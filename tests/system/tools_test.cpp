@@ -27,10 +27,7 @@ class ToolBench {
   }
   /// With truth, and with the figures written to a file.
   Json evaluate(const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments{"game.raw", "--truth", "game.truth.csv", "--json", "a.json"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    run("puck-evaluate", arguments);
-    return Json::parse(read_text(folder / "a.json"));
+    return evaluate_game(folder, options);
   }
   std::string first_line(const std::string& file) const {
     const std::string text = read_text(folder / file);
