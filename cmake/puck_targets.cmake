@@ -2,12 +2,16 @@
 
 find_program(PUCK_CCACHE ccache)
 if(PUCK_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${PUCK_CCACHE})
+  # Goes by the files that the compiler says it read (-MD). Otherwise ccache preprocesses each file to
+  # look it up, which takes as long as compiling many a small one, and with GCC does not see that a
+  # precompiled header is another one where only a macro in it has changed.
+  set(puck_ccache_settings CCACHE_DEPEND=1)
   if(PUCK_PRECOMPILE)
-    # Without these ccache keeps nothing that was compiled with a precompiled header.
-    set(CMAKE_CXX_COMPILER_LAUNCHER
-      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${PUCK_CCACHE})
+    # Without the first, ccache keeps nothing that was compiled with a precompiled header; for the
+    # second see sum_precompiled.sh.
+    list(APPEND puck_ccache_settings CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1)
   endif()
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env ${puck_ccache_settings} ${PUCK_CCACHE})
 endif()
 
 # Sanitizer builds: enough symbols to read a report, and enough optimisation for what keeps time. More
@@ -62,6 +66,10 @@ if(PUCK_PRECOMPILE)
     target_compile_options(${name} PRIVATE ${options})
     target_link_libraries(${name} PRIVATE puck_options)
     target_precompile_headers(${name} PRIVATE ${puck_common_headers} ${headers})
+    if(PUCK_CCACHE)
+      set_target_properties(${name} PROPERTIES CXX_COMPILER_LAUNCHER
+        "${PROJECT_SOURCE_DIR}/cmake/sum_precompiled.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
+    endif()
   endfunction()
   puck_precompiled_headers(puck_precompiled "" "")
   if(NOT PUCK_CORE_ONLY)
