@@ -9,8 +9,9 @@
 
 #include <doctest/doctest.h>
 
-#include "common/io/config.h"
 #include "tests/support/environment.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/simulate/simulate_settings.h"
 
 namespace puck {
 namespace {
@@ -19,6 +20,8 @@ bool runs(const Sequence& sequence, const std::string& name) {
   return std::any_of(sequence.contestants.begin(), sequence.contestants.end(),
                      [&](const Contestant& contestant) { return contestant.name == name; });
 }
+
+std::filesystem::path comparison_folder() { return source_folder() / "tools/compare"; }
 
 }  // namespace
 
@@ -96,14 +99,26 @@ TEST_CASE("all presets run everywhere, the particle filter where it is affordabl
   }
 }
 
-TEST_CASE("every scene file is there and can be read") {
-  const std::filesystem::path scenes = source_folder() / "tools/compare/scenes";
+TEST_CASE("every scene file is there and can be played") {
+  const std::filesystem::path scenes = comparison_folder() / "scenes";
   for (const SequenceSet& set : sequence_sets()) {
     if (set.scene.empty()) continue;
     CAPTURE(set.scene);
-    CHECK_NOTHROW(Config::from_file(scenes / set.scene));
+    CHECK_NOTHROW(simulation_params_of({.scene = scenes / set.scene}));
   }
   CHECK_THROWS_AS(set_of(sequence_sets(), "no such set"), std::invalid_argument);
+}
+
+TEST_CASE("every scene of tools/other_scenes.sh has a name and can be played") {
+  int scenes = 0;
+  const std::filesystem::path folder = comparison_folder() / "other_scenes";
+  for (const auto& scene : std::filesystem::directory_iterator(folder)) {
+    CAPTURE(scene.path());
+    ++scenes;
+    CHECK_NOTHROW(simulation_params_of({.scene = scene.path()}));
+    CHECK(read_text(scene.path()).starts_with("# "));
+  }
+  CHECK(scenes > 20);
 }
 
 }  // namespace puck

@@ -118,14 +118,15 @@ std::optional<int> ChildProcess::reap(int options) {
   return exit_code_;
 }
 
-Finished run_program(const std::vector<std::string>& arguments, const ChildOptions& options) {
+Finished run_program(const std::vector<std::string>& arguments, const ChildOptions& options,
+                     std::chrono::seconds time) {
   const TemporaryFolder folder;
   ChildOptions captured = options;
   captured.output = folder / "output";
   captured.errors = folder / "errors";
   ChildProcess child(arguments, captured);
   Finished finished;
-  finished.exit_code = child.wait_for(std::chrono::seconds(60)).value_or(-1);
+  finished.exit_code = child.wait_for(time).value_or(-1);
   finished.output = read_text(captured.output);
   finished.errors = read_text(captured.errors);
   return finished;

@@ -52,12 +52,14 @@ class ChildProcess {
 
 /// How a program ended that ran to its end.
 struct Finished {
-  int exit_code = -1;  ///< -1: a signal ended it, or it was killed after 60 s.
+  int exit_code = -1;  ///< -1: a signal ended it, or it was killed after its time.
   std::string output;  ///< Its stdout.
   std::string errors;  ///< Its stderr.
 };
 
-/// Runs a program to its end. Of the options only folder and input count.
-Finished run_program(const std::vector<std::string>& arguments, const ChildOptions& options = {});
+/// Runs a program to its end, and kills it when that takes longer than `time`. Of the options only
+/// folder and input count.
+Finished run_program(const std::vector<std::string>& arguments, const ChildOptions& options = {},
+                     std::chrono::seconds time = std::chrono::seconds(60));
 
 }  // namespace puck

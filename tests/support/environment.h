@@ -9,7 +9,10 @@ namespace puck {
 
 inline std::string required_environment(const char* name) {
   const char* value = std::getenv(name);
-  if (value == nullptr) throw std::runtime_error(std::string(name) + " must be set, as ctest does");
+  if (value == nullptr) {
+    throw std::runtime_error("an environment variable that ctest sets is missing: " +
+                             std::string(name));
+  }
   return value;
 }
 

@@ -1,0 +1,136 @@
+// tools/other_scenes.sh: with the real programs, and with programs that fail as those might.
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/support/child_process.h"
+#include "tests/support/environment.h"
+#include "tests/support/temporary_folder.h"
+
+namespace puck {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path script() { return source_folder() / "tools/other_scenes.sh"; }
+
+// Where the value of an option goes in a shell script's variable of the same name.
+const std::string kReadOptions =
+    "#!/bin/sh\n"
+    "for argument; do\n"
+    "  case \"$before\" in --output) output=$argument ;; --seed) seed=$argument ;; esac\n"
+    "  before=$argument\n"
+    "done\n";
+
+// Programs in the place of the real ones: `evaluate` is what the tracker's does, and finds in its
+// first argument the seed of the game.
+fs::path programs_that(const TemporaryFolder& folder, const std::string& evaluate) {
+  const fs::path programs = folder / "programs";
+  fs::create_directory(programs);
+  const auto write = [&](const char* name, const std::string& script) {
+    write_text(programs / name, script);
+    fs::permissions(programs / name, fs::perms::owner_all);
+  };
+  write("puck-simulate",
+        kReadOptions +
+            "printf '%% geometry 64x48\\n%% end\\n%s\\n' \"$seed\" >\"$output.raw\"\n"
+            "touch \"$output.truth.csv\" \"$output.annotations.csv\"\n");
+  write("puck-calibrate", kReadOptions + "touch \"$output\"\n");
+  write("puck-evaluate", "#!/bin/sh\nseed=$(tail -n 1 \"$1\")\n" + evaluate);
+  return programs;
+}
+
+Finished told_with(const std::string& evaluate) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", "# Any scene.\n[sensor]\nthreshold = 0.3\n");
+  return run_program({script(), "--programs", programs_that(folder, evaluate), "--output",
+                      folder / "out", folder / "scene.toml"});
+}
+
+}  // namespace
+
+TEST_CASE("a row has the means of two games") {
+  const Finished told = told_with(
+      "if [ $seed = 11 ]; then echo mean_px 0.8; echo lost_percent 10\n"
+      "else echo mean_px 1.0; echo lost_percent 20; fi\n");
+  INFO(told.errors);
+  CHECK(told.exit_code == 0);
+  CHECK(told.output.find("| Any scene | 0.90 / 15.00 | 0.90 / 15.00 |\n") != std::string::npos);
+}
+
+TEST_CASE("what fails or cannot be scored in one game has no row") {
+  const std::string good = "echo mean_px 0.8; echo lost_percent 10\n";
+  const std::vector<std::string> failures{
+      "if [ $seed = 11 ]; then exit 1; fi\n" + good, "if [ $seed = 12 ]; then exit 1; fi\n" + good,
+      good + "exit 1\n",
+      "if [ $seed = 12 ]; then echo mean_px -; echo lost_percent -; exit; fi\n" + good,
+      "echo lost_percent 10\n"};
+  for (const std::string& evaluate : failures) {
+    CAPTURE(evaluate);
+    const Finished told = told_with(evaluate);
+    CHECK(told.exit_code == 1);
+    CHECK(told.output.find("Any scene") == std::string::npos);
+    CHECK(told.errors.find("scene failed") != std::string::npos);
+  }
+}
+
+TEST_CASE("another scene is played, and one that cannot be costs no other its row") {
+  const TemporaryFolder folder;
+  write_text(folder / "bad.toml", "# A key that nobody knows.\n[sensor]\nthreshhold = 1.0\n");
+  const Finished told =
+      run_program({script(), "--seconds", "2", "--programs", required_environment("PUCK_BIN_DIR"),
+                   "--output", folder / "out", folder / "bad.toml",
+                   source_folder() / "tools/compare/other_scenes/sensor_240x180.toml"},
+                  {}, std::chrono::minutes(8));
+  INFO(told.output, told.errors);
+  CHECK(told.exit_code == 1);
+  CHECK(told.errors.find("threshhold") != std::string::npos);
+  CHECK(told.output.find("A key that nobody knows") == std::string::npos);
+
+  const std::string name = "| A sensor of 240 x 180 px | ";
+  const auto row = told.output.find(name);
+  REQUIRE(row != std::string::npos);
+  double still_px = -1;
+  double still_lost = -1;
+  double moving_px = -1;
+  double moving_lost = -1;
+  REQUIRE(std::sscanf(told.output.c_str() + row + name.size(), "%lf / %lf | %lf / %lf |", &still_px,
+                      &still_lost, &moving_px, &moving_lost) == 4);
+  CHECK(still_px > 0.0);
+  CHECK(still_px < 1.0);
+  CHECK(still_lost < 5.0);
+  CHECK(moving_px > 0.0);
+  CHECK(moving_px < 5.0);
+  CHECK(moving_lost < 10.0);
+}
+
+TEST_CASE("what is asked in the wrong way is refused before anything runs") {
+  const Finished help = run_program({script(), "--help"});
+  CHECK(help.exit_code == 0);
+  CHECK(help.output.find("--programs DIR") != std::string::npos);
+
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "other");
+  write_text(folder / "scene.toml", "");
+  write_text(folder / "other/scene.toml", "");
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"no_such_scene.toml"},
+           {"--seconds", "1.2.3"},
+           {"--jobs", "0"},
+           {"--no-such-option"},
+           {"--programs", folder / "other"},
+           {folder / "scene.toml", folder / "other/scene.toml"}}) {
+    CAPTURE(arguments.front());
+    std::vector<std::string> command{script()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Finished told = run_program(command);
+    CHECK(told.exit_code == 2);
+    CHECK(told.errors.find("other_scenes.sh: ") != std::string::npos);
+  }
+}
+
+}  // namespace puck

@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# What the tracker makes of another sensor, camera, head or puck: games in scenes that differ from
+# config/scene.toml in a few keys each, with the puck's size and the sensor's lag calibrated anew for
+# each scene, and no parameter changed.
+#
+#   tools/other_scenes.sh [--seconds S] [--jobs J] [--output DIR] [--programs DIR] [SCENE.toml...]
+#
+# SCENE.toml      these scenes (default: all in tools/compare/other_scenes). A row has the name that
+#                 the comment in its first line gives it
+# --seconds S     length of each game (default 10); what is calibrated on is always 10 s long
+# --jobs J        scenes worked on at a time (default: one a core)
+# --output DIR    where calibrations, rows and logs go (default build/other_scenes)
+# --programs DIR  run the programs there, and build nothing
+#
+# Prints mean px / lost % of two games with a still camera, and of two with a moving one: development
+# seeds 11 and 12; seed 1 is calibrated on. A scene that has keys of [head] has no still games. Exit
+# code 1: a scene could not be played or scored; it has no row. All of it took 41 minutes of processor
+# time.
+set -euo pipefail
+root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
+
+usage() { # EXIT_CODE
+  sed -n '2,/^set /s/^# \{0,1\}//p' "$root/tools/other_scenes.sh" | sed '/^set /d'
+  exit "$1"
+}
+
+refuse() { # MESSAGE
+  echo "other_scenes.sh: $1" >&2
+  exit 2
+}
+
+seconds=10
+jobs=$(nproc)
+output=$root/build/other_scenes
+programs=
+scenes=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --seconds) seconds=${2-} && shift 2 || usage 2 ;;
+    --jobs) jobs=${2-} && shift 2 || usage 2 ;;
+    --output) output=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
+    --programs) programs=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
+    -h | --help) usage 0 ;;
+    -*) refuse "unknown option $1; --help lists them" ;;
+    *)
+      [ -f "$1" ] || refuse "no scene $1"
+      scenes+=("$(realpath "$1")")
+      shift
+      ;;
+  esac
+done
+[[ $seconds =~ ^[0-9]+(\.[0-9]+)?$ ]] || refuse "--seconds takes a number, got $seconds"
+[[ $jobs =~ ^[1-9][0-9]*$ ]] || refuse "--jobs takes a whole number from 1, got $jobs"
+if [ ${#scenes[@]} -eq 0 ]; then scenes=("$root"/tools/compare/other_scenes/*.toml); fi
+twice=$(for scene in "${scenes[@]}"; do basename "$scene"; done | sort | uniq -d | head -n 1)
+[ -z "$twice" ] || refuse "two scenes are called $twice; each needs a name of its own"
+
+if [ -z "$programs" ]; then
+  "$root/tools/install-deps.sh" >&2
+  echo "building" >&2
+  cd "$root"
+  cmake --preset release >/dev/null
+  cmake --build --preset release -j "$(nproc)" \
+    --target puck-simulate puck-calibrate puck-evaluate -- --quiet >&2
+  programs=$root/build/release/bin
+fi
+for program in puck-simulate puck-calibrate puck-evaluate; do
+  [ -x "$programs/$program" ] || refuse "no program $programs/$program"
+done
+
+# What follows also runs in the shells that xargs starts.
+export seconds output programs
+
+game_figures() { # SCENE FOLDER SEED [--moving]: "mean_px lost_percent"
+  local game=$2/game
+  "$programs/puck-simulate" --scene "$1" --seed "$3" --seconds "$seconds" --output "$game" \
+    ${4:+"$4"} >&2
+  "$programs/puck-evaluate" "$game.raw" --truth "$game.truth.csv" --size-model "$2/size.toml" |
+    awk '{ is[$1] = $2 }
+      END {
+        if (is["mean_px"] !~ /^[0-9]/ || is["lost_percent"] !~ /^[0-9]/) {
+          print "a game cannot be scored: is its puck ever to be seen?" >"/dev/stderr"
+          exit 1
+        }
+        print is["mean_px"], is["lost_percent"]
+      }'
+}
+
+cell() { # SCENE FOLDER [--moving]: the mean of two games
+  local first second
+  first=$(game_figures "$1" "$2" 11 ${3:+"$3"})
+  second=$(game_figures "$1" "$2" 12 ${3:+"$3"})
+  printf '%s\n' "$first" "$second" |
+    awk '{ px += $1; lost += $2 } END { printf "%.2f / %.2f", px / NR, lost / NR }'
+}
+
+# Writes its row into the output folder. In a shell of its own, whose failures -e can see: where the
+# caller asks whether a function worked, bash leaves it off in all of it.
+row() { # SCENE
+  set -euo pipefail
+  shopt -s inherit_errexit
+  local label still=– moving width height
+  # Not local, as they are not when the trap needs them.
+  name=$(basename "$1" .toml)
+  folder=$output/$name
+  marks=$folder/marks
+  mkdir -p "$folder"
+  trap 'rm -f "$marks".* "$folder"/game.*' EXIT
+
+  "$programs/puck-simulate" --scene "$1" --seed 1 --seconds 10 --output "$marks" >&2
+  read -r width height < <(sed -n 's/^% geometry \([0-9]*\)x\([0-9]*\)$/\1 \2/p; /^% end/q' \
+    "$marks.raw")
+  "$programs/puck-calibrate" size "$marks.annotations.csv" --output "$folder/size.toml" \
+    --width "$width" --height "$height" >&2
+  "$programs/puck-calibrate" lag "$marks.raw" --truth "$marks.truth.csv" \
+    --size-model "$folder/size.toml" --output "$folder/size.toml" >&2
+
+  if ! grep -Eq '^[[:blank:]]*(\[head\]|head\.)' "$1"; then still=$(cell "$1" "$folder"); fi
+  moving=$(cell "$1" "$folder" --moving)
+  label=$(sed -n '1s/^#[[:blank:]]*\(.*[^.]\)\.*$/\1/p' "$1" | tr '|' '/')
+  echo "| ${label:-$name} | $still | $moving |" >"$folder/row.md"
+}
+
+row_logged() { # SCENE
+  local name log
+  name=$(basename "$1" .toml)
+  log=$output/$name.log
+  rm -f "$output/$name/row.md"
+  if bash -c 'row "$1"' row "$1" 2>"$log"; then
+    echo "$name is done" >&2
+  else
+    echo "$name failed; $log ends with:" >&2
+    tail -n 3 "$log" >&2
+    return 1
+  fi
+}
+export -f game_figures cell row row_logged
+
+mkdir -p "$output"
+failed=0
+printf '%s\0' "${scenes[@]}" |
+  xargs -0 -n 1 -P "$jobs" bash -c 'row_logged "$1"' row_logged || failed=1
+
+echo "| mean px / lost % | still | moving |"
+echo "|---|---:|---:|"
+for scene in "${scenes[@]}"; do
+  row_file=$output/$(basename "$scene" .toml)/row.md
+  if [ -f "$row_file" ]; then cat "$row_file"; fi
+done
+exit "$failed"
