@@ -32,13 +32,6 @@ for option in "$@"; do
   fi
 done
 
-"$root/tools/install-deps.sh"
-echo "building"
-(
-  cd "$root"
-  cmake --preset release >/dev/null
-  cmake --build --preset release -j "$(nproc)" \
-    --target puck-simulate puck-calibrate puck-evaluate puck-compare -- --quiet
-)
+"$root/tools/build.sh" puck-simulate puck-calibrate puck-evaluate puck-compare
 exec "$root/build/release/bin/puck-compare" \
   --scenes "$root/tools/compare/scenes" --output "$root/build/compare" "$@"

@@ -39,10 +39,7 @@ if ! [[ "$seconds" =~ ^[1-9][0-9]{0,4}$ ]]; then
   exit 2
 fi
 
-tools/install-deps.sh
-echo "building"
-cmake --preset release >/dev/null
-cmake --build --preset release -j "$(nproc)" --target puck_programs -- --quiet
+tools/build.sh puck_programs
 bin=build/release/bin
 
 # shellcheck source=tools/services.sh

@@ -56,12 +56,7 @@ twice=$(for scene in "${scenes[@]}"; do basename "$scene"; done | sort | uniq -d
 [ -z "$twice" ] || refuse "two scenes are called $twice; each needs a name of its own"
 
 if [ -z "$programs" ]; then
-  "$root/tools/install-deps.sh" >&2
-  echo "building" >&2
-  cd "$root"
-  cmake --preset release >/dev/null
-  cmake --build --preset release -j "$(nproc)" \
-    --target puck-simulate puck-calibrate puck-evaluate -- --quiet >&2
+  "$root/tools/build.sh" puck-simulate puck-calibrate puck-evaluate >&2
   programs=$root/build/release/bin
 fi
 for program in puck-simulate puck-calibrate puck-evaluate; do
@@ -100,7 +95,7 @@ row() { # SCENE
   set -euo pipefail
   shopt -s inherit_errexit
   local label still=– moving width height
-  # Not local, as they are not when the trap needs them.
+  # Not local: the trap runs when this function is over.
   name=$(basename "$1" .toml)
   folder=$output/$name
   marks=$folder/marks

@@ -69,15 +69,9 @@ if $real_time; then
     refuse "--max-speed takes a number from 0.6 to 15 with --real-time, got $max_speed"
 fi
 
-"$root/tools/install-deps.sh"
-echo "building"
 target=puck-play
 if $real_time; then target=puck_programs; fi
-(
-  cd "$root"
-  cmake --preset release >/dev/null
-  cmake --build --preset release -j "$(nproc)" --target $target -- --quiet
-)
+"$root/tools/build.sh" $target
 bin=$root/build/release/bin
 if ! $real_time; then exec "$bin/puck-play" --calibration "$root/config/calibration" "$@"; fi
 cd "$root"

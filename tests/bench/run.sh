@@ -31,10 +31,7 @@ while [ $# -gt 0 ]; do
 done
 cd "$(dirname "$0")/../.."
 
-tools/install-deps.sh
-echo "building"
-cmake --preset release >/dev/null
-cmake --build --preset release -j "$(nproc)" --target puck_bench -- --quiet
+tools/build.sh puck_bench
 bin=build/release/bin
 out=build/bench
 mkdir -p "$out"

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 fs::path script() { return source_folder() / "tools/other_scenes.sh"; }
 
-// Where the value of an option goes in a shell script's variable of the same name.
+// The beginning of a shell script: puts what --output and --seed say into variables of those names.
 const std::string kReadOptions =
     "#!/bin/sh\n"
     "for argument; do\n"
