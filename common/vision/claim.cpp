@@ -13,6 +13,8 @@ constexpr std::int64_t kClearAfter_us = 1'000;
 constexpr std::int64_t kLikelyAfter_us = 10'000;
 // Half hidden and moving one way a puck has events in so large a share of the directions.
 constexpr double kLeastCover = 0.28;
+// What crosses and curves by chance hardly ever has events in so large a share of the directions.
+constexpr double kPrintedCover = 0.75;
 // In the scene what stands still seems to move by less than this, in PuckContour::turning_px_s …
 constexpr double kWithScene = 0.5;
 // … or by less than this, since a filter's velocity is no better on few events.
@@ -69,6 +71,13 @@ bool is_likely(const Claim& claim) {
   return claim.context.at_once && claim.age_us > kLikelyAfter_us && looks.quality > 0.75 &&
          looks.strength > 15 && looks.is_whole_ring() && looks.has_pucks_size() &&
          support(claim) > 1.9;
+}
+
+bool may_be_printed(const Claim& claim) {
+  const TrackLooks& looks = claim.looks;
+  return claim.context.face_print && claim.age_us > kLikelyAfter_us && claim.leads &&
+         looks.printed_quality > 0.75 && looks.strength > 40 && looks.cover > kPrintedCover &&
+         !looks.is_large() && !looks.is_undersized() && claim.found.score > 0.6;
 }
 
 }  // namespace puck

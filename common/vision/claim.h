@@ -14,6 +14,7 @@ class Background;
 struct ClaimContext {
   bool head_rests = false;  ///< Background's: whatever moves in the image moves by itself.
   bool at_once = true;      ///< Ingredient `at-once`.
+  bool face_print = true;   ///< Ingredient `face-print`.
   /// Ingredient `own-motion`: the head is not known to rest, which takes 300 ms, so that what moves
   /// may stand still. False while the background is not consulted.
   bool head_may_turn = false;
@@ -53,5 +54,10 @@ bool is_adrift(const Claim& claim);
 /// Ingredient `at-once`. A whole ring that need not move: its events and the search's score
 /// together say that it is the puck, though neither does so beyond doubt.
 bool is_likely(const Claim& claim);
+
+/// Ingredient `face-print`. A ring with events nearly all around that stands out from what lies
+/// around it, though not from what lies inside, which may be a print; and it looks like a puck to
+/// the search.
+bool may_be_printed(const Claim& claim);
 
 }  // namespace puck

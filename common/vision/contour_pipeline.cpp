@@ -239,6 +239,7 @@ ClaimContext ContourPipeline::claim_context() const {
       ingredients.own_motion && ingredients.background && consults_background_;
   return {.head_rests = ingredients.slow_movers && watches_closely_ && background_.head_rests(),
           .at_once = ingredients.at_once,
+          .face_print = ingredients.face_print,
           .head_may_turn = asks_for_turn && !background_.head_rests(),
           .background = asks_for_turn ? &background_ : nullptr};
 }

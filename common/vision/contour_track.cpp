@@ -206,6 +206,9 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
   quality_ = penalty * evidence_.quality(areas_);
   clarity_ = penalty * evidence_.quality(areas_, noise_per_px2);
   shape_quality_ = quality_;
+  RingAreas printed = areas_;
+  printed.may_have_print = true;
+  printed_quality_ = penalty * evidence_.quality(printed);
   if (!context.ingredients.size_penalty) return;
   const double expected = expected_events(context.signature);
   if (expected > 0 && filter_.speed_px_s() > kLeastSpeed_px_s &&
@@ -248,6 +251,7 @@ TrackLooks ContourTrack::looks() const {
           .quality = quality_,
           .agreement = evidence_.agreement(areas_),
           .clarity = clarity_,
+          .printed_quality = printed_quality_,
           .strength = strength_,
           .cover = evidence_.cover(),
           .near_events = beyond_noise(evidence_.near_events(), near_noise_),
@@ -273,7 +277,7 @@ void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourCo
   // Of a puck of good contrast what little goes on around it keeps it from being taken to rest.
   if (!context.signature.is_faint()) return;
   evidence_ = {};
-  quality_ = clarity_ = shape_quality_ = strength_ = 0;
+  quality_ = clarity_ = printed_quality_ = shape_quality_ = strength_ = 0;
 }
 
 // A disc of one tone has one sign where it advances and the other one where it recedes.

@@ -109,6 +109,7 @@ class ContourTrack {
   RecentPixels recent_pixels_;
   double quality_ = 0;
   double clarity_ = 0;
+  double printed_quality_ = 0;
   double shape_quality_ = 0;
   double strength_ = 0;
   double bloom_px_ = 0;  // by how much it looks larger than it is

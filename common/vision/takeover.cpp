@@ -204,7 +204,7 @@ bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
   // Hands and mallets move as well; and so, while the head turns, do edges that cross.
   const bool moves_as_first = moves_by_itself(claim) && !looks.is_large() && !looks.may_slide() &&
                               (!may_turn || is_more_than_edges(looks));
-  return (is_evident(claim) && !is_like_a_mark) ||
+  return ((is_evident(claim) || may_be_printed(claim)) && !is_like_a_mark) ||
          (is_likely(claim) && !(may_turn && looks.is_covered())) || moves_as_first ||
          (searched_us > kPatience_us && claim.age_us > 20'000 && looks.quality > 0.8 &&
           looks.strength > 30 && looks.is_whole_ring());

@@ -16,8 +16,10 @@ struct TrackLooks {
   double quality = 0;    ///< From −1 to 1.
   double agreement = 0;  ///< From −1 to 1: quality, but that few events are no reason to doubt.
   double clarity = 0;    ///< From −1 to 1: quality, but that the sensor's noise says nothing.
-  double strength = 0;   ///< How many more events lie on the ring than clutter would put there.
-  double cover = 0;      ///< Share of the directions that the ring's events cover.
+  /// From −1 to 1: quality, were what lies inside a print on the puck's face.
+  double printed_quality = 0;
+  double strength = 0;  ///< How many more events lie on the ring than clutter would put there.
+  double cover = 0;     ///< Share of the directions that the ring's events cover.
   /// On the ring, inside and around it, of late, but neither repeats nor noise.
   double near_events = 0;
   double inside_events = 0;  ///< Well inside the ring, of late, no noise, but repeats as well.

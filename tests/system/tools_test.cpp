@@ -1,11 +1,14 @@
 // From a simulated recording to figures: puck-simulate, puck-calibrate, puck-evaluate.
 #include <filesystem>
+#include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/system/system_bench.h"
 
@@ -51,6 +54,15 @@ void check_all_keys(const Json& json) {
     CAPTURE(key);
     CHECK(json.contains(key));
   }
+}
+
+/// When the first estimate of a .csv is that of a track.
+double first_track_ms(const std::string& csv) {
+  std::istringstream rows(csv);
+  for (std::string row; std::getline(rows, row);) {
+    if (row.find(",tracking,") != std::string::npos) return std::stod(row) * 1e-3;
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 /// Without what depends on the machine and not on the events.
@@ -134,6 +146,23 @@ TEST_CASE("the same seed gives the same recording, another seed another") {
     CHECK(text_of("a") == text_of("b"));
     CHECK(text_of("a") != text_of("c"));
   }
+}
+
+TEST_CASE(
+    "a printed puck that rests beneath a turning head is found soon, unless face-print is off") {
+  const TemporaryFolder folder;
+  const std::string scene = source_folder() / "tools/compare/other_scenes/puck_printed.toml";
+  run_tool("puck-simulate", folder,
+           {"--output", "game", "--scene", scene, "--moving", "--seed", "11", "--seconds", "0.3"});
+  const auto found_ms = [&](const std::vector<std::string>& options) {
+    const std::string size = source_folder() / "config/calibration/simulated_size.toml";
+    std::vector<std::string> arguments{"game.raw", "--size-model", size, "--csv", "game.csv"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    run_tool("puck-evaluate", folder, arguments);
+    return first_track_ms(read_text(folder / "game.csv"));
+  };
+  CHECK(found_ms({}) < 150);
+  CHECK(found_ms({"--without", "face-print"}) > 250);
 }
 
 }  // namespace puck

@@ -93,6 +93,36 @@ TEST_CASE("A whole ring is likely to be the puck where events and search support
   CHECK_FALSE(is_likely(claim));
 }
 
+// A printed puck at rest, just clear enough.
+constexpr Claim kPrinted{
+    .looks = {.growth_px = 0.34, .printed_quality = 0.76, .strength = 41, .cover = 0.76},
+    .age_us = 10'001,
+    .found = {.score = 0.61},
+    .leads = true};
+
+TEST_CASE("A ring all around that stands out from its surroundings may be a printed puck's") {
+  CHECK(may_be_printed(kPrinted));
+  CHECK_FALSE(may_be_printed(with(kPrinted, &TrackLooks::printed_quality, 0.75)));
+  CHECK_FALSE(may_be_printed(with(kPrinted, &TrackLooks::strength, 40)));
+  CHECK_FALSE(may_be_printed(with(kPrinted, &TrackLooks::cover, 0.75)));
+  CHECK_FALSE(may_be_printed(with(kPrinted, &TrackLooks::growth_px, 0.35)));
+  // The print draws the contour in.
+  CHECK(may_be_printed(with(kPrinted, &TrackLooks::growth_px, -0.59)));
+  CHECK_FALSE(may_be_printed(with(kPrinted, &TrackLooks::growth_px, -0.6)));
+  Claim claim = kPrinted;
+  claim.found.score = 0.6;
+  CHECK_FALSE(may_be_printed(claim));
+  claim = kPrinted;
+  claim.age_us = 10'000;
+  CHECK_FALSE(may_be_printed(claim));
+  claim = kPrinted;
+  claim.leads = false;
+  CHECK_FALSE(may_be_printed(claim));
+  claim = kPrinted;
+  claim.context.face_print = false;
+  CHECK_FALSE(may_be_printed(claim));
+}
+
 // Just adrift.
 constexpr Claim kAdrift{.looks = {.turning_px_s = 300, .strength = 80, .cover = 0.51},
                         .own_speed_px_s = 151};

@@ -148,6 +148,14 @@ TEST_CASE("Only what has moved by itself may have a print") {
   CHECK(printed.track.is_good());
 }
 
+TEST_CASE("What has not moved says how good it would be with a print, and without") {
+  const ContourContext context = test::contour_context();
+  const PrintedPuck printed(context, {0.5 * context.contour.turning_px_s(), 0});
+  const TrackLooks looks = printed.track.looks();
+  CHECK(looks.quality < 0.5);
+  CHECK(looks.printed_quality > 0.85);
+}
+
 // A track of a dark puck that goes to the right, and where its leading edge is.
 struct LeadingEdge {
   explicit LeadingEdge(const ContourContext& all)

@@ -668,6 +668,18 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
   CHECK(is_convincing_as_first(evident, 150'001));
 }
 
+TEST_CASE("The first may be a printed puck, but for a while not with another wall") {
+  Claim claim{.looks = {.printed_quality = 0.8, .strength = 50, .cover = 0.8, .inside_events = 60},
+              .age_us = 12'000,
+              .found = {.score = 0.65},
+              .leads = true};
+  REQUIRE(may_be_printed(claim));
+  CHECK(is_convincing_as_first(claim, 0));
+  claim.has_other_wall = true;
+  CHECK_FALSE(is_convincing_as_first(claim, 150'000));
+  CHECK(is_convincing_as_first(claim, 150'001));
+}
+
 Claim while_turning(Claim claim) {
   claim.context.head_may_turn = true;
   return claim;
