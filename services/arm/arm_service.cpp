@@ -167,7 +167,7 @@ void ArmService::follow_state(const arm_state_t& state) {
   } else {
     told_us_ = now_us;
   }
-  context_.log.log(level, "{}", text);
+  context_.log.log(level, text);
   logged_state_ = state.state;
   logged_reason_ = state.reason;
 }

@@ -182,7 +182,7 @@ void BridgeService::follow_state() {
   if (text_.empty()) {
     context_.log.info("follows the puck");
   } else {
-    context_.log.warn("does not move the arm: {}", text_);
+    context_.log.warn("does not move the arm: " + text_);
   }
 }
 

@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include <spdlog/fmt/fmt.h>
+
 #include "common/messaging/host_time.h"
 #include "common/recording/event_log_reader.h"
 #include "services/camera/live_source.h"
@@ -101,9 +103,9 @@ void CameraService::listen_to_arm() {
 
 void CameraService::run(std::stop_token stop) {
   if (!play(stop)) return;
-  for (const std::string& warning : source_->warnings()) context_.log.warn("{}", warning);
-  context_.log.info("the source has ended after {} events",
-                    packer_ ? packer_->events_packed() : std::int64_t{0});
+  for (const std::string& warning : source_->warnings()) context_.log.warn(warning);
+  context_.log.info(fmt::format("the source has ended after {} events",
+                                packer_ ? packer_->events_packed() : std::int64_t{0}));
   if (settings_.at_end == "wait") wait_at_end(stop);
 }
 
@@ -185,8 +187,8 @@ void CameraService::prepare(SensorSize sensor) {
   };
   batcher_.emplace(static_cast<std::size_t>(packer_->max_events()), window_us(settings_.flush_us),
                    window_us(settings_.quiet_flush_us));
-  context_.log.info("sensor {}x{}, packets of up to {} bytes", sensor.width, sensor.height,
-                    packet_bytes);
+  context_.log.info(fmt::format("sensor {}x{}, packets of up to {} bytes", sensor.width,
+                                sensor.height, packet_bytes));
 }
 
 // Serves the bus meanwhile. False when it was stopped.

@@ -1,5 +1,7 @@
 #include "services/launch/bus_watch.h"
 
+#include <spdlog/fmt/fmt.h>
+
 namespace puck {
 
 void BusWatch::poll() {
@@ -19,7 +21,8 @@ void BusWatch::look() {
 void BusWatch::look_at(const ChannelCounters& now, ChannelCounters& before) {
   const auto warn = [&](std::int64_t count, const char* what, const std::string& last) {
     if (count > 0)
-      log_.warn("{}: {} {}{}{}", now.channel, count, what, last.empty() ? "" : ": ", last);
+      log_.warn(
+          fmt::format("{}: {} {}{}{}", now.channel, count, what, last.empty() ? "" : ": ", last));
   };
   warn(now.rejected - before.rejected + now.oversize - before.oversize,
        "malformed messages dropped, the last", now.last_rejection);
@@ -36,15 +39,15 @@ void BusWatch::look_at(const ChannelCounters& now, ChannelCounters& before) {
 void BusWatch::look_at_network() {
   TransportCounters now = bus_.network_counters();
   if (const auto malformed = now.malformed - network_seen_.malformed; malformed > 0) {
-    log_.warn("{} datagrams on our channels are no messages, the last: {}", malformed,
-              now.last_malformed);
+    log_.warn(fmt::format("{} datagrams on our channels are no messages, the last: {}", malformed,
+                          now.last_malformed));
   }
   if (now.rejoined > network_seen_.rejoined) log_.warn("the network was away, and is heard again");
   // A stranger is named once; how much it sends is in STATUS.
   for (std::size_t i = network_seen_.foreign_traffic.size(); i < now.foreign_traffic.size(); ++i) {
     const ForeignTraffic& stranger = now.foreign_traffic[i];
-    log_.warn("somebody else at this group and port: {} from {}", stranger.what,
-              to_string(stranger.sender));
+    log_.warn(fmt::format("somebody else at this group and port: {} from {}", stranger.what,
+                          to_string(stranger.sender)));
   }
   network_seen_ = std::move(now);
 }

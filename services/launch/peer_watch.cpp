@@ -27,7 +27,7 @@ void PeerWatch::poll() {
   if (now_us < due_us_) return;
   due_us_ = now_us + kLookPeriodUs;
   for (const PeerNews& news : book_.look(now_us)) {
-    log_.log(news.is_trouble ? spdlog::level::warn : spdlog::level::info, "{}", news.text);
+    log_.log(news.is_trouble ? spdlog::level::warn : spdlog::level::info, news.text);
   }
   const PeerTrouble& trouble = book_.trouble();
   const bool both = !trouble.silent.empty() && !trouble.twice.empty();

@@ -1,5 +1,7 @@
 #include "services/launch/rate_limited_log.h"
 
+#include <spdlog/fmt/fmt.h>
+
 namespace puck {
 
 void RateLimitedLog::warn(std::string_view subject, std::string_view message,
@@ -14,9 +16,9 @@ void RateLimitedLog::warn(std::string_view subject, std::string_view message,
     return;
   }
   if (suppressed == 0) {
-    log_.warn("{}: {}", subject, message);
+    log_.warn(fmt::format("{}: {}", subject, message));
   } else {
-    log_.warn("{}: {} ({} more like it not shown)", subject, message, suppressed);
+    log_.warn(fmt::format("{}: {} ({} more like it not shown)", subject, message, suppressed));
   }
   silent_until = now + kSilence;
   suppressed = 0;

@@ -25,9 +25,9 @@ std::string run_in_real_time(int priority) {
 void run_in_real_time_and_tell(int priority, spdlog::logger& log) {
   if (priority == 0) return;
   const std::string why_not = run_in_real_time(priority);
-  log.info("{}", why_not.empty()
-                     ? "runs in real time"
-                     : "not wholly in real time, so it may be late on a busy machine: " + why_not);
+  log.info(why_not.empty()
+               ? "runs in real time"
+               : "not wholly in real time, so it may be late on a busy machine: " + why_not);
 }
 
 }  // namespace puck

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include <spdlog/fmt/fmt.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -38,7 +39,7 @@ Config load_config(const CommandLine& line) {
 
 void log_config(spdlog::logger& log, const Config& config) {
   std::istringstream lines(config.effective());
-  for (std::string line; std::getline(lines, line);) log.info("setting {}", line);
+  for (std::string line; std::getline(lines, line);) log.info("setting " + line);
 }
 
 // The kernel may end a wait 50 µs late, so that it can end several at once: as much as an estimate
@@ -76,7 +77,7 @@ int serve(const ServiceInfo& info, const CommandLine& line, const Config& config
   ServiceLog service_log(info.name, STDERR_FILENO);
   spdlog::logger& log = service_log.logger();
   log.set_level(spdlog::level::from_str(line.log_level));
-  log.info("version {}", PUCK_VERSION);
+  log.info("version " PUCK_VERSION);
   log_config(log, config);
 
   StatusReporter status(bus, info.name);
@@ -87,21 +88,21 @@ int serve(const ServiceInfo& info, const CommandLine& line, const Config& config
   const std::unique_ptr<Service> service = make(context);
 
   const bool started =
-      bus.start(stop, [&](const std::string& reason) { log.warn("waiting: {}", reason); });
+      bus.start(stop, [&](const std::string& reason) { log.warn("waiting: " + reason); });
   if (!started) return 0;
-  log.info("on the bus: {}, session {}", bus.url().to_string(), bus.session());
+  log.info(fmt::format("on the bus: {}, session {}", bus.url().to_string(), bus.session()));
 
   int exit_code = 0;
   try {
     service->run(stop);
   } catch (const std::exception& error) {
-    log.error("{}", error.what());
+    log.error(error.what());
     exit_code = 1;
   }
   status.stop([&](StatusReport& report) { report = report_of(context, *service); });
   bus_watch.look();
   if (const std::size_t lost = service_log.lost_lines(); lost > 0) {
-    log.warn("{} lines of the log were lost", lost);
+    log.warn(fmt::format("{} lines of the log were lost", lost));
   }
   log.info("stopped");
   return exit_code;

@@ -16,6 +16,8 @@ namespace puck {
 struct ServiceContext {
   Bus& bus;  ///< Not started yet when the service is made: it subscribes in its constructor.
   StatusReporter& status;
+  /// Takes whole texts, from fmt::format() where need be: with arguments of its own each file that
+  /// logs would compile the formatter anew.
   spdlog::logger& log;
   RateLimitedLog& limited_log;
   BusWatch& bus_watch;

@@ -2,6 +2,8 @@
 
 #include <thread>
 
+#include <spdlog/fmt/fmt.h>
+
 #include "common/messaging/message_check.h"
 
 namespace puck {
@@ -49,8 +51,8 @@ void LoggerService::run(std::stop_token stop) {
   thread_.finish();
   tell_of_progress();
   const LogProgress progress = files_.progress();
-  context_.log.info("{} messages, {} bytes in {} files, the last {}", progress.messages,
-                    progress.bytes, progress.files, progress.path);
+  context_.log.info(fmt::format("{} messages, {} bytes in {} files, the last {}", progress.messages,
+                                progress.bytes, progress.files, progress.path));
 }
 
 void LoggerService::report(StatusReport& report) const {
@@ -120,14 +122,14 @@ std::optional<std::string> LoggerService::find_trouble() const {
 void LoggerService::tell_of_progress() {
   const std::string path = files_.progress().path;
   if (path != told_path_) {
-    context_.log.info("writing {}", path);
+    context_.log.info("writing " + path);
     told_path_ = path;
   }
   auto trouble = find_trouble();
   if (trouble == trouble_) return;
   trouble_ = std::move(trouble);
   if (trouble_) {
-    context_.log.error("{}", *trouble_);
+    context_.log.error(*trouble_);
     context_.status.set_state(ServiceState::kDegraded, *trouble_);
   } else {
     context_.log.info("all is written again");

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include <spdlog/fmt/fmt.h>
+
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
@@ -175,8 +177,8 @@ void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt
   events_received_ = 0;
   events_thinned_ = 0;
   events_masked_ = 0;
-  context_.log.info("following events of session {}, sensor {}x{}", packet.session, packet.width,
-                    packet.height);
+  context_.log.info(fmt::format("following events of session {}, sensor {}x{}", packet.session,
+                                packet.width, packet.height));
   check_calibration();
   PipelineParams pipeline = params_.pipeline;
   const Region& wanted = pipeline.detector.region;
@@ -192,14 +194,14 @@ void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt
 void TrackerService::check_calibration() {
   const PuckSizeModel sizes = params_.pipeline.sizes_of(params_.size_model);
   for (const std::string& doubt : doubts_about(sizes, sensor_)) {
-    context_.log.warn("tracker.size_model: {}", doubt);
+    context_.log.warn("tracker.size_model: " + doubt);
   }
   masks_hot_pixels_ = true;
   try {
     params_.hot_pixels.check_sensor(sensor_, "tracker.hot_pixel_mask");
   } catch (const std::invalid_argument& error) {
     masks_hot_pixels_ = false;
-    context_.log.error("{}: it is not used", error.what());
+    context_.log.error(std::string(error.what()) + ": it is not used");
   }
 }
 
