@@ -71,7 +71,8 @@ class Tables {
   void finish() {
     for (auto& [name, table] : tables_) table.finish();
     if (!options_.channel.empty() && tables_.empty()) {
-      throw std::runtime_error("the log has no message of ours on " + printable(options_.channel));
+      throw std::runtime_error("the log has no message of ours on " +
+                               for_terminal(options_.channel));
     }
   }
 

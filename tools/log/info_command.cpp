@@ -21,7 +21,7 @@ Json channel_json(const std::string& name, const ChannelSurvey& channel,
                   std::int64_t log_began_utime) {
   const LossCounters& arrivals = channel.account.counters();
   Json json;
-  json["channel"] = printable(name);
+  json["channel"] = for_terminal(name);
   json["type"] =
       channel.channel ? Json(std::string(wire_layout(*channel.channel).type)) : Json(nullptr);
   json["messages"] = channel.messages;
@@ -48,7 +48,7 @@ Json channel_json(const std::string& name, const ChannelSurvey& channel,
 
 void print_json(const std::filesystem::path& path, const LogSurvey& survey) {
   Json json;
-  json["file"] = printable(path.string());
+  json["file"] = for_terminal(path.string());
   json["bytes"] = survey.file_bytes;
   json["messages"] = survey.tally.messages;
   json["first_utime"] = survey.first_utime;
@@ -88,7 +88,7 @@ std::string number(const std::optional<double>& value, int width, int digits) {
 
 void print_channel(const std::string& name, const ChannelSurvey& channel) {
   const LossCounters& arrivals = channel.account.counters();
-  std::printf("%-24s %10" PRId64 " %s %12" PRId64 " %s %s", printable(name).c_str(),
+  std::printf("%-24s %10" PRId64 " %s %12" PRId64 " %s %s", for_terminal(name).c_str(),
               channel.messages, number(channel.rate_hz(), 9, 1).c_str(), channel.bytes,
               number(channel.mb_s(), 8, 3).c_str(),
               number(static_cast<double>(channel.longest_gap_us) * 1e-3, 9, 1).c_str());
@@ -101,7 +101,7 @@ void print_channel(const std::string& name, const ChannelSurvey& channel) {
 }
 
 void print_table(const std::filesystem::path& path, const LogSurvey& survey) {
-  std::printf("%s: %" PRId64 " bytes, %" PRId64 " messages\n", printable(path.string()).c_str(),
+  std::printf("%s: %" PRId64 " bytes, %" PRId64 " messages\n", for_terminal(path.string()).c_str(),
               survey.file_bytes, survey.tally.messages);
   if (survey.tally.messages > 0) {
     std::printf("%.3f s, from %s to %s\n\n", survey.duration_s(),
@@ -113,7 +113,7 @@ void print_table(const std::filesystem::path& path, const LogSurvey& survey) {
   for (const auto& [name, channel] : survey.channels) {
     if (channel.channel != Channel::kEvents) continue;
     std::printf("\n%s: %" PRId64 " events, %s Mev/s, %" PRId64 " events lost\n",
-                printable(name).c_str(), channel.events, number(channel.mev_s(), 0, 3).c_str(),
+                for_terminal(name).c_str(), channel.events, number(channel.mev_s(), 0, 3).c_str(),
                 channel.account.counters().items_lost);
   }
   std::printf("\n%s\n", in_words(survey.tally).c_str());

@@ -34,7 +34,7 @@ LogTally read_log(const std::filesystem::path& path,
   return tally;
 }
 
-std::string printable(std::string_view text) {
+std::string for_terminal(std::string_view text) {
   std::string shown(text);
   std::replace_if(
       shown.begin(), shown.end(), [](char c) { return c < 0x20 || c > 0x7e; }, '?');

@@ -37,7 +37,7 @@ LogTally read_log(const std::filesystem::path& path,
                   const std::function<void(const LogDamage&)>& on_damage);
 
 /// For a terminal: whatever is not printable becomes a question mark.
-std::string printable(std::string_view text);
+std::string for_terminal(std::string_view text);
 
 /// `3 places, 120 bytes, are damaged; …` or `all of it is fine`.
 std::string in_words(const LogTally& tally);

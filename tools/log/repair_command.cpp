@@ -14,7 +14,7 @@ LogTally repair_log(const std::filesystem::path& input, const std::filesystem::p
         const LogRecord& record = message.record;
         if (!message.rejection) return writer.write(record.channel, record.utime, record.bytes);
         std::printf("byte %" PRId64 ": left out a message on %s: %s\n", record.offset,
-                    printable(record.channel).c_str(), message.rejection->c_str());
+                    for_terminal(record.channel).c_str(), message.rejection->c_str());
       },
       [](const LogDamage& damage) {
         std::printf("byte %" PRId64 ": left out %" PRId64 " bytes: %s\n", damage.offset,
@@ -22,7 +22,7 @@ LogTally repair_log(const std::filesystem::path& input, const std::filesystem::p
       });
   writer.flush();
   std::printf("%" PRId64 " messages copied to %s: %s\n", writer.messages(),
-              printable(output.string()).c_str(),
+              for_terminal(output.string()).c_str(),
               tally.is_fine() ? "there was nothing to repair" : in_words(tally).c_str());
   return tally;
 }

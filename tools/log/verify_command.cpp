@@ -11,7 +11,7 @@ LogTally verify_log(const std::filesystem::path& path) {
       [](const LoggedMessage& message) {
         if (!message.rejection) return;
         std::printf("byte %" PRId64 ": %s: %s\n", message.record.offset,
-                    printable(message.record.channel).c_str(), message.rejection->c_str());
+                    for_terminal(message.record.channel).c_str(), message.rejection->c_str());
       },
       [](const LogDamage& damage) {
         std::printf("byte %" PRId64 ": %" PRId64 " bytes are no message: %s\n", damage.offset,
