@@ -12,11 +12,11 @@ namespace puck {
 namespace {
 
 // Logarithm of the focal length, rotation vector, translation.
-using Parameters = Eigen::Matrix<double, 7, 1>;
+using CameraParameters = Eigen::Matrix<double, 7, 1>;
 
 constexpr double kLargestSigmaPerPx = 0.05;
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuse_focal_length(const std::string& why) {
   throw std::invalid_argument("the correspondences do not fix the focal length: " + why +
                               "; mark places at more depths, or tell the focal length");
 }
@@ -31,12 +31,12 @@ double focal_from_axes(const Eigen::Matrix3d& image_from_table) {
   const Eigen::Vector2d depth_part{a.z() * b.z(), a.z() * a.z() - b.z() * b.z()};
   const double inverse_square = -image_part.dot(depth_part) / image_part.squaredNorm();
   if (!(inverse_square > 0) || !std::isfinite(inverse_square)) {
-    refuse("no focal length makes the table's axes orthogonal and equally long");
+    refuse_focal_length("no focal length makes the table's axes orthogonal and equally long");
   }
   return 1 / std::sqrt(inverse_square);
 }
 
-Parameters start_from(const Eigen::Matrix3d& image_from_table) {
+CameraParameters start_from(const Eigen::Matrix3d& image_from_table) {
   const double focal_px = focal_from_axes(image_from_table);
   Eigen::Matrix3d view = image_from_table;
   view.topRows<2>() /= focal_px;
@@ -45,7 +45,7 @@ Parameters start_from(const Eigen::Matrix3d& image_from_table) {
   axes << view.col(0), view.col(1), view.col(0).cross(view.col(1));
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(axes, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose()));
-  Parameters parameters;
+  CameraParameters parameters;
   parameters << std::log(focal_px), turn.angle() * turn.axis(), view.col(2);
   return parameters;
 }
@@ -102,10 +102,10 @@ FocalLengthFit fit_focal_length(const Homography& homography, Pixel principal_po
   fit.sigma_per_px = std::sqrt(covariance(0, 0));
   fit.rms_px = std::sqrt(residuals.squaredNorm() / static_cast<double>(count));
   if (!(fit.sigma_per_px <= kLargestSigmaPerPx)) {
-    refuse("an error of 1 px in the markings would move it by " +
-           (std::isfinite(fit.sigma_per_px)
-                ? std::to_string(std::lround(100 * fit.sigma_per_px)) + " %"
-                : std::string("any amount")));
+    refuse_focal_length("an error of 1 px in the markings would move it by " +
+                        (std::isfinite(fit.sigma_per_px)
+                             ? std::to_string(std::lround(100 * fit.sigma_per_px)) + " %"
+                             : std::string("any amount")));
   }
   return fit;
 }

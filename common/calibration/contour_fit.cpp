@@ -9,6 +9,8 @@
 
 #include <Eigen/Dense>
 
+#include "common/calibration/robust_sigma.h"
+
 namespace puck {
 namespace {
 
@@ -20,7 +22,6 @@ constexpr double kGatePx = 4;
 constexpr int kIterations = 30;
 constexpr double kConverged = 1e-5;
 constexpr int kParts = 20;
-constexpr double kSigmaOfMedian = 1.4826;
 // Cauchy's weight is a half there, in standard deviations: nearly as good as least squares where
 // the errors are normal.
 constexpr double kCauchy = 2.385;

@@ -12,7 +12,7 @@ constexpr std::size_t kMostSamples = 400'000;
 constexpr double kLeastSpeedPx_s = 60;
 // Where the contour moves along itself, its events come from somewhere else.
 constexpr double kLeastNormalShare = 0.3;
-constexpr double kGatePx = 5;
+constexpr double kNearContourPx = 5;
 constexpr double kRingPx = 2;
 constexpr double kOutsideFromPx = 3;
 constexpr double kOutsideToPx = 7;
@@ -55,7 +55,7 @@ void ContourSamples::add(const Event& event, Timestamp time) {
   sample.dx = event.x - state->position.x;
   sample.dy = event.y - state->position.y;
   sample.centre = state->position;
-  const double reach = rough_.size_at(sample.centre).width / 2 + kOutsideToPx + kGatePx;
+  const double reach = rough_.size_at(sample.centre).width / 2 + kOutsideToPx + kNearContourPx;
   if (std::abs(sample.dx) > reach || std::abs(sample.dy) > reach) return;
   sample.velocity = state->velocity;
 
@@ -67,7 +67,7 @@ void ContourSamples::add(const Event& event, Timestamp time) {
   if (std::abs(distance) < kRingPx) ++ring_events_;
   if (distance > kOutsideFromPx && distance < kOutsideToPx) ++outside_events_;
   sample.is_bright = (event.polarity != 0) == (normal_speed > 0);
-  if (std::abs(distance) < kGatePx && std::abs(normal_speed) >= kLeastNormalShare * speed) {
+  if (std::abs(distance) < kNearContourPx && std::abs(normal_speed) >= kLeastNormalShare * speed) {
     pending_.push_back(sample);
   }
 }

@@ -16,7 +16,7 @@ namespace puck {
 namespace {
 
 using Points = Eigen::Matrix2Xd;
-using Parameters = Eigen::VectorXd;  // Eight; the ninth element is 1.
+using Elements = Eigen::VectorXd;  // Eight; the ninth element is 1.
 
 constexpr std::size_t kMinCorrespondences = 4;
 // Of the second smallest singular value of the linear system to its largest. In normalised
@@ -67,7 +67,7 @@ Eigen::Matrix3d direct_linear_transform(const Points& from, const Points& to) {
   return result;
 }
 
-Eigen::Matrix3d to_matrix(const Parameters& p) {
+Eigen::Matrix3d to_matrix(const Elements& p) {
   Eigen::Matrix3d matrix;
   matrix << p(0), p(1), p(2), p(3), p(4), p(5), p(6), p(7), 1;
   return matrix;
@@ -76,7 +76,7 @@ Eigen::Matrix3d to_matrix(const Parameters& p) {
 // Smallest squared distances between `to` and the carried `from`.
 Eigen::Matrix3d refined(const Eigen::Matrix3d& start, const Points& from, const Points& to) {
   const Eigen::Matrix3d scaled = start / start(2, 2);
-  Parameters parameters(8);
+  Elements parameters(8);
   parameters << scaled(0, 0), scaled(0, 1), scaled(0, 2), scaled(1, 0), scaled(1, 1), scaled(1, 2),
       scaled(2, 0), scaled(2, 1);
   return to_matrix(least_squares(

@@ -11,8 +11,8 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kSliceUs = 100'000;
-constexpr std::int64_t kShortestUs = 1'000'000;
-constexpr std::uint32_t kFewestEvents = 20;
+constexpr std::int64_t kShortestRecordingUs = 1'000'000;
+constexpr std::uint32_t kFewestOfPixel = 20;
 constexpr std::uint32_t kTimesNeighbourhood = 5;
 constexpr int kReach = 2;
 // Of the slices in which as many events, spread at random, would fall; an edge's come in bursts.
@@ -62,7 +62,7 @@ std::uint32_t HotPixelFinder::neighbourhood_explains(int x, int y) const {
 }
 
 HotPixelReport HotPixelFinder::find() const {
-  if (!first_ || last_ - *first_ < kShortestUs) {
+  if (!first_ || last_ - *first_ < kShortestRecordingUs) {
     throw std::invalid_argument("hot pixels need a second of events or more to be told, got " +
                                 std::to_string(first_ ? (last_ - *first_) / 1000 : 0) + " ms");
   }
@@ -73,11 +73,11 @@ HotPixelReport HotPixelFinder::find() const {
   for (int y = 0; y < sensor_.height; ++y) {
     for (int x = 0; x < sensor_.width; ++x) {
       const PixelRecord& record = records_[index_of(x, y)];
-      if (record.events < kFewestEvents) continue;
+      if (record.events < kFewestOfPixel) continue;
       const double events = record.events;
       const double steady_slices = slices * (1 - std::exp(-events / slices));
       if (record.active_slices < kLeastSteadiness * steady_slices) continue;
-      if (events <= kFewestEvents + kTimesNeighbourhood * neighbourhood_explains(x, y)) continue;
+      if (events <= kFewestOfPixel + kTimesNeighbourhood * neighbourhood_explains(x, y)) continue;
       report.pixels.push_back({{x, y}, events / report.seconds, record.active_slices / slices});
       report.hot_events += record.events;
     }

@@ -9,6 +9,8 @@
 
 #include <Eigen/Dense>
 
+#include "common/calibration/refuse.h"
+
 namespace puck {
 namespace {
 
@@ -17,8 +19,6 @@ constexpr double kSamePlaceM = 1e-4;
 constexpr std::size_t kLeastPlaces = 4;
 constexpr double kShortestM = 0.02;
 constexpr int kMostIntervals = 16;
-
-[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
 
 void check(std::span<const JointPair> pairs, const JointFitParams& params) {
   if (pairs.empty()) refuse("there are no pairs");

@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include "common/calibration/refuse.h"
 #include "common/table/puck_motion.h"
 
 namespace puck {
@@ -27,8 +28,6 @@ constexpr double kConverged = 1e-6;
 
 using Constants = Eigen::Vector3d;  // damping, restitution, grip
 using Start = Eigen::Vector4d;      // x, y, vx, vy
-
-[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
 
 MotionConstants constants_of(const Constants& values) { return {values[0], values[1], values[2]}; }
 

@@ -7,13 +7,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/calibration/robust_sigma.h"
+
 namespace puck {
 namespace {
 
 constexpr double kOutlierPx = 1;
 constexpr double kOutlierSigmas = 3.5;
-// Of a normal distribution: standard deviation over median absolute deviation.
-constexpr double kSigmaOfMedian = 1.4826;
 // With fewer rows nothing tells which of them is wrong.
 constexpr std::size_t kFewestForOutliers = 8;
 // Of the image's width and height, below which the models are extrapolated over much of it.

@@ -13,7 +13,7 @@ constexpr std::int64_t kBeforeUs = 2'000;
 constexpr std::int64_t kAfterUs = 8'000;
 // A change of velocity from row to row that hand-marked truth may show without a bounce.
 constexpr double kChangePx_s = 100;
-constexpr double kChangeOfSpeed = 0.2;
+constexpr double kMarkedChangeOfSpeed = 0.2;
 // Between rows that are farther apart a puck may do anything.
 constexpr std::int64_t kLongestGapUs = 50'000;
 
@@ -43,7 +43,7 @@ bool TruthMotion::is_steady(std::size_t row) const {
   const PixelVelocity before = velocity_between(row - 1, row);
   const PixelVelocity after = velocity_between(row, row + 1);
   const double change = std::hypot(after.x - before.x, after.y - before.y);
-  return change < kChangePx_s + kChangeOfSpeed * std::hypot(after.x, after.y);
+  return change < kChangePx_s + kMarkedChangeOfSpeed * std::hypot(after.x, after.y);
 }
 
 std::optional<TruthMotion::State> TruthMotion::at(Timestamp time) const {

@@ -5,16 +5,14 @@
 #include <string>
 
 #include "common/io/csv_file.h"
+#include "common/io/number_limits.h"
 
 namespace puck {
 namespace {
 
-// Beyond this a double is no longer exact to the µs.
-constexpr double kLatestUs = 9.0e15;
 constexpr double kSmallestSizePx = 0.1;
-constexpr double kLargestSizePx = 1e4;
 
-constexpr std::array<CsvColumn, 5> kColumns{{
+constexpr std::array<CsvColumn, 5> kMarkColumns{{
     {"t_us", {}, std::nullopt, 0, kLatestUs},
     {"x"},
     {"y"},
@@ -26,7 +24,7 @@ constexpr std::array<CsvColumn, 5> kColumns{{
 
 std::vector<Annotation> read_annotation_file(const std::filesystem::path& path) {
   std::vector<Annotation> rows;
-  for (const CsvRow& row : read_csv(path, kColumns)) {
+  for (const CsvRow& row : read_csv(path, kMarkColumns)) {
     // A fraction of a µs is a sign of seconds, or of another column.
     if (row.values[0] != std::floor(row.values[0])) {
       throw_csv_error(path, row.line, "t_us must be a whole number of µs");

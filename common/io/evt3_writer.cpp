@@ -11,14 +11,6 @@
 namespace puck {
 namespace {
 
-constexpr std::uint32_t kRow = 0x0;
-constexpr std::uint32_t kColumn = 0x2;
-constexpr std::uint32_t kVectorBase = 0x3;
-constexpr std::uint32_t kVector12 = 0x4;
-constexpr std::uint32_t kVector8 = 0x5;
-constexpr std::uint32_t kTimeLow = 0x6;
-constexpr std::uint32_t kTimeHigh = 0x8;
-
 constexpr int kLowBits = 12;
 // A quarter of a turn: no reader can mistake it for a clock that was set back.
 constexpr std::int64_t kLargestHighStep = 1024;
@@ -57,7 +49,7 @@ void Evt3Writer::write(const EventPacket& packet) {
     newest_ = time;
     if (first.y != row_) {
       row_ = first.y;
-      put(kRow, first.y);
+      put(Evt3Type::kRow, first.y);
     }
     // What one vector could hold: same time, row and polarity, columns that grow within 32.
     std::size_t end = i + 1;
@@ -76,16 +68,16 @@ void Evt3Writer::write(const EventPacket& packet) {
 void Evt3Writer::write_run(std::span<const Event> run) {
   const std::uint32_t polarity = run.front().polarity ? 0x800u : 0u;
   if (run.size() < kVectorPays) {
-    for (const Event& event : run) put(kColumn, polarity | event.x);
+    for (const Event& event : run) put(Evt3Type::kColumn, polarity | event.x);
     return;
   }
   const std::uint32_t base = run.front().x / kVectorPixels * kVectorPixels;
   std::uint32_t mask = 0;
   for (const Event& event : run) mask |= 1u << (event.x - base);
-  put(kVectorBase, polarity | base);
-  put(kVector12, mask & 0xfffu);
-  put(kVector12, (mask >> 12) & 0xfffu);
-  put(kVector8, mask >> 24);
+  put(Evt3Type::kVectorBase, polarity | base);
+  put(Evt3Type::kVector12, mask & 0xfffu);
+  put(Evt3Type::kVector12, (mask >> 12) & 0xfffu);
+  put(Evt3Type::kVector8, mask >> 24);
 }
 
 void Evt3Writer::move_clock_to(Timestamp time) {
@@ -95,26 +87,26 @@ void Evt3Writer::move_clock_to(Timestamp time) {
       throw std::invalid_argument("EVT3 holds pauses, and a first time, of up to 24 h, got " +
                                   std::to_string((time - newest_) / 1000000) + " s");
     }
-    if (high_ < 0) put(kTimeHigh, 0);
+    if (high_ < 0) put(Evt3Type::kTimeHigh, 0);
     const std::int64_t steps = high - std::max<std::int64_t>(high_, 0);
     for (std::int64_t passed = kLargestHighStep; passed < steps; passed += kLargestHighStep) {
-      put(kTimeHigh, static_cast<std::uint32_t>(high - steps + passed));
+      put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high - steps + passed));
     }
-    put(kTimeHigh, static_cast<std::uint32_t>(high));
+    put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high));
     // Said twice, a step is no glitch.
-    if (steps > 1) put(kTimeHigh, static_cast<std::uint32_t>(high));
+    if (steps > 1) put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high));
     high_ = high;
     low_us_ = -1;
   }
   const std::int64_t low_us = time.us & ((1 << kLowBits) - 1);
   if (low_us != low_us_) {
-    put(kTimeLow, static_cast<std::uint32_t>(low_us));
+    put(Evt3Type::kTimeLow, static_cast<std::uint32_t>(low_us));
     low_us_ = low_us;
   }
 }
 
-void Evt3Writer::put(std::uint32_t type, std::uint32_t payload) {
-  const std::uint32_t word = (type << 12) | (payload & 0xfffu);
+void Evt3Writer::put(Evt3Type type, std::uint32_t payload) {
+  const std::uint32_t word = (static_cast<std::uint32_t>(type) << 12) | (payload & 0xfffu);
   const std::array<char, 2> bytes{static_cast<char>(word & 0xffu), static_cast<char>(word >> 8)};
   file_.append({bytes.data(), bytes.size()});
 }

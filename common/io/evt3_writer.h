@@ -4,6 +4,7 @@
 #include <span>
 
 #include "common/io/event_writer.h"
+#include "common/io/evt3_run.h"
 #include "common/io/output_file.h"
 
 namespace puck {
@@ -25,7 +26,7 @@ class Evt3Writer final : public EventWriter {
 
  private:
   void move_clock_to(Timestamp time);
-  void put(std::uint32_t type, std::uint32_t payload);
+  void put(Evt3Type type, std::uint32_t payload);
   void write_run(std::span<const Event> run);
 
   SensorSize sensor_;

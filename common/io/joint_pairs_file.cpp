@@ -11,13 +11,13 @@
 #include <string>
 
 #include "common/io/csv_file.h"
+#include "common/io/number_limits.h"
 #include "common/motion/joint_table.h"
 
 namespace puck {
 namespace {
 
 constexpr double kMostM = 10;
-constexpr double kMostDeg = 720;
 constexpr std::size_t kMostJoints = JointTable::kMostJoints;
 
 }  // namespace
@@ -28,9 +28,9 @@ std::vector<JointPair> read_joint_pairs(const std::filesystem::path& path) {
   for (std::size_t k = 0; k < kMostJoints; ++k)
     names.push_back("joint_" + std::to_string(k) + "_deg");
   std::vector<CsvColumn> columns{{"y_m", {}, std::nullopt, -kMostM, kMostM}};
-  columns.push_back({names[0], {}, std::nullopt, -kMostDeg, kMostDeg});
+  columns.push_back({names[0], {}, std::nullopt, -kMostJointDeg, kMostJointDeg});
   for (std::size_t k = 1; k < kMostJoints; ++k) {
-    columns.push_back({names[k], {}, kMissing, -kMostDeg, kMostDeg});
+    columns.push_back({names[k], {}, kMissing, -kMostJointDeg, kMostJointDeg});
   }
   std::vector<JointPair> pairs;
   for (const CsvRow& row : read_csv(path, columns)) {
@@ -65,7 +65,7 @@ std::vector<JointPair> read_authors_joint_table(const std::filesystem::path& pat
     }
     if (!(std::abs(values[0]) <= kMostM) ||
         !std::all_of(values.begin() + 1, values.end(),
-                     [](double deg) { return std::abs(deg) <= kMostDeg; })) {
+                     [](double deg) { return std::abs(deg) <= kMostJointDeg; })) {
       throw_csv_error(path, number, "y must be within 10 m, joints within 720 deg");
     }
     const auto at = [&](std::ptrdiff_t column) { return values.begin() + column; };

@@ -5,6 +5,7 @@
 
 #include "common/io/calibration_text.h"
 #include "common/io/config.h"
+#include "common/io/number_limits.h"
 #include "common/io/toml_entries.h"
 
 namespace puck {
@@ -17,11 +18,10 @@ struct Limit {
   double highest = 0;
 };
 
-constexpr double kMostDeg = 720;
 constexpr double kMostRate = 1e9;
 constexpr std::array<Limit, 5> kLimits{{
-    {"lowest_deg", &MotionLimits::lowest, -kMostDeg, kMostDeg},
-    {"highest_deg", &MotionLimits::highest, -kMostDeg, kMostDeg},
+    {"lowest_deg", &MotionLimits::lowest, -kMostJointDeg, kMostJointDeg},
+    {"highest_deg", &MotionLimits::highest, -kMostJointDeg, kMostJointDeg},
     {"max_velocity_deg_s", &MotionLimits::velocity, 1e-3, kMostRate},
     {"max_acceleration_deg_s2", &MotionLimits::acceleration, 1e-3, kMostRate},
     {"max_jerk_deg_s3", &MotionLimits::jerk, 1e-3, kMostRate},
@@ -56,7 +56,7 @@ JointTableParams read_joint_table_file(const std::filesystem::path& path) {
       read_present(config, table + limit.key, joint.limits.*limit.member, limit.lowest,
                    limit.highest);
     }
-    read_present(config, table + "control_deg", joint.control_deg, -kMostDeg, kMostDeg);
+    read_present(config, table + "control_deg", joint.control_deg, -kMostJointDeg, kMostJointDeg);
   }
   config.reject_unknown();
   try {

@@ -8,7 +8,7 @@ namespace puck {
 namespace {
 
 // Longer lines, and lines with anything but printable characters, belong to the data.
-constexpr std::size_t kLongestLine = 1024;
+constexpr std::size_t kLongestHeaderLine = 1024;
 
 bool is_printable(char character) {
   return character == '\t' || character == '\r' || (character >= 0x20 && character < 0x7f);
@@ -138,7 +138,7 @@ std::optional<RawHeader> parse_raw_header(std::span<const std::byte> bytes, bool
     if (start != std::string_view("% ").substr(0, start.size())) return header;
     const std::size_t line_end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = rest.substr(0, line_end);
-    if (line.size() > kLongestLine || !std::all_of(line.begin(), line.end(), is_printable)) {
+    if (line.size() > kLongestHeaderLine || !std::all_of(line.begin(), line.end(), is_printable)) {
       return header;
     }
     if (line_end == rest.size()) {

@@ -43,24 +43,24 @@ constexpr std::array<DiscNumber, 7> kDiscNumbers{{
     {"disc.principal_y_px", &DiscModel::principal_y_px, -kLargest},
 }};
 
-struct Limit {
+struct RangeLimit {
   const char* key = nullptr;
   PuckSize PuckSizeModel::*which = nullptr;
   double PuckSize::*side = nullptr;
 };
 
-constexpr std::array<Limit, 4> kLimits{{
+constexpr std::array<RangeLimit, 4> kRangeLimits{{
     {"size_range.smallest_width", &PuckSizeModel::smallest, &PuckSize::width},
     {"size_range.smallest_height", &PuckSizeModel::smallest, &PuckSize::height},
     {"size_range.largest_width", &PuckSizeModel::largest, &PuckSize::width},
     {"size_range.largest_height", &PuckSizeModel::largest, &PuckSize::height},
 }};
-constexpr double kSmallestSizePx = 1;
-constexpr double kLargestSizePx = SensorSize::kMax;
+constexpr double kSmallestLimitPx = 1;
+constexpr double kLargestLimitPx = SensorSize::kMax;
 
 void read_range(Config& config, PuckSizeModel& model) {
-  for (const Limit& limit : kLimits) {
-    config.read(limit.key, model.*limit.which.*limit.side, kSmallestSizePx, kLargestSizePx);
+  for (const RangeLimit& limit : kRangeLimits) {
+    config.read(limit.key, model.*limit.which.*limit.side, kSmallestLimitPx, kLargestLimitPx);
   }
   for (double PuckSize::*side : {&PuckSize::width, &PuckSize::height}) {
     if (model.smallest.*side <= model.largest.*side) continue;
@@ -131,7 +131,7 @@ std::string size_model_text(const PuckSizeModel& model, std::string_view provena
   text +=
       "# Whatever those say, the puck is never smaller or larger, px. Sensor: 0 if not known.\n"
       "[size_range]\n";
-  for (const Limit& limit : kLimits) {
+  for (const RangeLimit& limit : kRangeLimits) {
     text += entry(limit.key, toml_number(model.*limit.which.*limit.side));
   }
   text += entry("sensor_width", std::to_string(model.sensor.width));

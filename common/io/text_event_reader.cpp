@@ -5,24 +5,17 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/io/number_limits.h"
 #include "common/io/reader_warnings.h"
+#include "common/io/trimmed.h"
 
 namespace puck {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
 constexpr std::string_view kAnySeparator = " \t,;";
-// Times up to here are exact to the µs in a double: 285 years.
-constexpr double kLatestUs = 9.0e15;
 
 bool is_in(char character, std::string_view set) {
   return set.find(character) != std::string_view::npos;
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_in(text.front(), kBlanks)) text.remove_prefix(1);
-  while (!text.empty() && is_in(text.back(), kBlanks)) text.remove_suffix(1);
-  return text;
 }
 
 template <typename Number>

@@ -5,15 +5,12 @@
 #include <string>
 
 #include "common/io/csv_file.h"
+#include "common/io/number_limits.h"
 
 namespace puck {
 namespace {
 
-// Beyond this a double is no longer exact to the µs.
-constexpr double kLatestUs = 9.0e15;
-constexpr double kLargestSizePx = 1e4;
-
-constexpr std::array<CsvColumn, 6> kColumns{{
+constexpr std::array<CsvColumn, 6> kTruthColumns{{
     {"t_us", {}, std::nullopt, 0, kLatestUs},
     {"x"},
     {"y"},
@@ -26,7 +23,7 @@ constexpr std::array<CsvColumn, 6> kColumns{{
 
 std::vector<TruthRow> read_truth_file(const std::filesystem::path& path) {
   std::vector<TruthRow> rows;
-  for (const CsvRow& row : read_csv(path, kColumns)) {
+  for (const CsvRow& row : read_csv(path, kTruthColumns)) {
     TruthRow truth;
     truth.time = {std::llround(row.values[0])};
     truth.centre = {row.values[1], row.values[2]};

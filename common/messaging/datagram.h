@@ -11,6 +11,8 @@ namespace puck {
 
 /// Longest channel name that LCM takes, without its NUL.
 inline constexpr std::size_t kMaxChannelName = 63;
+/// What LCM itself puts before the name, where a datagram holds one whole message.
+inline constexpr int kLcmHeaderBytes = 8;
 
 /// One datagram that holds one whole message.
 struct WholeMessage {

@@ -6,13 +6,13 @@
 #include <string>
 
 #include "common/events/event_bits.h"
+#include "common/messaging/datagram.h"
 #include "common/messaging/event_word.h"
 
 namespace puck {
 namespace {
 
-// Of a datagram: LCM's own header; a channel name with the longest prefix and its NUL.
-constexpr int kLcmHeaderBytes = 8;
+// Of a datagram: a channel name with the longest prefix and its NUL.
 constexpr int kChannelBytes = 17 + 12;
 
 void check(const EventPackerParams& params) {

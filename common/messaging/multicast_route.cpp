@@ -11,25 +11,12 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "common/messaging/socket.h"
+
 namespace puck {
 namespace {
 
 constexpr int kTimeoutMs = 100;
-
-class Socket {
- public:
-  Socket() : fd_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {}
-  ~Socket() {
-    if (fd_ >= 0) close(fd_);
-  }
-  Socket(const Socket&) = delete;
-  Socket& operator=(const Socket&) = delete;
-
-  int fd() const { return fd_; }
-
- private:
-  int fd_;
-};
 
 std::string problem(const LcmUrl& url, const std::string& what) {
   return "no way to the multicast group " + url.group + " yet (" + what +
@@ -53,7 +40,7 @@ bool comes_back(int fd, std::uint64_t token) {
 }  // namespace
 
 std::optional<std::string> find_route_problem(const LcmUrl& url) {
-  const Socket probe;
+  const Socket probe(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0);
   if (probe.fd() < 0) return problem(url, error_text());
 
   // A port of its own, given by the kernel: nobody else's bus sees the probe.

@@ -16,29 +16,15 @@
 #include <unistd.h>
 
 #include "common/messaging/ipv4.h"
+#include "common/messaging/socket.h"
 
 namespace puck {
 namespace {
 
-class Socket {
- public:
-  Socket(int domain, int type, int protocol) : fd_(socket(domain, type | SOCK_CLOEXEC, protocol)) {}
-  ~Socket() {
-    if (fd_ >= 0) close(fd_);
-  }
-  Socket(const Socket&) = delete;
-  Socket& operator=(const Socket&) = delete;
-
-  int get() const { return fd_; }
-
- private:
-  int fd_;
-};
-
 int mtu_of(const Socket& any_socket, const std::string& name) {
   ifreq request{};
   name.copy(request.ifr_name, sizeof request.ifr_name - 1);
-  return ioctl(any_socket.get(), SIOCGIFMTU, &request) == 0 ? request.ifr_mtu : 0;
+  return ioctl(any_socket.fd(), SIOCGIFMTU, &request) == 0 ? request.ifr_mtu : 0;
 }
 
 /// What is asked of the kernel: the route to one IPv4 address.
@@ -121,8 +107,8 @@ std::variant<KernelRoute, std::string> find_kernel_route(const std::string& addr
   const Socket netlink(AF_NETLINK, SOCK_RAW, NETLINK_ROUTE);
   const RouteRequest request = route_request(destination);
   alignas(nlmsghdr) std::array<char, 4096> answer{};
-  if (send(netlink.get(), &request, sizeof request, 0) < 0) return std::strerror(errno);
-  const ssize_t size = recv(netlink.get(), answer.data(), answer.size(), 0);
+  if (send(netlink.fd(), &request, sizeof request, 0) < 0) return std::strerror(errno);
+  const ssize_t size = recv(netlink.fd(), answer.data(), answer.size(), 0);
   if (size < 0) return std::strerror(errno);
   auto* header = reinterpret_cast<nlmsghdr*>(answer.data());
   if (!NLMSG_OK(header, static_cast<std::size_t>(size))) return "the kernel's answer is cut off";

@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "common/messaging/datagram.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
 
@@ -19,7 +20,6 @@ constexpr std::int64_t kShortestPeriodUs = 20'000;
 // As the rules for STATUS on the wire have it: one too many, and nobody hears the whole of it.
 constexpr std::size_t kMaxTextBytes = 255;
 constexpr std::size_t kFrameBytes = EventPackerParams::kOneFrame;
-constexpr std::size_t kLcmHeaderBytes = 8;
 
 /// On the wire: the name's length, its end, and the value.
 std::size_t counter_bytes(std::string_view name) { return 4 + name.size() + 1 + 8; }

@@ -19,9 +19,9 @@ constexpr double kBounceTimeS = 0.006;
 constexpr double kBesideEndM = 0.2;
 
 // Nearer to a rail a bounce may be half done in the track.
-constexpr double kBesideRailM = 0.015;
+constexpr double kNearRailM = 0.015;
 // So near to a goal a puck that is expected in it may still be seen.
-constexpr double kBeforeGoalM = 0.1;
+constexpr double kNearGoalM = 0.1;
 
 }  // namespace
 
@@ -45,7 +45,7 @@ std::optional<TableVelocity> HitFinder::change_since(const PuckTrack& track,
   if (expected.in_goal) {
     const double off_m =
         std::hypot(is.position.x_m - was.position.x_m, is.position.y_m - was.position.y_m);
-    if (off_m < kBeforeGoalM) return std::nullopt;
+    if (off_m < kNearGoalM) return std::nullopt;
     return change;
   }
   const Matrix4& p = expected.track.covariance;
@@ -59,7 +59,7 @@ std::optional<TableVelocity> HitFinder::change_since(const PuckTrack& track,
 
 bool HitFinder::is_at_rail(const TablePoint& at) const {
   const TableGeometry& table = motion_.table();
-  const double near_m = table.puck_radius_m + kBesideRailM;
+  const double near_m = table.puck_radius_m + kNearRailM;
   return at.x_m < near_m || at.x_m > table.length_m - near_m ||
          std::abs(at.y_m) > table.width_m / 2 - near_m;
 }

@@ -15,7 +15,7 @@ using std::chrono::microseconds;
 using std::chrono::system_clock;
 
 // Events taken from the queue at once.
-constexpr std::size_t kHandful = 256;
+constexpr std::size_t kTakenAtOnce = 256;
 // How long the tracking thread takes events before the next estimate, when there are more than can
 // be taken.
 constexpr microseconds kLongestTake{1'000};
@@ -46,8 +46,8 @@ TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingP
       params_(params),
       publish_period_(publish_period(params)),
       publish_(std::move(publish)) {
-  events_.reserve(kHandful);
-  wanted_.reserve(kHandful);
+  events_.reserve(kTakenAtOnce);
+  wanted_.reserve(kTakenAtOnce);
   snapshot_.surface.grey.reserve(surface.size().width, surface.size().height);
   next_publish_ = Clock::now();
   heartbeat_due_ = next_publish_;
@@ -163,7 +163,7 @@ void TrackingThread::look(microseconds longest_take) {
 bool TrackingThread::take_events(microseconds longest_take) {
   const auto time_up = Clock::now() + longest_take;
   while (true) {
-    const Timestamp start = surface_.pop_events(snapshot_.events_end, kHandful, events_);
+    const Timestamp start = surface_.pop_events(snapshot_.events_end, kTakenAtOnce, events_);
     if (events_.empty()) return true;
     for_each_piece(start, events_, pipeline_->decision_period_us(),
                    [&](std::span<const Event> piece) {

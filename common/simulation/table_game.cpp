@@ -10,12 +10,12 @@ constexpr std::uint64_t kServeStream = 3;
 constexpr std::uint64_t kFreeHandStream = 4;
 constexpr std::uint64_t kRestStream = 5;
 constexpr std::uint64_t kSecondPuckStream = 6;
-constexpr double kResting_m_s = 0.08;
+constexpr double kStuck_m_s = 0.08;
 // The mallet of a live arm follows its reports, which come every few ms.
 constexpr double kFollowGain_1_s = 200;
 constexpr double kFollowSpeed_m_s = 5;
 constexpr int kStepsPerThought = 400;
-constexpr double kLookAhead_s = 1e-3;
+constexpr double kGlideStep_s = 1e-3;
 
 }  // namespace
 
@@ -98,8 +98,8 @@ void TableGame::think_for_robot() {
     const TableGeometry& table = physics_.table();
     const double meet_x_m = table.contact_line_x_m();
     DiscState ahead = *puck_;
-    for (double t_s = 0; t_s < kLongest_s && ahead.position.x_m > meet_x_m; t_s += kLookAhead_s) {
-      physics_.glide(ahead, kLookAhead_s);
+    for (double t_s = 0; t_s < kLongest_s && ahead.position.x_m > meet_x_m; t_s += kGlideStep_s) {
+      physics_.glide(ahead, kGlideStep_s);
     }
     target_m = ahead.position.y_m;
   }
@@ -133,7 +133,7 @@ bool TableGame::is_stuck() {
   // Nobody waits for ever for a puck that moves but comes to neither player, either.
   constexpr double kPatience = 3;
   const double speed_m_s = std::hypot(puck_->velocity.x_m_s, puck_->velocity.y_m_s);
-  if (speed_m_s > kResting_m_s) last_moving_s_ = time_s();
+  if (speed_m_s > kStuck_m_s) last_moving_s_ = time_s();
   if (waits_on_purpose()) last_moving_s_ = last_attack_s_ = time_s();
   return time_s() - last_moving_s_ > params_.stuck_after_s ||
          time_s() - last_attack_s_ > kPatience * params_.stuck_after_s;

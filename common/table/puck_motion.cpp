@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
+
+#include "common/table/require.h"
 
 namespace puck {
 namespace {
@@ -14,13 +14,6 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 // More than a puck of any plausible speed makes in any time that somebody predicts.
 constexpr int kMaxBounces = 64;
-
-void require(bool holds, const char* what, double got) {
-  if (holds) return;
-  std::ostringstream text;
-  text << what << ", got " << got;
-  throw std::invalid_argument(text.str());
-}
 
 void check(const TableGeometry& table) {
   require(table.puck_radius_m > 0, "table.puck_radius_m must be positive", table.puck_radius_m);

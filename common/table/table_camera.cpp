@@ -3,16 +3,13 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <string>
+
+#include "common/table/require.h"
 
 namespace puck {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-
-void require(bool holds, const char* what, double got) {
-  if (!holds) throw std::invalid_argument(what + (", got " + std::to_string(got)));
-}
 
 const PinholeCamera& checked(const PinholeCamera& camera) {
   require(camera.focal_px >= 10 && camera.focal_px <= 100'000,

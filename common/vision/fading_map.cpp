@@ -5,7 +5,7 @@
 namespace puck {
 namespace {
 
-constexpr double kMemory_us = 1'500'000;
+constexpr double kFading_us = 1'500'000;
 // The unit is brought back to 1 before floats run out, which a few seconds are far from.
 constexpr double kSmallestUnit = 1e-6;
 // Of an event, at all places that it is added to: the sum of its weights, and of their squares.
@@ -36,7 +36,7 @@ void FadingMap::clear() {
 }
 
 void FadingMap::advance(std::int64_t time_us) {
-  const double keep = std::exp(-static_cast<double>(time_us - time_us_) / kMemory_us);
+  const double keep = std::exp(-static_cast<double>(time_us - time_us_) / kFading_us);
   unit_ *= keep;
   noise_ *= keep;
   noise_variance_ *= keep * keep;

@@ -4,7 +4,7 @@ namespace puck {
 namespace {
 
 // Long enough for some tens of events in a part of the image, of a sensor that is noisy at all.
-constexpr std::int64_t kPeriod_us = 50'000;
+constexpr std::int64_t kCountingPeriod_us = 50'000;
 // What has not been decided on for so long may have had no events for want of packets.
 constexpr std::int64_t kGap_us = 5'000;
 // Until all events come when they are wanted.
@@ -27,7 +27,7 @@ void NoiseFloor::decide(std::int64_t time_us, bool took_all) {
   counted_us_ = is_gapless ? counted_us_ + passed_us : -kLeadIn_us;
   decided_us_ = time_us;
   if (counted_us_ < 0) counts_ = {};
-  if (counted_us_ < kPeriod_us) return;
+  if (counted_us_ < kCountingPeriod_us) return;
   learn();
   counts_ = {};
   counted_us_ = 0;

@@ -5,18 +5,18 @@
 namespace puck {
 namespace {
 
-constexpr double kMemory_us = 500'000;
+constexpr double kSignatureMemory_us = 500'000;
 // A puck of good contrast makes about five events at a pixel, a faint one hardly more than one.
 constexpr double kFaintBelow = 1.6;
 constexpr double kMaybeFaintBelow = 2.5;
 // As of thirty events at 100 px/s.
-constexpr double kLeastSpeed_px_s = 3'000;
+constexpr double kLeastSpeedSum_px_s = 3'000;
 constexpr double kLeastSwept_px2 = 2'000;
 
 }  // namespace
 
 void PuckSignature::learn(const Sample& sample, std::int64_t duration_us) {
-  const double keep = std::exp(-static_cast<double>(duration_us) / kMemory_us);
+  const double keep = std::exp(-static_cast<double>(duration_us) / kSignatureMemory_us);
   sum_.signed_speed = keep * sum_.signed_speed + sample.signed_speed;
   sum_.absolute_speed = keep * sum_.absolute_speed + sample.absolute_speed;
   sum_.events = keep * sum_.events + sample.events;
@@ -27,7 +27,7 @@ void PuckSignature::learn(const Sample& sample, std::int64_t duration_us) {
 }
 
 double PuckSignature::contrast_sign() const {
-  return sum_.absolute_speed > kLeastSpeed_px_s ? sum_.signed_speed / sum_.absolute_speed : 0;
+  return sum_.absolute_speed > kLeastSpeedSum_px_s ? sum_.signed_speed / sum_.absolute_speed : 0;
 }
 
 double PuckSignature::multiplicity() const {

@@ -8,7 +8,7 @@ namespace puck {
 namespace {
 
 constexpr double kHalfWidth_px = 2;
-constexpr double kDoubt = 0.05 * 255;
+constexpr double kGreyDoubt = 0.05 * 255;
 // A sector of which less can be seen, in pixels on the contour, tells nothing.
 constexpr double kLeastWeight = 1;
 
@@ -55,7 +55,7 @@ double ring_score(const RingSamples& samples, Pixel shift) {
     ++seen;
     const double ring = sector.ring / sector.ring_weight;
     const double around = (inside_grey + mean(sector.outside, sector.outside_pixels)) / 2;
-    contrasts += std::max(0.0, (ring - around) / (ring + around + kDoubt));
+    contrasts += std::max(0.0, (ring - around) / (ring + around + kGreyDoubt));
     sum += ring;
     squares += ring * ring;
   }

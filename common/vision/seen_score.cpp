@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-constexpr double kSame_px = 4;
+constexpr double kSeenWithin_px = 4;
 constexpr double kForgotten = 0.03;
 
 }  // namespace
@@ -16,7 +16,8 @@ void SeenScore::note(const SearchResult& result, Pixel main, bool has_other_wall
   if (request.other_wall != has_other_wall) return;
   double seen = 0;
   for (const SearchCandidate& candidate : result.candidates) {
-    if (distance_px(candidate.position, main) < kSame_px) seen = std::max(seen, candidate.score);
+    if (distance_px(candidate.position, main) < kSeenWithin_px)
+      seen = std::max(seen, candidate.score);
   }
   const int x = static_cast<int>(std::floor(main.x));
   const int y = static_cast<int>(std::floor(main.y));

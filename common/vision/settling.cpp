@@ -8,7 +8,7 @@ namespace {
 // Enough events to be sure of the place to a few tenths of a pixel.
 constexpr double kClearStrength = 20;
 constexpr double kClearStrengthOfFaint = 15;
-constexpr double kSlow_px_s = 200;
+constexpr double kNearlyResting_px_s = 200;
 // Few enough that what noise is left may be a part of them that counts.
 constexpr double kFewEvents = 12;
 // They die away so soon, or the puck creeps on.
@@ -29,7 +29,7 @@ bool Settling::settle(ContourTrack& main, const ContourContext& context, bool wa
   const double clarity = context.signature.may_be_faint() ? looks.quality : looks.clarity;
   if (clarity > TrackTrust::kSound && looks.strength > clear_strength) {
     place_ = main.last_ring_position();
-    was_slow_ = looks.speed_px_s < kSlow_px_s;
+    was_slow_ = looks.speed_px_s < kNearlyResting_px_s;
     clear_us_ = time_us;
     return false;
   }

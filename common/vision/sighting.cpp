@@ -5,8 +5,8 @@ namespace {
 
 // Nine of ten such sightings within so many px of a poor track were of the puck, and of those that
 // were not, the track was not either.
-constexpr double kNear_px = 10;
-constexpr double kLikelyScore = 0.62;
+constexpr double kNearTrack_px = 10;
+constexpr double kSightingScore = 0.62;
 
 }  // namespace
 
@@ -14,10 +14,10 @@ std::optional<Pixel> sighting_near(Pixel main, double wall_share, const SearchRe
                                    const PuckContour& contour) {
   const double sought = contour.wall_share(result.request.other_wall);
   std::optional<Pixel> seen;
-  double best = kLikelyScore;
+  double best = kSightingScore;
   for (const SearchCandidate& candidate : result.candidates) {
     const Pixel place = contour.centre_with_wall(candidate.position, sought, wall_share);
-    if (candidate.score <= best || distance_px(place, main) >= kNear_px) continue;
+    if (candidate.score <= best || distance_px(place, main) >= kNearTrack_px) continue;
     best = candidate.score;
     seen = place;
   }

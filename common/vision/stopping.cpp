@@ -5,7 +5,7 @@
 namespace puck {
 namespace {
 
-constexpr double kSurelyMissing = 12;
+constexpr double kSurelyStopped = 12;
 constexpr double kSilent_us = 3'000;
 // More events beside the ring than this share of the missing ones: something covers the puck.
 constexpr double kMostClutter = 0.2;
@@ -18,7 +18,7 @@ void stop_if_silent(ContourTrack& track, const ContourContext& context, std::int
   const double silent_us = static_cast<double>(time_us - track.last_ring_us());
   const double missing =
       track.expected_events(context.signature) * silent_us / RingEvidence::kMemory_us;
-  if (missing > kSurelyMissing && silent_us > kSilent_us &&
+  if (missing > kSurelyStopped && silent_us > kSilent_us &&
       track.clutter_since_ring() < kMostClutter * missing) {
     track.stop_at(track.last_ring_position(), time_us, context);
   }

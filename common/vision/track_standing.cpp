@@ -5,13 +5,13 @@
 namespace puck {
 namespace {
 
-constexpr double kSlow_px_s = 60;
+constexpr double kResting_px_s = 60;
 constexpr double kSupportedQuality = 0.1;
 constexpr double kSupportedStrength = 15;
 constexpr double kSupportedShare = 0.5;
 // A puck that comes to rest against a mallet looks bad before both fall silent, so soon and so near
 // that it can be no other.
-constexpr double kWholeCover = 0.45;
+constexpr double kHeldCover = 0.45;
 constexpr std::int64_t kComesToRestFor_us = 150'000;
 constexpr double kComesToRestWithin_px = 8;
 // A puck whose centre has been outside the image for so long, unseen, has left.
@@ -25,7 +25,7 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool hea
                                std::clamp(main.position.y, 0.0, sensor_.height - 1.0)};
   const bool in_image = main.position == nearest_in_image;
   is_resting_ = main.is_quiet() && !head_turns && trust.may_rest() &&
-                main.speed_px_s < kSlow_px_s && witness_is_near;
+                main.speed_px_s < kResting_px_s && witness_is_near;
   if (!is_resting_) moved_us_ = time_us;
   // Beside a hand or a mallet the track looks poor. That the blob agrees, and that the ring still
   // has more events than its surroundings explain, says that it is right all the same.
@@ -42,7 +42,7 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool hea
        (is_resting_ && state_ == TrackState::kTracking))) {
     held_us_ = time_us;
     // What is held as caught does not become whole by it.
-    if (is_resting_ || (main.cover > kWholeCover && (main.is_good() || is_supported))) {
+    if (is_resting_ || (main.cover > kHeldCover && (main.is_good() || is_supported))) {
       whole_us_ = time_us;
       whole_at_ = main.position;
     }

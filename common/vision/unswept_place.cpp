@@ -7,7 +7,7 @@ namespace puck {
 namespace {
 
 // Of the events that a passing edge makes: noise and what only grazes the place make some as well.
-constexpr double kFew = 0.2;
+constexpr double kFewOfExpected = 0.2;
 // Fewer missing events may be chance, and so may a lesser part of those that are to be expected.
 constexpr double kSurelyMissing = 15;
 constexpr double kMostlyMissing = 0.4;
@@ -48,7 +48,7 @@ bool UnsweptPlace::is_unswept(double density, const Parts& left) const {
   for (std::size_t i = 0; i < kParts; ++i) {
     if (!left[i]) continue;
     all += expected;
-    if (events_[i] < kFew * expected) missing += expected;
+    if (events_[i] < kFewOfExpected * expected) missing += expected;
   }
   return missing > kSurelyMissing && missing > kMostlyMissing * all;
 }

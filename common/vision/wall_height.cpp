@@ -7,9 +7,9 @@ namespace puck {
 namespace {
 
 // What is known fades while the puck is watched.
-constexpr double kMemory_us = 1'000'000;
+constexpr double kHeightMemory_us = 1'000'000;
 // Only an edge that moves across itself makes events, and in a small image the edges are one.
-constexpr double kLeastSpeed_px_s = 100;
+constexpr double kLeastAcross_px_s = 100;
 constexpr double kLeastWidth_px = 16;
 // From the middle of an edge, in half axes: farther off, edges run into one another.
 constexpr double kMiddle = 0.5;
@@ -18,7 +18,7 @@ constexpr double kLowest = 0.1;
 constexpr double kHighest = kHighestWall - 0.05;
 // The wall's edge has so many events, each so many bins from its middle at most, and so many times
 // more than there are elsewhere.
-constexpr double kEnough = 60;
+constexpr double kEnoughOfEdge = 60;
 constexpr std::size_t kReach = 3;
 constexpr double kClear = 2;
 
@@ -39,7 +39,7 @@ void WallHeight::watch(const ContourTrack* puck, const PuckContour& contour,
   face_ = contour.ring_at(position_, 0);
   profile_ = contour.wall_profile(position_);
   behind_px_ = {contour.behind_px(velocity_.x), contour.behind_px(velocity_.y)};
-  const double keep = std::exp(-static_cast<double>(passed_us) / kMemory_us);
+  const double keep = std::exp(-static_cast<double>(passed_us) / kHeightMemory_us);
   for (double& count : counts_) count *= keep;
   upper_.fade(keep);
   sides_.fade(keep);
@@ -59,13 +59,13 @@ void WallHeight::compare(const ContourEvent& event) {
   const double v = (dy + low_px) / face_.semi_y;
   if (std::abs(u) > kMiddle) {
     // Below its middle the face's side is the wall's as well.
-    if (v > -kMiddle && v < 0 && std::abs(velocity_.x) > kLeastSpeed_px_s) {
+    if (v > -kMiddle && v < 0 && std::abs(velocity_.x) > kLeastAcross_px_s) {
       sides_.add((std::abs(u) - std::sqrt(1 - v * v)) * face_.semi_x +
                  (u > 0 ? behind_px_.x : -behind_px_.x));
     }
     return;
   }
-  if (std::abs(velocity_.y) < kLeastSpeed_px_s) return;
+  if (std::abs(velocity_.y) < kLeastAcross_px_s) return;
   const double r = std::sqrt(1 - u * u);
   if (dy < 0) {
     upper_.add(-dy - r * face_.semi_y - behind_px_.y);
@@ -95,7 +95,7 @@ std::optional<double> WallHeight::share() const {
     count = here;
   }
   // The most at the lowest height are those of the face's own edge, blurred.
-  if (edge == first || count < kEnough) return std::nullopt;
+  if (edge == first || count < kEnoughOfEdge) return std::nullopt;
   double moment = 0;
   double elsewhere = 0;
   double bins_elsewhere = 0;

@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-constexpr std::size_t kPieceBytes = 1024;
+constexpr std::size_t kTextPieceBytes = 1024;
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -32,7 +32,7 @@ void TextConnection::send(std::string_view request, const Waiter& waiter, Deadli
 std::string TextConnection::receive(const Waiter& waiter, Deadline deadline) {
   while (true) {
     if (auto line = lines_.next()) return *line;
-    std::array<std::uint8_t, kPieceBytes> piece;
+    std::array<std::uint8_t, kTextPieceBytes> piece;
     const std::size_t count = socket_.receive(piece, waiter, deadline);
     lines_.feed(std::span(piece).first(count));
   }
@@ -40,7 +40,7 @@ std::string TextConnection::receive(const Waiter& waiter, Deadline deadline) {
 
 std::optional<std::string> TextConnection::receive_now() {
   if (auto line = lines_.next()) return line;
-  std::array<std::uint8_t, kPieceBytes> piece;
+  std::array<std::uint8_t, kTextPieceBytes> piece;
   const std::size_t count = socket_.receive_now(piece);
   lines_.feed(std::span(piece).first(count));
   return lines_.next();

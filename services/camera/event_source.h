@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,6 +28,10 @@ class EventSource {
     /// CLOCK_REALTIME, µs, when a live source's events came; 0: just now.
     std::int64_t came_utime = 0;
   };
+
+  /// As many events as a chunk has where there are more. Of a live source smaller ones are joined,
+  /// so that they do not fill the queue.
+  static constexpr std::size_t kChunkEvents = 8192;
 
   virtual ~EventSource() = default;
 

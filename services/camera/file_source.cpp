@@ -6,11 +6,6 @@
 #include <utility>
 
 namespace puck {
-namespace {
-
-constexpr std::size_t kChunkEvents = 8192;
-
-}  // namespace
 
 FileSource::FileSource(const FileSourceParams& params)
     : FileSource(params, open_event_file(params.file, params.options)) {}

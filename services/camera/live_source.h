@@ -23,8 +23,6 @@ namespace puck {
 /// The calls are for one thread.
 class LiveSource final : public EventSource {
  public:
-  /// Chunks of up to this many events are joined, so that small pieces do not fill the queue.
-  static constexpr std::size_t kChunkEvents = 8192;
   /// Some 10 ms of the busiest stream that can be published.
   static constexpr std::size_t kChunks = 64;
 

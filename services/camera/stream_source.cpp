@@ -13,7 +13,6 @@ namespace puck {
 namespace {
 
 constexpr std::size_t kBufferBytes = 65536;
-constexpr std::size_t kChunkEvents = 8192;
 constexpr int kWaitMs = 2;
 
 }  // namespace
@@ -31,7 +30,8 @@ DescriptorEvents::Outcome DescriptorEvents::next(EventPacket& packet) {
     const Outcome outcome = read_more();
     if (outcome != Outcome::kEvents) return outcome;
   }
-  used_ += stream_.decode(std::span(buffer_).subspan(used_, size_ - used_), packet, kChunkEvents);
+  used_ += stream_.decode(std::span(buffer_).subspan(used_, size_ - used_), packet,
+                          EventSource::kChunkEvents);
   if (!packet.empty()) return Outcome::kEvents;
   return is_finished_ && !stream_.has_backlog() ? Outcome::kEnd : Outcome::kNothingYet;
 }

@@ -12,8 +12,8 @@ namespace puck {
 namespace {
 
 // Finer and coarser errors than these do not differ on the box plots.
-constexpr double kSmallestErrorPx = 0.01;
-constexpr double kLargestErrorPx = 100;
+constexpr double kSmallestBoxPx = 0.01;
+constexpr double kLargestBoxPx = 100;
 constexpr double kWithinShownPx = 10;
 
 ChartSize size_of_groups(std::size_t groups) {
@@ -29,8 +29,7 @@ void write_box_plot(const SequenceSet& set, const ComparisonReport& report,
   Chart chart(
       "error of each sequence, " + set.title + ": quartiles and median; whiskers from 5 to 95 %",
       {.label = "sequence", .things = names},
-      logarithmic_axis("error, px", kSmallestErrorPx, kLargestErrorPx),
-      size_of_groups(names.size()));
+      logarithmic_axis("error, px", kSmallestBoxPx, kLargestBoxPx), size_of_groups(names.size()));
   add_legend(chart);
   std::size_t number = 0;
   for (const Contestant& contestant : contestants()) {

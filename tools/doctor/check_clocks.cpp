@@ -9,12 +9,12 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "clocks";
+constexpr const char* kClocks = "clocks";
 // Far above what NTP leaves. The services allow for any difference; whoever reads the logs of two
 // machines side by side does not.
 constexpr std::int64_t kMostApart_us = 100'000;
 
-std::string milliseconds(std::int64_t time_us) {
+std::string in_milliseconds(std::int64_t time_us) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f ms", static_cast<double>(std::llabs(time_us)) * 1e-3);
   return text;
@@ -27,11 +27,11 @@ std::string set_clock(const std::string& address) {
 Finding measured(const std::string& address, const HostClock& offset) {
   const bool is_apart = std::llabs(offset.offset_us) - offset.within_us > kMostApart_us;
   const std::string text = "the clock of " + offset.host + " (" + address + ") is " +
-                           milliseconds(offset.offset_us) +
+                           in_milliseconds(offset.offset_us) +
                            (offset.offset_us >= 0 ? " ahead" : " behind") + ", to within " +
-                           milliseconds(offset.within_us);
-  if (!is_apart) return {Verdict::kOk, kCheck, text};
-  return {Verdict::kNote, kCheck, text + "; the services allow for it, readers of logs do not",
+                           in_milliseconds(offset.within_us);
+  if (!is_apart) return {Verdict::kOk, kClocks, text};
+  return {Verdict::kNote, kClocks, text + "; the services allow for it, readers of logs do not",
           set_clock(address)};
 }
 
@@ -39,17 +39,17 @@ Finding measured(const std::string& address, const HostClock& offset) {
 Finding bounded(const std::string& address, const HeardService& service) {
   const std::string host = "the clock of " + service.status.host + " (" + address + ")";
   if (service.least_age_us < -kMostApart_us) {
-    return {Verdict::kNote, kCheck,
-            host + " is at least " + milliseconds(service.least_age_us) + " ahead",
+    return {Verdict::kNote, kClocks,
+            host + " is at least " + in_milliseconds(service.least_age_us) + " ahead",
             set_clock(address)};
   }
   if (service.least_age_us < 0) {
-    return {Verdict::kNote, kCheck,
-            host + " is at least " + milliseconds(service.least_age_us) +
+    return {Verdict::kNote, kClocks,
+            host + " is at least " + in_milliseconds(service.least_age_us) +
                 " ahead; no answer to our pings says how far"};
   }
-  return {Verdict::kNote, kCheck,
-          host + " is at most " + milliseconds(service.least_age_us) +
+  return {Verdict::kNote, kClocks,
+          host + " is at most " + in_milliseconds(service.least_age_us) +
               " behind; no answer to our pings says how far it is ahead"};
 }
 
@@ -72,7 +72,7 @@ Findings check_clocks(const Facts& facts) {
     findings.push_back(bounded(address, *service));
   }
   if (findings.empty()) {
-    findings.push_back({Verdict::kOk, kCheck, "no other host is heard, so there is one clock"});
+    findings.push_back({Verdict::kOk, kClocks, "no other host is heard, so there is one clock"});
   }
   return findings;
 }

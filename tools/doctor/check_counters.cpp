@@ -4,18 +4,18 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "losses";
+constexpr const char* kLosses = "losses";
 
 /// A counter that tells of loss: wrong when it grew while we looked, else a note when it is not 0.
 void look_at(Findings& findings, const std::string& what, std::int64_t before, std::int64_t after,
              const std::string& mend) {
   if (after > before) {
-    findings.push_back({Verdict::kWrong, kCheck,
+    findings.push_back({Verdict::kWrong, kLosses,
                         what + ": " + std::to_string(after - before) + " more while listening, " +
                             std::to_string(after) + " in all",
                         mend});
   } else if (after > 0) {
-    findings.push_back({Verdict::kNote, kCheck,
+    findings.push_back({Verdict::kNote, kLosses,
                         what + ": " + std::to_string(after) + " in all, none while listening"});
   }
 }
@@ -24,7 +24,7 @@ void look_at(Findings& findings, const std::string& what, std::int64_t before, s
 
 Findings check_counters(const Facts& facts) {
   if (!facts.before || !facts.after) {
-    return {{Verdict::kNote, kCheck, "not checked: the kernel's counters cannot be read"}};
+    return {{Verdict::kNote, kLosses, "not checked: the kernel's counters cannot be read"}};
   }
   constexpr int kLargerBuffer = 16 << 20;
   Findings findings;
@@ -38,7 +38,7 @@ Findings check_counters(const Facts& facts) {
           facts.after->checksum_errors, "");
   if (findings.empty()) {
     findings.push_back(
-        {Verdict::kOk, kCheck, "no fragment lost, no receive buffer full, no checksum wrong"});
+        {Verdict::kOk, kLosses, "no fragment lost, no receive buffer full, no checksum wrong"});
   }
   return findings;
 }

@@ -6,18 +6,18 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "firewall";
+constexpr const char* kFirewall = "firewall";
 constexpr std::size_t kMostShown = 5;
 
 }  // namespace
 
 Findings check_firewall(const Facts& facts) {
   if (!facts.firewall) {
-    return {{Verdict::kNote, kCheck, "the packet filter's rules cannot be read by this user",
+    return {{Verdict::kNote, kFirewall, "the packet filter's rules cannot be read by this user",
              as_root(facts, {"nft list ruleset"})}};
   }
   if (facts.firewall->empty()) {
-    return {{Verdict::kOk, kCheck, "no rule of the packet filter drops what comes to the port"}};
+    return {{Verdict::kOk, kFirewall, "no rule of the packet filter drops what comes to the port"}};
   }
   // That a rule is there does not say that it meets us; that nothing comes back does.
   const SelfTest& test = facts.self_test;
@@ -32,8 +32,8 @@ Findings check_firewall(const Facts& facts) {
     if (seen.insert(drop.accept).second) accepts.push_back(drop.accept);
   }
   if (shown > kMostShown) text += "; and " + std::to_string(shown - kMostShown) + " more";
-  if (!drops_ours) return {{Verdict::kNote, kCheck, text}};
-  return {{Verdict::kWrong, kCheck, text, as_root(facts, accepts)}};
+  if (!drops_ours) return {{Verdict::kNote, kFirewall, text}};
+  return {{Verdict::kWrong, kFirewall, text, as_root(facts, accepts)}};
 }
 
 }  // namespace puck

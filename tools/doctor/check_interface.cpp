@@ -4,18 +4,18 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "interface";
+constexpr const char* kInterface = "interface";
 
 }  // namespace
 
 Findings check_interface(const Facts& facts) {
   const NetworkInterface* interface = facts.group_interface();
   if (interface == nullptr) {
-    return {{Verdict::kNote, kCheck, "not checked: the group has no interface"}};
+    return {{Verdict::kNote, kInterface, "not checked: the group has no interface"}};
   }
   const std::string& name = interface->name;
   const auto wrong = [&](const std::string& text, const std::string& mend) {
-    return Findings{{Verdict::kWrong, kCheck, name + " " + text, mend}};
+    return Findings{{Verdict::kWrong, kInterface, name + " " + text, mend}};
   };
   if (!interface->is_up) {
     return wrong("is switched off", as_root(facts, {"ip link set " + name + " up"}));
@@ -31,7 +31,7 @@ Findings check_interface(const Facts& facts) {
   if (interface->addresses.empty()) {
     return wrong("has no IPv4 address", as_root(facts, {"dhclient " + name}));
   }
-  return {{Verdict::kOk, kCheck,
+  return {{Verdict::kOk, kInterface,
            name + " is up, " + (interface->is_loopback ? "loopback" : "multicast") + ", " +
                interface->addresses.front()}};
 }

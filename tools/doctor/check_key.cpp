@@ -3,15 +3,15 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "key";
+constexpr const char* kKey = "key";
 
 std::string key_option(const std::string& file) { return "--set lcm.key_file=" + file; }
 
 Findings without_key(const Facts& facts) {
   std::int64_t sealed = 0;
   for (const auto& [source, sender] : facts.traffic.senders()) sealed += sender.sealed;
-  if (sealed == 0) return {{Verdict::kOk, kCheck, "no key is set, and nothing is sealed with one"}};
-  return {{Verdict::kWrong, kCheck,
+  if (sealed == 0) return {{Verdict::kOk, kKey, "no key is set, and nothing is sealed with one"}};
+  return {{Verdict::kWrong, kKey,
            std::to_string(sealed) +
                " messages are sealed with a key; a service without it hears none of them and is "
                "heard by nobody. Give it the file that the others have",
@@ -25,7 +25,7 @@ Findings check_key(const Facts& facts) {
   Findings findings;
   for (const auto& [source, sender] : facts.traffic.senders()) {
     if (sender.unauthenticated == 0) continue;
-    findings.push_back({Verdict::kWrong, kCheck,
+    findings.push_back({Verdict::kWrong, kKey,
                         source.address + ":" + std::to_string(source.port) + " sent " +
                             std::to_string(sender.unauthenticated) +
                             " messages that do not have our key, the last on " +
@@ -34,7 +34,7 @@ Findings check_key(const Facts& facts) {
                         key_option(facts.key_file)});
   }
   if (!findings.empty()) return findings;
-  return {{Verdict::kOk, kCheck, "all messages of ours have the key of " + facts.key_file}};
+  return {{Verdict::kOk, kKey, "all messages of ours have the key of " + facts.key_file}};
 }
 
 }  // namespace puck

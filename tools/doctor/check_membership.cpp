@@ -4,7 +4,7 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "membership";
+constexpr const char* kMembership = "membership";
 
 std::string names_of(const Facts& facts) {
   std::string names;
@@ -27,7 +27,7 @@ std::string end_all(const Facts& facts) {
 Findings check_membership(const Facts& facts) {
   const NetworkInterface* interface = facts.group_interface();
   if (interface == nullptr) {
-    return {{Verdict::kNote, kCheck, "not checked: the group has no interface"}};
+    return {{Verdict::kNote, kMembership, "not checked: the group has no interface"}};
   }
   const std::string& group = facts.url.group;
   int here = 0;
@@ -41,25 +41,25 @@ Findings check_membership(const Facts& facts) {
     }
   }
   if (facts.sockets_at_port == 0) {
-    return {{Verdict::kOk, kCheck, "nobody else on this host listens at the port"}};
+    return {{Verdict::kOk, kMembership, "nobody else on this host listens at the port"}};
   }
   // The kernel counts those who joined on whatever port, so that fewer than listen at ours is
   // certain to be too few, and more says nothing.
   const std::string counts = std::to_string(facts.sockets_at_port) +
                              " sockets listen at the port, " + std::to_string(here) +
                              " joined the group on " + interface->name;
-  if (here >= facts.sockets_at_port) return {{Verdict::kOk, kCheck, counts}};
+  if (here >= facts.sockets_at_port) return {{Verdict::kOk, kMembership, counts}};
   const std::string mend_text = "; what stays deaf must be started again: " + names_of(facts);
   if (!elsewhere.empty()) {
-    return {{Verdict::kWrong, kCheck, counts + " and others on " + elsewhere + mend_text,
+    return {{Verdict::kWrong, kMembership, counts + " and others on " + elsewhere + mend_text,
              end_all(facts)}};
   }
   if (here == 0) {
-    return {{Verdict::kWrong, kCheck,
+    return {{Verdict::kWrong, kMembership,
              counts + ": deaf, as programs of liblcm are after an interface was away" + mend_text,
              end_all(facts)}};
   }
-  return {{Verdict::kNote, kCheck, counts}};
+  return {{Verdict::kNote, kMembership, counts}};
 }
 
 }  // namespace puck

@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "mtu";
+constexpr const char* kMtu = "mtu";
 constexpr int kIpAndUdpHeaderBytes = 28;
 
 std::string set_packet_bytes(int bytes) {
@@ -21,14 +21,14 @@ Finding own_packets(const Facts& facts, const NetworkInterface& interface) {
   const std::string frame =
       interface.name + ", which carries " + std::to_string(interface.mtu_bytes) + " bytes a frame";
   if (facts.packet_bytes <= fits_bytes) {
-    return {Verdict::kOk, kCheck, sizes + " fits " + frame};
+    return {Verdict::kOk, kMtu, sizes + " fits " + frame};
   }
   if (facts.url.ttl == 0) {
-    return {Verdict::kNote, kCheck,
+    return {Verdict::kNote, kMtu,
             sizes + " is cut up by the kernel for " + frame +
                 "; as nothing leaves this host, nothing is lost by it"};
   }
-  return {Verdict::kWrong, kCheck,
+  return {Verdict::kWrong, kMtu,
           sizes + " is cut up by the kernel for " + frame +
               ": one lost frame loses the packet, and under loss all go",
           fits_bytes >= EventPackerParams::kMinBytes
@@ -41,7 +41,7 @@ Finding own_packets(const Facts& facts, const NetworkInterface& interface) {
 Findings check_mtu(const Facts& facts) {
   const NetworkInterface* interface = facts.group_interface();
   if (interface == nullptr) {
-    return {{Verdict::kNote, kCheck, "not checked: the group has no interface"}};
+    return {{Verdict::kNote, kMtu, "not checked: the group has no interface"}};
   }
   Findings findings{own_packets(facts, *interface)};
   const int fits_bytes = interface->mtu_bytes - kIpAndUdpHeaderBytes;
@@ -49,7 +49,7 @@ Findings check_mtu(const Facts& facts) {
     const bool came_in_parts = !facts.is_own_address(source.address) && fits_bytes > 0 &&
                                sender.largest_bytes > static_cast<std::size_t>(fits_bytes);
     if (!came_in_parts) continue;
-    findings.push_back({Verdict::kWrong, kCheck,
+    findings.push_back({Verdict::kWrong, kMtu,
                         source.address + " sends datagrams of " +
                             std::to_string(sender.largest_bytes) + " bytes, which come over " +
                             interface->name + " in parts; on that host",

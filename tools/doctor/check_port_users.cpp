@@ -3,10 +3,10 @@
 namespace puck {
 
 Findings check_port_users(const Facts& facts) {
-  constexpr const char* kCheck = "port";
+  constexpr const char* kPort = "port";
   const std::string port = "UDP port " + std::to_string(facts.url.port);
   if (facts.sockets_at_port == 0) {
-    return {{Verdict::kOk, kCheck, "no other program on this host listens at " + port}};
+    return {{Verdict::kOk, kPort, "no other program on this host listens at " + port}};
   }
   std::string names;
   int known_sockets = 0;
@@ -17,7 +17,7 @@ Findings check_port_users(const Facts& facts) {
   if (known_sockets < facts.sockets_at_port) {
     names += (names.empty() ? "" : ", ") + std::string("and programs that this user may not see");
   }
-  return {{Verdict::kOk, kCheck, "at " + port + " on this host: " + names}};
+  return {{Verdict::kOk, kPort, "at " + port + " on this host: " + names}};
 }
 
 }  // namespace puck

@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "reverse path";
+constexpr const char* kReversePath = "reverse path";
 constexpr int kStrict = 1;
 
 int setting(const Facts& facts, const std::string& interface) {
@@ -19,12 +19,12 @@ int setting(const Facts& facts, const std::string& interface) {
 Findings check_reverse_path(const Facts& facts) {
   const NetworkInterface* interface = facts.group_interface();
   if (interface == nullptr || !facts.before || !facts.after) {
-    return {{Verdict::kNote, kCheck, "not checked: the group has no interface"}};
+    return {{Verdict::kNote, kReversePath, "not checked: the group has no interface"}};
   }
   const std::string& name = interface->name;
   const std::int64_t grown = facts.after->reverse_path_drops - facts.before->reverse_path_drops;
   if (grown > 0) {
-    return {{Verdict::kWrong, kCheck,
+    return {{Verdict::kWrong, kReversePath,
              std::to_string(grown) +
                  " datagrams were dropped while listening, because another way leads to where "
                  "they came from",
@@ -33,11 +33,11 @@ Findings check_reverse_path(const Facts& facts) {
   }
   // The kernel goes by the larger of the two.
   if (std::max(setting(facts, "all"), setting(facts, name)) == kStrict) {
-    return {{Verdict::kOk, kCheck,
+    return {{Verdict::kOk, kReversePath,
              "strict on " + name + ": only hosts to which " + name +
                  " leads are heard; nothing was dropped for it"}};
   }
-  return {{Verdict::kOk, kCheck, "not strict on " + name}};
+  return {{Verdict::kOk, kReversePath, "not strict on " + name}};
 }
 
 }  // namespace puck

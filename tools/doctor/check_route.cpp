@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "route";
+constexpr const char* kRoute = "route";
 
 /// The interface that most likely leads to the other machines: up before down, with an address
 /// before without.
@@ -38,7 +38,7 @@ Findings no_route(const Facts& facts, const std::string& why) {
   const bool can_leave = way != nullptr && (way->is_up || facts.url.ttl > 0);
   std::string text = "no route to the multicast group " + facts.url.group + " (" + why + ")";
   if (!can_leave && facts.url.ttl > 0) text += ", and no interface but lo; over lo for this host";
-  return {{Verdict::kWrong, kCheck, text,
+  return {{Verdict::kWrong, kRoute, text,
            can_leave ? route_over(facts, *way) : route_over_loopback(facts)}};
 }
 
@@ -47,10 +47,10 @@ Findings loopback_only(const Facts& facts) {
       "multicast to " + facts.url.group +
       " goes to lo: nothing leaves this host, although ttl=" + std::to_string(facts.url.ttl);
   const NetworkInterface* way = best_way_out(facts);
-  if (way != nullptr) return {{Verdict::kWrong, kCheck, text, route_over(facts, *way)}};
+  if (way != nullptr) return {{Verdict::kWrong, kRoute, text, route_over(facts, *way)}};
   LcmUrl this_host = facts.url;
   this_host.ttl = 0;
-  return {{Verdict::kWrong, kCheck,
+  return {{Verdict::kWrong, kRoute,
            text + ". There is no other interface; for this host alone, say so",
            lcm_url_option(this_host)}};
 }
@@ -64,7 +64,7 @@ Findings check_route(const Facts& facts) {
     return loopback_only(facts);
   }
   const auto& route = std::get<KernelRoute>(facts.route);
-  return {{Verdict::kOk, kCheck,
+  return {{Verdict::kOk, kRoute,
            "multicast to " + facts.url.group + " goes by " + route.interface +
                (route.source.empty() ? "" : ", from " + route.source)}};
 }

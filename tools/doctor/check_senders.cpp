@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "senders";
+constexpr const char* kSenders = "senders";
 
 std::string name_of(const Facts& facts, const Source& source) {
   const std::string address = source.address + ":" + std::to_string(source.port);
@@ -53,13 +53,13 @@ void add_strangers(const Facts& facts, Findings& findings) {
   for (const auto& [source, sender] : facts.traffic.senders()) {
     const std::string name = name_of(facts, source);
     if (sender.not_lcm > 0) {
-      findings.push_back({Verdict::kWrong, kCheck,
+      findings.push_back({Verdict::kWrong, kSenders,
                           name + " sent " + std::to_string(sender.not_lcm) +
                               " datagrams to our port that are not LCM",
                           keep_out(facts, source)});
     }
     if (sender.broken > 0) {
-      findings.push_back({Verdict::kWrong, kCheck,
+      findings.push_back({Verdict::kWrong, kSenders,
                           name + " sent " + std::to_string(sender.broken) +
                               " broken datagrams, such as can crash what uses liblcm; the last " +
                               sender.last_broken,
@@ -68,7 +68,7 @@ void add_strangers(const Facts& facts, Findings& findings) {
     if (sender.malformed > 0) {
       // Who also sends good ones is one of us, and not to be ended for its age.
       const bool is_ours = sender.ours > 0;
-      findings.push_back({Verdict::kWrong, kCheck,
+      findings.push_back({Verdict::kWrong, kSenders,
                           name + " sent " + std::to_string(sender.malformed) +
                               " messages that are rejected, the last on " + sender.last_malformed +
                               (is_ours ? "; it is of another version than this. On the older host, "
@@ -77,7 +77,7 @@ void add_strangers(const Facts& facts, Findings& findings) {
                           is_ours ? kUpdate : keep_out(facts, source)});
     }
     if (sender.fragments > 0) {
-      findings.push_back({facts.allow_fragments ? Verdict::kNote : Verdict::kWrong, kCheck,
+      findings.push_back({facts.allow_fragments ? Verdict::kNote : Verdict::kWrong, kSenders,
                           name + " sent " + std::to_string(sender.fragments) +
                               " parts of messages larger than a datagram, which " +
                               (facts.allow_fragments ? "" : "are refused here and ") +
@@ -85,7 +85,7 @@ void add_strangers(const Facts& facts, Findings& findings) {
                           other_port_option(facts.url)});
     }
     if (sender.foreign > 0) {
-      findings.push_back({Verdict::kNote, kCheck,
+      findings.push_back({Verdict::kNote, kSenders,
                           name + " sent " + std::to_string(sender.foreign) +
                               " messages that are not ours (" + some_channels(sender) +
                               "); a port of your own keeps apart",
@@ -101,7 +101,7 @@ Findings check_senders(const Facts& facts) {
   add_strangers(facts, findings);
   const Traffic& traffic = facts.traffic;
   if (traffic.uncounted() > 0) {
-    findings.push_back({Verdict::kWrong, kCheck,
+    findings.push_back({Verdict::kWrong, kSenders,
                         "more than " + std::to_string(Traffic::kMaxSenders) +
                             " addresses send to the port; " + std::to_string(traffic.uncounted()) +
                             " datagrams are not accounted for. Move to another port",
@@ -113,7 +113,7 @@ Findings check_senders(const Facts& facts) {
     datagrams += sender.datagrams;
     ours += sender.ours;
   }
-  findings.insert(findings.begin(), {Verdict::kOk, kCheck,
+  findings.insert(findings.begin(), {Verdict::kOk, kSenders,
                                      std::to_string(datagrams) + " datagrams from " +
                                          std::to_string(traffic.senders().size()) + " senders, " +
                                          std::to_string(ours) + " of them good messages of ours"});

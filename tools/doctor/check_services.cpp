@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "services";
+constexpr const char* kServices = "services";
 
 std::string describe(const HeardService& service) {
   const service_status_t& status = service.status;
@@ -34,12 +34,12 @@ Findings silence(const Facts& facts) {
     for (const std::string& prefix : prefixes) {
       others += (others.empty() ? "" : ", ") + (prefix.empty() ? "none" : prefix);
     }
-    return {{Verdict::kWrong, kCheck,
+    return {{Verdict::kWrong, kServices,
              "no service speaks " + under + ", but some do under other prefixes: " + others,
              "--prefix \"" + *prefixes.begin() + "\""}};
   }
   return {
-      {Verdict::kNote, kCheck,
+      {Verdict::kNote, kServices,
        "no service speaks " + under + ". If some run on other hosts, ask there with the same bus",
        std::string(kDoctorName) + " " + lcm_url_option(facts.url) +
            (facts.prefix.empty() ? "" : " --prefix " + facts.prefix)}};
@@ -62,10 +62,10 @@ Findings check_services(const Facts& facts) {
   std::map<std::string, const HeardService*> by_name;
   for (const HeardService* service : services) {
     findings.push_back(
-        {is_well(*service) ? Verdict::kOk : Verdict::kNote, kCheck, describe(*service)});
+        {is_well(*service) ? Verdict::kOk : Verdict::kNote, kServices, describe(*service)});
     const auto [known, is_new] = by_name.emplace(service->status.service, service);
     if (is_new) continue;
-    findings.push_back({Verdict::kWrong, kCheck,
+    findings.push_back({Verdict::kWrong, kServices,
                         "two of a kind under one prefix: " + service->status.service + " on " +
                             known->second->status.host + " (pid " +
                             std::to_string(known->second->status.pid) + ") and on " +

@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-constexpr const char* kCheck = "ttl";
+constexpr const char* kTtl = "ttl";
 
 LcmUrl with_ttl_1(LcmUrl url) {
   url.ttl = 1;
@@ -38,12 +38,12 @@ Findings stays_here(const Facts& facts) {
   const std::string mend = lcm_url_option(with_ttl_1(facts.url));
   const std::string remote = remote_sender(facts);
   if (!remote.empty()) {
-    return {{Verdict::kWrong, kCheck,
+    return {{Verdict::kWrong, kTtl,
              "ttl=0: what is sent here stays on this host, but " + remote +
                  " is heard, so the bus spans machines; start the services here with",
              mend}};
   }
-  return {{Verdict::kNote, kCheck,
+  return {{Verdict::kNote, kTtl,
            "ttl=0: this host only. No other machine or container hears anything; if they should, "
            "start every service with",
            mend}};
@@ -55,11 +55,11 @@ Findings check_ttl(const Facts& facts) {
   if (facts.url.ttl == 0) return stays_here(facts);
   const std::string names = senders_without_ttl(facts);
   if (!names.empty()) {
-    return {{Verdict::kWrong, kCheck,
+    return {{Verdict::kWrong, kTtl,
              "sent with ttl=0, so no other machine hears it: " + names + "; start again with",
              lcm_url_option(facts.url)}};
   }
-  return {{Verdict::kOk, kCheck,
+  return {{Verdict::kOk, kTtl,
            "ttl=" + std::to_string(facts.url.ttl) +
                (facts.url.ttl == 1 ? ": reaches the network that this host is on"
                                    : ": crosses routers that forward multicast")}};

@@ -5,20 +5,20 @@
 namespace puck {
 
 Findings check_versions(const Facts& facts) {
-  constexpr const char* kCheck = "versions";
+  constexpr const char* kVersions = "versions";
   Findings findings;
   const auto services = live_services(facts);
   for (const HeardService* service : services) {
     const service_status_t& status = service->status;
     if (status.version == facts.version) continue;
-    findings.push_back({Verdict::kWrong, kCheck,
+    findings.push_back({Verdict::kWrong, kVersions,
                         status.service + " on " + status.host + " is version " + status.version +
                             ", this is " + facts.version +
                             "; install one version everywhere. On the older host, in its clone",
                         kUpdate});
   }
   if (findings.empty()) {
-    findings.push_back({Verdict::kOk, kCheck,
+    findings.push_back({Verdict::kOk, kVersions,
                         services.empty() ? "no service speaks, so there is nothing to compare"
                                          : "all are version " + facts.version});
   }

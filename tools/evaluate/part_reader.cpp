@@ -9,7 +9,7 @@ namespace puck {
 namespace {
 
 // Packets of this size are skipped quickly.
-constexpr std::size_t kReadEvents = 4096;
+constexpr std::size_t kSkippedEvents = 4096;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ PartReader::PartReader(std::unique_ptr<EventReader> events, const RecordingPart&
   Timestamp last = first;
   begin_ = first + part.from_us;
   while (last < begin_) {
-    if (!events_->read(packet, kReadEvents)) {
+    if (!events_->read(packet, kSkippedEvents)) {
       char text[120];
       std::snprintf(
           text, sizeof text, "the recording is %.3f s long: nothing is left from %.3f s on",

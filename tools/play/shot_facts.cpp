@@ -18,7 +18,7 @@ constexpr double kHit_m_s = 0.1;
 constexpr double kSlowest_m_s = 0.1;
 // The Referee judges a hit when it has been over for 10 ms.
 constexpr std::int64_t kJudgedUs = 25'000;
-constexpr std::int64_t kPatienceUs = 10'000'000;
+constexpr std::int64_t kLongestWaitUs = 10'000'000;
 
 // A bridge that knows the truth.
 class Oracle {
@@ -98,7 +98,7 @@ class FirstHit {
 // Whether a mallet that waits in the middle saves the first shot.
 bool saves_by_waiting(const SimulationParams& world) {
   TableGame game(world);
-  for (std::int64_t us = 0; us < kPatienceUs; us += PuckPhysics::kStep_us) {
+  for (std::int64_t us = 0; us < kLongestWaitUs; us += PuckPhysics::kStep_us) {
     game.step();
     const GameCounts& counts = game.counts();
     if (counts.saves + counts.goals_against > 0) return counts.saves > 0;
@@ -118,7 +118,7 @@ ShotFacts find_shot(const PlaySetup& setup, std::int64_t seed) {
   ShotFacts facts;
   facts.seed = seed;
   double target_m = 0;
-  for (Timestamp now{kThinkUs}; now.us < kPatienceUs; now = now + kThinkUs) {
+  for (Timestamp now{kThinkUs}; now.us < kLongestWaitUs; now = now + kThinkUs) {
     for (int step = 0; step < kStepsPerThought; ++step) game.step();
     const GameCounts& counts = game.counts();
     if (counts.saves + counts.goals_against > 0) {

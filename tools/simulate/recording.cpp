@@ -19,7 +19,6 @@
 namespace puck {
 namespace {
 
-constexpr std::int64_t kTruthPeriod_us = 1000;
 constexpr int kMarks = 40;
 
 // While the puck is off the table it stays where it was seen last, unseen.

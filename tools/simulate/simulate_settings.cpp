@@ -10,8 +10,6 @@
 namespace puck {
 namespace {
 
-constexpr std::int64_t kTruthPeriod_us = 1000;
-
 void check_keys_together(const SimulationParams& params) {
   check(params);
   if (kTruthPeriod_us % params.slice_us != 0) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -7,6 +8,9 @@
 #include "common/simulation/simulation_params.h"
 
 namespace puck {
+
+/// From one row of truth to the next.
+inline constexpr std::int64_t kTruthPeriod_us = 1000;
 
 /// What the command line asks for.
 struct SimulateSettings {

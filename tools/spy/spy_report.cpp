@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double seconds(std::int64_t duration_us) { return static_cast<double>(duration_us) / 1e6; }
-double milliseconds(std::int64_t duration_us) { return static_cast<double>(duration_us) / 1e3; }
+double in_seconds(std::int64_t duration_us) { return static_cast<double>(duration_us) / 1e6; }
+double in_milliseconds(std::int64_t duration_us) { return static_cast<double>(duration_us) / 1e3; }
 /// More digits would say nothing.
 double rate(double per_second) { return std::round(per_second * 10) / 10; }
 
@@ -37,7 +37,7 @@ Json json_of(const ChannelRow& channel) {
       {"sessions", channel.arrivals.sessions},
       {"publishers", channel.publishers.size()},
       {"several_publishers", channel.several_publishers},
-      {"age_ms", channel.newest_age_us ? Json(milliseconds(*channel.newest_age_us)) : Json()},
+      {"age_ms", channel.newest_age_us ? Json(in_milliseconds(*channel.newest_age_us)) : Json()},
   };
 }
 
@@ -50,7 +50,7 @@ Json json_of(const PublisherRow& publisher, const std::string& channel) {
       {"session", publisher.session},
       {"address", to_string(publisher.sender)},
       {"messages", publisher.messages},
-      {"age_ms", milliseconds(publisher.age_us)},
+      {"age_ms", in_milliseconds(publisher.age_us)},
   };
 }
 
@@ -72,8 +72,8 @@ Json json_of(const ServiceRow& service) {
       {"state", state_of(service)},
       {"state_text", service.state_text},
       {"silent", service.silent},
-      {"uptime_s", seconds(service.uptime_us)},
-      {"status_age_ms", milliseconds(service.status_age_us)},
+      {"uptime_s", in_seconds(service.uptime_us)},
+      {"status_age_ms", in_milliseconds(service.status_age_us)},
   };
   for (const StatusLatency& latency : service.latencies) {
     const std::string name = "latency_" + latency.name;
@@ -102,7 +102,7 @@ std::string json_report(const Snapshot& snapshot, const std::string& url,
   Json report{
       {"url", url},
       {"prefix", prefix},
-      {"seconds", seconds(snapshot.listened_us)},
+      {"seconds", in_seconds(snapshot.listened_us)},
       {"messages", snapshot.messages},
       {"foreign_datagrams", snapshot.network.foreign},
       {"malformed_datagrams", snapshot.network.malformed},

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+
+namespace puck {
+
+/// Throws std::invalid_argument with `what` and the number that it is about, unless it holds.
+inline void require(bool holds, const char* what, double got) {
+  if (holds) return;
+  std::ostringstream text;
+  text << what << ", got " << got;
+  throw std::invalid_argument(text.str());
+}
+
+}  // namespace puck
