@@ -12,9 +12,8 @@ namespace {
 
 using test::kSensor;
 using test::kSizeModel;
+using test::kStart;
 using test::RingScene;
-
-constexpr Pixel kStart{300, 190};
 
 // A tracker that has just been seeded, to be fed with single events.
 class SeededTracker {

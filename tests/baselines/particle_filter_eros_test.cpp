@@ -10,9 +10,8 @@ namespace {
 
 using test::kSensor;
 using test::kSizeModel;
+using test::kStart;
 using test::RingScene;
-
-constexpr Pixel kStart{300, 190};
 
 }  // namespace
 

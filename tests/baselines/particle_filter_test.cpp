@@ -14,9 +14,8 @@ namespace {
 
 using test::kSensor;
 using test::kSizeModel;
+using test::kStart;
 using test::RingScene;
-
-constexpr Pixel kStart{300, 190};
 
 int events_for_an_update(const PuckEstimate& seed) {
   return static_cast<int>(

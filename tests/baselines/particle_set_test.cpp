@@ -7,11 +7,12 @@
 #include <doctest/doctest.h>
 
 #include "tests/baselines/refusal.h"
+#include "tests/baselines/ring_scene.h"
 
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
+using test::kSensor;
 
 double sum_of_weights(const ParticleSet& set) {
   double sum = 0;

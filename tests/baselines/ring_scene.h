@@ -16,6 +16,8 @@ namespace puck::test {
 inline constexpr SensorSize kSensor{640, 480};
 // About the authors' model: 29×20 px in the middle of their detection region.
 inline constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
+/// Where a puck is shown first.
+inline constexpr Pixel kStart{300, 190};
 
 inline double distance_px(const PuckEstimate& estimate, Pixel truth) {
   if (!estimate.position) return 1e9;

@@ -19,6 +19,7 @@
 #include "common/simulation/simulated_table.h"
 #include "puck/head_state_t.hpp"
 #include "puck/puck_estimate_t.hpp"
+#include "tests/calibration/contains.h"
 #include "tests/calibration/flown_game.h"
 #include "tests/support/environment.h"
 #include "tests/support/sanitizers.h"
@@ -60,10 +61,6 @@ class Tool {
  private:
   fs::path folder_;
 };
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST_CASE("puck-calibrate size writes a size model and prints its residuals") {
   const Tool tool;

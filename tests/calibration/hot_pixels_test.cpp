@@ -15,7 +15,7 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{64, 48};
+constexpr SensorSize kTinySensor{64, 48};
 
 // Events in any order, handed over in the order of their times.
 class Recording {
@@ -37,7 +37,7 @@ class Recording {
       event.offset_us = static_cast<std::uint32_t>(t_us);
       packet.events.push_back(event);
     }
-    HotPixelFinder finder(kSensor);
+    HotPixelFinder finder(kTinySensor);
     finder.add(packet);
     return finder.find();
   }
@@ -55,8 +55,8 @@ std::vector<PixelPlace> places_of(const HotPixelReport& report) {
 
 TEST_CASE("hot pixels stand out of the noise, the noisiest first, with their rates") {
   Recording recording;
-  for (int y = 0; y < kSensor.height; ++y) {
-    for (int x = 0; x < kSensor.width; ++x) recording.add_noise(x, y, 1, 4);
+  for (int y = 0; y < kTinySensor.height; ++y) {
+    for (int x = 0; x < kTinySensor.width; ++x) recording.add_noise(x, y, 1, 4);
   }
   recording.add_noise(0, 0, 300, 4);
   recording.add_noise(30, 20, 50, 4);
@@ -72,7 +72,7 @@ TEST_CASE("hot pixels stand out of the noise, the noisiest first, with their rat
 
 TEST_CASE("an edge that trembles all the time, or a lamp that flashes now and then, is not hot") {
   Recording recording;
-  for (int y = 0; y < kSensor.height; ++y) recording.add_noise(20, y, 200, 4);
+  for (int y = 0; y < kTinySensor.height; ++y) recording.add_noise(20, y, 200, 4);
   for (int burst = 0; burst < 4; ++burst) {
     for (int i = 0; i < 100; ++i) recording.add(1e6 * burst + 500 * i, 50, 30);
   }
@@ -88,7 +88,7 @@ TEST_CASE("a pixel that fires a little, and less than a second of events, tell n
   Recording brief;
   brief.add_noise(10, 10, 1000, 0.5);
   CHECK_THROWS_AS(brief.report(), std::invalid_argument);
-  CHECK_THROWS_AS(HotPixelFinder(kSensor).find(), std::invalid_argument);
+  CHECK_THROWS_AS(HotPixelFinder(kTinySensor).find(), std::invalid_argument);
 }
 
 TEST_CASE("of a simulated game's hot pixels nearly all are found, and nothing else") {

@@ -26,7 +26,8 @@ std::vector<JointPair> pairs(double noise_deg = 0) {
   return result;
 }
 
-std::string refusal_of(const std::vector<JointPair>& from, const JointFitParams& params = {}) {
+std::string refusal_of_pairs(const std::vector<JointPair>& from,
+                             const JointFitParams& params = {}) {
   try {
     fit_joint_table(from, params);
   } catch (const std::invalid_argument& error) {
@@ -85,27 +86,27 @@ TEST_CASE("Pairs that fix no table are refused, and it is said why") {
   };
   std::vector<JointPair> few = pairs();
   few.resize(3);
-  CHECK(contains(refusal_of(few), "at least 4 different places"));
-  CHECK(contains(refusal_of({}), "no pairs"));
-  CHECK(contains(refusal_of({4, JointPair{0.1, {1}}}), "at least 4 different places"));
+  CHECK(contains(refusal_of_pairs(few), "at least 4 different places"));
+  CHECK(contains(refusal_of_pairs({}), "no pairs"));
+  CHECK(contains(refusal_of_pairs({4, JointPair{0.1, {1}}}), "at least 4 different places"));
   std::vector<JointPair> near = pairs();
   for (JointPair& pair : near) pair.y_m *= 0.03;
-  CHECK(contains(refusal_of(near), "20 mm"));
+  CHECK(contains(refusal_of_pairs(near), "20 mm"));
   std::vector<JointPair> gap = pairs();
   gap.erase(gap.begin() + 5, gap.begin() + 17);
-  CHECK(contains(refusal_of(gap), "a gap of 0.26"));
+  CHECK(contains(refusal_of_pairs(gap), "a gap of 0.26"));
   std::vector<JointPair> ragged = pairs();
   ragged[4].deg.pop_back();
-  CHECK(contains(refusal_of(ragged), "the same joints"));
+  CHECK(contains(refusal_of_pairs(ragged), "the same joints"));
   std::vector<JointPair> nan = pairs();
   nan[4].deg[0] = std::numeric_limits<double>::quiet_NaN();
-  CHECK(contains(refusal_of(nan), "not finite"));
+  CHECK(contains(refusal_of_pairs(nan), "not finite"));
   std::vector<JointPair> still = pairs();
   for (JointPair& pair : still) pair.deg[0] = 3;
-  CHECK(contains(refusal_of(still), "no joint grows or falls"));
+  CHECK(contains(refusal_of_pairs(still), "no joint grows or falls"));
   JointFitParams many;
   many.intervals = 29;
-  CHECK(contains(refusal_of(pairs(), many), "1 to 28 intervals"));
+  CHECK(contains(refusal_of_pairs(pairs(), many), "1 to 28 intervals"));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 
 #include "common/simulation/physics_params.h"
 #include "common/table/puck_motion.h"
+#include "tests/calibration/contains.h"
 #include "tests/calibration/flown_game.h"
 #include "tests/support/sanitizers.h"
 
@@ -28,7 +29,7 @@ MotionFit fit_of(const FlownGame& game) {
   return fit_motion(find_flights(game.track(), game.world.table), game.world.table);
 }
 
-std::string refusal_of(const std::vector<TrackPoint>& track) {
+std::string refusal_of_track(const std::vector<TrackPoint>& track) {
   const TableGeometry table;
   try {
     fit_motion(find_flights(track, table), table);
@@ -36,10 +37,6 @@ std::string refusal_of(const std::vector<TrackPoint>& track) {
     return error.what();
   }
   return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 void check_within(double fitted, double error, double truth) {
@@ -148,14 +145,14 @@ TEST_CASE("A flight is cut where a mallet hits the puck, at gaps and before goal
 }
 
 TEST_CASE("Too little to fit is refused with the reason") {
-  CHECK(contains(refusal_of({}), "there are no flights"));
+  CHECK(contains(refusal_of_track({}), "there are no flights"));
   std::vector<TrackPoint> rest;
   for (int ms = 0; ms < 1000; ms += 2) rest.push_back({Timestamp{1000 * ms}, {1, 0}});
-  CHECK(contains(refusal_of(rest), "there are no flights"));
+  CHECK(contains(refusal_of_track(rest), "there are no flights"));
 
   FlownGame game;
   game.seconds = 10;
-  CHECK(contains(refusal_of(game.track()), "have a bounce at a rail, of"));
+  CHECK(contains(refusal_of_track(game.track()), "have a bounce at a rail, of"));
 
   // Bounces straight on, so that nothing is known of the speed along the rail.
   const PuckMotion motion(TableGeometry{});
@@ -171,7 +168,7 @@ TEST_CASE("Too little to fit is refused with the reason") {
       puck = motion.advance(puck, 0.004).track;
     }
   }
-  const std::string refusal = refusal_of(straight);
+  const std::string refusal = refusal_of_track(straight);
   CHECK(contains(refusal, "too few bounces, or too much alike"));
   CHECK(contains(refusal, "rail_grip"));
 }

@@ -13,8 +13,8 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
-constexpr Pixel kMiddle{319.5, 239.5};
+constexpr SensorSize kAnnotatedSensor{640, 480};
+constexpr Pixel kImageMiddle{319.5, 239.5};
 
 // A camera 0.8 m above the table, tilted down by 30°, and a puck of 6.5 cm, 1.3 cm thick, whose
 // silhouette is sampled from points of its two circles.
@@ -61,14 +61,14 @@ class Camera {
     const double drop = kAbove - up;
     const double depth = ahead * std::cos(kTilt) + drop * std::sin(kTilt);
     const double down = drop * std::cos(kTilt) - ahead * std::sin(kTilt);
-    return {kMiddle.x + kFocalPx * across / depth, kMiddle.y + kFocalPx * down / depth};
+    return {kImageMiddle.x + kFocalPx * across / depth, kImageMiddle.y + kFocalPx * down / depth};
   }
 };
 
 TEST_CASE("the disc on a plane explains a real cylinder's boxes to a tenth of a pixel or so") {
   const std::vector<Annotation> annotations = Camera().annotations();
   REQUIRE(annotations.size() > 25);
-  const DiscFit fit = fit_disc_model(annotations, kMiddle);
+  const DiscFit fit = fit_disc_model(annotations, kImageMiddle);
   CHECK(fit.width.max_px < 0.25);
   CHECK(fit.height.max_px < 0.25);
   CHECK(fit.model.has_perspective());
@@ -92,7 +92,7 @@ TEST_CASE(
     a.size.height -= 0.4 + 0.4 * half;
     half = -half;
   }
-  const SizeCalibration calibration = calibrate_size(annotations, kSensor);
+  const SizeCalibration calibration = calibrate_size(annotations, kAnnotatedSensor);
   REQUIRE(calibration.model.disc.has_value());
   CHECK(calibration.model.disc->thickness < 0.02);
   CHECK(calibration.model.wall_of_width() == 0);
@@ -102,7 +102,7 @@ TEST_CASE(
 TEST_CASE("the disc model holds for pucks that were not annotated, and says where the middle is") {
   const Camera camera;
   const DiscFit fit = fit_disc_model(camera.annotations(), {300, 239.5});
-  CHECK(fit.model.principal_x_px == doctest::Approx(kMiddle.x).epsilon(0.02));
+  CHECK(fit.model.principal_x_px == doctest::Approx(kImageMiddle.x).epsilon(0.02));
   for (const double across : {-0.4, 0.1, 0.45}) {
     const Annotation a = camera.puck_at(across, 1.13);
     CHECK(std::abs(fit.model.at(a.centre).width - a.size.width) < 0.3);
@@ -115,7 +115,7 @@ TEST_CASE("a puck of the same size everywhere has a disc model, but no perspecti
   for (const Pixel centre : {Pixel{50, 60}, Pixel{500, 80}, Pixel{300, 400}, Pixel{90, 300}}) {
     annotations.push_back({{0}, centre, {30, 30}});
   }
-  const DiscFit fit = fit_disc_model(annotations, kMiddle);
+  const DiscFit fit = fit_disc_model(annotations, kImageMiddle);
   CHECK_FALSE(fit.model.has_perspective());
   CHECK(fit.width.max_px < 0.5);
   CHECK(fit.height.max_px < 0.5);
@@ -129,10 +129,10 @@ TEST_CASE("mistaken annotations are named by row and left out; the others are no
     a.size.width += noise(random);
     a.size.height += noise(random);
   }
-  const PuckSizeModel before = calibrate_size(annotations, kSensor).planes.model;
+  const PuckSizeModel before = calibrate_size(annotations, kAnnotatedSensor).planes.model;
   annotations[4].size = {annotations[4].size.height, annotations[4].size.width};
   annotations[20].size.width += 40;
-  const SizeCalibration calibration = calibrate_size(annotations, kSensor);
+  const SizeCalibration calibration = calibrate_size(annotations, kAnnotatedSensor);
   std::vector<std::size_t> rows;
   for (const SizeOutlier& outlier : calibration.outliers) rows.push_back(outlier.row);
   std::sort(rows.begin(), rows.end());
@@ -141,8 +141,8 @@ TEST_CASE("mistaken annotations are named by row and left out; the others are no
   CHECK(worst.row == 21);
   CHECK(worst.annotation.size.width == annotations[20].size.width);
   CHECK(worst.expected.width == doctest::Approx(annotations[20].size.width - 40).epsilon(0.1));
-  CHECK(calibration.planes.model.at(kMiddle).width ==
-        doctest::Approx(before.at(kMiddle).width).epsilon(0.01));
+  CHECK(calibration.planes.model.at(kImageMiddle).width ==
+        doctest::Approx(before.at(kImageMiddle).width).epsilon(0.01));
 }
 
 // Annotated in the far half of the table only, to half a pixel.
@@ -159,7 +159,7 @@ TEST_CASE("beyond the annotations, the disc is right where Equation (2) is not")
     a.size.width += noise(random);
     a.size.height += noise(random);
   }
-  const SizeCalibration calibration = calibrate_size(annotations, kSensor);
+  const SizeCalibration calibration = calibrate_size(annotations, kAnnotatedSensor);
   REQUIRE(calibration.model.disc.has_value());
   const Annotation near = camera.puck_at(0.1, 0.75);
   REQUIRE(near.centre.y > 400);
@@ -170,20 +170,20 @@ TEST_CASE("beyond the annotations, the disc is right where Equation (2) is not")
 
 TEST_CASE("too few annotations, or sizes that do not grow towards the camera, fix no disc") {
   std::vector<Annotation> annotations = Camera().annotations();
-  CHECK(calibrate_size(annotations, kSensor).model.disc.has_value());
+  CHECK(calibrate_size(annotations, kAnnotatedSensor).model.disc.has_value());
   // The first rows lie on two lines: enough for Equation (2).
   annotations.resize(7);
-  CHECK_FALSE(calibrate_size(annotations, kSensor).model.disc.has_value());
+  CHECK_FALSE(calibrate_size(annotations, kAnnotatedSensor).model.disc.has_value());
   // The disc explains them better, and yet tells nothing of the camera.
   const DiscModel flat{.width_0 = 30,
                        .width_y = 0.0045,
                        .face_on_px = 60,
                        .thickness = 0.2,
-                       .principal_x_px = kMiddle.x,
-                       .principal_y_px = kMiddle.y};
+                       .principal_x_px = kImageMiddle.x,
+                       .principal_y_px = kImageMiddle.y};
   std::vector<Annotation> alike = Camera().annotations();
   for (Annotation& a : alike) a.size = flat.at(a.centre);
-  const SizeCalibration calibration = calibrate_size(alike, kSensor);
+  const SizeCalibration calibration = calibrate_size(alike, kAnnotatedSensor);
   CHECK(calibration.disc.height.rms_px <= calibration.planes.height.rms_px);
   CHECK_FALSE(calibration.model.disc.has_value());
 }
@@ -191,17 +191,17 @@ TEST_CASE("too few annotations, or sizes that do not grow towards the camera, fi
 TEST_CASE("the limits of the size lie around the annotated sizes") {
   const std::vector<Annotation> annotations{
       {{0}, {100, 100}, {20, 10}}, {{1}, {300, 100}, {20, 12}}, {{2}, {100, 300}, {40, 30}}};
-  const PuckSizeModel model = calibrate_size(annotations, kSensor).planes.model;
+  const PuckSizeModel model = calibrate_size(annotations, kAnnotatedSensor).planes.model;
   CHECK(model.smallest.width == doctest::Approx(10.0));
   CHECK(model.smallest.height == doctest::Approx(5.0));
   CHECK(model.largest.width == doctest::Approx(80));
   CHECK(model.largest.height == doctest::Approx(60));
-  CHECK(model.sensor == kSensor);
+  CHECK(model.sensor == kAnnotatedSensor);
 }
 
 TEST_CASE("little coverage, clamping inside the image and swapped columns are warned of") {
   const auto warned = [](const std::vector<Annotation>& annotations, const char* of) {
-    const SizeCalibration calibration = calibrate_size(annotations, kSensor);
+    const SizeCalibration calibration = calibrate_size(annotations, kAnnotatedSensor);
     return std::any_of(calibration.warnings.begin(), calibration.warnings.end(),
                        [of](const std::string& w) { return w.find(of) != std::string::npos; });
   };
@@ -219,7 +219,7 @@ TEST_CASE("little coverage, clamping inside the image and swapped columns are wa
 TEST_CASE("annotations outside the sensor, or with their columns mixed up, are refused") {
   std::vector<Annotation> annotations = Camera().annotations();
   annotations[1].centre.x = 700;
-  CHECK_THROWS_AS(calibrate_size(annotations, kSensor), std::invalid_argument);
+  CHECK_THROWS_AS(calibrate_size(annotations, kAnnotatedSensor), std::invalid_argument);
   CHECK_NOTHROW(calibrate_size(annotations, SensorSize{}));
   for (Annotation& a : annotations) {
     std::swap(a.centre.x, a.size.width);

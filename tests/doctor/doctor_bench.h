@@ -11,6 +11,8 @@
 
 namespace puck {
 
+inline const Source kOtherHost{"10.0.0.9", 5000};
+
 /// A machine with which nothing is wrong, to be spoilt.
 inline Facts healthy_facts() {
   Facts facts;

@@ -8,8 +8,6 @@
 namespace puck {
 namespace {
 
-const Source kOtherHost{"10.0.0.9", 5000};
-
 std::string key_file(const TemporaryFolder& folder, const std::string& name) {
   const auto file = folder.write(name, std::string(32, name.front()));
   std::filesystem::permissions(file, std::filesystem::perms::owner_read);

@@ -5,7 +5,6 @@ namespace puck {
 namespace {
 
 const Source kThisHost{"10.0.0.2", 4000};
-const Source kOtherHost{"10.0.0.9", 5000};
 
 std::vector<std::uint8_t> bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
 

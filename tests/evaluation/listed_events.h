@@ -1,10 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include "common/io/event_reader.h"
 
@@ -38,5 +41,17 @@ class ListedEvents final : public EventReader {
   std::size_t next_ = 0;
   EventCounters counters_;
 };
+
+/// Of all events, which come in packets of `most` at most.
+inline std::vector<std::int64_t> times_of(EventReader& events, std::size_t most = 100'000) {
+  std::vector<std::int64_t> times;
+  EventPacket packet;
+  while (events.read(packet, most)) {
+    CHECK_FALSE(packet.empty());
+    REQUIRE(packet.events.size() <= most);
+    for (const Event& event : packet.events) times.push_back(packet.time_of(event).us);
+  }
+  return times;
+}
 
 }  // namespace puck

@@ -23,16 +23,6 @@ std::vector<std::int64_t> even_times(int count, std::int64_t gap_us) {
   return times;
 }
 
-std::vector<std::int64_t> times_of(EventReader& events, std::size_t most = 100'000) {
-  std::vector<std::int64_t> times;
-  EventPacket packet;
-  while (events.read(packet, most)) {
-    REQUIRE(packet.events.size() <= most);
-    for (const Event& event : packet.events) times.push_back(packet.time_of(event).us);
-  }
-  return times;
-}
-
 std::vector<std::size_t> packet_sizes(EventReader& events) {
   std::vector<std::size_t> sizes;
   EventPacket packet;

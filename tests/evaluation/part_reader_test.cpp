@@ -18,16 +18,6 @@ std::unique_ptr<ListedEvents> listed(std::vector<std::int64_t> times_us) {
   return std::make_unique<ListedEvents>(std::move(times_us));
 }
 
-std::vector<std::int64_t> times_of(EventReader& events, std::size_t most) {
-  std::vector<std::int64_t> times;
-  EventPacket packet;
-  while (events.read(packet, most)) {
-    CHECK_FALSE(packet.empty());
-    for (const Event& event : packet.events) times.push_back(packet.time_of(event).us);
-  }
-  return times;
-}
-
 TEST_CASE("a part is counted from the first event, its end is not in it") {
   const std::vector<std::int64_t> part{1'300, 1'400, 1'500};
   for (const std::size_t most : {std::size_t{1}, std::size_t{2}, std::size_t{100}}) {

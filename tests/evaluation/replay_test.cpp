@@ -18,9 +18,9 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{160, 120};
+constexpr SensorSize kLogSensor{160, 120};
 
-TrackerSetup setup() {
+TrackerSetup ring_setup() {
   TrackerSetup setup;
   // The rings that this test shows have no motion, from which `default` knows a puck.
   setup.preset = Preset::kCorrelation;
@@ -29,12 +29,12 @@ TrackerSetup setup() {
 }
 
 EventPacket packet_number(int i) {
-  return {{1000 * i}, test::contour_events(kSensor, {40 + 0.3 * i, 60}, {25, 17}, 100 + i % 7)};
+  return {{1000 * i}, test::contour_events(kLogSensor, {40 + 0.3 * i, 60}, {25, 17}, 100 + i % 7)};
 }
 
 /// What a log is made of: a tracker that hears the packets from `heard_from` on and answers every
 /// third, or does worse.
-struct Recording {
+struct FaultyLog {
   int packets = 150;
   int heard_from = 1;
   int lost_to_tracker = 0;   // This packet; 0: none.
@@ -43,9 +43,9 @@ struct Recording {
   int estimate_bent = 0;     // The answer to this packet, by the least there is; 0: none.
 };
 
-void record(const std::filesystem::path& path, const Recording& recording) {
-  EventLogWriter log(path, kSensor);
-  SurfaceTracker tracker(kSensor, setup().pipeline_params(), setup().size_model);
+void record(const std::filesystem::path& path, const FaultyLog& recording) {
+  EventLogWriter log(path, kLogSensor);
+  SurfaceTracker tracker(kLogSensor, ring_setup().pipeline_params(), ring_setup().size_model);
   std::int64_t seq = 0;
   std::vector<std::uint8_t> bytes;
   for (int i = 1; i <= recording.packets; ++i) {
@@ -58,7 +58,7 @@ void record(const std::filesystem::path& path, const Recording& recording) {
     if (i < recording.heard_from || i == recording.lost_to_tracker) continue;
     tracker.update(packet);
     if (i % 3 != 0) continue;
-    puck_estimate_t message = to_message(tracker.estimate(), kSensor);
+    puck_estimate_t message = to_message(tracker.estimate(), kLogSensor);
     message.utime = log.last().utime + 1;
     message.session = 77;
     message.events_session = log.last().session;
@@ -79,11 +79,12 @@ void record(const std::filesystem::path& path, const Recording& recording) {
   }
 }
 
-ReplayComparison replay(const Recording& recording) {
+ReplayComparison replay(const FaultyLog& recording) {
   const TemporaryFolder folder;
   record(folder / "a.lcm", recording);
   const auto events = open_event_log(folder / "a.lcm", "", EventLog::Sessions::kFirst);
-  return run_replay(*events, folder / "a.lcm", "", setup(), [](const EvaluatedTick&) {}).comparison;
+  return run_replay(*events, folder / "a.lcm", "", ring_setup(), [](const EvaluatedTick&) {})
+      .comparison;
 }
 
 bool notes(const ReplayComparison& comparison, const std::string& part) {
@@ -141,8 +142,9 @@ TEST_CASE("a log without estimates is refused") {
   const TemporaryFolder folder;
   record(folder / "a.lcm", {.packets = 2});
   const auto events = open_event_log(folder / "a.lcm", "", EventLog::Sessions::kFirst);
-  CHECK_THROWS_WITH(run_replay(*events, folder / "a.lcm", "", setup(), [](const EvaluatedTick&) {}),
-                    doctest::Contains("a log without estimates that rest on its events"));
+  CHECK_THROWS_WITH(
+      run_replay(*events, folder / "a.lcm", "", ring_setup(), [](const EvaluatedTick&) {}),
+      doctest::Contains("a log without estimates that rest on its events"));
 }
 
 }  // namespace

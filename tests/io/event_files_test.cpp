@@ -15,24 +15,28 @@ std::string text_of(const std::vector<std::byte>& bytes) {
   return text;
 }
 
-std::string refusal(const std::filesystem::path& path, const EventFileOptions& options = {}) {
+std::string refusal_of_file(const std::filesystem::path& path,
+                            const EventFileOptions& options = {}) {
   return message_of<EventFileError>([&] { open_event_file(path, options); });
 }
 
 TEST_CASE("a file that is missing, empty, a folder or foreign is refused in one line") {
   const TemporaryFolder folder;
-  CHECK(contains(refusal(folder / "none.raw"), "none.raw: cannot be opened: No such file"));
-  CHECK(contains(refusal(folder / ""), "is a folder"));
-  CHECK(contains(refusal(folder.write("empty.raw", "")), "empty.raw: is empty; expected"));
-  CHECK(contains(refusal(folder.write("a.png", "\x89PNG\r\n\x1a\nxxxx")), "a.png: is a PNG image"));
-  CHECK(contains(refusal(folder.write("a.aedat4", "#!AER-DAT4.0\r\nxx")), "is an AEDAT file"));
-  CHECK(
-      contains(refusal(folder.write("a.raw", "\x01\x02\x03\x04")), "has no Prophesee RAW header"));
-  CHECK(contains(refusal(folder.write("a.bin", "\x01\x02\x03\x04")), "is of an unknown format"));
-  CHECK(contains(refusal(folder.write("b.raw", kHeader), {.from = "evt9"}),
+  CHECK(contains(refusal_of_file(folder / "none.raw"), "none.raw: cannot be opened: No such file"));
+  CHECK(contains(refusal_of_file(folder / ""), "is a folder"));
+  CHECK(contains(refusal_of_file(folder.write("empty.raw", "")), "empty.raw: is empty; expected"));
+  CHECK(contains(refusal_of_file(folder.write("a.png", "\x89PNG\r\n\x1a\nxxxx")),
+                 "a.png: is a PNG image"));
+  CHECK(contains(refusal_of_file(folder.write("a.aedat4", "#!AER-DAT4.0\r\nxx")),
+                 "is an AEDAT file"));
+  CHECK(contains(refusal_of_file(folder.write("a.raw", "\x01\x02\x03\x04")),
+                 "has no Prophesee RAW header"));
+  CHECK(contains(refusal_of_file(folder.write("a.bin", "\x01\x02\x03\x04")),
+                 "is of an unknown format"));
+  CHECK(contains(refusal_of_file(folder.write("b.raw", kHeader), {.from = "evt9"}),
                  "must be evt2, evt3 or text, got \"evt9\""));
   for (const char* name : {"empty.raw", "a.png", "a.raw"}) {
-    CHECK(refusal(folder / name).find('\n') == std::string::npos);
+    CHECK(refusal_of_file(folder / name).find('\n') == std::string::npos);
   }
 }
 
@@ -50,7 +54,8 @@ TEST_CASE("a RAW file that was cut gives all whole events and says so") {
 
 TEST_CASE("a RAW file that ends within its header, or right behind it, is told") {
   const TemporaryFolder folder;
-  CHECK(contains(refusal(folder.write("half.raw", "% evt 3.0\n% geome")), "how large the sensor"));
+  CHECK(contains(refusal_of_file(folder.write("half.raw", "% evt 3.0\n% geome")),
+                 "how large the sensor"));
   const auto reader = open_event_file(folder.write("bare.raw", kHeader));
   EventPacket packet;
   CHECK_FALSE(reader->read(packet, 10));

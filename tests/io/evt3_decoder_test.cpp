@@ -10,7 +10,7 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{1280, 720};
+constexpr SensorSize kHdSensor{1280, 720};
 
 std::uint16_t word(unsigned type, unsigned payload) {
   return static_cast<std::uint16_t>((type << 12) | payload);
@@ -28,7 +28,7 @@ std::vector<PlainEvent> decode(Evt3Decoder& decoder, const std::vector<std::uint
 }
 
 TEST_CASE("EVT3 words become events with time, place and polarity") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   const auto events =
       decode(decoder, {high(2), low(100), row(719), column(1, 1279), column(0, 0), low(101), row(0),
                        column(1, 5), high(3), column(1, 6), low(1), column(1, 7)});
@@ -41,7 +41,7 @@ TEST_CASE("EVT3 words become events with time, place and polarity") {
 }
 
 TEST_CASE("EVT3 vectors advance their base by their width") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   const auto events = decode(decoder, {high(0), row(3), base(1, 64), vector12(0x801),
                                        vector12(0x001), vector8(0x80), vector12(0x001)});
   CHECK(events == std::vector<PlainEvent>{
@@ -49,7 +49,7 @@ TEST_CASE("EVT3 vectors advance their base by their width") {
 }
 
 TEST_CASE("a repeated EVT3 time word keeps the low part") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   const auto events = decode(decoder, {high(1), low(7), row(0), high(1), column(1, 1)});
   CHECK(events == std::vector<PlainEvent>{{4103, 1, 0, 1}});
 }
@@ -61,19 +61,19 @@ TEST_CASE("EVT3 events do not depend on where the stream is cut or how small pac
                                vector12(0xfff), vector12(0x0f0), vector8(0xff)});
   }
   const auto bytes = bytes_of(words);
-  Evt3Decoder whole(kSensor);
+  Evt3Decoder whole(kHdSensor);
   const auto expected = decode_all(whole, bytes);
   REQUIRE(expected.size() == 100 * 25);
   for (const std::size_t piece : {1, 3, 16, 1000}) {
     for (const std::size_t max_events : {1, 5, 12, 1000}) {
-      Evt3Decoder decoder(kSensor);
+      Evt3Decoder decoder(kHdSensor);
       CHECK(decode_all(decoder, bytes, piece, max_events) == expected);
     }
   }
 }
 
 TEST_CASE("EVT3 never puts more events into a packet than asked for, also within a vector") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   const auto bytes = bytes_of<std::uint16_t>({high(0), row(0), base(1, 0), vector12(0xfff)});
   EventPacket packet;
   CHECK(decoder.decode(bytes, packet, 5) == bytes.size());
@@ -86,7 +86,7 @@ TEST_CASE("EVT3 never puts more events into a packet than asked for, also within
 }
 
 TEST_CASE("EVT3 events before time, row or vector base are known are dropped and counted") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   const auto events =
       decode(decoder, {column(1, 1), row(0), column(1, 2), vector12(0x00f), high(0), column(1, 3)});
   CHECK(events == std::vector<PlainEvent>{{0, 3, 0, 1}});
@@ -94,7 +94,7 @@ TEST_CASE("EVT3 events before time, row or vector base are known are dropped and
 }
 
 TEST_CASE("EVT3 events outside the sensor are dropped and counted") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   CHECK(decode(decoder, {high(0), row(720), column(1, 0), row(0), column(1, 1280), base(1, 1278),
                          vector12(0xfff)})
             .size() == 2);
@@ -102,7 +102,7 @@ TEST_CASE("EVT3 events outside the sensor are dropped and counted") {
 }
 
 TEST_CASE("EVT3 words of unknown types are counted, triggers and the like are not") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   CHECK(decode(decoder, {high(0), word(0x1, 0), word(0x9, 0), word(0xb, 0), word(0xc, 0),
                          word(0xa, 1), word(0xe, 2), word(0xf, 3), word(0x7, 4), word(0xd, 5)})
             .empty());
@@ -110,7 +110,7 @@ TEST_CASE("EVT3 words of unknown types are counted, triggers and the like are no
 }
 
 TEST_CASE("EVT3 time goes on across its wrap after 2^24 µs") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   const auto events = decode(decoder, {high(4095), low(4095), row(0), column(1, 1), high(0),
                                        column(1, 2), high(1), low(5), column(1, 3)});
   CHECK(events ==
@@ -118,7 +118,7 @@ TEST_CASE("EVT3 time goes on across its wrap after 2^24 µs") {
 }
 
 TEST_CASE("a pause counted through with time words decodes to its full length") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   const auto events = decode(decoder, {high(0), row(0), column(1, 1), high(1500), high(3000),
                                        high(400), high(1900), high(1900), low(3), column(1, 2)});
   REQUIRE(events.size() == 2);
@@ -126,11 +126,11 @@ TEST_CASE("a pause counted through with time words decodes to its full length") 
 }
 
 TEST_CASE("a wrap and a jump in one are told from a clock that was set back") {
-  Evt3Decoder wrapped(kSensor);
+  Evt3Decoder wrapped(kHdSensor);
   CHECK(
       decode(wrapped, {high(3000), row(0), column(1, 1), high(100), low(1), column(1, 2)}).back() ==
       PlainEvent{(std::int64_t{4196} << 12) + 1, 2, 0, 1});
-  Evt3Decoder set_back(kSensor);
+  Evt3Decoder set_back(kHdSensor);
   CHECK(
       decode(set_back, {high(300), row(0), column(1, 1), high(100), low(1), column(1, 2)}).size() ==
       1);
@@ -140,7 +140,7 @@ TEST_CASE("a wrap and a jump in one are told from a clock that was set back") {
 TEST_CASE("a single flipped bit in a time word moves no event") {
   for (const unsigned glitch : {11u, 523u, 2057u, 1u}) {
     CAPTURE(glitch);
-    Evt3Decoder decoder(kSensor);
+    Evt3Decoder decoder(kHdSensor);
     const auto events =
         decode(decoder, {high(9), low(1), row(0), column(1, 1), high(glitch), low(2), column(1, 2),
                          high(9), low(3), column(1, 3), high(10), low(4), column(1, 4)});
@@ -151,7 +151,7 @@ TEST_CASE("a single flipped bit in a time word moves no event") {
 }
 
 TEST_CASE("events behind a jump come out without another time word, at the latest at the end") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   const auto bytes = bytes_of<std::uint16_t>({high(0), row(0), high(500), low(1), column(1, 2)});
   EventPacket packet;
   decoder.decode(bytes, packet, 100);
@@ -163,7 +163,7 @@ TEST_CASE("events behind a jump come out without another time word, at the lates
 }
 
 TEST_CASE("held-back events are bounded") {
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   std::vector<std::uint16_t> words{high(0), row(0), high(500)};
   words.insert(words.end(), 70000, column(1, 2));
   EventPacket packet;
@@ -255,7 +255,7 @@ TEST_CASE("EVT3 events more than an hour after the packet's start begin the next
   std::vector<std::uint16_t> words{high(0), row(0), column(1, 1), column(1, 2)};
   for (unsigned step = 1; step <= 0x100001; ++step) words.push_back(high(step & 0xfff));
   words.insert(words.end(), {column(1, 3), column(1, 4)});
-  Evt3Decoder decoder(kSensor);
+  Evt3Decoder decoder(kHdSensor);
   const auto bytes = bytes_of(words);
   EventPacket packet;
   std::size_t used = decoder.decode(bytes, packet, 100);

@@ -55,7 +55,7 @@ TEST_CASE("a RAW header with a malformed or contradictory geometry is refused") 
   }
 }
 
-std::string refusal(std::string_view bytes, EventFileOptions options = {}) {
+std::string refusal_of_stream(std::string_view bytes, EventFileOptions options = {}) {
   return message_of<EventFileError>([&] {
     RawEventStream stream("stdin", options);
     EventPacket packet;
@@ -65,14 +65,15 @@ std::string refusal(std::string_view bytes, EventFileOptions options = {}) {
 }
 
 TEST_CASE("a stream that does not say enough is refused with the option that would help") {
-  CHECK(contains(refusal("% evt 3.0\nxx"), "stdin: the header does not say how large"));
-  CHECK(contains(refusal("% evt 3.0\nxx"), "--width"));
-  CHECK(contains(refusal("% evt 2.1\nxx"), "EVT21; expected EVT2 or EVT3"));
-  CHECK(contains(refusal("hello"), "no Prophesee RAW header"));
-  CHECK(contains(refusal(""), "no Prophesee RAW header"));
-  CHECK(contains(refusal("% evt 3.0\n% geometry 640x480\nxx", {.sensor = {1280, 720}}),
+  CHECK(contains(refusal_of_stream("% evt 3.0\nxx"), "stdin: the header does not say how large"));
+  CHECK(contains(refusal_of_stream("% evt 3.0\nxx"), "--width"));
+  CHECK(contains(refusal_of_stream("% evt 2.1\nxx"), "EVT21; expected EVT2 or EVT3"));
+  CHECK(contains(refusal_of_stream("hello"), "no Prophesee RAW header"));
+  CHECK(contains(refusal_of_stream(""), "no Prophesee RAW header"));
+  CHECK(contains(refusal_of_stream("% evt 3.0\n% geometry 640x480\nxx", {.sensor = {1280, 720}}),
                  "640x480, the options that it is 1280x720"));
-  CHECK(contains(refusal("% evt 3.0\nxx", {.sensor = {4000, 1}}), "from 1 x 1 to 2048 x 2048"));
+  CHECK(contains(refusal_of_stream("% evt 3.0\nxx", {.sensor = {4000, 1}}),
+                 "from 1 x 1 to 2048 x 2048"));
 }
 
 TEST_CASE("a stream without a header needs the format and the size as options") {

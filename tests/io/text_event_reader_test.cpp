@@ -7,15 +7,15 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{240, 180};
+constexpr SensorSize kTextSensor{240, 180};
 
 std::vector<PlainEvent> read_text(std::string_view text, EventFileOptions options = {}) {
   const TemporaryFolder folder;
-  options.sensor = kSensor;
+  options.sensor = kTextSensor;
   return read_all(*open_event_file(folder.write("events.txt", text), options));
 }
 
-std::string refusal(std::string_view text, EventFileOptions options = {}) {
+std::string refusal_of_text(std::string_view text, EventFileOptions options = {}) {
   return message_of<EventFileError>([&] { read_text(text, options); });
 }
 
@@ -66,24 +66,26 @@ TEST_CASE("a bad line is refused by file and line, with what was expected") {
   for (const char* line : {"1500038 59 32", "1500038 59 32 1 7", "1500038 59 32 2", "x 59 32 1",
                            "1500038 5.5 32 1", "-3 59 32 1", "nan 59 32 1", "1e300 1 1 1"}) {
     CAPTURE(line);
-    const std::string message = refusal("# comment\n1500029 61 31 1\n" + std::string(line) + "\n");
+    const std::string message =
+        refusal_of_text("# comment\n1500029 61 31 1\n" + std::string(line) + "\n");
     CHECK(contains(message, "events.txt:3: expected `t x y p`"));
     CHECK(contains(message, line));
   }
 }
 
 TEST_CASE("malformed text options are refused") {
-  CHECK(contains(refusal("1 2 3 1\n", {.text_columns = "t x y"}), "the columns must be"));
-  CHECK(contains(refusal("1 2 3 1\n", {.text_columns = "t x y y"}), "got \"t x y y\""));
-  CHECK(contains(refusal("1 2 3 1\n", {.text_unit = "ms"}), "must be auto, s or us"));
-  CHECK(contains(refusal("1 2 3 1\n", {.text_separator = "--"}), "must be auto or one character"));
+  CHECK(contains(refusal_of_text("1 2 3 1\n", {.text_columns = "t x y"}), "the columns must be"));
+  CHECK(contains(refusal_of_text("1 2 3 1\n", {.text_columns = "t x y y"}), "got \"t x y y\""));
+  CHECK(contains(refusal_of_text("1 2 3 1\n", {.text_unit = "ms"}), "must be auto, s or us"));
+  CHECK(contains(refusal_of_text("1 2 3 1\n", {.text_separator = "--"}),
+                 "must be auto or one character"));
 }
 
 TEST_CASE("text events outside the sensor or back in time are left out and counted") {
   const TemporaryFolder folder;
   const auto reader = open_event_file(
       folder.write("events.txt", "5 0 0 1\n5 240 0 1\n5 0 180 1\n5 -1 0 1\n4 0 0 1\n6 70000 1 1\n"),
-      {.sensor = kSensor});
+      {.sensor = kTextSensor});
   CHECK(read_all(*reader) == std::vector<PlainEvent>{{5, 0, 0, 1}});
   CHECK(reader->counters().outside_sensor == 4);
   CHECK(reader->counters().backwards == 1);
@@ -92,7 +94,8 @@ TEST_CASE("text events outside the sensor or back in time are left out and count
 
 TEST_CASE("a text file that was cut gives all whole events and says so") {
   const TemporaryFolder folder;
-  const auto reader = open_event_file(folder.write("cut.txt", "1 2 3 1\n2 4"), {.sensor = kSensor});
+  const auto reader =
+      open_event_file(folder.write("cut.txt", "1 2 3 1\n2 4"), {.sensor = kTextSensor});
   CHECK(read_all(*reader).size() == 1);
   CHECK(reader->counters().truncated_bytes == 3);
   CHECK(contains(reader->warnings().at(0), "cut.txt: cut off"));
@@ -106,11 +109,11 @@ TEST_CASE("a byte order mark before the first line is skipped") {
 }
 
 TEST_CASE("times in s are not taken for µs because the first of them is a whole number") {
-  CHECK(contains(refusal("0 2 3 1\n0.25 2 3 1\n", {.text_unit = "auto"}),
+  CHECK(contains(refusal_of_text("0 2 3 1\n0.25 2 3 1\n", {.text_unit = "auto"}),
                  ":2: expected whole µs, because the first time has no decimal point"));
   const TemporaryFolder folder;
   const auto reader = open_event_file(folder.write("a.txt", "0 2 3 1\n0.25 2 3 1\n"),
-                                      {.sensor = kSensor, .text_unit = "s"});
+                                      {.sensor = kTextSensor, .text_unit = "s"});
   CHECK(read_all(*reader) == std::vector<PlainEvent>{{0, 2, 3, 1}, {250000, 2, 3, 1}});
 }
 

@@ -8,6 +8,10 @@
 
 namespace puck {
 
+inline PuckTrack puck_at(double x, double y, double vx, double vy) {
+  return {{{x, y}, {vx, vy}}, {}};
+}
+
 /// A bridge with a clock, a tracker that sees what the test says, and an arm that is there.
 class BridgeBench {
  public:

@@ -15,8 +15,6 @@
 namespace puck {
 namespace {
 
-PuckTrack puck_at(double x, double y, double vx, double vy) { return {{{x, y}, {vx, vy}}, {}}; }
-
 // A bench that has followed a puck across the table for 50 ms.
 BridgeBench following() {
   BridgeBench bench;

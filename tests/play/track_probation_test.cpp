@@ -13,8 +13,6 @@
 namespace puck {
 namespace {
 
-PuckTrack puck_at(double x, double y, double vx, double vy) { return {{{x, y}, {vx, vy}}, {}}; }
-
 // For `ms` an estimate each millisecond of what `look` makes of the true puck; how many commands
 // were sent meanwhile.
 int commands_of(BridgeBench& bench, PuckTrack& puck, int ms,

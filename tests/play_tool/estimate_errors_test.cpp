@@ -5,11 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/play_tool/play_bench.h"
+
 namespace puck {
 namespace {
-
-constexpr SensorSize kSensor{640, 480};
-constexpr std::int64_t kStepUs = 200;
 
 // A puck that glides up and down the image, far from its edges.
 class Glide {

@@ -5,10 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/play_tool/play_bench.h"
+
 namespace puck {
 namespace {
-
-constexpr std::int64_t kStepUs = 200;
 
 struct Traffic {
   int sent = 0;

@@ -5,11 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/play_tool/play_bench.h"
+
 namespace puck {
 namespace {
-
-constexpr SensorSize kSensor{640, 480};
-constexpr std::int64_t kStepUs = 200;
 
 TEST_CASE("A camera sees the puck where it was in the middle of each exposure") {
   FrameTrackerParams params{.rate_hz = 50, .sigma_px = 0, .smear_share = 0};

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstdint>
+
 #include "tests/support/environment.h"
 #include "tests/support/sanitizers.h"
 #include "tools/play/shot_series.h"
 
 namespace puck {
 
+inline constexpr SensorSize kSensor{640, 480};
+/// From one truth to the next.
+inline constexpr std::int64_t kStepUs = 200;
 inline constexpr int kShots = kIsSanitized ? 5 : 25;
 
 /// Single shots as fast as the opponent can, on the project's own calibration.

@@ -7,12 +7,13 @@
 
 #include "common/vision/presets.h"
 #include "common/vision/puck_search.h"
+#include "tests/runtime/tracking_fixtures.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
 namespace {
 
-constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
+using test::kSizeModel;
 
 PuckSearch search_for(SensorSize sensor) {
   return PuckSearch(sensor, preset_params(Preset::kCorrelation), kSizeModel);

@@ -6,13 +6,15 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/runtime/tracking_fixtures.h"
+
 namespace puck {
 namespace {
 
 using std::chrono::milliseconds;
+using test::kSensor;
 
-constexpr SensorSize kSensor{160, 120};
-constexpr Region kAll{0, 0, 160, 120};
+constexpr Region kWhole = Region::all_of(kSensor);
 
 EventPacket random_packet(Timestamp start, int count, unsigned seed) {
   std::mt19937 random(seed);
@@ -37,7 +39,7 @@ SurfaceSnapshot surface_after(const std::vector<EventPacket>& packets, std::int6
                    events.first(std::min(events.size(), static_cast<std::size_t>(left))));
   }
   SurfaceSnapshot snapshot;
-  surface.snapshot(kAll, snapshot);
+  surface.snapshot(kWhole, snapshot);
   return snapshot;
 }
 
@@ -53,7 +55,7 @@ TEST_CASE("a snapshot is served while the event thread has nothing to do") {
   const std::vector<EventPacket> packets{random_packet({5000}, 1000, 1)};
   shared.update(packets[0], {.session = 42, .received_utime = 77});
   SharedSnapshot snapshot;
-  shared.snapshot(kAll, {}, snapshot);
+  shared.snapshot(kWhole, {}, snapshot);
   CHECK(snapshot.surface.events_applied == 1000);
   CHECK(snapshot.surface.newest_event == Timestamp{5999});
   CHECK(snapshot.origin.session == 42);
@@ -75,7 +77,7 @@ TEST_CASE("every snapshot of a busy surface is the surface after some number of 
   std::int64_t newest = -1;
   while (newest < 40 * 5'000) {
     SharedSnapshot snapshot;
-    shared.snapshot(kAll, {}, snapshot);
+    shared.snapshot(kWhole, {}, snapshot);
     REQUIRE(snapshot.surface.events_applied >= newest);
     newest = snapshot.surface.events_applied;
     if (taken.size() < 200) taken.push_back(snapshot);
@@ -98,22 +100,22 @@ TEST_CASE(
   SharedSurface shared(kSensor, {}, {.roi_only = true});
   SharedSnapshot snapshot;
   SurfaceSnapshot whole;
-  whole.region = kAll;
+  whole.region = kWhole;
   whole.grey.resize(160, 120);
   shared.update({{0}, {{10, 10, 1, 0}, {110, 110, 1, 1}}}, {});
-  shared.copy_part(kAll, false, whole);
+  shared.copy_part(kWhole, false, whole);
   CHECK(whole.grey(10, 10) == 255);
   shared.snapshot({100, 100, 20, 20}, {100, 80, 10, 5}, snapshot);
   CHECK(snapshot.surface.grey(10, 10) == 255);
   shared.update({{10}, {{10, 10, 1, 0}, {100, 80, 1, 1}, {110, 112, 0, 2}}}, {});
-  shared.copy_part(kAll, false, whole);
+  shared.copy_part(kWhole, false, whole);
   CHECK(whole.grey(10, 10) == 0);
   CHECK(whole.grey(100, 80) == 255);
   CHECK(whole.grey(110, 112) == 255);
   CHECK(whole.events_applied == 5);
   shared.snapshot({}, {}, snapshot);
   shared.update({{20}, {{10, 10, 1, 0}}}, {});
-  shared.copy_part(kAll, false, whole);
+  shared.copy_part(kWhole, false, whole);
   CHECK(whole.grey(10, 10) == 255);
 }
 
@@ -173,7 +175,7 @@ TEST_CASE("a part is copied to its place without a change of what is watched") {
   shared.snapshot({100, 100, 20, 20}, {}, snapshot);
   shared.update({{7000}, {{110, 110, 1, 0}}}, {});
   SurfaceSnapshot whole;
-  whole.region = kAll;
+  whole.region = kWhole;
   whole.grey.resize(160, 120);
   shared.copy_part({0, 0, 160, 50}, false, whole);
   shared.copy_part({0, 50, 160, 70}, false, whole);
@@ -188,14 +190,14 @@ TEST_CASE("a part of what is fresh shows no pixel that has not fired of late") {
   shared.update({{0}, {{10, 10, 1, 0}, {110, 100, 1, 1}}}, {});
   shared.update({{40'000}, {{11, 90, 1, 0}}}, {});
   SurfaceSnapshot whole;
-  whole.region = kAll;
+  whole.region = kWhole;
   whole.grey.resize(160, 120);
   shared.copy_part({0, 0, 160, 50}, true, whole);
   shared.copy_part({0, 50, 160, 70}, true, whole);
   CHECK(whole.grey(10, 10) == 0);
   CHECK(whole.grey(110, 100) == 0);
   CHECK(whole.grey(11, 90) == 255);
-  shared.copy_part(kAll, false, whole);
+  shared.copy_part(kWhole, false, whole);
   CHECK(whole.grey(10, 10) == 255);
   CHECK(whole.grey(110, 100) == 255);
 }
@@ -203,13 +205,13 @@ TEST_CASE("a part of what is fresh shows no pixel that has not fired of late") {
 TEST_CASE("a sleeping thread is woken by an event and by a call") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
-  shared.snapshot(kAll, {}, snapshot);
+  shared.snapshot(kWhole, {}, snapshot);
   const EventPacket packet = random_packet({0}, 10, 3);
   {
     std::jthread event_thread([&] { shared.update(packet, {}); });
     CHECK(shared.wait_for_news(milliseconds(60'000)));
   }
-  shared.snapshot(kAll, {}, snapshot);
+  shared.snapshot(kWhole, {}, snapshot);
   std::jthread other([&] { shared.wake(); });
   CHECK_FALSE(shared.wait_for_news(milliseconds(60'000)));
 }

@@ -10,13 +10,7 @@
 #include "tests/simulation/test_worlds.h"
 
 namespace puck {
-namespace {
-
-double speed_of(const DiscState& disc) {
-  return std::hypot(disc.velocity.x_m_s, disc.velocity.y_m_s);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("A puck left to rest lies still for as long as asked, is never taken off, and is hit") {
   SimulationParams params = small_world(3);

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/simulation/test_worlds.h"
+
 namespace puck {
 namespace {
 
@@ -16,10 +18,6 @@ PhysicsParams without_damping() {
 void run(const PuckPhysics& physics, DiscState& puck, double seconds) {
   const int steps = static_cast<int>(std::lround(seconds / PuckPhysics::kStep_s));
   for (int i = 0; i < steps; ++i) physics.glide(puck, PuckPhysics::kStep_s);
-}
-
-double speed_of(const DiscState& puck) {
-  return std::hypot(puck.velocity.x_m_s, puck.velocity.y_m_s);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-SimulationParams small_world() {
+SimulationParams tiny_world() {
   SimulationParams params;
   params.sensor_size = {64, 48};
   params.autonomous_robot = true;
@@ -23,7 +23,7 @@ TEST_CASE("a recording leaves a size model beside it alone") {
   SimulateSettings settings;
   settings.output = folder / "a";
   settings.seconds = 0.01;
-  record(settings, small_world());
+  record(settings, tiny_world());
   CHECK(read_text(beside) == "mine");
   CHECK(read_table_file(folder / "a.toml").geometry.length_m == 2.135);
 }
@@ -33,7 +33,7 @@ TEST_CASE("a recording says that the camera moves when only the scene tells it t
   SimulateSettings settings;
   settings.output = folder / "a";
   settings.seconds = 0.01;
-  SimulationParams params = small_world();
+  SimulationParams params = tiny_world();
   record(settings, params);
   CHECK(read_text(folder / "a.toml").find("The camera moves") == std::string::npos);
   params.moving_camera = true;

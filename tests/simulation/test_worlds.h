@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "common/simulation/puck_physics.h"
@@ -18,6 +19,10 @@ inline SimulationParams small_world(std::int64_t seed = 1) {
   params.camera.focal_px = 370;
   params.autonomous_robot = true;
   return params;
+}
+
+inline double speed_of(const DiscState& disc) {
+  return std::hypot(disc.velocity.x_m_s, disc.velocity.y_m_s);
 }
 
 }  // namespace puck

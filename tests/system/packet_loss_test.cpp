@@ -26,7 +26,7 @@ double mean_over_seeds(const TemporaryFolder& folder, const std::string& percent
 }
 
 /// Options of puck-simulate, and whether the mean error is held to 10 %, too.
-struct Game {
+struct SimulatedGame {
   std::vector<std::string> options;
   bool holds_mean = false;
 };
@@ -36,8 +36,9 @@ struct Game {
 // found again turns on single events. That decides the mean of four seconds; so what is held to 10
 // % there is the median, and that no more of the puck is lost.
 TEST_CASE("the loss of 1 % of the packets costs less than 10 % of accuracy, camera still or not") {
-  const std::vector<Game> games{{.options = {"--seed", "1", "--seconds", "8"}, .holds_mean = true},
-                                {.options = {"--seed", "2", "--seconds", "4", "--moving"}}};
+  const std::vector<SimulatedGame> games{
+      {.options = {"--seed", "1", "--seconds", "8"}, .holds_mean = true},
+      {.options = {"--seed", "2", "--seconds", "4", "--moving"}}};
   for (const auto& [options, holds_mean] : games) {
     const TemporaryFolder folder;
     std::vector<std::string> arguments{"--output", "game"};

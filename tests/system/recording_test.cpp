@@ -31,7 +31,7 @@ struct LoggedRun {
   std::vector<puck_estimate_t> estimates;
 };
 
-LoggedRun read_log(const std::filesystem::path& path) {
+LoggedRun read_run(const std::filesystem::path& path) {
   LogReader reader(path);
   LoggedRun run;
   LogRecord record;
@@ -81,7 +81,7 @@ void play(const std::filesystem::path& recordings, const Recording& recording) {
     CHECK(service->wait_for(std::chrono::seconds(10)) == 0);
   }
 
-  const LoggedRun run = read_log(folder / "a.lcm");
+  const LoggedRun run = read_run(folder / "a.lcm");
   CHECK(run.events == recording.events);
   CHECK(run.last_us - run.first_us == doctest::Approx(recording.span_us).epsilon(0.01));
   for (const puck_estimate_t& estimate : run.estimates) {

@@ -6,14 +6,10 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/table/test_table.h"
+
 namespace puck {
 namespace {
-
-// The puck's centre stays within x 0.1 to 1.9 and y -0.4 to 0.4; it meets the mallet at x = 0.3.
-constexpr TableGeometry kTable{2.0, 1.0, 0.4, 0.1, 0.05, 0.15, 0.3};
-constexpr PuckMotionParams kIdeal{0, 1, 1, 0, 0};
-
-PuckTrack track_at(double x, double y, double vx, double vy) { return {{{x, y}, {vx, vy}}, {}}; }
 
 TEST_CASE("A straight shot crosses where and when it should") {
   const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};

@@ -12,10 +12,10 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/table/test_table.h"
+
 namespace puck {
 namespace {
-
-constexpr TableGeometry kTable{2.0, 1.0, 0.4, 0.1, 0.05, 0.15, 0.3};
 
 // Plays a true motion to a filter as measurements with noise, one a millisecond.
 class Player {

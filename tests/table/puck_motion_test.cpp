@@ -5,14 +5,10 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/table/test_table.h"
+
 namespace puck {
 namespace {
-
-// Bounds for the puck's centre: x from 0.1 to 1.9, y from -0.4 to 0.4.
-constexpr TableGeometry kTable{2.0, 1.0, 0.4, 0.1, 0.05, 0.15, 0.3};
-constexpr PuckMotionParams kIdeal{0, 1, 1, 0, 0};
-
-PuckTrack track_at(double x, double y, double vx, double vy) { return {{{x, y}, {vx, vy}}, {}}; }
 
 TEST_CASE("Without damping the puck glides at constant velocity") {
   const PuckMotion motion(kTable, kIdeal);

@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/turned_camera.h"
+
 namespace puck {
 namespace {
 
-constexpr Pixel kMiddle{320, 240};
-constexpr double kFocal_px = 700;
+using test::kFocal_px;
+using test::kMiddle;
 
 TEST_CASE("A camera that has not turned shows each pixel where it was") {
   const CameraTurn turn(kMiddle, kFocal_px);

@@ -10,11 +10,11 @@ namespace {
 using test::TurningScene;
 
 // Its ring is of the marks' own size.
-constexpr PuckSizeModel kSizeModel{30, 0, 0, 30, 0, 0};
+constexpr PuckSizeModel kRoundModel{30, 0, 0, 30, 0, 0};
 
 TEST_CASE("What lies on the background comes last, in the same order otherwise") {
   Background background(TurningScene::kSensor);
-  const PuckContour contour(TurningScene::kSensor, kSizeModel, {0, 0, 0}, true);
+  const PuckContour contour(TurningScene::kSensor, kRoundModel, {0, 0, 0}, true);
   TurningScene scene;
   scene.show(background, 300);
   const double sway_px = TurningScene::sway_px(scene.time_us());

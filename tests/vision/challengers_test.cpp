@@ -10,8 +10,8 @@ namespace puck {
 namespace {
 
 using Kind = Challenger::Kind;
+using test::kContext;
 
-const ContourContext kContext = test::contour_context();
 constexpr ContourFilter::Start kStart{.position = {300, 200}};
 constexpr std::int64_t kPeriod_us = 500;
 

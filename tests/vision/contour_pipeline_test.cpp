@@ -27,8 +27,8 @@ namespace {
 // Of the noise. They all take the same ways through the code, so sanitizers see one.
 constexpr std::uint32_t kSeeds = kIsSanitized ? 1 : 3;
 
-constexpr SensorSize kSensor{320, 240};
-constexpr PuckSizeModel kSizeModel{16, 0, 0.08, 8, 0, 0.08};
+constexpr SensorSize kHalfSensor{320, 240};
+constexpr PuckSizeModel kHalfSizeModel{16, 0, 0.08, 8, 0, 0.08};
 
 // A pipeline, and what it wanted to be searched for: o for the other wall, c for the calibrated
 // one.
@@ -60,11 +60,11 @@ class NotedSearches final : public TrackingPipeline {
 class Table {
  public:
   explicit Table(const PipelineParams& params = preset_params(Preset::kDefault),
-                 std::uint32_t seed = 1, const PuckSizeModel& size_model = kSizeModel)
-      : contour_(kSensor, size_model, exact(), true),
-        tracker_(kSensor, with_exact(params), size_model,
+                 std::uint32_t seed = 1, const PuckSizeModel& size_model = kHalfSizeModel)
+      : contour_(kHalfSensor, size_model, exact(), true),
+        tracker_(kHalfSensor, with_exact(params), size_model,
                  std::make_unique<NotedSearches>(
-                     make_pipeline(kSensor, with_exact(params), size_model), searches_)),
+                     make_pipeline(kHalfSensor, with_exact(params), size_model), searches_)),
         random_(seed) {}
 
   // Lets the puck glide for so long; the mean error of the last half, px.
@@ -74,7 +74,7 @@ class Table {
     double sum = 0;
     for (int i = 0; i < milliseconds; ++i) {
       const std::int64_t from_us = i * 1000;
-      show(test::packet_of(puck.events(from_us, from_us + 1000), kSensor, now_us_, from_us));
+      show(test::packet_of(puck.events(from_us, from_us + 1000), kHalfSensor, now_us_, from_us));
       puck_ = puck.position_at(from_us + 1000);
       if (i >= milliseconds / 2) sum += error_px();
     }
@@ -120,7 +120,7 @@ class Table {
       std::vector<ContourEvent> front = mallet.events(from_us, from_us + 1000);
       const double y = mallet.position_at(from_us).y;
       std::erase_if(front, [&](const ContourEvent& event) { return event.y < y; });
-      show(test::packet_of(front, kSensor, now_us_, from_us));
+      show(test::packet_of(front, kHalfSensor, now_us_, from_us));
     }
   }
 
@@ -205,20 +205,20 @@ TEST_CASE("a fast puck is found by searches whose answers come late") {
 }
 
 TEST_CASE("while the answer of a search is awaited, events are taken wherever it looks") {
-  const Region image = Region::all_of(kSensor);
+  const Region image = Region::all_of(kHalfSensor);
   PipelineParams params = preset_params(Preset::kDefault);
   params.contour.calibration = {0, 0, 0};
   // It would watch all of the image as well.
   params.contour.ingredients.early_background = false;
-  const auto pipeline = make_pipeline(kSensor, params, kSizeModel);
-  const PuckContour contour(kSensor, kSizeModel, params.contour.calibration, true);
+  const auto pipeline = make_pipeline(kHalfSensor, params, kHalfSizeModel);
+  const PuckContour contour(kHalfSensor, kHalfSizeModel, params.contour.calibration, true);
   test::MovingContour puck(contour, {60, 100}, {150, 30});
   int awaited = 0;
   bool has_answered = false;
   std::optional<SearchResult> answer;
   std::int64_t wanted_us = 0;
   for (std::int64_t t = 0; t < 1'200'000; t += 500) {
-    const EventPacket packet = test::packet_of(puck.events(t + 1, t + 501), kSensor, t, t);
+    const EventPacket packet = test::packet_of(puck.events(t + 1, t + 501), kHalfSensor, t, t);
     if (packet.empty()) continue;
     pipeline->take(packet.start, packet.events);
     // A track that is not trusted yet watches all of the image anyway.
@@ -452,12 +452,12 @@ TEST_CASE("all of the image is watched for what stands still as soon as a track 
     params.contour.ingredients.early_background = is_early;
     Table table(params);
     table.glide({250, 30}, 600);
-    REQUIRE(table.estimate().region != Region::all_of(kSensor));
+    REQUIRE(table.estimate().region != Region::all_of(kHalfSensor));
     table.cover(50);
     int watched_ms = 0;
     for (int i = 0; i < 20; ++i) {
       table.cover(1);
-      if (table.estimate().region == Region::all_of(kSensor)) ++watched_ms;
+      if (table.estimate().region == Region::all_of(kHalfSensor)) ++watched_ms;
     }
     CAPTURE(watched_ms);
     CHECK((is_early ? watched_ms == 20 : watched_ms < 10));
@@ -500,8 +500,8 @@ TEST_CASE("the search looks for the side wall that a track beyond doubt has show
 }
 
 // Of a puck whose annotations leave its wall out.
-PuckSizeModel face_model() {
-  PuckSizeModel model = kSizeModel;
+PuckSizeModel half_face_model() {
+  PuckSizeModel model = kHalfSizeModel;
   model.disc = DiscModel{.width_0 = 16,
                          .width_y = 0.08,
                          .face_on_px = 60,
@@ -511,8 +511,8 @@ PuckSizeModel face_model() {
 }
 
 TEST_CASE("a puck is followed whose side wall makes events below the face that was annotated") {
-  const PuckSizeModel model = face_model();
-  REQUIRE(PuckContour(kSensor, model, {0, 0, 0}, true).other_wall_share() < -0.1);
+  const PuckSizeModel model = half_face_model();
+  REQUIRE(PuckContour(kHalfSensor, model, {0, 0, 0}, true).other_wall_share() < -0.1);
   for (const bool has_wall : {false, true}) {
     CAPTURE(has_wall);
     Table table(preset_params(Preset::kDefault), 1, model);
@@ -523,7 +523,7 @@ TEST_CASE("a puck is followed whose side wall makes events below the face that w
 }
 
 TEST_CASE("how high a wall is that the annotations leave out is learned on the way") {
-  const PuckSizeModel model = face_model();
+  const PuckSizeModel model = half_face_model();
   const auto error_px = [&](bool learns) {
     PipelineParams params = preset_params(Preset::kDefault);
     params.contour.ingredients.wall_height = learns;
@@ -574,7 +574,7 @@ TEST_CASE("searches see what is fresh only, unless fresh-search is off") {
   for (const bool is_on : {true, false}) {
     PipelineParams params = preset_params(Preset::kDefault);
     params.contour.ingredients.fresh_search = is_on;
-    const auto pipeline = make_pipeline(kSensor, params, kSizeModel);
+    const auto pipeline = make_pipeline(kHalfSensor, params, kHalfSizeModel);
     // The first decision asks for a search.
     const Event late{100, 100, 0, 1'000};
     pipeline->take({0}, std::span(&late, 1));
@@ -585,12 +585,12 @@ TEST_CASE("searches see what is fresh only, unless fresh-search is off") {
 }
 
 TEST_CASE("what a search for an unseen side wall finds moves too slowly to be believed at once") {
-  const PuckContour contour(kSensor, kSizeModel, {0, 0, 0}, true);
+  const PuckContour contour(kHalfSensor, kHalfSizeModel, {0, 0, 0}, true);
   ContourPipelineParams params = preset_params(Preset::kDefault).contour;
   params.calibration = {0, 0, 0};
   for (const bool is_other : {false, true}) {
     CAPTURE(is_other);
-    ContourPipeline pipeline(kSensor, params, {}, kSizeModel);
+    ContourPipeline pipeline(kHalfSensor, params, {}, kHalfSizeModel);
     std::int64_t now_us = 0;
     // Lets it glide for so long, and every search find it; how far the track is from it then.
     const auto glide = [&](Pixel start, PixelVelocity velocity, int milliseconds,
@@ -600,7 +600,7 @@ TEST_CASE("what a search for an unseen side wall finds moves too slowly to be be
       for (; now_us < start_us + milliseconds * 1000; now_us += 1000) {
         const std::int64_t from_us = now_us - start_us;
         const EventPacket packet =
-            test::packet_of(puck.events(from_us, from_us + 1000), kSensor, now_us, from_us);
+            test::packet_of(puck.events(from_us, from_us + 1000), kHalfSensor, now_us, from_us);
         for_each_piece(packet.start, packet.events, pipeline.decision_period_us(),
                        [&](std::span<const Event> piece) {
                          pipeline.take(packet.start, piece);
@@ -623,14 +623,14 @@ TEST_CASE("what a search for an unseen side wall finds moves too slowly to be be
 
 TEST_CASE("the same events give the same estimates, however often one asks") {
   const auto run = [](int asks) {
-    SurfaceTracker tracker(kSensor, preset_params(Preset::kDefault), kSizeModel);
-    const PuckContour contour(kSensor, kSizeModel, {}, true);
+    SurfaceTracker tracker(kHalfSensor, preset_params(Preset::kDefault), kHalfSizeModel);
+    const PuckContour contour(kHalfSensor, kHalfSizeModel, {}, true);
     test::MovingContour puck(contour, {60, 100}, {700, 200});
     PuckEstimate last;
     for (int i = 0; i < 100; ++i) {
       const std::int64_t from_us = i * 1000;
       const EventPacket packet =
-          test::packet_of(puck.events(from_us, from_us + 1000), kSensor, from_us, from_us);
+          test::packet_of(puck.events(from_us, from_us + 1000), kHalfSensor, from_us, from_us);
       if (packet.empty()) continue;
       tracker.update(packet);
       for (int n = 0; n < asks; ++n) last = tracker.estimate();

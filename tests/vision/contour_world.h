@@ -8,16 +8,28 @@
 #include "common/events/sensor_size.h"
 #include "common/vision/challengers.h"
 #include "common/vision/contour_track.h"
+#include "common/vision/region.h"
+#include "common/vision/track_trust.h"
 #include "tests/vision/moving_contour.h"
 
 namespace puck::test {
 
 inline constexpr SensorSize kSensor{640, 480};
+inline constexpr Region kImage = Region::all_of(kSensor);
 inline constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
 
 /// All that is the same for contour tracks, of a sensor without lag.
 inline ContourContext contour_context() {
   return {PuckContour(kSensor, kSizeModel, {0, 0, 0}, true), {}, {}, {}};
+}
+inline const ContourContext kContext = contour_context();
+
+/// Trust in a track that has been sound for 50 ms.
+inline TrackTrust sound() {
+  TrackTrust trust;
+  trust.judge({.speed_px_s = 500, .quality = 0.9, .strength = 50, .near_events = 60}, 0, false,
+              50'000, 50'000);
+  return trust;
 }
 
 inline std::ptrdiff_t count(const Challengers& challengers) {

@@ -9,10 +9,10 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{64, 48};
+constexpr SensorSize kMapSensor{64, 48};
 
 TEST_CASE("An event counts at its place, half beside it and a quarter across") {
-  FadingMap map(kSensor);
+  FadingMap map(kMapSensor);
   for (int i = 0; i < 4; ++i) map.add({20.3, 9.8});
   CHECK(map.level({20, 10}) == doctest::Approx(4));
   CHECK(map.level({21, 10}) == doctest::Approx(2));
@@ -22,7 +22,7 @@ TEST_CASE("An event counts at its place, half beside it and a quarter across") {
 }
 
 TEST_CASE("Between pixels the map is linear, and says how steep it is") {
-  FadingMap map(kSensor);
+  FadingMap map(kMapSensor);
   for (int i = 0; i < 4; ++i) map.add({20, 10});
   const FadingMap::Sample sample = map.sample({20.25, 10});
   CHECK(sample.level == doctest::Approx(3.5));
@@ -33,7 +33,7 @@ TEST_CASE("Between pixels the map is linear, and says how steep it is") {
 TEST_CASE(
     "Of uniform noise hardly a place has more than is said of it, and some have half as much") {
   constexpr int kEventsAMs = 12;  // of 64 × 48 pixels
-  FadingMap map(kSensor);
+  FadingMap map(kMapSensor);
   CHECK(map.level_of_noise() == 0);
   test::RandomNumbers random;
   for (int i = 1; i <= 6'000; ++i) {
@@ -60,7 +60,7 @@ TEST_CASE(
 }
 
 TEST_CASE("The map fades with 1.5 s, for as long as it is kept") {
-  FadingMap map(kSensor);
+  FadingMap map(kMapSensor);
   for (int i = 0; i < 4; ++i) map.add({20, 10});
   map.advance(1'500'000);
   CHECK(map.level({20, 10}) == doctest::Approx(4 / std::exp(1.0)));
@@ -71,7 +71,7 @@ TEST_CASE("The map fades with 1.5 s, for as long as it is kept") {
 }
 
 TEST_CASE("The map reaches a quarter beyond the image, and no farther") {
-  FadingMap map(kSensor);
+  FadingMap map(kMapSensor);
   map.add({-13, 50});
   CHECK(map.level({-13, 50}) > 0);
   map.add({-40, 20});
@@ -81,7 +81,7 @@ TEST_CASE("The map reaches a quarter beyond the image, and no farther") {
 }
 
 TEST_CASE("A map that is cleared shows nothing") {
-  FadingMap map(kSensor);
+  FadingMap map(kMapSensor);
   for (int i = 0; i < 4; ++i) map.add({20, 10});
   map.clear();
   CHECK(map.level({20, 10}) == 0);

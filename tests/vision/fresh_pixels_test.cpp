@@ -11,10 +11,10 @@ namespace puck {
 namespace {
 
 // A width that is no multiple of eight.
-constexpr SensorSize kSensor{37, 21};
-constexpr Region kAll{0, 0, 37, 21};
+constexpr SensorSize kOddSensor{37, 21};
+constexpr Region kWholeSensor{0, 0, 37, 21};
 
-Event event_at(int x, int y, std::int64_t offset_us = 0) {
+Event late_event_at(int x, int y, std::int64_t offset_us = 0) {
   Event event;
   event.x = static_cast<std::uint16_t>(x);
   event.y = static_cast<std::uint16_t>(y) & 0x7fffu;
@@ -40,24 +40,24 @@ bool is_fresh(const FreshPixels& pixels, int x, int y) {
 TEST_CASE("A pixel is fresh for 24 to 32 ms, whether there are events elsewhere or not") {
   for (const bool others : {false, true}) {
     CAPTURE(others);
-    FreshPixels pixels(kSensor);
-    pixels.take({1'007'000}, std::vector{event_at(5, 6)});
+    FreshPixels pixels(kOddSensor);
+    pixels.take({1'007'000}, std::vector{late_event_at(5, 6)});
     if (others) {
       for (int ms = 1'008; ms <= 1'031; ++ms) {
-        pixels.take({ms * 1'000}, std::vector{event_at(30, 20)});
+        pixels.take({ms * 1'000}, std::vector{late_event_at(30, 20)});
       }
     }
-    pixels.take({1'031'999}, std::vector{event_at(30, 20)});
+    pixels.take({1'031'999}, std::vector{late_event_at(30, 20)});
     CHECK(is_fresh(pixels, 5, 6));
-    pixels.take({1'032'000}, std::vector{event_at(30, 20)});
+    pixels.take({1'032'000}, std::vector{late_event_at(30, 20)});
     CHECK_FALSE(is_fresh(pixels, 5, 6));
     CHECK(is_fresh(pixels, 30, 20));
   }
 }
 
 TEST_CASE("After a long silence only what has come since is fresh") {
-  FreshPixels pixels(kSensor);
-  pixels.take({0}, std::vector{event_at(1, 1), event_at(2, 2, 7'000'000)});
+  FreshPixels pixels(kOddSensor);
+  pixels.take({0}, std::vector{late_event_at(1, 1), late_event_at(2, 2, 7'000'000)});
   CHECK_FALSE(is_fresh(pixels, 1, 1));
   CHECK(is_fresh(pixels, 2, 2));
 }
@@ -69,13 +69,13 @@ TEST_CASE("Exactly the pixels that have fired are left, in any part of the senso
   for (int i = 0; i < 300; ++i) {
     const int x = static_cast<int>(random() % 37);
     const int y = static_cast<int>(random() % 21);
-    events.push_back(event_at(x, y, i));
+    events.push_back(late_event_at(x, y, i));
     fired[static_cast<std::size_t>(y * 37 + x)] = true;
   }
-  FreshPixels pixels(kSensor);
+  FreshPixels pixels(kOddSensor);
   pixels.take({0}, events);
-  for (const Region& part : {kAll, Region{3, 2, 17, 5}, Region{36, 0, 1, 21}, Region{8, 8, 16, 8},
-                             Region{7, 20, 9, 1}, Region{29, 4, 8, 3}}) {
+  for (const Region& part : {kWholeSensor, Region{3, 2, 17, 5}, Region{36, 0, 1, 21},
+                             Region{8, 8, 16, 8}, Region{7, 20, 9, 1}, Region{29, 4, 8, 3}}) {
     CAPTURE(part.x);
     const Image<std::uint8_t> grey = fresh_of(pixels, part);
     for (int y = 0; y < part.height; ++y) {
@@ -89,13 +89,13 @@ TEST_CASE("Exactly the pixels that have fired are left, in any part of the senso
 
 TEST_CASE("In parts or at once, what is fresh is the same") {
   std::vector<Event> events;
-  for (int i = 0; i < 200; ++i) events.push_back(event_at(i % 37, i * 7 % 21, i * 499));
-  FreshPixels at_once(kSensor);
-  FreshPixels in_parts(kSensor);
+  for (int i = 0; i < 200; ++i) events.push_back(late_event_at(i % 37, i * 7 % 21, i * 499));
+  FreshPixels at_once(kOddSensor);
+  FreshPixels in_parts(kOddSensor);
   at_once.take({123'456}, events);
   for (const Event& event : events) in_parts.take({123'456}, std::span(&event, 1));
-  const Image<std::uint8_t> a = fresh_of(at_once, kAll);
-  const Image<std::uint8_t> b = fresh_of(in_parts, kAll);
+  const Image<std::uint8_t> a = fresh_of(at_once, kWholeSensor);
+  const Image<std::uint8_t> b = fresh_of(in_parts, kWholeSensor);
   CHECK(std::equal(a.row(0), a.row(0) + 37 * 21, b.row(0)));
 }
 

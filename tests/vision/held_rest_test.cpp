@@ -7,18 +7,13 @@
 namespace puck {
 namespace {
 
+using test::sound;
+
 // A mallet comes near from one side, or the puck sets off.
 constexpr TrackLooks kBeside{.strength = -15, .cover = 0.2, .near_events = 100};
 constexpr TrackLooks kSettingOff{.strength = 13, .cover = 0.3, .near_events = 120};
 
 constexpr TrackLooks kGood{.speed_px_s = 500, .quality = 0.9, .strength = 50, .near_events = 60};
-
-// Trust in a track that has been sound for 50 ms.
-TrackTrust sound() {
-  TrackTrust trust;
-  trust.judge(kGood, 0, false, 50'000, 50'000);
-  return trust;
-}
 
 // Of a track that was good, and 0.5 ms later too, or is silent.
 TrackStanding standing(bool rests) {

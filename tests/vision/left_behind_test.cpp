@@ -9,12 +9,12 @@
 namespace puck {
 namespace {
 
-constexpr Pixel kPlace{300, 180};
+constexpr Pixel kRestPlace{300, 180};
 
-// A puck that was seen to glide, and rests at kPlace; then a track that something leads away.
+// A puck that was seen to glide, and rests at kRestPlace; then a track that something leads away.
 class Disturbed {
  public:
-  explicit Disturbed(Pixel place = kPlace, double wall_share = 0) {
+  explicit Disturbed(Pixel place = kRestPlace, double wall_share = 0) {
     context.is_trusted = true;
     learn_events_each(5);
     if (wall_share != 0) context.contour.correct_other_wall_share(wall_share);
@@ -71,15 +71,15 @@ class Disturbed {
 
   // … past the place, a puck's width to its right.
   bool glide_beside() {
-    const double width = 2 * context.contour.ring_at(kPlace, 0).semi_x;
-    return glide({kPlace.x + width, kPlace.y - 20}, {0, 1'000});
+    const double width = 2 * context.contour.ring_at(kRestPlace, 0).semi_x;
+    return glide({kRestPlace.x + width, kRestPlace.y - 20}, {0, 1'000});
   }
 
   // A track follows something that glides by, two widths to the right of the place, for 40 ms,
   // while so many events a millisecond lie beside that; its quality in the end.
   double follow_away(int clutter) {
-    const ContourRing ring = context.contour.ring_at(kPlace, 0);
-    const Pixel start{kPlace.x + 4 * ring.semi_x, kPlace.y - 20};
+    const ContourRing ring = context.contour.ring_at(kRestPlace, 0);
+    const Pixel start{kRestPlace.x + 4 * ring.semi_x, kRestPlace.y - 20};
     const PixelVelocity velocity{0, 1'000};
     test::MovingContour shape = begin_track(start, velocity);
     const std::int64_t began_us = now_us;
@@ -95,10 +95,10 @@ class Disturbed {
     return track->quality();
   }
 
-  // A puck arrives at kPlace within 60 ms and does not rest there; `is_whole`: its left half is
+  // A puck arrives at kRestPlace within 60 ms and does not rest there; `is_whole`: its left half is
   // seen, too.
   void arrive(PixelVelocity velocity, bool is_whole = true) {
-    const Pixel start{kPlace.x - 0.06 * velocity.x, kPlace.y - 0.06 * velocity.y};
+    const Pixel start{kRestPlace.x - 0.06 * velocity.x, kRestPlace.y - 0.06 * velocity.y};
     test::MovingContour shape = begin_track(start, velocity);
     const std::int64_t began_us = now_us;
     for (std::int64_t t = 0; t < 60'000; t += 1'000) {
@@ -117,7 +117,8 @@ class Disturbed {
   // A track without events, 40 px to the right of the place, is brought back at that time.
   bool is_back_from_afar(std::int64_t time_us) {
     now_us = time_us;
-    track.emplace(context, ContourFilter::Start{.position = {kPlace.x + 40, kPlace.y}}, 0, 0);
+    track.emplace(context, ContourFilter::Start{.position = {kRestPlace.x + 40, kRestPlace.y}}, 0,
+                  0);
     track->decide(now_us, false, context);
     return is_brought_back();
   }
@@ -133,14 +134,14 @@ TEST_CASE("A bad track beside the place that the puck cannot have left is brough
   puck.rest();
   CHECK(puck.glide_beside());
   CHECK(puck.left_behind.is_there());
-  CHECK(distance_px(puck.track->filter().position(), kPlace) < 0.01);
+  CHECK(distance_px(puck.track->filter().position(), kRestPlace) < 0.01);
   CHECK(puck.track->filter().speed_px_s() == 0);
 }
 
 TEST_CASE("A track follows a puck that leaves") {
   Disturbed puck;
   puck.rest();
-  CHECK_FALSE(puck.glide(kPlace, {2'500, 0}));
+  CHECK_FALSE(puck.glide(kRestPlace, {2'500, 0}));
   CHECK_FALSE(puck.left_behind.is_there());
   CHECK(puck.left_behind.region().empty());
 }
@@ -177,7 +178,7 @@ TEST_CASE("The place of a slow puck is watched before it rests") {
   puck.arrive({0.8 * slow_px_s, 0});
   REQUIRE_FALSE(puck.left_behind.region().empty());
   CHECK(puck.glide_beside());
-  CHECK(distance_px(puck.track->filter().position(), kPlace) < 1);
+  CHECK(distance_px(puck.track->filter().position(), kRestPlace) < 1);
 
   Disturbed fast;
   fast.arrive({1.2 * slow_px_s, 0});
@@ -196,13 +197,13 @@ TEST_CASE("Where a track stopped for lack of events no place is watched") {
   puck.arrive({2 * puck.context.contour.turning_px_s(), 0});
   REQUIRE(puck.track->quality() > 0.7);
   REQUIRE(puck.left_behind.region().empty());
-  puck.track->stop_at(kPlace, puck.now_us, puck.context);
+  puck.track->stop_at(kRestPlace, puck.now_us, puck.context);
   puck.is_brought_back();
   CHECK(puck.left_behind.region().empty());
   // Nor does a stray event make it a slow puck.
-  const ContourRing ring = puck.context.contour.ring_at(kPlace, 0);
+  const ContourRing ring = puck.context.contour.ring_at(kRestPlace, 0);
   puck.track->take(
-      {puck.now_us + 500, kPlace.x + ring.semi_x + 1, kPlace.y - ring.rise, true, true},
+      {puck.now_us + 500, kRestPlace.x + ring.semi_x + 1, kRestPlace.y - ring.rise, true, true},
       puck.context);
   puck.decide();
   REQUIRE(puck.track->filter().speed_px_s() > 1);

@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{320, 240};
+constexpr SensorSize kNoisySensor{320, 240};
 
 // A sensor all of whose pixels fire at random.
 class Noisy {
@@ -29,7 +29,7 @@ class Noisy {
   void wait(std::int64_t duration_us) { time_us_ += duration_us; }
   double hz() const { return floor.per_pixel_us() * 1e6; }
 
-  NoiseFloor floor{kSensor};
+  NoiseFloor floor{kNoisySensor};
   int busy_columns = 0;  // from the left, of pixels that fire each millisecond besides
 
  private:

@@ -10,7 +10,7 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{641, 480};
+constexpr SensorSize kOddWidthSensor{641, 480};
 constexpr PuckSizeModel kFlat{30, 0, 0, 20, 0, 0};
 // Its width ends at row −200.
 constexpr PuckSizeModel kPlane{20, 0, 0.1, 10, 0, 0.1};
@@ -24,7 +24,7 @@ constexpr DiscModel kDisc{.width_0 = 20,
 constexpr ContourCalibration kExact{0, 0, 0};
 
 TEST_CASE("The distance from the contour is exact along the axes and outward normals are unit") {
-  const ContourRing ring = PuckContour(kSensor, kFlat, kExact, true).ring_at({320, 240}, 0);
+  const ContourRing ring = PuckContour(kOddWidthSensor, kFlat, kExact, true).ring_at({320, 240}, 0);
   CHECK(ring.offset(18, 0, 0).distance_px == doctest::Approx(3));
   CHECK(ring.offset(18, 0, 0).normal_x == doctest::Approx(1));
   CHECK(ring.offset(0, -8, 0).distance_px == doctest::Approx(-2));
@@ -43,7 +43,7 @@ TEST_CASE("The very middle of a ring lies inside, and so does that of one that i
 }
 
 TEST_CASE("The twelve sectors of a ring cover 30 degrees each") {
-  const ContourRing ring = PuckContour(kSensor, kFlat, kExact, true).ring_at({320, 240}, 0);
+  const ContourRing ring = PuckContour(kOddWidthSensor, kFlat, kExact, true).ring_at({320, 240}, 0);
   std::array<int, kContourSectors> counts{};
   for (int degree = 0; degree < 360; ++degree) {
     const double angle = (degree + 0.5) * std::numbers::pi / 180;
@@ -54,7 +54,7 @@ TEST_CASE("The twelve sectors of a ring cover 30 degrees each") {
 }
 
 TEST_CASE("Beside the middle the ring leans as the perspective asks, and keeps its width") {
-  const PuckContour contour(kSensor, kPlane, kExact, true);
+  const PuckContour contour(kOddWidthSensor, kPlane, kExact, true);
   const Pixel beside{520, 200};
   const ContourRing ring = contour.ring_at(beside, 0);
   // The horizon is at row −200, the middle at column 320: 200 px aside, 400 px below.
@@ -65,8 +65,8 @@ TEST_CASE("Beside the middle the ring leans as the perspective asks, and keeps i
 }
 
 TEST_CASE("Without a slope in the size model there is no horizon and no shear") {
-  CHECK(PuckContour(kSensor, kFlat, kExact, true).ring_at({600, 240}, 0).shear == 0);
-  CHECK(PuckContour(kSensor, kPlane, kExact, false).ring_at({600, 240}, 0).shear == 0);
+  CHECK(PuckContour(kOddWidthSensor, kFlat, kExact, true).ring_at({600, 240}, 0).shear == 0);
+  CHECK(PuckContour(kOddWidthSensor, kPlane, kExact, false).ring_at({600, 240}, 0).shear == 0);
 }
 
 TEST_CASE("An ellipse that is turned in its box lies on the ring of that box and lean") {
@@ -85,7 +85,8 @@ TEST_CASE("An ellipse that is turned in its box lies on the ring of that box and
   box.height_0 = 2 * std::hypot(kLong * std::sin(lean), kShort * std::cos(lean));
   ContourCalibration calibration = kExact;
   calibration.lean_deg = kLean_deg;
-  const ContourRing ring = PuckContour(kSensor, box, calibration, true).ring_at({320, 240}, 0);
+  const ContourRing ring =
+      PuckContour(kOddWidthSensor, box, calibration, true).ring_at({320, 240}, 0);
   for (int i = 0; i < 12; ++i) {
     const Pixel place = at(2 * std::numbers::pi * i / 12);
     CHECK(ring.offset(place.x, place.y, 0).distance_px == doctest::Approx(0));
@@ -103,7 +104,7 @@ TEST_CASE("A ring that leans further than its box can hold stays within the box"
       ContourCalibration calibration = kExact;
       calibration.lean_deg = 40;
       const ContourRing ring =
-          PuckContour(kSensor, box, calibration, true).ring_at({320, 240}, wall_share);
+          PuckContour(kOddWidthSensor, box, calibration, true).ring_at({320, 240}, wall_share);
       CHECK(ring.semi_x >= 2);
       CHECK(std::hypot(ring.semi_x, ring.shear * ring.semi_y) <=
             doctest::Approx(std::max(size.width / 2, 2.0)));
@@ -115,7 +116,7 @@ TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   const PuckSize size = model.disc->at({600, 240});
-  const ContourRing ring = PuckContour(kSensor, model, kExact, true).ring_at({600, 240}, 0);
+  const ContourRing ring = PuckContour(kOddWidthSensor, model, kExact, true).ring_at({600, 240}, 0);
   CHECK(ring.semi_y == doctest::Approx(size.height / 2));
   // The width is nothing at row -200; the side wall does not slant.
   const double of_disc = (size.height - model.wall_of_width() * size.width) / size.height;
@@ -123,33 +124,34 @@ TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {
 }
 
 TEST_CASE("A side wall without events leaves a lower ring, higher up") {
-  const ContourRing ring = PuckContour(kSensor, kFlat, {0, 0.2, 1}, true).ring_at({320, 240}, 0.2);
+  const ContourRing ring =
+      PuckContour(kOddWidthSensor, kFlat, {0, 0.2, 1}, true).ring_at({320, 240}, 0.2);
   CHECK(ring.semi_x == doctest::Approx(15.5));
   CHECK(ring.semi_y == doctest::Approx((21 - 0.2 * 31) / 2));
   CHECK(ring.rise == doctest::Approx(0.1 * 31));
 }
 
 TEST_CASE("The other opinion on the side wall is the opposite of the calibrated one") {
-  CHECK(PuckContour(kSensor, kFlat, {0, 0, 0}, true).other_wall_share() > 0.1);
-  CHECK(PuckContour(kSensor, kFlat, {0, 0.15, 0}, true).other_wall_share() == 0);
-  CHECK(PuckContour(kSensor, kFlat, {0, -0.15, 0}, true).other_wall_share() == 0);
+  CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0, 0}, true).other_wall_share() > 0.1);
+  CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0.15, 0}, true).other_wall_share() == 0);
+  CHECK(PuckContour(kOddWidthSensor, kFlat, {0, -0.15, 0}, true).other_wall_share() == 0);
 }
 
 TEST_CASE("The other opinion on the side wall goes by what the annotations outline") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   const double tilted = std::cos(model.disc->tilt_deg() * std::numbers::pi / 180);
-  CHECK(PuckContour(kSensor, model, kExact, true).other_wall_share() ==
+  CHECK(PuckContour(kOddWidthSensor, model, kExact, true).other_wall_share() ==
         doctest::Approx(0.2 * tilted));
 
   // What the calibration has seen is not looked for again, thin as it may be.
   model.disc->thickness = 0.1;
   const double thin = model.wall_of_width();
-  CHECK(PuckContour(kSensor, model, {0, thin, 0}, true).other_wall_share() == 0);
+  CHECK(PuckContour(kOddWidthSensor, model, {0, thin, 0}, true).other_wall_share() == 0);
 
   // Of the face alone: the wall shows below it, while the face's upper edge stays where it is.
   model.disc->thickness = 0.03;
-  const PuckContour contour(kSensor, model, kExact, true);
+  const PuckContour contour(kOddWidthSensor, model, kExact, true);
   const ContourRing face = contour.ring_at({320, 240}, 0);
   const ContourRing both = contour.ring_at({320, 240}, contour.other_wall_share());
   CHECK(both.semi_y > face.semi_y + 2);
@@ -166,7 +168,7 @@ TEST_CASE("A wall that shows below the face draws its outline out") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   model.disc->thickness = 0;
-  const PuckContour contour(kSensor, model, {0, -0.3, 0}, true);
+  const PuckContour contour(kOddWidthSensor, model, {0, -0.3, 0}, true);
   for (const Pixel centre : {Pixel{320, 240}, {600, 240}, {20, 300}}) {
     CAPTURE(centre.x);
     const ContourRing face = contour.ring_at(centre, 0);
@@ -218,7 +220,7 @@ TEST_CASE("A wall that the annotations leave out is as high as it is found to be
   model.disc = kDisc;
   const PuckSizeModel whole = model;
   model.disc->thickness = 0;
-  PuckContour contour(kSensor, model, kExact, true);
+  PuckContour contour(kOddWidthSensor, model, kExact, true);
   contour.correct_other_wall_share(-whole.wall_of_width());
   CHECK(contour.other_wall_share() == -whole.wall_of_width());
   CHECK(contour.is_other_wall(contour.other_wall_share()));
@@ -232,7 +234,7 @@ TEST_CASE("A wall that the annotations leave out is as high as it is found to be
     CHECK(place.y - lower.y == doctest::Approx(-ring.rise));
   }
   // A share that was calibrated suits all of the image.
-  const PuckContour calibrated(kSensor, model, {0, -0.2, 0}, true);
+  const PuckContour calibrated(kOddWidthSensor, model, {0, -0.2, 0}, true);
   for (const Pixel place : {Pixel{320, 60}, {320, 420}}) {
     CHECK(calibrated.ring_at(place, -0.2).rise ==
           doctest::Approx(-0.1 * calibrated.size_at(place).width));
@@ -241,17 +243,18 @@ TEST_CASE("A wall that the annotations leave out is as high as it is found to be
 
 TEST_CASE(
     "How fast the head's turn moves the image goes with the lens, which the puck's size tells") {
-  const PuckContour contour(kSensor, kFlat, kExact, true);
+  const PuckContour contour(kOddWidthSensor, kFlat, kExact, true);
   CHECK(contour.turning_px_s() == doctest::Approx(270));
   // The same lens before half as many pixels, each twice as large.
   const PuckContour coarse({321, 240}, {15, 0, 0, 10, 0, 0}, kExact, true);
   CHECK(coarse.turning_px_s() == doctest::Approx(135));
   // What counts is the size in the image's middle: 20 + 0.1 · 239.5.
-  CHECK(PuckContour(kSensor, kPlane, kExact, true).turning_px_s() == doctest::Approx(395.55));
+  CHECK(PuckContour(kOddWidthSensor, kPlane, kExact, true).turning_px_s() ==
+        doctest::Approx(395.55));
 }
 
 TEST_CASE("A size model that promises no size still gives a ring") {
-  const PuckContour contour(kSensor, {-50, 0, 0, -20, 0, 0}, kExact, true);
+  const PuckContour contour(kOddWidthSensor, {-50, 0, 0, -20, 0, 0}, kExact, true);
   CHECK(contour.turning_px_s() == doctest::Approx(36));
   const ContourRing ring = contour.ring_at({320, 240}, 0);
   CHECK(ring.semi_x >= 1);

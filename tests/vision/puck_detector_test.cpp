@@ -5,12 +5,13 @@
 #include <doctest/doctest.h>
 
 #include "common/vision/presets.h"
+#include "tests/vision/contour_world.h"
 
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
-constexpr Region kImage{0, 0, 640, 480};
+using test::kImage;
+using test::kSensor;
 
 // Draws a kernel's ring, fully lit, around a pixel.
 void draw_ring(Image<std::uint8_t>& picture, const EllipseKernel& kernel, int x, int y) {
@@ -75,7 +76,7 @@ TEST_CASE("a search with the size of each row finds the puck near and far") {
     PuckDetector detector(params.detector, model);
     CHECK(detection_region(kSensor, params.detector) == kImage);
     const Region region = detection_region(kSensor, params.detector);
-  const auto& found = detector.detect(correlation, region, bank);
+    const auto& found = detector.detect(correlation, region, bank);
     REQUIRE_FALSE(found.empty());
     CHECK(found.front().position == truth);
   }

@@ -9,14 +9,16 @@
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
 #include "tests/support/sanitizers.h"
+#include "tests/vision/contour_world.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
+using test::kSensor;
+using test::kSizeModel;
+
 // About the authors' model: 29×20 px in the middle of their detection region.
-constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
 
 // Feeds a pipeline with the contour of a puck, a step of the tracking thread each millisecond.
 class Scene {

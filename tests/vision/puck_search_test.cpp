@@ -5,13 +5,14 @@
 #include "common/vision/eros_surface.h"
 #include "common/vision/presets.h"
 #include "common/vision/puck_contour.h"
+#include "tests/vision/contour_world.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
-constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
+using test::kSensor;
+using test::kSizeModel;
 
 PuckSearch search_of(Preset preset) {
   const PipelineParams params = preset_params(preset);

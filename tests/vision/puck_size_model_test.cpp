@@ -5,10 +5,12 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/contour_world.h"
+
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
+using test::kSensor;
 
 TEST_CASE("the size model is linear between its limits and stops at them") {
   PuckSizeModel model{10, 0.01, 0.1, 5, 0, 0.1};

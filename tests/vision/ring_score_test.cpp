@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-constexpr Region kPlace{0, 0, 120, 120};
+constexpr Region kPicture{0, 0, 120, 120};
 
 double score(const Image<std::uint8_t>& picture, const ContourRing& ring, Pixel centre) {
   RingSamples samples;
@@ -62,14 +62,14 @@ TEST_CASE("a ring of which half lies outside the image scores less than a whole 
 TEST_CASE("the score follows the ring's shift") {
   const auto picture = test::draw_ring(120, 120, {{61.5, 59}, 15, 10, 0});
   RingSamples samples;
-  samples.gather(picture.view(), kPlace, {15, 10, 0, 0}, {60, 60});
+  samples.gather(picture.view(), kPicture, {15, 10, 0, 0}, {60, 60});
   CHECK(ring_score(samples, {1.5, -1}) > ring_score(samples, {}) + 0.05);
 }
 
 TEST_CASE("the spread of the grey is that of the line drawn, and grows with a trail behind it") {
   const auto picture = test::draw_ring(120, 120, {{60, 60}, 15, 10, 0});
   RingSamples samples;
-  samples.gather(picture.view(), kPlace, {15, 10, 0, 0}, {60, 60});
+  samples.gather(picture.view(), kPicture, {15, 10, 0, 0}, {60, 60});
   const double sharp = ring_spread(samples, {});
   CHECK(sharp == doctest::Approx(0.8).epsilon(0.1));
 
@@ -81,7 +81,7 @@ TEST_CASE("the spread of the grey is that of the line drawn, and grows with a tr
       }
     }
   }
-  samples.gather(trailed.view(), kPlace, {15, 10, 0, 0}, {60, 60});
+  samples.gather(trailed.view(), kPicture, {15, 10, 0, 0}, {60, 60});
   CHECK(ring_spread(samples, {}) > sharp + 0.4);
 }
 

@@ -4,12 +4,15 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/contour_world.h"
+
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
-constexpr Region kImage = Region::all_of(kSensor);
-constexpr ContourIngredients kAll{};
+using test::kImage;
+using test::kSensor;
+
+constexpr ContourIngredients kAllIngredients{};
 constexpr SearchPlan::Situation kCalm{
     .main = {.position = {300, 200}, .quality = 0.9, .strength = 100},
     .is_trusted = true,
@@ -119,20 +122,20 @@ TEST_CASE("What may be anywhere is searched for everywhere each 5 ms, and not ne
   now.unsound_us = 100'001;
   SearchPlan plan(kSensor, {});
   for (int i = 0; i < 60; ++i) plan.take(10, 10);
-  plan.plan(now, kAll, 5'000);
+  plan.plan(now, kAllIngredients, 5'000);
   CHECK(plan.give_out() == kImage);
   plan.note_answer();
-  plan.plan(now, kAll, 9'999);
+  plan.plan(now, kAllIngredients, 9'999);
   CHECK(plan.give_out().empty());
-  plan.plan(now, kAll, 10'000);
+  plan.plan(now, kAllIngredients, 10'000);
   CHECK(plan.give_out() == kImage);
   plan.note_answer();
   // Of what has not stirred for 100 ms nothing could be found.
-  plan.plan(now, kAll, 105'001);
+  plan.plan(now, kAllIngredients, 105'001);
   CHECK(plan.give_out().empty());
 
   for (const auto& ingredient : {&ContourIngredients::anywhere, &ContourIngredients::wide_search}) {
-    ContourIngredients without = kAll;
+    ContourIngredients without = kAllIngredients;
     without.*ingredient = false;
     SearchPlan near(kSensor, {});
     near.plan(now, without, 5'000);
@@ -142,9 +145,9 @@ TEST_CASE("What may be anywhere is searched for everywhere each 5 ms, and not ne
 
 TEST_CASE("A calm track is left in peace until the whole image is due") {
   SearchPlan plan(kSensor, {});
-  plan.plan(kCalm, kAll, 499'999);
+  plan.plan(kCalm, kAllIngredients, 499'999);
   CHECK(plan.give_out().empty());
-  plan.plan(kCalm, kAll, 500'000);
+  plan.plan(kCalm, kAllIngredients, 500'000);
   CHECK(plan.give_out() == kImage);
 }
 
@@ -152,17 +155,17 @@ TEST_CASE("Near a doubtful track is searched each 5 ms, the farther the longer i
   SearchPlan plan(kSensor, {});
   SearchPlan::Situation now = kCalm;
   now.main.quality = 0.59;
-  plan.plan(now, kAll, 5'000);
+  plan.plan(now, kAllIngredients, 5'000);
   CHECK(plan.give_out() == Region{280, 180, 41, 41});
   plan.note_answer();
-  plan.plan(now, kAll, 9'999);
+  plan.plan(now, kAllIngredients, 9'999);
   CHECK(plan.give_out().empty());
   now.since_good_us = 10'000;
-  plan.plan(now, kAll, 10'000);
+  plan.plan(now, kAllIngredients, 10'000);
   CHECK(plan.give_out() == Region{265, 165, 71, 71});
   plan.note_answer();
   now.is_resting = true;
-  plan.plan(now, kAll, 20'000);
+  plan.plan(now, kAllIngredients, 20'000);
   CHECK(plan.give_out().empty());
 }
 
@@ -177,7 +180,7 @@ TEST_CASE(
     CHECK(searches_in_noise(first, seed, 0, [&](auto now_us) { first.plan_first(now_us); }) == 1);
     SearchPlan plan(kSensor, {});
     CHECK(searches_in_noise(plan, seed, 100'000,
-                            [&](auto now_us) { plan.plan(lost, kAll, now_us); }) == 1);
+                            [&](auto now_us) { plan.plan(lost, kAllIngredients, now_us); }) == 1);
   }
 }
 
@@ -186,7 +189,7 @@ TEST_CASE("What may be a faint puck at rest is looked for elsewhere while someth
   SearchPlan::Situation now = kCalm;
   now.is_resting = true;
   now.may_rest_elsewhere = true;
-  const auto decide = [&](std::int64_t time_us) { plan.plan(now, kAll, time_us); };
+  const auto decide = [&](std::int64_t time_us) { plan.plan(now, kAllIngredients, time_us); };
   CHECK(searches_in_noise(plan, 1, 1'000'500, decide) == 1);
   const auto stir_and_decide = [&](std::int64_t time_us) {
     if (time_us % 50'000 == 0) stir(plan);

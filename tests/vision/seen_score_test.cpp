@@ -4,10 +4,13 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/contour_world.h"
+
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
+using test::kSensor;
+
 constexpr Pixel kMain{300, 200};
 constexpr Region kAround{250, 150, 100, 100};
 

@@ -13,8 +13,8 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{160, 120};
-constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
+constexpr SensorSize kSmallSensor{160, 120};
+constexpr PuckSizeModel kSmallSizeModel{25, 0, 0, 17, 0, 0};
 
 // What a pipeline was given.
 struct Record {
@@ -60,7 +60,7 @@ SurfaceTracker tracker_with(Record& record, const Region& events, std::int64_t p
   params.roi_only = roi_only;
   params.search_delay_us = search_delay_us;
   params.follows_contour = true;  // so that it is known what is fresh
-  return SurfaceTracker(kSensor, params, kSizeModel,
+  return SurfaceTracker(kSmallSensor, params, kSmallSizeModel,
                         std::make_unique<Recorder>(record, events, period_us, search));
 }
 
@@ -104,11 +104,12 @@ TEST_CASE("a pipeline gets the events of its region in pieces, and nothing witho
 
 TEST_CASE("a search is made at once, on the surface as it was when it was wanted") {
   const Pixel puck{80, 60};
-  const std::vector<Event> ring = test::contour_events(kSensor, puck, kSizeModel.at(puck), 150);
+  const std::vector<Event> ring =
+      test::contour_events(kSmallSensor, puck, kSmallSizeModel.at(puck), 150);
   for (const bool takes_events : {false, true}) {
     CAPTURE(takes_events);
     Record record;
-    const Region all = Region::all_of(kSensor);
+    const Region all = Region::all_of(kSmallSensor);
     SurfaceTracker tracker =
         tracker_with(record, takes_events ? all : Region{}, 1000, {.region = all});
     tracker.update({{3000}, ring});
@@ -130,9 +131,9 @@ TEST_CASE("a search for what is fresh does not see a puck that has made no event
   for (const bool fresh_only : {false, true}) {
     CAPTURE(fresh_only);
     Record record;
-    SurfaceTracker tracker =
-        tracker_with(record, {}, 0, {.region = Region::all_of(kSensor), .fresh_only = fresh_only});
-    tracker.update({{0}, test::contour_events(kSensor, puck, kSizeModel.at(puck), 150)});
+    SurfaceTracker tracker = tracker_with(
+        record, {}, 0, {.region = Region::all_of(kSmallSensor), .fresh_only = fresh_only});
+    tracker.update({{0}, test::contour_events(kSmallSensor, puck, kSmallSizeModel.at(puck), 150)});
     tracker.update({{40'000}, {{3, 3, 1, 0}}});
     tracker.estimate();
     REQUIRE(record.results.size() == 1);
@@ -144,7 +145,7 @@ TEST_CASE("a search for what is fresh does not see a puck that has made no event
 }
 
 TEST_CASE("with a delay the answer of a search comes so long after its snapshot, and no earlier") {
-  const Region all = Region::all_of(kSensor);
+  const Region all = Region::all_of(kSmallSensor);
   Record record;
   SurfaceTracker tracker = tracker_with(record, all, 1000, {.region = all}, false, 5'000);
   tracker.update({{3000}, {{1, 1, 0, 0}}});
@@ -158,11 +159,12 @@ TEST_CASE("with a delay the answer of a search comes so long after its snapshot,
 
 TEST_CASE("a tracker that keeps only its region of the surface finds nothing elsewhere") {
   const Pixel puck{80, 60};
-  const std::vector<Event> ring = test::contour_events(kSensor, puck, kSizeModel.at(puck), 150);
+  const std::vector<Event> ring =
+      test::contour_events(kSmallSensor, puck, kSmallSizeModel.at(puck), 150);
   for (const bool roi_only : {false, true}) {
     CAPTURE(roi_only);
     Record record;
-    const Region all = Region::all_of(kSensor);
+    const Region all = Region::all_of(kSmallSensor);
     SurfaceTracker tracker = tracker_with(record, {0, 0, 20, 20}, 0, {.region = all}, roi_only);
     tracker.update({{3000}, ring});
     tracker.estimate();

@@ -2,36 +2,33 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/contour_world.h"
+
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
-constexpr TrackLooks kGood{
+using test::kSensor;
+using test::sound;
+
+constexpr TrackLooks kGliding{
     .position = {300, 200}, .speed_px_s = 500, .quality = 0.9, .strength = 50, .near_events = 60};
 constexpr TrackLooks kSilent{.position = {300, 200}, .speed_px_s = 20};
 constexpr TrackLooks kOutside{.position = {650, 200}, .speed_px_s = 500};
 
-// Trust in a track that has been sound for 50 ms.
-TrackTrust sound() {
-  TrackTrust trust;
-  trust.judge(kGood, 0, false, 50'000, 50'000);
-  return trust;
-}
-
 TEST_CASE("A track that has rested for more than 200 ms without a break has settled") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, false, sound(), 100'000);
+  standing.judge(kGliding, true, false, sound(), 100'000);
   standing.judge(kSilent, true, false, sound(), 100'500);
   CHECK(standing.is_resting());
   CHECK_FALSE(standing.has_settled(300'000));
   CHECK(standing.has_settled(300'001));
-  standing.judge(kGood, true, false, sound(), 300'500);
+  standing.judge(kGliding, true, false, sound(), 300'500);
   CHECK_FALSE(standing.has_settled(300'500));
 }
 
 TEST_CASE("While the head turns nothing rests, since what does makes events") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, true, sound(), 100'000);
+  standing.judge(kGliding, true, true, sound(), 100'000);
   standing.judge(kSilent, true, true, sound(), 150'001);
   CHECK_FALSE(standing.is_resting());
   CHECK(standing.state() == TrackState::kLost);
@@ -40,7 +37,7 @@ TEST_CASE("While the head turns nothing rests, since what does makes events") {
 TEST_CASE("A track without support is believed for as long as it may coast") {
   TrackStanding standing(kSensor, 50'000);
   CHECK(standing.state() == TrackState::kSearching);
-  standing.judge(kGood, true, false, sound(), 100'000);
+  standing.judge(kGliding, true, false, sound(), 100'000);
   CHECK(standing.state() == TrackState::kTracking);
   standing.judge(kSilent, false, false, sound(), 150'000);
   CHECK(standing.state() == TrackState::kTracking);
@@ -51,7 +48,7 @@ TEST_CASE("A track without support is believed for as long as it may coast") {
 
 TEST_CASE("What a search has just seen where it is followed goes on to be") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, false, sound(), 200'000);
+  standing.judge(kGliding, true, false, sound(), 200'000);
   standing.note_seen(240'000);
   standing.judge(kSilent, false, false, sound(), 290'000);
   CHECK(standing.state() == TrackState::kTracking);
@@ -61,7 +58,7 @@ TEST_CASE("What a search has just seen where it is followed goes on to be") {
 
 TEST_CASE("A slow, quiet puck that the witness sees, too, rests for ever") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, false, sound(), 100'000);
+  standing.judge(kGliding, true, false, sound(), 100'000);
   CHECK_FALSE(standing.is_resting());
   for (std::int64_t t = 101'000; t < 400'000; t += 1'000) {
     standing.judge(kSilent, true, false, sound(), t);
@@ -86,20 +83,20 @@ TEST_CASE(
 // Trust in a track that has been sound for 300 ms.
 TrackTrust trusted() {
   TrackTrust trust;
-  trust.judge(kGood, 0, false, 300'000, 300'000);
+  trust.judge(kGliding, 0, false, 300'000, 300'000);
   return trust;
 }
 
 // Of a trusted track that was good, and looks like this 100 ms later.
 TrackState state_after(const TrackLooks& looks, bool witness_is_near, const TrackTrust& trust) {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, false, trusted(), 100'000);
+  standing.judge(kGliding, true, false, trusted(), 100'000);
   standing.judge(looks, witness_is_near, false, trust, 200'000);
   return standing.state();
 }
 
 TEST_CASE("A poor track that is trusted is held as long as the blob and its ring support it") {
-  TrackLooks poor = kGood;
+  TrackLooks poor = kGliding;
   poor.quality = 0.2;
   poor.strength = 16;
   CHECK(state_after(poor, true, trusted()) == TrackState::kTracking);
@@ -114,7 +111,7 @@ TEST_CASE("A poor track that is trusted is held as long as the blob and its ring
 TrackState state_while_caught(double cover, double strength, double px_per_ms,
                               std::int64_t time_us) {
   TrackStanding standing(kSensor, 50'000);
-  TrackLooks looks = kGood;
+  TrackLooks looks = kGliding;
   looks.cover = cover;
   standing.judge(looks, true, false, trusted(), 100'000);
   looks.quality = 0;
@@ -144,18 +141,18 @@ TEST_CASE(
 // Trust in a track that has been sound and fast for 300 ms.
 TrackTrust proven() {
   TrackTrust trust;
-  trust.judge(kGood, 0, false, 100'000, 300'000);
+  trust.judge(kGliding, 0, false, 100'000, 300'000);
   return trust;
 }
 
 // Tracked at 100 ms with this cover, lost, and silent near there; its state then.
 TrackState state_at_rest(std::int64_t silent_us, double away_px, double cover,
                          const TrackTrust& trust) {
-  TrackLooks seen = kGood;
+  TrackLooks seen = kGliding;
   seen.cover = cover;
   TrackStanding standing(kSensor, 50'000);
   standing.judge(seen, true, false, trust, 100'000);
-  TrackLooks bad = kGood;
+  TrackLooks bad = kGliding;
   bad.quality = bad.strength = 0;
   standing.judge(bad, true, false, trust, silent_us - 1);
   REQUIRE(standing.state() == TrackState::kLost);
@@ -175,11 +172,11 @@ TEST_CASE(
 
 TEST_CASE("What has rested is whole, however few events there were") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, false, proven(), 100'000);
+  standing.judge(kGliding, true, false, proven(), 100'000);
   for (std::int64_t t = 101'000; t <= 400'000; t += 1'000) {
     standing.judge(kSilent, true, false, proven(), t);
   }
-  TrackLooks bad = kGood;
+  TrackLooks bad = kGliding;
   bad.quality = bad.strength = 0;
   standing.judge(bad, true, false, proven(), 451'000);
   REQUIRE(standing.state() == TrackState::kLost);
@@ -206,23 +203,23 @@ TEST_CASE("What was found weakly is not followed before it has been sound") {
   TrackTrust trust;
   trust.note_found(true, 100'000);
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, false, trust, 100'000);
+  standing.judge(kGliding, true, false, trust, 100'000);
   CHECK(standing.state() == TrackState::kLost);
-  trust.judge(kGood, 0, false, 120'001, 500);
-  standing.judge(kGood, true, false, trust, 120'001);
+  trust.judge(kGliding, 0, false, 120'001, 500);
+  standing.judge(kGliding, true, false, trust, 120'001);
   CHECK(standing.state() == TrackState::kTracking);
 }
 
 TEST_CASE("A puck outside the image has left after 10 ms, at the nearest pixel, until it is back") {
   TrackStanding standing(kSensor, 50'000);
-  standing.judge(kGood, true, false, sound(), 100'000);
+  standing.judge(kGliding, true, false, sound(), 100'000);
   standing.judge(kOutside, true, false, sound(), 110'000);
   CHECK(standing.state() == TrackState::kTracking);
   standing.judge(kOutside, true, false, sound(), 110'001);
   CHECK(standing.state() == TrackState::kLost);
   REQUIRE(standing.left_image().has_value());
   CHECK(*standing.left_image() == Pixel{639, 200});
-  standing.judge(kGood, true, false, sound(), 120'000);
+  standing.judge(kGliding, true, false, sound(), 120'000);
   CHECK(standing.state() == TrackState::kTracking);
   CHECK_FALSE(standing.left_image().has_value());
 }

@@ -6,7 +6,7 @@ namespace puck {
 namespace {
 
 constexpr TrackLooks kSound{.quality = 0.9, .strength = 50, .cover = 0.8};
-constexpr TrackLooks kGood{.quality = 0.6, .strength = 50};
+constexpr TrackLooks kFair{.quality = 0.6, .strength = 50};
 constexpr TrackLooks kBad{.quality = 0.2, .strength = 50};
 constexpr TrackLooks kCovered{.quality = 0.2, .strength = 50, .inside_events = 13};
 constexpr TrackLooks kFast{.speed_px_s = 301, .quality = 0.9, .strength = 50};
@@ -97,7 +97,7 @@ TEST_CASE("A track is proven once it has been sound and fast for more than 30 ms
 TEST_CASE("What is good but not sound stops one clock only") {
   Judged track;
   track.look(kSound, 10);
-  track.look(kGood, 5);
+  track.look(kFair, 5);
   track.look(kBad, 5);
   CHECK(track.trust.since_good_us(track.now_us) == 5'000);
   CHECK(track.trust.since_sound_us(track.now_us) == 10'000);
@@ -161,7 +161,7 @@ TEST_CASE("What was found weakly and then moves as a puck does for 3 ms is belie
 }
 
 // Beside a hand: of less than sound quality, but with many events on a moving puck's ring.
-constexpr TrackLooks kClear{
+constexpr TrackLooks kBesideHand{
     .speed_px_s = 301, .growth_px = 0.34, .quality = 0.61, .strength = 81, .cover = 0.36};
 
 TEST_CASE("What was found weakly and has many events on a ring of a puck's size is believed, too") {
@@ -172,9 +172,9 @@ TEST_CASE("What was found weakly and has many events on a ring of a puck's size 
     track.look(looks, 3);
     return track.trust.is_believed();
   };
-  CHECK(is_believed(kClear));
+  CHECK(is_believed(kBesideHand));
   const auto but = [](double TrackLooks::*field, double value) {
-    TrackLooks looks = kClear;
+    TrackLooks looks = kBesideHand;
     looks.*field = value;
     return looks;
   };
@@ -188,11 +188,11 @@ TEST_CASE("What was found weakly and has many events on a ring of a puck's size 
 TEST_CASE("A track of many events that searches see as a puck is as good as sound") {
   Judged track;
   track.look(kSound, 100);
-  track.look(kClear, 10, false, 0.55);
+  track.look(kBesideHand, 10, false, 0.55);
   CHECK(track.trust.since_sound_us(track.now_us) == 10'000);
-  track.look(kClear, 10, false, 0.56);
+  track.look(kBesideHand, 10, false, 0.56);
   CHECK(track.trust.since_sound_us(track.now_us) == 0);
-  TrackLooks larger = kClear;
+  TrackLooks larger = kBesideHand;
   larger.growth_px = 0.35;
   track.look(larger, 10, false, 0.9);
   CHECK(track.trust.since_sound_us(track.now_us) == 10'000);

@@ -6,11 +6,13 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/turned_camera.h"
+
 namespace puck {
 namespace {
 
-constexpr Pixel kMiddle{320, 240};
-constexpr double kFocal_px = 700;
+using test::kFocal_px;
+using test::kMiddle;
 
 TEST_CASE("The image of what stands still moves against the steps, at each place by its slopes") {
   CameraTurn turn(kMiddle, kFocal_px);

@@ -10,21 +10,22 @@
 namespace puck {
 namespace {
 
-const ContourContext kContext = test::contour_context();
-const ContourTrack kMain(kContext, {.position = {300, 200}, .velocity = {900, 100}}, 0, 0);
+using test::kContext;
+
+const ContourTrack kMainTrack(kContext, {.position = {300, 200}, .velocity = {900, 100}}, 0, 0);
 
 TEST_CASE("A twin at rest is born where the main track is, each 2 ms") {
   Twins twins;
   Challengers challengers;
-  twins.bear_at_rest(kMain, kContext, 1'999, challengers);
+  twins.bear_at_rest(kMainTrack, kContext, 1'999, challengers);
   CHECK(test::count(challengers) == 0);
-  twins.bear_at_rest(kMain, kContext, 2'000, challengers);
-  twins.bear_at_rest(kMain, kContext, 3'999, challengers);
+  twins.bear_at_rest(kMainTrack, kContext, 2'000, challengers);
+  twins.bear_at_rest(kMainTrack, kContext, 3'999, challengers);
   REQUIRE(test::count(challengers) == 1);
   CHECK(challengers.begin()->kind() == Challenger::Kind::kTwin);
   CHECK(challengers.begin()->track().filter().position() == Pixel{300, 200});
   CHECK(challengers.begin()->track().filter().speed_px_s() == 0);
-  twins.bear_at_rest(kMain, kContext, 4'000, challengers);
+  twins.bear_at_rest(kMainTrack, kContext, 4'000, challengers);
   CHECK(test::count(challengers) == 2);
 }
 
@@ -57,15 +58,15 @@ TEST_CASE("No twin at rest is born of a track beyond doubt while it explains its
   CHECK(is_born(sound, trusted, 20, 1));
   CHECK(is_born(sound, trusted, 200, 1, 5'000));
   CHECK(is_born(sound, kContext, 200, 1));
-  CHECK(is_born(kMain, trusted, 200, 1));
+  CHECK(is_born(kMainTrack, trusted, 200, 1));
 }
 
 TEST_CASE("The other opinion on the wall puts the centre elsewhere, at the same velocity") {
   Twins twins;
   Challengers challengers;
-  twins.bear_of_other_wall(kMain, kContext, 59'999, challengers);
+  twins.bear_of_other_wall(kMainTrack, kContext, 59'999, challengers);
   CHECK(test::count(challengers) == 0);
-  twins.bear_of_other_wall(kMain, kContext, 60'000, challengers);
+  twins.bear_of_other_wall(kMainTrack, kContext, 60'000, challengers);
   REQUIRE(test::count(challengers) == 1);
   const ContourTrack& twin = challengers.begin()->track();
   const double share = kContext.contour.other_wall_share();
@@ -81,8 +82,8 @@ TEST_CASE("Each of the two can be switched off") {
   none.ingredients.wall = false;
   Twins twins;
   Challengers challengers;
-  twins.bear_at_rest(kMain, none, 100'000, challengers);
-  twins.bear_of_other_wall(kMain, none, 100'000, challengers);
+  twins.bear_at_rest(kMainTrack, none, 100'000, challengers);
+  twins.bear_of_other_wall(kMainTrack, none, 100'000, challengers);
   CHECK(test::count(challengers) == 0);
 }
 

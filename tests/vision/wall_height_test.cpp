@@ -6,13 +6,14 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/vision/contour_world.h"
 #include "tests/vision/moving_contour.h"
 #include "tests/vision/random_numbers.h"
 
 namespace puck {
 namespace {
 
-constexpr SensorSize kSensor{640, 480};
+using test::kSensor;
 
 // Seen from 30° above, and annotated by its face.
 PuckSizeModel face_model() {

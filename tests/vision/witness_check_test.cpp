@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-const ContourContext kContext = test::contour_context();
+using test::kContext;
 
 TEST_CASE("The witness agrees within a quarter of the puck's width") {
   WitnessCheck witness;

@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 double us_of(const std::string& unit) {
   if (unit == "ns") return 1e-3;

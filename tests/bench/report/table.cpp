@@ -21,7 +21,7 @@ const char* verdict(const Bar& bar, const std::optional<double>& value) {
 }
 
 // As many digits as the value is good for.
-std::string number(const std::optional<double>& value) {
+std::string number_or_none(const std::optional<double>& value) {
   if (!value) return "-";
   char text[32];
   std::snprintf(text, sizeof(text), "%.*f", *value < 10 ? 2 : *value < 1000 ? 1 : 0, *value);
@@ -32,7 +32,7 @@ std::string number(const std::optional<double>& value) {
 std::string spread(const BenchFigures& figures, std::string key) {
   for (auto end = key.rfind('_'); end != std::string::npos; end = key.rfind('_')) {
     key.resize(end);
-    if (const auto percent = figures.find(key + kSpread)) return "+-" + number(percent) + " %";
+    if (const auto percent = figures.find(key + kSpread)) return "+-" + number_or_none(percent) + " %";
   }
   return "";
 }
@@ -51,13 +51,13 @@ void print(const BenchFigures& figures) {
   for (const Bar& bar : bars()) {
     const auto value = figures.find(bar.key);
     std::printf("%-26s %-41s %8s %9s  %-20s %s\n", bar.key.c_str(), bar.what.c_str(),
-                number(value).c_str(), value ? spread(figures, bar.key).c_str() : "",
+                number_or_none(value).c_str(), value ? spread(figures, bar.key).c_str() : "",
                 bar.text().c_str(), verdict(bar, value));
   }
   std::printf("\nBeside these:\n");
   for (const auto& [key, value] : figures.values) {
     if (is_held(key) || key.ends_with(kSpread) || key == "cores") continue;
-    std::printf("  %-40s %10s %9s\n", key.c_str(), number(value).c_str(),
+    std::printf("  %-40s %10s %9s\n", key.c_str(), number_or_none(value).c_str(),
                 spread(figures, key).c_str());
   }
   for (const auto& [key, words] : figures.words) {

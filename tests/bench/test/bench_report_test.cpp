@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // What Google Benchmark writes of a benchmark: the median and other aggregates.
 class Output {

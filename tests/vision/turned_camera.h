@@ -1,0 +1,11 @@
+#pragma once
+
+#include "common/vision/pixel.h"
+
+namespace puck::test {
+
+/// Of a camera that turns: its principal point, and its focal length.
+inline constexpr Pixel kMiddle{320, 240};
+inline constexpr double kFocal_px = 700;
+
+}  // namespace puck::test
