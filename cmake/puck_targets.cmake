@@ -30,8 +30,11 @@ set(puck_no_flow_analysis $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 
 add_library(puck_options INTERFACE)
 # Every field has its initialiser in the struct, so what a designated list leaves out is defined.
-target_compile_options(puck_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic -Werror
+target_compile_options(puck_options INTERFACE -Wall -Wextra -Wpedantic -Werror
                                               -Wno-missing-field-initializers)
+# Of sources that are compiled as one, a local of one would shadow another one's constant.
+target_compile_options(puck_options INTERFACE
+  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>)
 target_include_directories(puck_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(puck_options INTERFACE PUCK_VERSION="${PROJECT_VERSION}")
 if(PUCK_SANITIZE)
@@ -89,15 +92,41 @@ function(puck_precompile name headers)
   endif()
 endfunction()
 
+# puck_unite(<target>): with PUCK_UNITY its sources are compiled eight at a time, as one that
+# includes them, so that headers are read and templates made once for all eight. Within a target no
+# name may then stand for two things, not even in anonymous namespaces. Where the compiler speaks of
+# a redefinition, or of what is ambiguous, in two sources: what both need belongs in a header of
+# their folder, else one of them says more closely what it means. Which eight go together changes
+# with each new source; -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 takes all of a target's, to find all such
+# names.
+function(puck_unite name)
+  if(PUCK_UNITY)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON)
+    # In so much at once GCC 12 sees strings copied beyond their ends, which they are not.
+    target_compile_options(${name} PRIVATE
+      "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
+  endif()
+endfunction()
+
+# puck_compile_alone(<source>...): sources of the current folder that no other may be compiled with.
+function(puck_compile_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # puck_compile_quickly(<source>...): sources of the current folder that need not be fast.
+# Sanitizer builds leave them as they are.
 function(puck_compile_quickly)
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${puck_quick_options}")
+  if(NOT PUCK_SANITIZE)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${puck_quick_options}")
+  endif()
 endfunction()
 
 # puck_compile_without_precompiled(<source>...): of sources of the current folder. With precompiled
 # headers GCC 12 says of a std::string in them that it is copied beyond its end, which it is not.
 function(puck_compile_without_precompiled)
-  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  endif()
 endfunction()
 
 # puck_compile_plainly(<source>...): sources of the current folder with so much code of headers that
@@ -106,6 +135,22 @@ function(puck_compile_plainly)
   if(PUCK_SANITIZE)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
   endif()
+endfunction()
+
+# puck_compile_plainly_as_one(<library> <source>...): the same for several sources of a library that
+# make the same templates.
+function(puck_compile_plainly_as_one name)
+  if(NOT PUCK_SANITIZE)
+    return()
+  endif()
+  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE plain)
+  get_target_property(others ${name} SOURCES)
+  list(REMOVE_ITEM others ${plain})
+  add_library(${name}_plain OBJECT ${plain})
+  puck_unite(${name}_plain)
+  target_compile_options(${name}_plain PRIVATE -O0)
+  target_link_libraries(${name}_plain PRIVATE $<TARGET_PROPERTY:${name},LINK_LIBRARIES>)
+  set_property(TARGET ${name} PROPERTY SOURCES ${others} $<TARGET_OBJECTS:${name}_plain>)
 endfunction()
 
 # puck_library(<name> [COMPUTES] [LINKS <library>...] [PRIVATE_LINKS <library>...])
@@ -118,6 +163,10 @@ function(puck_library name)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(sources)
     add_library(${name} STATIC ${sources})
+    # What is fast when compiled file by file stays as it is.
+    if(PUCK_SANITIZE)
+      puck_unite(${name})
+    endif()
     if(arg_COMPUTES AND PUCK_SANITIZE)
       target_compile_options(${name} PRIVATE
         -O2 "$<$<CXX_COMPILER_ID:Clang>:SHELL:-mllvm -inline-threshold=600>")
@@ -172,6 +221,7 @@ function(puck_test name)
   endif()
   add_executable(${name} ${sources})
   puck_precompile(${name} puck_precompiled_tests)
+  puck_unite(${name})
   target_compile_options(${name} PRIVATE ${puck_quick_options})
   target_link_libraries(${name} PRIVATE puck_options puck_test_main ${arg_LINKS})
   add_test(NAME ${name} COMMAND ${name} ${left_out})
