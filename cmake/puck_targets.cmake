@@ -32,7 +32,8 @@ add_library(puck_options INTERFACE)
 # Every field has its initialiser in the struct, so what a designated list leaves out is defined.
 target_compile_options(puck_options INTERFACE -Wall -Wextra -Wpedantic -Werror
                                               -Wno-missing-field-initializers)
-# Of sources that are compiled as one, a local of one would shadow another one's constant.
+# Of sources that are compiled as one, a local of one would shadow another one's constant. That in
+# tests, too, nothing is shadowed is for preset dev to see, which compiles each source by itself.
 target_compile_options(puck_options INTERFACE
   $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>)
 target_include_directories(puck_options INTERFACE ${PROJECT_SOURCE_DIR})
@@ -92,13 +93,13 @@ function(puck_precompile name headers)
   endif()
 endfunction()
 
-# puck_unite(<target>): with PUCK_UNITY its sources are compiled eight at a time, as one that
-# includes them, so that headers are read and templates made once for all eight. Within a target no
-# name may then stand for two things, not even in anonymous namespaces. Where the compiler speaks of
-# a redefinition, or of what is ambiguous, in two sources: what both need belongs in a header of
-# their folder, else one of them says more closely what it means. Which eight go together changes
-# with each new source; -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 takes all of a target's, to find all such
-# names.
+# puck_unite(<target>): for tests, and for libraries that are sanitized. With PUCK_UNITY its sources
+# are compiled eight at a time, as one that includes them, so that headers are read and templates
+# made once for all eight. Within a target no name may then stand for two things, not even in
+# anonymous namespaces. Where the compiler speaks of a redefinition, or of what is ambiguous, in two
+# sources: what both need belongs in a header of their folder, else one of them says more closely
+# what it means. Which eight go together changes with each new source;
+# -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 takes all of a target's, to find all such names.
 function(puck_unite name)
   if(PUCK_UNITY)
     set_target_properties(${name} PROPERTIES UNITY_BUILD ON)
@@ -114,7 +115,7 @@ function(puck_compile_alone)
 endfunction()
 
 # puck_compile_quickly(<source>...): sources of the current folder that need not be fast.
-# Sanitizer builds leave them as they are.
+# Sanitizer builds, which are Clang's, leave them as they are.
 function(puck_compile_quickly)
   if(NOT PUCK_SANITIZE)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${puck_quick_options}")
@@ -138,7 +139,7 @@ function(puck_compile_plainly)
 endfunction()
 
 # puck_compile_plainly_as_one(<library> <source>...): the same for several sources of a library that
-# make the same templates.
+# make the same templates. Of the library's properties they have but what it links.
 function(puck_compile_plainly_as_one name)
   if(NOT PUCK_SANITIZE)
     return()

@@ -20,7 +20,7 @@ constexpr std::size_t kFewestEvents = 1000;
 constexpr double kLargestErrorUs = 50;
 constexpr double kGatePx = 4;
 constexpr int kIterations = 30;
-constexpr double kConverged = 1e-5;
+constexpr double kSmallestStep = 1e-5;
 constexpr int kParts = 20;
 // Cauchy's weight is a half there, in standard deviations: nearly as good as least squares where
 // the errors are normal.
@@ -186,7 +186,7 @@ ContourFit fit_freely(const ContourSamples& samples, const Parameters& freedom) 
     const Parameters step = equations.matrix.ldlt().solve(equations.side);
     p += step;
     spread_px = spread_of(samples, p);
-    if (step.cwiseAbs().maxCoeff() < kConverged) break;
+    if (step.cwiseAbs().maxCoeff() < kSmallestStep) break;
   }
   fit.spread_px = spread_px;
   fit.calibration = calibration_of(p);

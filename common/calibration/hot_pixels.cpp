@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kSliceUs = 100'000;
 constexpr std::int64_t kShortestRecordingUs = 1'000'000;
-constexpr std::uint32_t kFewestOfPixel = 20;
+constexpr std::uint32_t kFewestEventsOfPixel = 20;
 constexpr std::uint32_t kTimesNeighbourhood = 5;
 constexpr int kReach = 2;
 // Of the slices in which as many events, spread at random, would fall; an edge's come in bursts.
@@ -73,11 +73,12 @@ HotPixelReport HotPixelFinder::find() const {
   for (int y = 0; y < sensor_.height; ++y) {
     for (int x = 0; x < sensor_.width; ++x) {
       const PixelRecord& record = records_[index_of(x, y)];
-      if (record.events < kFewestOfPixel) continue;
+      if (record.events < kFewestEventsOfPixel) continue;
       const double events = record.events;
       const double steady_slices = slices * (1 - std::exp(-events / slices));
       if (record.active_slices < kLeastSteadiness * steady_slices) continue;
-      if (events <= kFewestOfPixel + kTimesNeighbourhood * neighbourhood_explains(x, y)) continue;
+      if (events <= kFewestEventsOfPixel + kTimesNeighbourhood * neighbourhood_explains(x, y))
+        continue;
       report.pixels.push_back({{x, y}, events / report.seconds, record.active_slices / slices});
       report.hot_events += record.events;
     }

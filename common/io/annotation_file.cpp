@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSmallestSizePx = 0.1;
 
-constexpr std::array<CsvColumn, 5> kMarkColumns{{
+constexpr std::array<CsvColumn, 5> kAnnotationColumns{{
     {"t_us", {}, std::nullopt, 0, kLatestUs},
     {"x"},
     {"y"},
@@ -24,7 +24,7 @@ constexpr std::array<CsvColumn, 5> kMarkColumns{{
 
 std::vector<Annotation> read_annotation_file(const std::filesystem::path& path) {
   std::vector<Annotation> rows;
-  for (const CsvRow& row : read_csv(path, kMarkColumns)) {
+  for (const CsvRow& row : read_csv(path, kAnnotationColumns)) {
     // A fraction of a µs is a sign of seconds, or of another column.
     if (row.values[0] != std::floor(row.values[0])) {
       throw_csv_error(path, row.line, "t_us must be a whole number of µs");

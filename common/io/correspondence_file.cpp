@@ -8,13 +8,13 @@
 namespace puck {
 namespace {
 
-constexpr std::array<CsvColumn, 4> kPairColumns{{{"x_px"}, {"y_px"}, {"x_m"}, {"y_m"}}};
+constexpr std::array<CsvColumn, 4> kCorrespondenceColumns{{{"x_px"}, {"y_px"}, {"x_m"}, {"y_m"}}};
 
 }  // namespace
 
 std::vector<Correspondence> read_correspondence_file(const std::filesystem::path& path) {
   std::vector<Correspondence> rows;
-  for (const CsvRow& row : read_csv(path, kPairColumns)) {
+  for (const CsvRow& row : read_csv(path, kCorrespondenceColumns)) {
     rows.push_back({{row.values[0], row.values[1]}, {row.values[2], row.values[3]}});
   }
   return rows;

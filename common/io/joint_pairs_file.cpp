@@ -12,6 +12,7 @@
 
 #include "common/io/csv_file.h"
 #include "common/io/number_limits.h"
+#include "common/io/trimmed.h"
 #include "common/motion/joint_table.h"
 
 namespace puck {
@@ -55,7 +56,7 @@ std::vector<JointPair> read_authors_joint_table(const std::filesystem::path& pat
   std::size_t number = 0;
   for (std::string line; std::getline(file, line);) {
     ++number;
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (trimmed(line).empty()) continue;
     std::istringstream words(line);
     std::vector<double> values;
     for (double value = 0; words >> value;) values.push_back(value);

@@ -13,7 +13,6 @@
 #include <netinet/in.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include "common/messaging/ipv4.h"
 #include "common/messaging/socket.h"

@@ -9,6 +9,7 @@ namespace puck {
 inline void require(bool holds, const char* what, double got) {
   if (holds) return;
   std::ostringstream text;
+  text.precision(10);
   text << what << ", got " << got;
   throw std::invalid_argument(text.str());
 }

@@ -13,8 +13,6 @@ constexpr std::int64_t kClearAfter_us = 1'000;
 constexpr std::int64_t kLikelyAfter_us = 10'000;
 // Half hidden and moving one way a puck has events in so large a share of the directions.
 constexpr double kLeastCover = 0.28;
-// What crosses and curves by chance hardly ever has events in so large a share of the directions.
-constexpr double kPrintedCover = 0.75;
 // In the scene what stands still seems to move by less than this, in PuckContour::turning_px_s …
 constexpr double kWithScene = 0.5;
 // … or by less than this, since a filter's velocity is no better on few events.
@@ -73,11 +71,13 @@ bool is_likely(const Claim& claim) {
          support(claim) > 1.9;
 }
 
+// The bounds are such that in 41 development games with a moving camera the puck is the first that
+// passes: each of 20 printed ones within 0.11 s, and nothing else within 0.59 s.
 bool may_be_printed(const Claim& claim) {
   const TrackLooks& looks = claim.looks;
   return claim.context.face_print && claim.age_us > kLikelyAfter_us && claim.leads &&
-         looks.printed_quality > 0.75 && looks.strength > 40 && looks.cover > kPrintedCover &&
-         !looks.is_large() && !looks.is_undersized() && claim.found.score > 0.6;
+         looks.printed_quality > 0.75 && looks.strength > 40 && looks.cover > 0.75 &&
+         !looks.is_large() && !looks.is_undersized() && claim.found.score > kLikelyScore;
 }
 
 }  // namespace puck

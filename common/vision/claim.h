@@ -37,6 +37,9 @@ struct Claim {
 /// What speaks for it as of its last decision.
 Claim claim_of(const Challenger& challenger, const ClaimContext& context, std::int64_t time_us);
 
+/// Hardly anything that the search finds and that is no puck has a higher score.
+inline constexpr double kLikelyScore = 0.6;
+
 /// What speaks for a claim: its events by at most 1, the search by at most 2.
 inline double support(const Claim& claim) { return claim.looks.quality + 2 * claim.found.score; }
 
@@ -55,9 +58,9 @@ bool is_adrift(const Claim& claim);
 /// together say that it is the puck, though neither does so beyond doubt.
 bool is_likely(const Claim& claim);
 
-/// Ingredient `face-print`. A ring with events nearly all around that stands out from what lies
-/// around it, though not from what lies inside, which may be a print; and it looks like a puck to
-/// the search.
+/// Ingredient `face-print`. A ring of about a puck's size, with many events, nearly all around,
+/// that stands out from what lies around it, though not from what lies inside, which may be a
+/// print; and the search has hardly any doubt. It need not move.
 bool may_be_printed(const Claim& claim);
 
 }  // namespace puck

@@ -206,9 +206,12 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
   quality_ = penalty * evidence_.quality(areas_);
   clarity_ = penalty * evidence_.quality(areas_, noise_per_px2);
   shape_quality_ = quality_;
-  RingAreas printed = areas_;
-  printed.may_have_print = true;
-  printed_quality_ = penalty * evidence_.quality(printed);
+  printed_quality_ = quality_;
+  if (!areas_.may_have_print) {
+    RingAreas printed = areas_;
+    printed.may_have_print = true;
+    printed_quality_ = penalty * evidence_.quality(printed);
+  }
   if (!context.ingredients.size_penalty) return;
   const double expected = expected_events(context.signature);
   if (expected > 0 && filter_.speed_px_s() > kLeastSpeed_px_s &&
@@ -216,6 +219,7 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
     const double excess = evidence_.ring_events() / (kTooDense * expected);
     quality_ /= excess * excess;
     clarity_ /= excess * excess;
+    printed_quality_ /= excess * excess;
   }
 }
 

@@ -19,9 +19,8 @@ constexpr double kSlow_px_s = 100;
 constexpr double kLeastStrength = 40;
 // A hand that only passes over the puck is gone sooner.
 constexpr std::int64_t kTakenAway_us = 200'000;
-// Of what the search found, most that is no puck has a lower score; hardly any has the higher one.
+// Of what the search found, most that is no puck has a lower score.
 constexpr double kPossibleScore = 0.45;
-constexpr double kLikelyScore = 0.6;
 // Of two that are seen alike, either may score as much more.
 constexpr double kScoreNoise = 0.1;
 // How far the puck may be from a track that has just been good, and how much farther it gets.

@@ -15,7 +15,7 @@ constexpr milliseconds kHandle{20};
 // While little comes it is let gather, so that the logger is not woken by every message, which on a
 // busy machine would keep the tracker waiting that hears the same ones. Longer risks that a burst
 // fills the socket; what is more than a little is taken as it comes.
-constexpr milliseconds kLetThemCome{1};
+constexpr milliseconds kGatherMessages{1};
 constexpr std::size_t kLittleBytes = 16'384;
 constexpr milliseconds kLastDrain{50};
 // A loss is told of in STATUS for so long after the last of it.
@@ -41,7 +41,7 @@ void LoggerService::run(std::stop_token stop) {
   while (!stop.stop_requested()) {
     taken_bytes_ = 0;
     context_.bus.handle(kHandle);
-    if (taken_bytes_ < kLittleBytes) std::this_thread::sleep_for(kLetThemCome);
+    if (taken_bytes_ < kLittleBytes) std::this_thread::sleep_for(kGatherMessages);
     tell_of_progress();
     poll_status(context_, *this);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/events/event_packet.h"
+#include "common/vision/pixel.h"
 #include "common/vision/puck_size_model.h"
 #include "common/vision/tracking_algorithm.h"
 #include "tests/vision/puck_picture.h"

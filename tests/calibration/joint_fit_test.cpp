@@ -9,6 +9,8 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/calibration/contains.h"
+
 namespace puck {
 namespace {
 
@@ -81,9 +83,6 @@ TEST_CASE("What was measured twice at a place is averaged, in any order") {
 }
 
 TEST_CASE("Pairs that fix no table are refused, and it is said why") {
-  const auto contains = [](const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-  };
   std::vector<JointPair> few = pairs();
   few.resize(3);
   CHECK(contains(refusal_of_pairs(few), "at least 4 different places"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/messaging/channels.h"
+#include "common/messaging/datagram.h"
 #include "common/messaging/log_file.h"
 #include "common/messaging/message_check.h"
 #include "common/messaging/message_codec.h"
@@ -23,7 +24,6 @@ void take(Channel channel, const LogRecord& record, BusLog& log) {
   const std::int64_t session = read_header(record.bytes).session;
   log.heard_us[session].push_back(record.utime);
   // A header of LCM, the channel's name and its end stand before the message.
-  constexpr std::size_t kLcmHeaderBytes = 8;
   const std::size_t datagram_bytes =
       kLcmHeaderBytes + record.channel.size() + 1 + record.bytes.size();
   if (channel != Channel::kStatus && datagram_bytes > log.largest_datagram_bytes) {

@@ -18,7 +18,7 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kListedSensor{64, 48};
+constexpr SensorSize kRecordedSensor{64, 48};
 
 TrackerSetup setup() {
   TrackerSetup setup;
@@ -37,7 +37,7 @@ EventPacket one_event_at(std::int64_t t_us) {
 std::filesystem::path recording_of(const TemporaryFolder& folder,
                                    const std::vector<std::int64_t>& times_us) {
   const std::filesystem::path path = folder / "events.txt";
-  const auto writer = make_event_writer(path, "text", kListedSensor);
+  const auto writer = make_event_writer(path, "text", kRecordedSensor);
   for (const std::int64_t t_us : times_us) writer->write(one_event_at(t_us));
   writer->close();
   return path;
@@ -96,7 +96,7 @@ TEST_CASE("a log's events are those of its first session, and the others are tol
   const std::filesystem::path path = folder / "a.lcm";
   {
     LogWriter log(path);
-    EventPacker packer({.sensor = kListedSensor});
+    EventPacker packer({.sensor = kRecordedSensor});
     std::vector<std::uint8_t> bytes;
     std::int64_t seq = 0;
     for (const std::int64_t session : {7, 7, 8}) {
@@ -128,16 +128,16 @@ TEST_CASE("truth that ends before the events, or has nothing to do with them, is
   RunSummary run;
   run.first = {0};
   run.last = {3'000'000};
-  AccuracyScore whole(truth_until(2'950'000), kListedSensor);
+  AccuracyScore whole(truth_until(2'950'000), kRecordedSensor);
   whole.add({2'900'000}, PuckEstimate{});
   CHECK_FALSE(truth_warning(whole, run).has_value());
-  AccuracyScore half(truth_until(1'500'000), kListedSensor);
+  AccuracyScore half(truth_until(1'500'000), kRecordedSensor);
   half.add({1'400'000}, PuckEstimate{});
   CHECK(
       truth_warning(half, run) ==
       "the truth goes from 0.000 to 1.500 s, the events from 0.000 to 3.000 s: only the ticks that "
       "the truth covers count");
-  const AccuracyScore nothing(truth_until(1'500'000), kListedSensor);
+  const AccuracyScore nothing(truth_until(1'500'000), kRecordedSensor);
   CHECK(truth_warning(nothing, run)->find("not one tick counts") != std::string::npos);
 }
 

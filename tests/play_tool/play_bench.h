@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "common/events/sensor_size.h"
 #include "tests/support/environment.h"
 #include "tests/support/sanitizers.h"
 #include "tools/play/shot_series.h"

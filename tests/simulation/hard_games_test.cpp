@@ -10,8 +10,6 @@
 #include "tests/simulation/test_worlds.h"
 
 namespace puck {
-namespace {}  // namespace
-
 TEST_CASE("A puck left to rest lies still for as long as asked, is never taken off, and is hit") {
   SimulationParams params = small_world(3);
   params.game.rest_probability = 1;

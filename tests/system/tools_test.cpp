@@ -1,4 +1,5 @@
 // From a simulated recording to figures: puck-simulate, puck-calibrate, puck-evaluate.
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <sstream>
@@ -56,13 +57,28 @@ void check_all_keys(const Json& json) {
   }
 }
 
-/// When the first estimate of a .csv is that of a track.
-double first_track_ms(const std::string& csv) {
+/// A row of an estimates' or of a truth's .csv.
+struct Place {
+  double time_us = std::numeric_limits<double>::infinity();
+  double x = 0;
+  double y = 0;
+};
+
+Place place_of(const std::string& row) {
+  Place place;
+  char comma = 0;
+  std::istringstream(row) >> place.time_us >> comma >> place.x >> comma >> place.y;
+  return place;
+}
+
+/// The first row that `fits`; without one, a place that is never reached.
+template <typename Fits>
+Place first_row(const std::string& csv, const Fits& fits) {
   std::istringstream rows(csv);
   for (std::string row; std::getline(rows, row);) {
-    if (row.find(",tracking,") != std::string::npos) return std::stod(row) * 1e-3;
+    if (fits(row)) return place_of(row);
   }
-  return std::numeric_limits<double>::infinity();
+  return {};
 }
 
 /// Without what depends on the machine and not on the events.
@@ -154,15 +170,22 @@ TEST_CASE(
   const std::string scene = source_folder() / "tools/compare/other_scenes/puck_printed.toml";
   run_tool("puck-simulate", folder,
            {"--output", "game", "--scene", scene, "--moving", "--seed", "11", "--seconds", "0.3"});
-  const auto found_ms = [&](const std::vector<std::string>& options) {
+  const auto first_track = [&](const std::vector<std::string>& options) {
     const std::string size = source_folder() / "config/calibration/simulated_size.toml";
     std::vector<std::string> arguments{"game.raw", "--size-model", size, "--csv", "game.csv"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     run_tool("puck-evaluate", folder, arguments);
-    return first_track_ms(read_text(folder / "game.csv"));
+    return first_row(read_text(folder / "game.csv"), [](const std::string& row) {
+      return row.find(",tracking,") != std::string::npos;
+    });
   };
-  CHECK(found_ms({}) < 150);
-  CHECK(found_ms({"--without", "face-print"}) > 250);
+  const Place found = first_track({});
+  REQUIRE(found.time_us < 150'000);
+  const Place truth = first_row(read_text(folder / "game.truth.csv"), [&](const std::string& row) {
+    return place_of(row).time_us == found.time_us;
+  });
+  CHECK(std::hypot(found.x - truth.x, found.y - truth.y) < 3);
+  CHECK(first_track({"--without", "face-print"}).time_us > 250'000);
 }
 
 }  // namespace puck

@@ -136,7 +136,7 @@ TEST_CASE("A print on the puck's face says nothing against it, unless face-print
   CHECK_FALSE(PrintedPuck(context, {700, 300}).track.is_good());
 }
 
-TEST_CASE("Only what has moved by itself may have a print") {
+TEST_CASE("To what has not moved by itself a print is clutter") {
   const ContourContext context = test::contour_context();
   const double fixed_px_s = context.contour.turning_px_s();
   CHECK_FALSE(PrintedPuck(context, {0.5 * fixed_px_s, 0}).track.is_good());

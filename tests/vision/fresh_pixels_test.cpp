@@ -14,7 +14,7 @@ namespace {
 constexpr SensorSize kOddSensor{37, 21};
 constexpr Region kWholeSensor{0, 0, 37, 21};
 
-Event late_event_at(int x, int y, std::int64_t offset_us = 0) {
+Event event_after(int x, int y, std::int64_t offset_us = 0) {
   Event event;
   event.x = static_cast<std::uint16_t>(x);
   event.y = static_cast<std::uint16_t>(y) & 0x7fffu;
@@ -41,15 +41,15 @@ TEST_CASE("A pixel is fresh for 24 to 32 ms, whether there are events elsewhere 
   for (const bool others : {false, true}) {
     CAPTURE(others);
     FreshPixels pixels(kOddSensor);
-    pixels.take({1'007'000}, std::vector{late_event_at(5, 6)});
+    pixels.take({1'007'000}, std::vector{event_after(5, 6)});
     if (others) {
       for (int ms = 1'008; ms <= 1'031; ++ms) {
-        pixels.take({ms * 1'000}, std::vector{late_event_at(30, 20)});
+        pixels.take({ms * 1'000}, std::vector{event_after(30, 20)});
       }
     }
-    pixels.take({1'031'999}, std::vector{late_event_at(30, 20)});
+    pixels.take({1'031'999}, std::vector{event_after(30, 20)});
     CHECK(is_fresh(pixels, 5, 6));
-    pixels.take({1'032'000}, std::vector{late_event_at(30, 20)});
+    pixels.take({1'032'000}, std::vector{event_after(30, 20)});
     CHECK_FALSE(is_fresh(pixels, 5, 6));
     CHECK(is_fresh(pixels, 30, 20));
   }
@@ -57,7 +57,7 @@ TEST_CASE("A pixel is fresh for 24 to 32 ms, whether there are events elsewhere 
 
 TEST_CASE("After a long silence only what has come since is fresh") {
   FreshPixels pixels(kOddSensor);
-  pixels.take({0}, std::vector{late_event_at(1, 1), late_event_at(2, 2, 7'000'000)});
+  pixels.take({0}, std::vector{event_after(1, 1), event_after(2, 2, 7'000'000)});
   CHECK_FALSE(is_fresh(pixels, 1, 1));
   CHECK(is_fresh(pixels, 2, 2));
 }
@@ -69,7 +69,7 @@ TEST_CASE("Exactly the pixels that have fired are left, in any part of the senso
   for (int i = 0; i < 300; ++i) {
     const int x = static_cast<int>(random() % 37);
     const int y = static_cast<int>(random() % 21);
-    events.push_back(late_event_at(x, y, i));
+    events.push_back(event_after(x, y, i));
     fired[static_cast<std::size_t>(y * 37 + x)] = true;
   }
   FreshPixels pixels(kOddSensor);
@@ -89,7 +89,7 @@ TEST_CASE("Exactly the pixels that have fired are left, in any part of the senso
 
 TEST_CASE("In parts or at once, what is fresh is the same") {
   std::vector<Event> events;
-  for (int i = 0; i < 200; ++i) events.push_back(late_event_at(i % 37, i * 7 % 21, i * 499));
+  for (int i = 0; i < 200; ++i) events.push_back(event_after(i % 37, i * 7 % 21, i * 499));
   FreshPixels at_once(kOddSensor);
   FreshPixels in_parts(kOddSensor);
   at_once.take({123'456}, events);

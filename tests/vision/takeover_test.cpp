@@ -315,6 +315,11 @@ constexpr Claim kLikely{.looks = {.quality = 0.8, .strength = 20, .cover = 0.6},
                         .found = {.score = 0.6}};
 constexpr Claim kEvident{
     .looks = {.quality = 0.7, .strength = 20}, .age_us = 8'000, .found = {.score = 0.7}};
+constexpr Claim kPrintedAtRest{
+    .looks = {.printed_quality = 0.8, .strength = 50, .cover = 0.8, .inside_events = 60},
+    .age_us = 12'000,
+    .found = {.score = 0.65},
+    .leads = true};
 constexpr Claim kAwaited{.looks = {.quality = 0.81, .strength = 31, .cover = 0.51},
                          .age_us = 20'001};
 
@@ -669,12 +674,9 @@ TEST_CASE("The first is waited for 150 ms before less than the evident is believ
 }
 
 TEST_CASE("The first may be a printed puck, but for a while not with another wall") {
-  Claim claim{.looks = {.printed_quality = 0.8, .strength = 50, .cover = 0.8, .inside_events = 60},
-              .age_us = 12'000,
-              .found = {.score = 0.65},
-              .leads = true};
-  REQUIRE(may_be_printed(claim));
-  CHECK(is_convincing_as_first(claim, 0));
+  CHECK(is_convincing_as_first(kPrintedAtRest, 0));
+  CHECK(is_weakly_found(kPrintedAtRest, std::nullopt));
+  Claim claim = kPrintedAtRest;
   claim.has_other_wall = true;
   CHECK_FALSE(is_convincing_as_first(claim, 150'000));
   CHECK(is_convincing_as_first(claim, 150'001));
@@ -686,7 +688,7 @@ Claim while_turning(Claim claim) {
 }
 
 TEST_CASE("While the head may turn the first is not adrift, for 600 ms") {
-  for (Claim claim : {kEvident, kLikely, kAwaited}) {
+  for (Claim claim : {kEvident, kLikely, kPrintedAtRest, kAwaited}) {
     claim = while_turning(claim);
     claim.own_speed_px_s = 150;
     CHECK(is_convincing_as_first(claim, 150'001));
@@ -700,7 +702,7 @@ TEST_CASE("While the head may turn the first is not adrift, for 600 ms") {
 }
 
 TEST_CASE("While the head may turn the first does not slide along an edge, for 600 ms") {
-  for (Claim claim : {kEvident, kLikely, kAwaited}) {
+  for (Claim claim : {kEvident, kLikely, kPrintedAtRest, kAwaited}) {
     claim.looks.slide = 1.6;
     CHECK(is_convincing_as_first(claim, 150'001));
     claim = while_turning(claim);
@@ -725,13 +727,17 @@ TEST_CASE("While the head may turn what is very strong may seem to slide, or be 
   CHECK(is_convincing_as_first(claim, 0));
 }
 
-TEST_CASE("While the head may turn what has something in its middle is not likely") {
+TEST_CASE(
+    "While the head may turn what has something in its middle is not likely, but for a print") {
   Claim claim = while_turning(kLikely);
   claim.looks.inside_events = 12;
   CHECK(is_convincing_as_first(claim, 0));
   claim.looks.inside_events = 13;
   CHECK_FALSE(is_convincing_as_first(claim, 0));
   claim.context.head_may_turn = false;
+  CHECK(is_convincing_as_first(claim, 0));
+  claim = while_turning(kPrintedAtRest);
+  REQUIRE(claim.looks.is_covered());
   CHECK(is_convincing_as_first(claim, 0));
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "common/io/csv_file.h"
+#include "common/io/number_limits.h"
 #include "common/messaging/channels.h"
 #include "common/messaging/log_file.h"
 #include "common/messaging/message_codec.h"
@@ -18,8 +19,6 @@
 namespace puck {
 namespace {
 
-// Beyond this a double is no longer exact to the µs.
-constexpr double kLatestUs = 9.0e15;
 // Less of the puck than this may not show where its middle is.
 constexpr double kLeastVisible = 0.9;
 // As the bridge believes one that knows no [camera].

@@ -20,9 +20,9 @@ constexpr milliseconds kStep{20};
 constexpr milliseconds kGrace{500};
 
 /// One listening: what is heard goes where it belongs.
-class OneListening {
+class BusListening {
  public:
-  explicit OneListening(Facts& facts)
+  explicit BusListening(Facts& facts)
       : facts_(facts),
         listener_(facts.url),
         probe_({facts.url, facts.prefix, facts.key_file}),
@@ -90,7 +90,7 @@ void listen(Facts& facts) {
   if (!facts.key_file.empty()) open_seal = open_seals_with(facts.key_file);
   facts.traffic = Traffic(facts.prefix, std::move(open_seal));
   try {
-    OneListening(facts).run();
+    BusListening(facts).run();
   } catch (const ListenError& problem) {
     facts.self_test.problem = problem.what();
   }

@@ -32,7 +32,8 @@ std::string number_or_none(const std::optional<double>& value) {
 std::string spread(const BenchFigures& figures, std::string key) {
   for (auto end = key.rfind('_'); end != std::string::npos; end = key.rfind('_')) {
     key.resize(end);
-    if (const auto percent = figures.find(key + kSpread)) return "+-" + number_or_none(percent) + " %";
+    if (const auto percent = figures.find(key + kSpread))
+      return "+-" + number_or_none(percent) + " %";
   }
   return "";
 }
