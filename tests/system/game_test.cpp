@@ -116,7 +116,8 @@ TEST_CASE("tools/play.sh --real-time plays through the services, on events") {
   CHECK_FALSE(play.group_is_left());
   const auto json = nlohmann::json::parse(read_text(json_file));
   CHECK(json["played_s"] > 1);
-  CHECK(json["shots"].get<int>() >= json["saves"].get<int>() + json["goals"].get<int>());
+  // Not more: a puck that the robot saved can still find its way in, a goal without another shot.
+  CHECK(json["shots"].get<int>() >= json["saves"].get<int>());
 }
 
 TEST_CASE("tools/play.sh refuses at once what does not go with --real-time") {
