@@ -20,21 +20,16 @@ constexpr std::size_t kWindowBytes = std::size_t{1} << 20;
 
 LogBytes::LogBytes(const std::filesystem::path& path)
     // A pipe that nobody writes into is refused, and not waited for.
-    : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
-  struct stat file {};
-  if (descriptor_ < 0 || fstat(descriptor_, &file) != 0) {
-    const std::string why = std::strerror(errno);
-    if (descriptor_ >= 0) close(descriptor_);
-    throw LogFileError(path.string() + ": cannot be read: " + why);
+    : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+  struct stat status {};
+  if (!file_.is_open() || fstat(file_.number(), &status) != 0) {
+    throw LogFileError(path.string() + ": cannot be read: " + std::strerror(errno));
   }
-  if (!S_ISREG(file.st_mode)) {
-    close(descriptor_);
+  if (!S_ISREG(status.st_mode)) {
     throw LogFileError(path.string() + ": cannot be read: is not a file");
   }
-  size_ = file.st_size;
+  size_ = status.st_size;
 }
-
-LogBytes::~LogBytes() { close(descriptor_); }
 
 std::span<const std::uint8_t> LogBytes::at(std::int64_t offset, std::size_t count) {
   const auto window_end = [&] {
@@ -61,7 +56,7 @@ std::span<const std::uint8_t> LogBytes::peek(std::int64_t offset, std::size_t co
   const auto left = static_cast<std::size_t>(size_ - offset);
   ssize_t got = 0;
   do {
-    got = pread(descriptor_, peeked_.data(), std::min(count, left), static_cast<off_t>(offset));
+    got = pread(file_.number(), peeked_.data(), std::min(count, left), static_cast<off_t>(offset));
   } while (got < 0 && errno == EINTR);
   return std::span(peeked_).first(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
 }
@@ -76,7 +71,7 @@ void LogBytes::fill(std::int64_t offset, std::size_t count) {
   window_offset_ = offset;
   std::size_t filled = 0;
   while (filled < window_.size()) {
-    const ssize_t got = pread(descriptor_, window_.data() + filled, window_.size() - filled,
+    const ssize_t got = pread(file_.number(), window_.data() + filled, window_.size() - filled,
                               static_cast<off_t>(offset) + static_cast<off_t>(filled));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "common/posix/file_descriptor.h"
+
 namespace puck {
 
 /// A file of any size, seen through a window that moves with what is asked for. One thread.
@@ -14,9 +16,6 @@ class LogBytes {
  public:
   /// Throws LogFileError when the file cannot be read.
   explicit LogBytes(const std::filesystem::path& path);
-  ~LogBytes();
-  LogBytes(const LogBytes&) = delete;
-  LogBytes& operator=(const LogBytes&) = delete;
 
   /// As it was at the start; shorter once the disk fails or the file was cut meanwhile.
   std::int64_t size() const { return size_; }
@@ -33,7 +32,7 @@ class LogBytes {
  private:
   void fill(std::int64_t offset, std::size_t count);
 
-  int descriptor_ = -1;
+  FileDescriptor file_;
   std::int64_t size_ = 0;
   std::vector<std::uint8_t> window_;
   std::int64_t window_offset_ = 0;

@@ -14,6 +14,7 @@
 
 #include "common/messaging/log_bytes.h"
 #include "common/messaging/log_format.h"
+#include "common/posix/file_descriptor.h"
 
 namespace puck {
 
@@ -30,11 +31,8 @@ class OpenLog {
   /// Throws LogFileError; so it does when the file exists, unless `overwrite`, or while another
   /// writes it.
   OpenLog(const std::filesystem::path& path, bool overwrite);
-  ~OpenLog();
-  OpenLog(const OpenLog&) = delete;
-  OpenLog& operator=(const OpenLog&) = delete;
 
-  int descriptor() const { return descriptor_; }
+  int descriptor() const { return file_.number(); }
   const std::filesystem::path& path() const { return path_; }
 
   /// Returns when all that was written before is on the disk, the file's name included: a crash of
@@ -45,7 +43,7 @@ class OpenLog {
 
  private:
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  FileDescriptor file_;
   bool name_is_on_disk_ = false;
 };
 

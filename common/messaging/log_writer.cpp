@@ -23,38 +23,29 @@ LogFileError write_error(const std::filesystem::path& path) {
 
 OpenLog::OpenLog(const std::filesystem::path& path, bool overwrite) : path_(path) {
   const int exclusive = overwrite ? 0 : O_EXCL;
-  descriptor_ = open(path.c_str(), O_CREAT | O_WRONLY | O_APPEND | O_CLOEXEC | exclusive, 0644);
-  if (descriptor_ < 0) {
+  file_ = FileDescriptor(
+      open(path.c_str(), O_CREAT | O_WRONLY | O_APPEND | O_CLOEXEC | exclusive, 0644));
+  if (!file_.is_open()) {
     if (errno == EEXIST) {
       throw LogFileError(path.string() + ": exists already and is not overwritten");
     }
     throw write_error(path);
   }
   // A file system without locks does not keep anybody from logging.
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    close(descriptor_);
+  if (flock(descriptor(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     throw LogFileError(path.string() + ": cannot be written: another logger writes it");
   }
-  if (ftruncate(descriptor_, 0) != 0) {
-    const LogFileError error = write_error(path);
-    close(descriptor_);
-    throw error;
-  }
+  if (ftruncate(descriptor(), 0) != 0) throw write_error(path);
 }
 
-OpenLog::~OpenLog() { close(descriptor_); }
-
-void OpenLog::unlock() { flock(descriptor_, LOCK_UN); }
+void OpenLog::unlock() { flock(descriptor(), LOCK_UN); }
 
 void OpenLog::put_on_disk() {
-  if (fdatasync(descriptor_) != 0) throw write_error(path_);
+  if (fdatasync(descriptor()) != 0) throw write_error(path_);
   if (name_is_on_disk_) return;
   const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
-  const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (opened < 0) throw write_error(folder);
-  const bool done = fsync(opened) == 0;
-  close(opened);
-  if (!done) throw write_error(folder);
+  const FileDescriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!opened.is_open() || fsync(opened.number()) != 0) throw write_error(folder);
   name_is_on_disk_ = true;
 }
 

@@ -10,7 +10,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-#include "common/messaging/socket.h"
+#include "common/posix/file_descriptor.h"
 
 namespace puck {
 namespace {
@@ -39,31 +39,34 @@ bool comes_back(int fd, std::uint64_t token) {
 }  // namespace
 
 std::optional<std::string> find_route_problem(const LcmUrl& url) {
-  const Socket probe(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0);
-  if (probe.fd() < 0) return problem(url, error_text());
+  const FileDescriptor probe(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (!probe.is_open()) return problem(url, error_text());
 
   // A port of its own, given by the kernel: nobody else's bus sees the probe.
   sockaddr_in address{};
   address.sin_family = AF_INET;
   socklen_t size = sizeof address;
   auto* generic = reinterpret_cast<sockaddr*>(&address);
-  if (bind(probe.fd(), generic, size) != 0 || getsockname(probe.fd(), generic, &size) != 0) {
+  if (bind(probe.number(), generic, size) != 0 ||
+      getsockname(probe.number(), generic, &size) != 0) {
     return problem(url, error_text());
   }
   ip_mreq membership{};
   inet_pton(AF_INET, url.group.c_str(), &membership.imr_multiaddr);
-  if (setsockopt(probe.fd(), IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) != 0) {
+  if (setsockopt(probe.number(), IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) !=
+      0) {
     return problem(url, error_text());
   }
   const unsigned char this_host_only = 0;
-  setsockopt(probe.fd(), IPPROTO_IP, IP_MULTICAST_TTL, &this_host_only, sizeof this_host_only);
+  setsockopt(probe.number(), IPPROTO_IP, IP_MULTICAST_TTL, &this_host_only, sizeof this_host_only);
 
   const std::uint64_t token = std::random_device{}();
   address.sin_addr = membership.imr_multiaddr;
-  if (sendto(probe.fd(), &token, sizeof token, 0, generic, size) < 0) {
+  if (sendto(probe.number(), &token, sizeof token, 0, generic, size) < 0) {
     return problem(url, error_text());
   }
-  if (!comes_back(probe.fd(), token)) return problem(url, "what is sent there does not come back");
+  if (!comes_back(probe.number(), token))
+    return problem(url, "what is sent there does not come back");
   return std::nullopt;
 }
 

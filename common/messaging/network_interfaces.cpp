@@ -15,15 +15,15 @@
 #include <sys/socket.h>
 
 #include "common/messaging/ipv4.h"
-#include "common/messaging/socket.h"
+#include "common/posix/file_descriptor.h"
 
 namespace puck {
 namespace {
 
-int mtu_of(const Socket& any_socket, const std::string& name) {
+int mtu_of(const FileDescriptor& any_socket, const std::string& name) {
   ifreq request{};
   name.copy(request.ifr_name, sizeof request.ifr_name - 1);
-  return ioctl(any_socket.fd(), SIOCGIFMTU, &request) == 0 ? request.ifr_mtu : 0;
+  return ioctl(any_socket.number(), SIOCGIFMTU, &request) == 0 ? request.ifr_mtu : 0;
 }
 
 /// What is asked of the kernel: the route to one IPv4 address.
@@ -77,7 +77,7 @@ std::vector<NetworkInterface> list_network_interfaces() {
   ifaddrs* first = nullptr;
   if (getifaddrs(&first) != 0) return {};
   const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(first, &freeifaddrs);
-  const Socket any_socket(AF_INET, SOCK_DGRAM, 0);
+  const FileDescriptor any_socket(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   std::vector<NetworkInterface> interfaces;
   // One entry an interface and address, and one an interface without.
   for (const ifaddrs* entry = first; entry != nullptr; entry = entry->ifa_next) {
@@ -103,11 +103,11 @@ std::vector<NetworkInterface> list_network_interfaces() {
 std::variant<KernelRoute, std::string> find_kernel_route(const std::string& address) {
   in_addr destination{};
   if (inet_pton(AF_INET, address.c_str(), &destination) != 1) return address + " is no address";
-  const Socket netlink(AF_NETLINK, SOCK_RAW, NETLINK_ROUTE);
+  const FileDescriptor netlink(socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE));
   const RouteRequest request = route_request(destination);
   alignas(nlmsghdr) std::array<char, 4096> answer{};
-  if (send(netlink.fd(), &request, sizeof request, 0) < 0) return std::strerror(errno);
-  const ssize_t size = recv(netlink.fd(), answer.data(), answer.size(), 0);
+  if (send(netlink.number(), &request, sizeof request, 0) < 0) return std::strerror(errno);
+  const ssize_t size = recv(netlink.number(), answer.data(), answer.size(), 0);
   if (size < 0) return std::strerror(errno);
   auto* header = reinterpret_cast<nlmsghdr*>(answer.data());
   if (!NLMSG_OK(header, static_cast<std::size_t>(size))) return "the kernel's answer is cut off";

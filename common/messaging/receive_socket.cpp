@@ -5,11 +5,9 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <utility>
 
 #include <netinet/in.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include "common/messaging/ipv4.h"
 #include "common/messaging/proc_net.h"
@@ -42,58 +40,39 @@ std::string last_error() { return std::strerror(errno); }
 
 }  // namespace
 
-ReceiveSocket::~ReceiveSocket() { close(); }
-
-ReceiveSocket::ReceiveSocket(ReceiveSocket&& other) noexcept
-    : url_(std::move(other.url_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-ReceiveSocket& ReceiveSocket::operator=(ReceiveSocket&& other) noexcept {
-  if (this == &other) return *this;
-  close();
-  url_ = std::move(other.url_);
-  descriptor_ = std::exchange(other.descriptor_, -1);
-  return *this;
-}
-
 std::optional<std::string> ReceiveSocket::open(const LcmUrl& url, std::optional<int> buffer_bytes) {
-  close();
   url_ = url;
-  descriptor_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (descriptor_ < 0) return "no socket: " + last_error();
+  socket_ = FileDescriptor(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  if (!is_open()) return "no socket: " + last_error();
   const auto fail = [this](const std::string& what) {
     const std::string why = what + ": " + last_error();
-    close();
+    socket_ = {};
     return why;
   };
 
   // What comes before the caller has said what it wants is not taken for anything.
-  filter_channels(descriptor_, {}, false);
+  filter_channels(descriptor(), {}, false);
   // Others on this host hear the same group.
-  set_option(descriptor_, SOL_SOCKET, SO_REUSEADDR, 1);
-  set_option(descriptor_, SOL_SOCKET, SO_TIMESTAMPNS, 1);
+  set_option(descriptor(), SOL_SOCKET, SO_REUSEADDR, 1);
+  set_option(descriptor(), SOL_SOCKET, SO_TIMESTAMPNS, 1);
   if (buffer_bytes) {
-    set_option(descriptor_, SOL_SOCKET, SO_RCVBUF, *buffer_bytes);
+    set_option(descriptor(), SOL_SOCKET, SO_RCVBUF, *buffer_bytes);
     // Beyond net.core.rmem_max, where this process may.
-    set_option(descriptor_, SOL_SOCKET, SO_RCVBUFFORCE, *buffer_bytes);
+    set_option(descriptor(), SOL_SOCKET, SO_RCVBUFFORCE, *buffer_bytes);
   }
   const sockaddr_in address = group_address(url);
-  if (bind(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+  if (bind(descriptor(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     return fail(url.group + ":" + std::to_string(url.port) + " cannot be listened to");
   }
-  if (join(descriptor_, url) != 0) return fail("the group " + url.group + " cannot be joined");
+  if (join(descriptor(), url) != 0) return fail("the group " + url.group + " cannot be joined");
   return std::nullopt;
 }
 
 bool ReceiveSocket::has_lost_its_group() {
   // The kernel takes a membership twice only when the way to the group leads through another
   // interface than before; an interface keeps its number as long as it lives.
-  if (join(descriptor_, url_) == 0) return true;
+  if (join(descriptor(), url_) == 0) return true;
   return errno == EADDRINUSE && !is_joined_anywhere(url_);
-}
-
-void ReceiveSocket::close() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-  descriptor_ = -1;
 }
 
 }  // namespace puck

@@ -8,7 +8,6 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include "common/yarp/board_error.h"
 
@@ -46,28 +45,25 @@ void connect_by(int socket, const PortAddress& to, const Waiter& waiter, Deadlin
 }  // namespace
 
 TcpSocket::TcpSocket(const PortAddress& address, const Waiter& waiter, Deadline deadline)
-    : descriptor_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
+    : socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
   const std::string to = "cannot connect to " + address.to_string() + ": ";
-  if (descriptor_ < 0) throw BoardError(to + std::strerror(errno));
+  if (!socket_.is_open()) throw BoardError(to + std::strerror(errno));
   try {
-    connect_by(descriptor_, address, waiter, deadline);
+    connect_by(descriptor(), address, waiter, deadline);
   } catch (const BoardError& error) {
-    close(descriptor_);
     throw BoardError(to + error.what());
   }
 }
 
-TcpSocket::~TcpSocket() { close(descriptor_); }
-
 std::size_t TcpSocket::send_now(std::span<const std::uint8_t> bytes) {
-  const ssize_t sent = ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+  const ssize_t sent = ::send(descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
   if (sent >= 0) return static_cast<std::size_t>(sent);
   if (is_would_block(errno)) return 0;
   throw BoardError(std::string("the connection broke: ") + std::strerror(errno));
 }
 
 std::size_t TcpSocket::receive_now(std::span<std::uint8_t> bytes) {
-  const ssize_t received = recv(descriptor_, bytes.data(), bytes.size(), 0);
+  const ssize_t received = recv(descriptor(), bytes.data(), bytes.size(), 0);
   if (received > 0) return static_cast<std::size_t>(received);
   if (received == 0) throw BoardError("it closed the connection");
   if (is_would_block(errno)) return 0;
@@ -76,7 +72,7 @@ std::size_t TcpSocket::receive_now(std::span<std::uint8_t> bytes) {
 
 void TcpSocket::send(std::span<const std::uint8_t> bytes, const Waiter& waiter, Deadline deadline) {
   while (!bytes.empty()) {
-    if (!waiter.wait_for(descriptor_, POLLOUT, deadline)) throw BoardError("it takes no bytes");
+    if (!waiter.wait_for(descriptor(), POLLOUT, deadline)) throw BoardError("it takes no bytes");
     bytes = bytes.subspan(send_now(bytes));
   }
 }
@@ -84,7 +80,7 @@ void TcpSocket::send(std::span<const std::uint8_t> bytes, const Waiter& waiter, 
 std::size_t TcpSocket::receive(std::span<std::uint8_t> bytes, const Waiter& waiter,
                                Deadline deadline) {
   while (true) {
-    if (!waiter.wait_for(descriptor_, POLLIN, deadline)) throw BoardError("no answer in time");
+    if (!waiter.wait_for(descriptor(), POLLIN, deadline)) throw BoardError("no answer in time");
     const std::size_t received = receive_now(bytes);
     if (received > 0) return received;
   }

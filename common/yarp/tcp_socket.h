@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "common/posix/file_descriptor.h"
 #include "common/yarp/name_server.h"
 #include "common/yarp/waiter.h"
 
@@ -14,11 +15,8 @@ namespace puck {
 class TcpSocket {
  public:
   TcpSocket(const PortAddress& address, const Waiter& waiter, Deadline deadline);
-  ~TcpSocket();
-  TcpSocket(const TcpSocket&) = delete;
-  TcpSocket& operator=(const TcpSocket&) = delete;
 
-  int descriptor() const { return descriptor_; }
+  int descriptor() const { return socket_.number(); }
 
   /// As many bytes as there is room for now.
   std::size_t send_now(std::span<const std::uint8_t> bytes);
@@ -31,7 +29,7 @@ class TcpSocket {
   std::size_t receive(std::span<std::uint8_t> bytes, const Waiter& waiter, Deadline deadline);
 
  private:
-  int descriptor_;
+  FileDescriptor socket_;
 };
 
 }  // namespace puck

@@ -23,16 +23,14 @@ int milliseconds_until(Deadline deadline) {
 
 }  // namespace
 
-Waker::Waker() : descriptor_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
-  if (descriptor_ < 0) throw std::runtime_error(std::string("eventfd: ") + std::strerror(errno));
+Waker::Waker() : calls_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+  if (!calls_.is_open()) throw std::runtime_error(std::string("eventfd: ") + std::strerror(errno));
 }
-
-Waker::~Waker() { close(descriptor_); }
 
 void Waker::wake() {
   const std::uint64_t one = 1;
   // It can only fail when it is called already, 2^64 - 2 times.
-  [[maybe_unused]] const ssize_t written = write(descriptor_, &one, sizeof one);
+  [[maybe_unused]] const ssize_t written = write(calls_.number(), &one, sizeof one);
 }
 
 void Waiter::wait(std::span<const pollfd> sockets, Deadline deadline) const {
@@ -40,11 +38,11 @@ void Waiter::wait(std::span<const pollfd> sockets, Deadline deadline) const {
   std::array<pollfd, kMostSockets + 1> all{};
   const std::size_t count = std::min(sockets.size(), kMostSockets);
   std::copy_n(sockets.begin(), count, all.begin());
-  all[count] = {waker_.descriptor_, POLLIN, 0};
+  all[count] = {waker_.calls_.number(), POLLIN, 0};
   poll(all.data(), count + 1, milliseconds_until(deadline));
   if (all[count].revents != 0) {
     std::uint64_t calls = 0;
-    [[maybe_unused]] const ssize_t taken = read(waker_.descriptor_, &calls, sizeof calls);
+    [[maybe_unused]] const ssize_t taken = read(waker_.calls_.number(), &calls, sizeof calls);
   }
 }
 

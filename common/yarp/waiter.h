@@ -6,6 +6,8 @@
 
 #include <poll.h>
 
+#include "common/posix/file_descriptor.h"
+
 namespace puck {
 
 using SteadyClock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
@@ -17,7 +19,6 @@ inline Deadline in_ms(int ms) { return SteadyClock::now() + std::chrono::millise
 class Waker {
  public:
   Waker();
-  ~Waker();
   Waker(const Waker&) = delete;
   Waker& operator=(const Waker&) = delete;
 
@@ -26,7 +27,7 @@ class Waker {
 
  private:
   friend class Waiter;
-  int descriptor_;
+  FileDescriptor calls_;
 };
 
 /// Waits for sockets, never longer than until a deadline, a waker's call or a stop. One thread.

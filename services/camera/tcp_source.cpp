@@ -11,7 +11,6 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 namespace puck {
 namespace {
@@ -57,9 +56,7 @@ TcpSource::TcpSource(const std::string& host, int port, const EventFileOptions& 
   freeaddrinfo(found);
 }
 
-TcpSource::~TcpSource() {
-  if (socket_ >= 0) close(socket_);
-}
+TcpSource::~TcpSource() = default;
 
 EventSource::Outcome TcpSource::next(Chunk& chunk) {
   if (!is_connected()) {
@@ -90,36 +87,38 @@ void TcpSource::connect() {
   next_attempt_ = Clock::now() + kRetryAfter;
   const Address& address = addresses_[next_address_];
   next_address_ = (next_address_ + 1) % addresses_.size();
-  socket_ = socket(address.storage.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  socket_ = FileDescriptor(
+      socket(address.storage.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   const auto* generic = reinterpret_cast<const sockaddr*>(&address.storage);
-  if (socket_ < 0 || (::connect(socket_, generic, address.length) != 0 && errno != EINPROGRESS)) {
+  if (!socket_.is_open() ||
+      (::connect(socket_.number(), generic, address.length) != 0 && errno != EINPROGRESS)) {
     disconnect(std::strerror(errno));
     return;
   }
-  notice_dead_peer(socket_);
+  notice_dead_peer(socket_.number());
 }
 
 bool TcpSource::is_connected() {
   if (events_) return true;
-  if (socket_ < 0) {
+  if (!socket_.is_open()) {
     if (Clock::now() < next_attempt_) return false;
     connect();
   }
-  if (socket_ < 0) return false;
-  pollfd waiting{socket_, POLLOUT, 0};
+  if (!socket_.is_open()) return false;
+  pollfd waiting{socket_.number(), POLLOUT, 0};
   if (poll(&waiting, 1, 0) <= 0) {
     if (Clock::now() >= next_attempt_) disconnect("it does not answer");
     return false;
   }
   int error = 0;
   socklen_t length = sizeof error;
-  getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &length);
+  getsockopt(socket_.number(), SOL_SOCKET, SO_ERROR, &error, &length);
   if (error != 0) {
     disconnect(std::strerror(error));
     return false;
   }
   waiting_for_ = "events from " + name_;
-  events_.emplace(socket_, name_, options_);
+  events_.emplace(socket_.number(), name_, options_);
   time_.begin_new_clock(1);
   is_new_clock_ = true;
   return true;
@@ -132,8 +131,7 @@ void TcpSource::disconnect(const std::string& reason) {
     malformed_before_ += events_->stream().counters().malformed_words;
     events_.reset();
   }
-  if (socket_ >= 0) close(socket_);
-  socket_ = -1;
+  socket_ = {};
   waiting_for_ = "a connection to " + name_ + ": " + reason;
   next_attempt_ = Clock::now() + kRetryAfter;
 }

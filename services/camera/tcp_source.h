@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/posix/file_descriptor.h"
 #include "services/camera/event_source.h"
 #include "services/camera/growing_time.h"
 #include "services/camera/stream_source.h"
@@ -45,7 +46,7 @@ class TcpSource final : public EventSource {
   EventFileOptions options_;
   std::vector<Address> addresses_;  // All of the host's, tried in turn.
   std::size_t next_address_ = 0;
-  int socket_ = -1;
+  FileDescriptor socket_;
   std::optional<DescriptorEvents> events_;
   Clock::time_point next_attempt_;
   std::string waiting_for_;

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "common/messaging/log_format.h"
+#include "common/posix/file_descriptor.h"
 
 namespace puck {
 namespace {
@@ -27,23 +28,6 @@ struct OldLog {
   }
 };
 
-class OpenFile {
- public:
-  // Neither a link, nor a pipe that nobody writes into.
-  explicit OpenFile(const std::filesystem::path& path)
-      : descriptor_(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {}
-  ~OpenFile() {
-    if (descriptor_ >= 0) close(descriptor_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
 bool begins_as_log(int descriptor, std::int64_t size) {
   if (size == 0) return true;
   std::array<std::uint8_t, kLogMark.size()> begin{};
@@ -53,12 +37,13 @@ bool begins_as_log(int descriptor, std::int64_t size) {
 
 /// Nothing where it is not to be touched.
 bool look_at(const std::filesystem::path& path, OldLog& log) {
-  const OpenFile file(path);
+  // Neither a link, nor a pipe that nobody writes into.
+  const FileDescriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
-  if (file.descriptor() < 0 || fstat(file.descriptor(), &status) != 0) return false;
-  if (!S_ISREG(status.st_mode) || !begins_as_log(file.descriptor(), status.st_size)) return false;
+  if (!file.is_open() || fstat(file.number(), &status) != 0) return false;
+  if (!S_ISREG(status.st_mode) || !begins_as_log(file.number(), status.st_size)) return false;
   // Whoever writes a log holds its lock.
-  if (flock(file.descriptor(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+  if (flock(file.number(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   constexpr std::int64_t kNanoseconds = 1'000'000'000;
   log.changed_ns = status.st_mtim.tv_sec * kNanoseconds + status.st_mtim.tv_nsec;
   log.bytes = status.st_size;

@@ -19,8 +19,8 @@
 #include "common/simulation/simulated_table.h"
 #include "puck/head_state_t.hpp"
 #include "puck/puck_estimate_t.hpp"
-#include "tests/calibration/contains.h"
 #include "tests/calibration/flown_game.h"
+#include "tests/support/contains.h"
 #include "tests/support/environment.h"
 #include "tests/support/sanitizers.h"
 

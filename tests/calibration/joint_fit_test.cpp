@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/calibration/contains.h"
+#include "tests/support/contains.h"
 
 namespace puck {
 namespace {

@@ -14,8 +14,8 @@
 
 #include "common/simulation/physics_params.h"
 #include "common/table/puck_motion.h"
-#include "tests/calibration/contains.h"
 #include "tests/calibration/flown_game.h"
+#include "tests/support/contains.h"
 #include "tests/support/sanitizers.h"
 
 namespace puck {

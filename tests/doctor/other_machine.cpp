@@ -9,9 +9,9 @@
 #include <netinet/in.h>
 #include <sched.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include "common/messaging/status_reporter.h"
+#include "common/posix/file_descriptor.h"
 #include "tests/support/network_namespace.h"
 
 namespace puck {
@@ -20,16 +20,15 @@ namespace {
 constexpr std::chrono::milliseconds kPause{10};
 
 void send_to_group(const LcmUrl& url, std::string_view bytes) {
-  const int sender = socket(AF_INET, SOCK_DGRAM, 0);
+  const FileDescriptor sender(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sockaddr_in group{};
   group.sin_family = AF_INET;
   group.sin_port = htons(static_cast<std::uint16_t>(url.port));
   inet_pton(AF_INET, url.group.c_str(), &group.sin_addr);
   const auto hops = static_cast<unsigned char>(url.ttl);
-  setsockopt(sender, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops);
-  sendto(sender, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&group),
+  setsockopt(sender.number(), IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops);
+  sendto(sender.number(), bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&group),
          sizeof group);
-  close(sender);
 }
 
 bool set_up(const std::string& interface) {

@@ -6,6 +6,7 @@
 #include "common/io/size_model_file.h"
 #include "common/io/table_file.h"
 #include "tests/io/io_fixtures.h"
+#include "tests/support/contains.h"
 
 namespace puck {
 namespace {

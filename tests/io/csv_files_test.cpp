@@ -5,6 +5,7 @@
 #include "common/io/csv_file.h"
 #include "common/io/truth_file.h"
 #include "tests/io/io_fixtures.h"
+#include "tests/support/contains.h"
 
 namespace puck {
 namespace {

@@ -3,6 +3,7 @@
 #include "common/io/event_reader.h"
 #include "common/io/event_writer.h"
 #include "tests/io/io_fixtures.h"
+#include "tests/support/contains.h"
 
 namespace puck {
 namespace {

@@ -103,8 +103,4 @@ std::string message_of(Action action) {
   return {};
 }
 
-inline bool contains(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace puck

@@ -9,6 +9,7 @@
 #include "common/io/event_writer.h"
 #include "common/io/masked_reader.h"
 #include "tests/io/io_fixtures.h"
+#include "tests/support/contains.h"
 
 namespace puck {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "common/io/raw_event_stream.h"
 #include "tests/io/io_fixtures.h"
+#include "tests/support/contains.h"
 
 namespace puck {
 namespace {

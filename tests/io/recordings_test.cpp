@@ -11,6 +11,7 @@
 #include "common/io/event_reader.h"
 #include "common/io/truth_file.h"
 #include "tests/io/io_fixtures.h"
+#include "tests/support/contains.h"
 
 namespace puck {
 namespace {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/io/io_fixtures.h"
+#include "tests/support/contains.h"
 
 namespace puck {
 namespace {

@@ -69,6 +69,7 @@ const std::map<std::string, std::set<std::string>> kAllowed{
     {"vision", {"events"}},
     {"baselines", {"events", "vision"}},
     {"table", {"events", "vision"}},
+    {"posix", {}},
     {"motion", {}},
     {"calibration", {"events", "vision", "table", "motion"}},
     {"simulation", {"events", "vision", "table", "motion"}},
@@ -76,11 +77,11 @@ const std::map<std::string, std::set<std::string>> kAllowed{
     {"plot", {}},
     {"runtime", {"events", "vision"}},
     {"io", {"events", "vision", "table", "motion"}},
-    {"messaging", {"events", "vision", "table"}},
+    {"messaging", {"posix", "events", "vision", "table"}},
     {"recording", {"events", "io", "messaging"}},
     {"play", {"events", "vision", "table", "messaging"}},
     {"control", {"events", "vision", "table", "motion", "runtime", "messaging"}},
-    {"yarp", {"control"}},
+    {"yarp", {"posix", "control"}},
 };
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <doctest/doctest.h>
 #include <lcm/lcm.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include "common/messaging/event_packing.h"
+#include "common/posix/file_descriptor.h"
 #include "tests/support/random_message.h"
 #include "tests/support/test_url.h"
 
@@ -31,13 +31,12 @@ void handle_until(Bus& bus, const Done& done) {
 /// Whether the kernel gives this user the receive buffer that the tests' URLs ask for.
 bool is_given_large_buffer() {
   constexpr int kBytes = 4 << 20;
-  const int descriptor = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &kBytes, sizeof kBytes);
-  setsockopt(descriptor, SOL_SOCKET, SO_RCVBUFFORCE, &kBytes, sizeof kBytes);
+  const FileDescriptor own(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  setsockopt(own.number(), SOL_SOCKET, SO_RCVBUF, &kBytes, sizeof kBytes);
+  setsockopt(own.number(), SOL_SOCKET, SO_RCVBUFFORCE, &kBytes, sizeof kBytes);
   int given = 0;
   socklen_t size = sizeof given;
-  getsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &given, &size);
-  close(descriptor);
+  getsockopt(own.number(), SOL_SOCKET, SO_RCVBUF, &given, &size);
   return given >= kBytes;
 }
 

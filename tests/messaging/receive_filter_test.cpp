@@ -8,7 +8,8 @@
 #include <doctest/doctest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
-#include <unistd.h>
+
+#include "common/posix/file_descriptor.h"
 
 namespace puck {
 namespace {
@@ -20,29 +21,26 @@ class OwnSocket {
     address_.sin_family = AF_INET;
     address_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof address_;
-    REQUIRE(bind(socket_, reinterpret_cast<const sockaddr*>(&address_), size) == 0);
-    REQUIRE(getsockname(socket_, reinterpret_cast<sockaddr*>(&address_), &size) == 0);
+    REQUIRE(bind(get(), reinterpret_cast<const sockaddr*>(&address_), size) == 0);
+    REQUIRE(getsockname(get(), reinterpret_cast<sockaddr*>(&address_), &size) == 0);
   }
-  ~OwnSocket() { close(socket_); }
-  OwnSocket(const OwnSocket&) = delete;
-  OwnSocket& operator=(const OwnSocket&) = delete;
 
-  int get() const { return socket_; }
+  int get() const { return socket_.number(); }
 
   /// Whether a datagram comes through.
   bool lets_through(std::string_view datagram) { return received_bytes(datagram) > 0; }
 
   /// How much of a datagram comes through; on the loopback it is there at once or never.
   std::size_t received_bytes(std::string_view datagram) {
-    sendto(socket_, datagram.data(), datagram.size(), 0,
-           reinterpret_cast<const sockaddr*>(&address_), sizeof address_);
+    sendto(get(), datagram.data(), datagram.size(), 0, reinterpret_cast<const sockaddr*>(&address_),
+           sizeof address_);
     std::array<char, 2000> received{};
-    const ssize_t size = recv(socket_, received.data(), received.size(), MSG_DONTWAIT);
+    const ssize_t size = recv(get(), received.data(), received.size(), MSG_DONTWAIT);
     return size < 0 ? 0 : static_cast<std::size_t>(size);
   }
 
  private:
-  int socket_;
+  FileDescriptor socket_;
   sockaddr_in address_{};
 };
 

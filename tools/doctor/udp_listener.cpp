@@ -9,7 +9,6 @@
 #include <sys/socket.h>
 #include <sys/uio.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "common/messaging/host_time.h"
 #include "common/messaging/ipv4.h"
@@ -64,17 +63,13 @@ void read_ancillary(msghdr& header, ReceivedDatagram& datagram) {
 
 UdpListener::UdpListener(const LcmUrl& url)
     : socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-  if (socket_ < 0) throw ListenError("no socket (" + error_text() + ")");
-  const std::string problem = open_problem(socket_, url);
-  if (problem.empty()) return;
-  close(socket_);
-  throw ListenError(problem);
+  if (!socket_.is_open()) throw ListenError("no socket (" + error_text() + ")");
+  const std::string problem = open_problem(socket_.number(), url);
+  if (!problem.empty()) throw ListenError(problem);
 }
 
-UdpListener::~UdpListener() { close(socket_); }
-
 std::optional<ReceivedDatagram> UdpListener::receive(std::chrono::milliseconds timeout) {
-  pollfd waiting{socket_, POLLIN, 0};
+  pollfd waiting{socket_.number(), POLLIN, 0};
   if (poll(&waiting, 1, static_cast<int>(timeout.count())) <= 0) return std::nullopt;
   sockaddr_in from{};
   iovec data{buffer_.data(), buffer_.size()};
@@ -86,7 +81,7 @@ std::optional<ReceivedDatagram> UdpListener::receive(std::chrono::milliseconds t
   header.msg_iovlen = 1;
   header.msg_control = control.data();
   header.msg_controllen = control.size();
-  const ssize_t size = recvmsg(socket_, &header, MSG_DONTWAIT);
+  const ssize_t size = recvmsg(socket_.number(), &header, MSG_DONTWAIT);
   if (size < 0) return std::nullopt;
 
   ReceivedDatagram datagram;
@@ -98,14 +93,12 @@ std::optional<ReceivedDatagram> UdpListener::receive(std::chrono::milliseconds t
 }
 
 std::optional<std::int64_t> granted_buffer_bytes(const LcmUrl& url) {
-  const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (probe < 0) return std::nullopt;
-  ask_for_buffer(probe, url);
+  const FileDescriptor probe(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  if (!probe.is_open()) return std::nullopt;
+  ask_for_buffer(probe.number(), url);
   int bytes = 0;
   socklen_t size = sizeof bytes;
-  const bool is_known = getsockopt(probe, SOL_SOCKET, SO_RCVBUF, &bytes, &size) == 0;
-  close(probe);
-  if (!is_known) return std::nullopt;
+  if (getsockopt(probe.number(), SOL_SOCKET, SO_RCVBUF, &bytes, &size) != 0) return std::nullopt;
   // The kernel doubles what is asked for, for its own book-keeping.
   return url.recv_buf_size ? bytes / 2 : bytes;
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "common/messaging/lcm_url.h"
+#include "common/posix/file_descriptor.h"
 #include "tools/doctor/traffic.h"
 
 namespace puck {
@@ -23,7 +24,6 @@ class UdpListener {
  public:
   /// Throws ListenError.
   explicit UdpListener(const LcmUrl& url);
-  ~UdpListener();
   UdpListener(const UdpListener&) = delete;
   UdpListener& operator=(const UdpListener&) = delete;
 
@@ -31,7 +31,7 @@ class UdpListener {
   std::optional<ReceivedDatagram> receive(std::chrono::milliseconds timeout);
 
  private:
-  int socket_;
+  FileDescriptor socket_;
   std::array<std::uint8_t, 65536> buffer_{};
 };
 

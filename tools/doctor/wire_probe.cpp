@@ -29,22 +29,23 @@ std::string own_host_name() {
 
 /// Has a port, but no address: an address would choose the interface, and it is the route that is
 /// to be tested.
-int sending_socket(const LcmUrl& url) {
-  const int sender = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+FileDescriptor sending_socket(const LcmUrl& url) {
+  FileDescriptor sender(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sockaddr_in any{};
   any.sin_family = AF_INET;
-  if (sender < 0 || bind(sender, reinterpret_cast<const sockaddr*>(&any), sizeof any) != 0) {
+  if (!sender.is_open() ||
+      bind(sender.number(), reinterpret_cast<const sockaddr*>(&any), sizeof any) != 0) {
     throw ListenError(std::string("no socket to send with (") + std::strerror(errno) + ")");
   }
   const auto hops = static_cast<unsigned char>(url.ttl);
-  setsockopt(sender, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops);
+  setsockopt(sender.number(), IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops);
   return sender;
 }
 
-int port_of(int socket) {
+int port_of(const FileDescriptor& socket) {
   sockaddr_in address{};
   socklen_t size = sizeof address;
-  getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
+  getsockname(socket.number(), reinterpret_cast<sockaddr*>(&address), &size);
   return ntohs(address.sin_port);
 }
 
@@ -69,8 +70,6 @@ WireProbe::WireProbe(const WireProbeParams& params)
   key_.emplace(params.key_file);
   sealer_.emplace(*key_);
 }
-
-WireProbe::~WireProbe() { close(socket_); }
 
 void WireProbe::send_self_test() { send(test_channel_, bytes_of(session_)); }
 
@@ -107,8 +106,8 @@ void WireProbe::send(std::string_view channel, std::span<const std::uint8_t> pay
   datagram_.insert(datagram_.end(), channel.begin(), channel.end());
   datagram_.push_back(0);
   datagram_.insert(datagram_.end(), payload.begin(), payload.end());
-  sendto(socket_, datagram_.data(), datagram_.size(), 0, reinterpret_cast<const sockaddr*>(&group_),
-         sizeof group_);
+  sendto(socket_.number(), datagram_.data(), datagram_.size(), 0,
+         reinterpret_cast<const sockaddr*>(&group_), sizeof group_);
 }
 
 }  // namespace puck

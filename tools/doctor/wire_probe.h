@@ -12,6 +12,7 @@
 #include "common/messaging/lcm_url.h"
 #include "common/messaging/message_seal.h"
 #include "common/messaging/shared_key.h"
+#include "common/posix/file_descriptor.h"
 #include "puck/service_status_t.hpp"
 
 namespace puck {
@@ -28,7 +29,6 @@ class WireProbe {
  public:
   /// Throws ListenError, or BusError where the key cannot be used.
   explicit WireProbe(const WireProbeParams& params);
-  ~WireProbe();
   WireProbe(const WireProbe&) = delete;
   WireProbe& operator=(const WireProbe&) = delete;
 
@@ -51,7 +51,7 @@ class WireProbe {
   std::string test_channel_;
   std::int64_t session_;
   sockaddr_in group_;
-  int socket_;
+  FileDescriptor socket_;
   int port_;
   std::uint32_t next_number_ = 0;
   std::int64_t next_status_seq_ = 0;
