@@ -41,6 +41,9 @@ struct EventFileOptions {
 /// One thread at a time.
 class EventReader {
  public:
+  /// So many events at a time cost few calls and little memory, where nothing else decides.
+  static constexpr std::size_t kUsualEvents = 4096;
+
   virtual ~EventReader() = default;
 
   virtual SensorSize sensor_size() const = 0;

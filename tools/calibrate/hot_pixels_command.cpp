@@ -10,7 +10,6 @@
 namespace puck {
 namespace {
 
-constexpr std::size_t kPacketEvents = 4096;
 constexpr std::size_t kPrinted = 10;
 
 void print(const HotPixelReport& report) {
@@ -37,7 +36,7 @@ void calibrate_hot_pixels(const HotPixelsCommand& command, const std::string& ty
   const auto events = open_event_file(command.recording, command.file);
   HotPixelFinder finder(events->sensor_size());
   EventPacket packet;
-  while (events->read(packet, kPacketEvents)) finder.add(packet);
+  while (events->read(packet, EventReader::kUsualEvents)) finder.add(packet);
   const HotPixelReport report = finder.find();
   std::vector<PixelPlace> places;
   for (const HotPixel& pixel : report.pixels) places.push_back(pixel.place);

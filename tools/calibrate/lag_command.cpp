@@ -14,7 +14,6 @@
 namespace puck {
 namespace {
 
-constexpr std::size_t kReadEvents = 4096;
 // Truth may end so long before the events, or a tenth of the recording before, whichever is longer.
 constexpr std::int64_t kEndsEarlyUs = 1'000'000;
 
@@ -86,7 +85,7 @@ void calibrate_lag(const LagCommand& command, const std::string& typed) {
   EventPacket packet;
   std::optional<Timestamp> first;
   Timestamp last;
-  while (events->read(packet, kReadEvents)) {
+  while (events->read(packet, EventReader::kUsualEvents)) {
     if (!first) first = packet.time_of(packet.events.front());
     last = packet.newest();
     samples.add(packet);

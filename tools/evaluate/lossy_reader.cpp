@@ -14,8 +14,6 @@ constexpr std::int64_t kFlushUs = 250;
 constexpr std::int64_t kQuietFlushUs = 5000;
 constexpr std::size_t kFew = 32;
 
-constexpr std::size_t kReadEvents = 4096;
-
 }  // namespace
 
 LossyReader::LossyReader(std::unique_ptr<EventReader> events, const LossyReaderParams& params)
@@ -46,7 +44,7 @@ bool LossyReader::cut_packet() {
   while (true) {
     if (cut_ == recorded_.events.size()) {
       cut_ = 0;
-      if (!events_->read(recorded_, kReadEvents)) return !packet_.empty();
+      if (!events_->read(recorded_, EventReader::kUsualEvents)) return !packet_.empty();
     }
     const Event& event = recorded_.events[cut_];
     const Timestamp time = recorded_.time_of(event);

@@ -6,12 +6,6 @@
 #include <utility>
 
 namespace puck {
-namespace {
-
-// Packets of this size are skipped quickly.
-constexpr std::size_t kSkippedEvents = 4096;
-
-}  // namespace
 
 PartReader::PartReader(std::unique_ptr<EventReader> events, const RecordingPart& part)
     : events_(std::move(events)) {
@@ -21,7 +15,7 @@ PartReader::PartReader(std::unique_ptr<EventReader> events, const RecordingPart&
   Timestamp last = first;
   begin_ = first + part.from_us;
   while (last < begin_) {
-    if (!events_->read(packet, kSkippedEvents)) {
+    if (!events_->read(packet, EventReader::kUsualEvents)) {
       char text[120];
       std::snprintf(
           text, sizeof text, "the recording is %.3f s long: nothing is left from %.3f s on",

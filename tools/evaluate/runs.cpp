@@ -20,7 +20,6 @@ using std::chrono::duration_cast;
 using std::chrono::microseconds;
 using std::chrono::steady_clock;
 
-constexpr std::size_t kPacketEvents = 4096;
 // As a camera would send them: little at a time.
 constexpr std::int64_t kLivePacketUs = 500;
 // A longer pause is a damaged time: to ask at every tick of it, or to wait for its end, would take
@@ -57,7 +56,7 @@ class PacketCutter {
   std::optional<Timestamp> next_time() {
     if (used_ == packet_.events.size()) {
       used_ = 0;
-      if (!events_.read(packet_, kPacketEvents)) return std::nullopt;
+      if (!events_.read(packet_, EventReader::kUsualEvents)) return std::nullopt;
     }
     const Timestamp next = packet_.time_of(packet_.events[used_]);
     if (before_ && next - *before_ > kLongestPauseUs) {
@@ -184,7 +183,7 @@ RunSummary run_as_fast_as_possible(EventReader& events, const TrackerSetup& setu
   steady_clock::duration busy{};
   EventPacket packet;
   const auto feed = [&](const auto& take) {
-    while (events.read(packet, kPacketEvents)) {
+    while (events.read(packet, EventReader::kUsualEvents)) {
       span.add(packet);
       const auto begin = steady_clock::now();
       take(packet);
