@@ -16,6 +16,9 @@ class LogBytes {
  public:
   /// Throws LogFileError when the file cannot be read.
   explicit LogBytes(const std::filesystem::path& path);
+  // peek() points into it.
+  LogBytes(const LogBytes&) = delete;
+  LogBytes& operator=(const LogBytes&) = delete;
 
   /// As it was at the start; shorter once the disk fails or the file was cut meanwhile.
   std::int64_t size() const { return size_; }

@@ -65,8 +65,9 @@ std::optional<std::string> find_route_problem(const LcmUrl& url) {
   if (sendto(probe.number(), &token, sizeof token, 0, generic, size) < 0) {
     return problem(url, error_text());
   }
-  if (!comes_back(probe.number(), token))
+  if (!comes_back(probe.number(), token)) {
     return problem(url, "what is sent there does not come back");
+  }
   return std::nullopt;
 }
 

@@ -12,6 +12,7 @@
 #include "tests/camera/camera_fixtures.h"
 #include "tests/camera/camera_run.h"
 #include "tests/camera/tcp_server.h"
+#include "tests/support/contains.h"
 #include "tests/support/temporary_folder.h"
 
 namespace puck {
@@ -233,9 +234,6 @@ TEST_CASE("settings that make no sense are refused with their key") {
       return error.what();
     }
     return {};
-  };
-  const auto contains = [](const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
   };
   CHECK(
       contains(refusal("[camera]\nsource = \"usb\"\n"),

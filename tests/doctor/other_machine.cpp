@@ -9,6 +9,7 @@
 #include <netinet/in.h>
 #include <sched.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include "common/messaging/status_reporter.h"
 #include "common/posix/file_descriptor.h"
