@@ -200,7 +200,9 @@ const Challenger* Challengers::first(const ClaimContext& context, std::int64_t s
 void Challengers::dismiss_hopeless(std::int64_t time_us) {
   std::erase_if(challengers_, [&](const Challenger& challenger) {
     const bool is_over = is_found(challenger) && is_hopeless(challenger, time_us);
-    if (is_over) refuted_.add(position_of(challenger), challenger.found().score, time_us);
+    if (is_over && !challenger.track().looks().is_fast()) {
+      refuted_.add(position_of(challenger), challenger.found().score, time_us);
+    }
     return is_over;
   });
 }

@@ -61,7 +61,8 @@ class Challengers {
   const Challenger* first(const ClaimContext& context, std::int64_t searched_us,
                           std::int64_t time_us);
 
-  /// Gives up what the search found by mistake, and remembers where that was.
+  /// Gives up what the search found by mistake, and remembers where that was; but of what is fast
+  /// not, since an edge that passed has led it there.
   void dismiss_hopeless(std::int64_t time_us);
   /// Gives up those that are too old, or have become the same as the main track.
   void dismiss_idle(const ContourFilter& main, std::int64_t time_us);

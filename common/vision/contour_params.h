@@ -28,6 +28,7 @@ struct ContourIngredients {
   /// What lies inside the contour, where the surroundings are clear, is of the puck: its face may
   /// have a print.
   bool face_print = true;
+  bool plain_face = true;   ///< … unless the puck is not faint and has been seen to have none.
   bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
   bool search = true;       ///< A doubtful track is challenged by the correlation near it.
   bool wide_search = true;  ///< … and, unless it is beyond doubt, everywhere.
@@ -65,7 +66,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 38> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 39> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -82,6 +83,7 @@ inline constexpr std::array<ContourIngredient, 38> kContourIngredients{{
     {"wall-height", &ContourIngredients::wall_height},
     {"wall-search", &ContourIngredients::wall_search},
     {"face-print", &ContourIngredients::face_print},
+    {"plain-face", &ContourIngredients::plain_face},
     {"witness", &ContourIngredients::witness},
     {"search", &ContourIngredients::search},
     {"wide-search", &ContourIngredients::wide_search},

@@ -146,6 +146,7 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   }
   trust_.judge(main_->looks(), seen_score_.value(), is_unseen(time_us), time_us, passed_us);
   context_.is_trusted = trust_.is_trusted();
+  context_.is_plain = shows_plain_face();
   if (trust_.is_exhausted()) forget_looks();
   if (main_->is_good() && main_->shape_quality() > kLearnable) {
     context_.signature.learn(sample, passed_us);
@@ -202,6 +203,15 @@ bool ContourPipeline::shows_wall() const {
   const TrackLooks looks = main_->looks();
   return context_.signature.may_be_faint() ? looks.is_good()
                                            : looks.quality > TrackTrust::kSound && looks.is_fast();
+}
+
+// Another puck may lie or come elsewhere while this one rests or is lost; and of a faint one hardly
+// anything would be left while what passes over it counts as clutter.
+bool ContourPipeline::shows_plain_face() const {
+  const PuckSignature& signature = context_.signature;
+  return context_.ingredients.plain_face && context_.is_trusted &&
+         standing_.state() == TrackState::kTracking && !standing_.is_resting() &&
+         signature.has_plain_face() && signature.had_contrast();
 }
 
 void ContourPipeline::challenge_main(std::int64_t time_us) {

@@ -65,6 +65,7 @@ class ContourPipeline final : public TrackingPipeline {
   void challenge_main(std::int64_t time_us);
   /// The main track is the puck's beyond doubt, so that its opinion on the side wall is, too.
   bool shows_wall() const;
+  bool shows_plain_face() const;
   void forget_looks();
   void learn_wall_height(std::int64_t passed_us);
   ClaimContext claim_context() const;

@@ -82,7 +82,7 @@ void ContourTrack::follow_contour(const ContourContext& context) {
     areas_ = RingEvidence::areas_of(ring_);
   }
   if (filter_.speed_px_s() > turning_px_s_) has_moved_ = true;
-  areas_.may_have_print = context.ingredients.face_print && has_moved_;
+  areas_.may_have_print = context.ingredients.face_print && has_moved_ && !context.is_plain;
 }
 
 double ContourTrack::take(const ContourEvent& event, const ContourContext& context) {
@@ -145,12 +145,18 @@ double ContourTrack::take(const ContourEvent& event, const ContourContext& conte
   double worth = 0;
   if (distance > RingEvidence::kRing_px) {
     ++clutter_since_ring_;
-    worth = offset.distance_px < 0 ? evidence_.add_inside(areas_) : evidence_.add_outside(areas_);
+    if (offset.distance_px < 0) {
+      worth = evidence_.add_inside(areas_);
+      sample_.inside_per_px2 += 1 / areas_.inside;
+    } else {
+      worth = evidence_.add_outside(areas_);
+    }
   } else if (wrong_sign) {
     evidence_.add_wrong_sign();
     worth = -1;
   } else {
     worth = evidence_.add_ring(offset.sector, context.ingredients.sector_saturation);
+    sample_.ring_per_px2 += 1 / areas_.ring;
     last_ring_us_ = event.time_us;
     clutter_since_ring_ = 0;
   }

@@ -31,6 +31,8 @@ struct ContourContext {
   PuckSignature signature;
   /// Whether the signature was learned from a track that is beyond doubt.
   bool is_trusted = false;
+  /// Whether the puck that is followed is known to have no print on its face.
+  bool is_plain = false;
   /// Nothing is tracked yet.
   bool is_first = false;
   /// NoiseFloor's.

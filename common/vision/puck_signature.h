@@ -6,8 +6,8 @@
 namespace puck {
 
 /// What the puck's events look like, learned while the track is good: whether the puck is darker or
-/// brighter than the table, how many events a pixel makes when its edge passes, and how many there
-/// are for each px² that the contour sweeps.
+/// brighter than the table, how many events a pixel makes when its edge passes, how many there are
+/// for each px² that the contour sweeps, and whether its face is plain.
 class PuckSignature {
  public:
   /// An edge that moves faster than this along its normal passes a pixel quickly.
@@ -21,6 +21,8 @@ class PuckSignature {
     double swept_px2 = 0;       ///< Area that the contour swept.
     double quick_events = 0;    ///< Contour events where the contour moves quickly …
     double first_events = 0;    ///< … that were the first of their sign at their pixel of late.
+    double ring_per_px2 = 0;  ///< Contour events of its sign for each px² of the contour's band …
+    double inside_per_px2 = 0;  ///< … and events well inside it for each px² there.
 
     /// Counts a contour event, believed or not. Where an edge passes slowly, its events are too far
     /// apart to be known as one passing.
@@ -43,15 +45,25 @@ class PuckSignature {
   bool may_be_faint() const;
   bool knows_multiplicity() const { return sum_.first_events > kLeastEvents; }
   double multiplicity() const;
+  /// When its multiplicity was last known, the puck was certainly not faint.
+  bool had_contrast() const { return last_multiplicity_ >= kMaybeFaintBelow; }
   /// Contour events per px² swept; nothing (0) while it is not known.
   double density() const;
   /// The same, or, after a rest, what it was when it was last known.
   double last_density() const { return last_density_; }
+  /// So little has happened well inside the contour, for all that has happened on it, that there is
+  /// no print. Unlike all else it is remembered however long the puck is slow, rests or is hidden.
+  bool has_plain_face() const;
 
  private:
   static constexpr double kLeastEvents = 30;
+  static constexpr double kMaybeFaintBelow = 2.5;
   Sample sum_;  // Fading with 0.5 s.
   double last_density_ = 0;
+  double last_multiplicity_ = 0;
+  // Of the last 8 to 16 contour events a px² of the contour's band, however old.
+  double ring_per_px2_ = 0;
+  double inside_per_px2_ = 0;
 };
 
 }  // namespace puck

@@ -197,6 +197,23 @@ TEST_CASE("What looks clearly better than what was refuted there is tried at onc
   CHECK(test::count(challengers) == 2);
 }
 
+TEST_CASE("Where an edge that passed has left what it led away, the next find is tried at once") {
+  Challengers challengers;
+  find(challengers, {{{300, 200}, 0.5}});
+  for (std::int64_t t = 0; t < 26'000; t += 500) {
+    for (int y = 190; y < 210; ++y) {
+      challengers.take({t, 300 + 1e-3 * static_cast<double>(t), y + 0.0, false, true}, 0, kContext);
+    }
+    challengers.decide(t + 500, kContext);
+  }
+  for (const Challenger& challenger : challengers) REQUIRE(challenger.track().looks().is_fast());
+  const Pixel left = challengers.begin()->track().filter().position();
+  challengers.dismiss_hopeless(26'000);
+  REQUIRE(test::count(challengers) == 0);
+  find(challengers, {{left, 0.5}}, 26'000);
+  CHECK(test::count(challengers) == 2);
+}
+
 TEST_CASE("What is found again has the highest of its scores") {
   Challengers challengers;
   find(challengers, {{{300, 200}, 0.5}});

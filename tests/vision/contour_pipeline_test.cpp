@@ -261,6 +261,38 @@ TEST_CASE("a puck with a print on its face is found and followed, unless face-pr
   CHECK(error_px(false) > 5);
 }
 
+TEST_CASE(
+    "what comes over a slow puck whose face is known to be plain is no print, unless plain-face is "
+    "off") {
+  const auto score = [](bool plain_face) {
+    PipelineParams params = preset_params(Preset::kDefault);
+    params.contour.ingredients.plain_face = plain_face;
+    Table table(params);
+    table.density = 6;
+    table.glide({400, 200}, 350);
+    table.glide({80, 40}, 100);
+    table.has_print = true;
+    table.glide({80, 40}, 30);
+    return table.estimate().score;
+  };
+  CHECK(score(true) < 0.7);
+  CHECK(score(false) > 0.85);
+}
+
+TEST_CASE("a puck with a print is found where a plain one was covered and is gone") {
+  Table table;
+  table.density = 6;
+  table.glide({400, 100}, 400);
+  table.rest(300);
+  REQUIRE(table.estimate().resting);
+  table.cover(200);
+  table.rest(500);
+  table.put({80, 60});
+  table.has_print = true;
+  table.glide({700, 200}, 50);
+  CHECK(table.glide({700, 200}, 150) < 0.3);
+}
+
 TEST_CASE("a puck that stops keeps its place without events") {
   Table table;
   table.glide({600, 100}, 200);

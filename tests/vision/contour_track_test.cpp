@@ -136,6 +136,28 @@ TEST_CASE("A print on the puck's face says nothing against it, unless face-print
   CHECK_FALSE(PrintedPuck(context, {700, 300}).track.is_good());
 }
 
+TEST_CASE("What covers a puck whose face is known to be plain is no print") {
+  ContourContext context = test::contour_context();
+  CHECK(PrintedPuck(context, {700, 300}).track.is_good());
+  context.is_plain = true;
+  CHECK_FALSE(PrintedPuck(context, {700, 300}).track.is_good());
+}
+
+TEST_CASE("A track gathers what tells a plain face from one with a print") {
+  const ContourContext context = test::contour_context();
+  const auto learned_of = [&](bool has_print) {
+    ContourTrack track(context, {.position = {250, 180}, .velocity = {700, 300}}, 0, 0);
+    test::MovingContour puck(context.contour, {250, 180}, {700, 300});
+    puck.has_print = has_print;
+    test::follow(track, puck, context, 0, 200'000);
+    PuckSignature signature;
+    signature.learn(track.take_sample(), 200'000);
+    return signature;
+  };
+  CHECK(learned_of(false).has_plain_face());
+  CHECK_FALSE(learned_of(true).has_plain_face());
+}
+
 TEST_CASE("To what has not moved by itself a print is clutter") {
   const ContourContext context = test::contour_context();
   const double fixed_px_s = context.contour.turning_px_s();

@@ -61,6 +61,49 @@ TEST_CASE("A puck of two events a pixel may be faint, one of three is not") {
   CHECK_FALSE(dark.may_be_faint());
 }
 
+// Of a puck of so many events well inside its contour for each one on it, area for area.
+PuckSignature::Sample facing(double inside_for_each) {
+  PuckSignature::Sample sample;
+  sample.ring_per_px2 = 1;
+  sample.inside_per_px2 = inside_for_each;
+  return sample;
+}
+
+TEST_CASE("A face is plain once it has been seen long enough, and stays so through a rest") {
+  PuckSignature plain;
+  CHECK_FALSE(plain.has_plain_face());
+  plain.learn(facing(0.02), 1'000);
+  CHECK_FALSE(plain.has_plain_face());
+  for (int i = 0; i < 10; ++i) plain.learn(facing(0.02), 1'000);
+  CHECK(plain.has_plain_face());
+  for (int i = 0; i < 10; ++i) plain.learn({}, 500'000);
+  CHECK(plain.has_plain_face());
+
+  PuckSignature printed;
+  for (int i = 0; i < 100; ++i) printed.learn(facing(0.4), 1'000);
+  CHECK_FALSE(printed.has_plain_face());
+}
+
+TEST_CASE("Whether a face is plain is told by the latest events") {
+  PuckSignature signature;
+  for (int i = 0; i < 1'000; ++i) signature.learn(facing(0), 1'000);
+  REQUIRE(signature.has_plain_face());
+  for (int i = 0; i < 8; ++i) signature.learn(facing(0.4), 1'000);
+  CHECK_FALSE(signature.has_plain_face());
+}
+
+TEST_CASE("That a puck was not faint is remembered while it is slow, until it proves to be") {
+  PuckSignature signature;
+  CHECK_FALSE(signature.had_contrast());
+  signature.learn(passing(300, 3, false), 1'000);
+  CHECK(signature.had_contrast());
+  for (int i = 0; i < 10; ++i) signature.learn({}, 500'000);
+  REQUIRE_FALSE(signature.knows_multiplicity());
+  CHECK(signature.had_contrast());
+  signature.learn(passing(300, 2, false), 1'000);
+  CHECK_FALSE(signature.had_contrast());
+}
+
 TEST_CASE("Slow edges say nothing of the multiplicity") {
   PuckSignature signature;
   PuckSignature::Sample sample;
