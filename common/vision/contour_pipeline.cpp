@@ -233,7 +233,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
     enthrone(*successor, time_us);
     return;
   }
-  challengers_.dismiss_hopeless(time_us);
+  challengers_.dismiss_hopeless(time_us, context_);
   challengers_.dismiss_idle(main_->filter(), time_us);
 }
 
@@ -271,7 +271,7 @@ void ContourPipeline::find_first(std::int64_t time_us) {
     enthrone(*first, time_us);
     return;
   }
-  challengers_.dismiss_hopeless(time_us);
+  challengers_.dismiss_hopeless(time_us, context_);
 }
 
 void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_us) {
