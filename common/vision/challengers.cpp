@@ -197,10 +197,10 @@ const Challenger* Challengers::first(const ClaimContext& context, std::int64_t s
   return best;
 }
 
-void Challengers::dismiss_hopeless(std::int64_t time_us, const ContourContext& context) {
+void Challengers::dismiss_hopeless(std::int64_t time_us, bool head_rests) {
   std::erase_if(challengers_, [&](const Challenger& challenger) {
     const bool is_over = is_found(challenger) && is_hopeless(challenger, time_us);
-    if (is_over && (context.is_first || !challenger.track().looks().is_fast())) {
+    if (is_over && !(head_rests && challenger.track().looks().is_fast())) {
       refuted_.add(position_of(challenger), challenger.found().score, time_us);
     }
     return is_over;

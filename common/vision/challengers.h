@@ -62,9 +62,8 @@ class Challengers {
                           std::int64_t time_us);
 
   /// Gives up what the search found by mistake, and remembers where that was; but of what is fast
-  /// not, since an edge that passed has led it there. While nothing is tracked yet that is not told
-  /// from what is only noise.
-  void dismiss_hopeless(std::int64_t time_us, const ContourContext& context);
+  /// while the head rests not, since an edge that passed has led it there.
+  void dismiss_hopeless(std::int64_t time_us, bool head_rests);
   /// Gives up those that are too old, or have become the same as the main track.
   void dismiss_idle(const ContourFilter& main, std::int64_t time_us);
   void clear() { challengers_.clear(); }

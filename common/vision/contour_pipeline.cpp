@@ -233,7 +233,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
     enthrone(*successor, time_us);
     return;
   }
-  challengers_.dismiss_hopeless(time_us, context_);
+  challengers_.dismiss_hopeless(time_us, head_rests());
   challengers_.dismiss_idle(main_->filter(), time_us);
 }
 
@@ -243,11 +243,13 @@ bool ContourPipeline::head_turns() const {
   return consults_background_ && background_.head_turns();
 }
 
+bool ContourPipeline::head_rests() const { return watches_closely_ && background_.head_rests(); }
+
 ClaimContext ContourPipeline::claim_context() const {
   const ContourIngredients& ingredients = context_.ingredients;
   const bool asks_for_turn =
       ingredients.own_motion && ingredients.background && consults_background_;
-  return {.head_rests = ingredients.slow_movers && watches_closely_ && background_.head_rests(),
+  return {.head_rests = ingredients.slow_movers && head_rests(),
           .at_once = ingredients.at_once,
           .face_print = ingredients.face_print,
           .head_may_turn = asks_for_turn && !background_.head_rests(),
@@ -271,7 +273,7 @@ void ContourPipeline::find_first(std::int64_t time_us) {
     enthrone(*first, time_us);
     return;
   }
-  challengers_.dismiss_hopeless(time_us, context_);
+  challengers_.dismiss_hopeless(time_us, false);
 }
 
 void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_us) {

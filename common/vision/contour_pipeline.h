@@ -70,6 +70,7 @@ class ContourPipeline final : public TrackingPipeline {
   void learn_wall_height(std::int64_t passed_us);
   ClaimContext claim_context() const;
   bool head_turns() const;
+  bool head_rests() const;
   bool rest_may_be_wrong() const;
   /// Whether what is found where the main track is challenges it.
   bool is_tried_afresh() const;

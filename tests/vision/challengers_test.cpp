@@ -149,7 +149,7 @@ TEST_CASE("What was found late is tried for as long as what was found at once") 
   const ContourFilter far({}, {.position = {100, 400}}, 0);
   challengers.dismiss_idle(far, kLate_us + 60'000);
   CHECK(test::count(challengers) == 2);
-  challengers.dismiss_hopeless(kLate_us + 10'000, kContext);
+  challengers.dismiss_hopeless(kLate_us + 10'000, true);
   CHECK(test::count(challengers) == 2);
   challengers.dismiss_idle(far, kLate_us + 60'001);
   CHECK(test::count(challengers) == 0);
@@ -177,9 +177,9 @@ TEST_CASE("What no event speaks for is refuted, and not tried again for a while"
   Challengers challengers;
   find(challengers, {{{300, 200}, 0.5}});
   challengers.add(Kind::kWitness, kContext, kStart, 0, 0);
-  challengers.dismiss_hopeless(10'000, kContext);
+  challengers.dismiss_hopeless(10'000, true);
   CHECK(test::count(challengers) == 3);
-  challengers.dismiss_hopeless(10'001, kContext);
+  challengers.dismiss_hopeless(10'001, true);
   CHECK(test::count(challengers) == 1);
   find(challengers, {{{300, 200}, 0.5}}, 20'000);
   CHECK(test::count(challengers) == 1);
@@ -190,7 +190,7 @@ TEST_CASE("What no event speaks for is refuted, and not tried again for a while"
 TEST_CASE("What looks clearly better than what was refuted there is tried at once") {
   Challengers challengers;
   find(challengers, {{{300, 200}, 0.5}});
-  challengers.dismiss_hopeless(10'001, kContext);
+  challengers.dismiss_hopeless(10'001, true);
   find(challengers, {{{300, 200}, 0.55}}, 20'000);
   CHECK(test::count(challengers) == 0);
   find(challengers, {{{300, 200}, 0.7}}, 20'000);
@@ -198,27 +198,25 @@ TEST_CASE("What looks clearly better than what was refuted there is tried at onc
 }
 
 TEST_CASE("Where an edge that passed has left what it led away, the next find is tried at once") {
-  const auto tried = [](bool is_first) {
-    ContourContext context = kContext;
-    context.is_first = is_first;
+  const auto tried = [](bool head_rests) {
     Challengers challengers;
     find(challengers, {{{300, 200}, 0.5}});
     for (std::int64_t t = 0; t < 26'000; t += 500) {
       for (int y = 190; y < 210; ++y) {
         challengers.take({t, 300 + 1e-3 * static_cast<double>(t), y + 0.0, false, true}, 0,
-                         context);
+                         kContext);
       }
-      challengers.decide(t + 500, context);
+      challengers.decide(t + 500, kContext);
     }
     for (const Challenger& challenger : challengers) REQUIRE(challenger.track().looks().is_fast());
     const Pixel left = challengers.begin()->track().filter().position();
-    challengers.dismiss_hopeless(26'000, context);
+    challengers.dismiss_hopeless(26'000, head_rests);
     REQUIRE(test::count(challengers) == 0);
     find(challengers, {{left, 0.5}}, 26'000);
     return test::count(challengers);
   };
-  CHECK(tried(false) == 2);
-  CHECK(tried(true) == 0);
+  CHECK(tried(true) == 2);
+  CHECK(tried(false) == 0);
 }
 
 TEST_CASE("What is found again has the highest of its scores") {
@@ -351,7 +349,7 @@ bool lives_until(std::int64_t age_us, PixelVelocity velocity) {
     }
     challengers.decide(t + 1'000, kContext);
   }
-  challengers.dismiss_hopeless(age_us, kContext);
+  challengers.dismiss_hopeless(age_us, true);
   return test::count(challengers) > 0;
 }
 
