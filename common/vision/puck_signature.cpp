@@ -8,6 +8,7 @@ namespace {
 constexpr double kSignatureMemory_us = 500'000;
 // A puck of good contrast makes about five events at a pixel, a faint one hardly more than one.
 constexpr double kFaintBelow = 1.6;
+constexpr double kMaybeFaintBelow = 2.5;
 // As of thirty events at 100 px/s.
 constexpr double kLeastSpeedSum_px_s = 3'000;
 constexpr double kLeastSwept_px2 = 2'000;
@@ -59,6 +60,8 @@ bool PuckSignature::is_faint() const {
 bool PuckSignature::may_be_faint() const {
   return knows_multiplicity() && multiplicity() < kMaybeFaintBelow;
 }
+
+bool PuckSignature::had_contrast() const { return last_multiplicity_ >= kMaybeFaintBelow; }
 
 double PuckSignature::density() const {
   return sum_.swept_px2 > kLeastSwept_px2 ? sum_.events / sum_.swept_px2 : 0;

@@ -46,18 +46,17 @@ class PuckSignature {
   bool knows_multiplicity() const { return sum_.first_events > kLeastEvents; }
   double multiplicity() const;
   /// When its multiplicity was last known, the puck was certainly not faint.
-  bool had_contrast() const { return last_multiplicity_ >= kMaybeFaintBelow; }
+  bool had_contrast() const;
   /// Contour events per px² swept; nothing (0) while it is not known.
   double density() const;
   /// The same, or, after a rest, what it was when it was last known.
   double last_density() const { return last_density_; }
   /// So little has happened well inside the contour, for all that has happened on it, that there is
-  /// no print. Unlike all else it is remembered however long the puck is slow, rests or is hidden.
+  /// no print. It is remembered however long the puck is slow, rests or is hidden.
   bool has_plain_face() const;
 
  private:
   static constexpr double kLeastEvents = 30;
-  static constexpr double kMaybeFaintBelow = 2.5;
   Sample sum_;  // Fading with 0.5 s.
   double last_density_ = 0;
   double last_multiplicity_ = 0;
