@@ -226,6 +226,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
                         .was_covered = trust_.was_covered(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
                         .may_be_faint = rest_may_be_wrong(),
+                        .had_contrast = context_.signature.had_contrast(),
                         .score = seen_score_.value(),
                         .since_good_us = trust_.since_good_us(time_us),
                         .since_sound_us = trust_.since_sound_us(time_us)};

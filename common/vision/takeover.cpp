@@ -19,8 +19,14 @@ constexpr double kSlow_px_s = 100;
 constexpr double kLeastStrength = 40;
 // A hand that only passes over the puck is gone sooner.
 constexpr std::int64_t kTakenAway_us = 200'000;
+// A puck that was sound so recently is still beneath what covers it, or comes out beside it.
+constexpr std::int64_t kJustCovered_us = 120'000;
 // Of what the search found, most that is no puck has a lower score.
 constexpr double kPossibleScore = 0.45;
+// … and a part of a hand or a mallet one below this.
+constexpr double kHardlySeen = 0.33;
+// A ring as good as that is more than a part of a mallet.
+constexpr double kFineRing = 0.85;
 // Of two that are seen alike, either may score as much more.
 constexpr double kScoreNoise = 0.1;
 // How far the puck may be from a track that has just been good, and how much farther it gets.
@@ -95,6 +101,7 @@ bool moves_by_itself(const Claim& claim) {
 
 bool outshines(const Claim& claim, const Defence& main) {
   return claim.age_us > 10'000 && claim.looks.quality > 0.75 && claim.looks.strength > 40 &&
+         (!main.knows_pucks || claim.found.score > kHardlySeen) &&
          claim.looks.strength > 3 * std::max(main.looks.strength, 5.0) &&
          (main.since_sound_us > kUnsoundFor_us || is_evident(claim));
 }
@@ -105,6 +112,7 @@ bool surpasses(const Claim& claim, const Defence& main) {
   return main.knows_pucks && claim.age_us > 15'000 && claim.leads && looks.is_fast() &&
          looks.is_whole_ring() && looks.has_pucks_size() && looks.is_good() &&
          looks.quality > main.looks.quality - handicap &&
+         (claim.found.score > kPossibleScore || looks.quality > kFineRing) &&
          looks.strength > 1.5 * std::max(main.looks.strength, kLeastStrength) &&
          looks.cover > main.looks.cover && claim.found.score > main.score;
 }
@@ -174,7 +182,14 @@ bool is_recognised(const Claim& claim, const Defence& main) {
   return support(claim) > 1.7 && (is_possible || score > kLikelyScore);
 }
 
+bool may_be_cover(const Claim& claim, const Defence& main) {
+  return main.knows_pucks && main.had_contrast && main.is_trusted && main.is_proven &&
+         main.was_covered && main.since_sound_us < kJustCovered_us &&
+         claim.found.score < kPossibleScore;
+}
+
 bool is_convincing(const Claim& claim, const Defence& main) {
+  if (may_be_cover(claim, main)) return false;
   if (claim.found.is_conjecture && !moves_by_itself(claim) &&
       main.since_sound_us <= kUnsoundFor_us) {
     return false;

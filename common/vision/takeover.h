@@ -33,6 +33,7 @@ struct Defence {
   bool was_covered = false;         ///< TrackTrust's.
   bool is_witnessed = false;        ///< WitnessCheck vouches for it.
   bool may_be_faint = false;        ///< PuckSignature's.
+  bool had_contrast = false;        ///< PuckSignature's.
   double score = 0;                 ///< SeenScore's.
   std::int64_t since_good_us = 0;   ///< TrackTrust's.
   std::int64_t since_sound_us = 0;  ///< TrackTrust's.
@@ -47,11 +48,12 @@ bool is_evident(const Claim& claim);
 /// the head rests, it moves at all, and is a puck in every respect.
 bool moves_by_itself(const Claim& claim);
 
-/// It is by far the stronger, wherever it is, and the main track has not been sound for long or it
-/// is evident itself.
+/// It is by far the stronger, wherever it is, to searches it is not nothing, and the main track has
+/// not been sound for long or it is evident itself.
 bool outshines(const Claim& claim, const Defence& main);
 /// It moves as a puck does and is of its size, and it is more of a puck in every respect: its
-/// events are better, at least half as many again, and on more sides, and searches say so, too.
+/// events are better, at least half as many again, and on more sides, and searches say so, too. If
+/// these hardly see a puck, its ring must be a fine one.
 /// What is not of a puck's size it need not quite equal in quality.
 bool surpasses(const Claim& claim, const Defence& main);
 /// It moves as a puck does; the main track has never done so, or has not been good for so long
@@ -81,10 +83,16 @@ bool outruns_rest(const Claim& claim, const Defence& main);
 /// way round, and the clearer those are, the sooner; the main track has not been good for a while.
 bool is_recognised(const Claim& claim, const Defence& main);
 
-/// Any of the first six, or recognised; but far from a track that moves, has twice its events, on
-/// more sides, and is more of a puck to searches, none; against a puck at rest, which makes no
-/// events, that it is evident, outruns it, or is recognised, by a high score if it is not lost. A
-/// conjecture must move by itself, unless the main track has not been sound for long.
+/// The puck was beyond doubt a moment ago, and something has come over it; the claim is likely a
+/// part of that, since to searches it is no puck. It may be the better ring while the puck is
+/// hidden. A faint puck may be seen no better.
+bool may_be_cover(const Claim& claim, const Defence& main);
+
+/// Any of the first six, or recognised, and not likely the cover; but far from a track that moves,
+/// has twice its events, on more sides, and is more of a puck to searches, none; against a puck at
+/// rest, which makes no events, that it is evident, outruns it, or is recognised, by a high score
+/// if it is not lost. A conjecture must move by itself, unless the main track has not been sound
+/// for long.
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident, nor

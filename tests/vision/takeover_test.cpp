@@ -107,6 +107,12 @@ TEST_CASE(
   main.since_sound_us = 150'001;
   CHECK(outshines(claim, main));
   CHECK(is_convincing(claim, main));
+  main.knows_pucks = true;
+  CHECK_FALSE(outshines(claim, main));
+  claim.found.score = 0.34;
+  CHECK(outshines(claim, main));
+  main.knows_pucks = false;
+  claim.found.score = 0;
   claim.looks.strength = 300;
   CHECK_FALSE(is_convincing(claim, main));
   claim.looks.strength = 301;
@@ -455,6 +461,18 @@ TEST_CASE("It needs some strength, however little the track has") {
   CHECK_FALSE(surpasses(claim, main));
 }
 
+TEST_CASE("What searches hardly see as a puck must be a fine ring") {
+  Defence main = kMallet;
+  main.score = 0.4;
+  Claim claim = kBetter;
+  claim.found.score = 0.46;
+  CHECK(surpasses(claim, main));
+  claim.found.score = 0.45;
+  CHECK_FALSE(surpasses(claim, main));
+  claim.looks.quality = 0.86;
+  CHECK(surpasses(claim, main));
+}
+
 TEST_CASE(
     "What has half the events of a track that moves, on fewer sides, takes over only nearby") {
   Defence main{.looks = {.speed_px_s = 301, .quality = 0.66, .strength = 300, .cover = 0.8},
@@ -628,6 +646,40 @@ TEST_CASE("The farther away, the better it must look, and never beyond 60 px") {
   CHECK(succeeds_nearby(claim, main));
   claim.looks = {.position = {61, 0}, .quality = 1, .strength = 20};
   CHECK_FALSE(succeeds_nearby(claim, main));
+}
+
+TEST_CASE("What covers a puck does not succeed it, unless searches see a puck in it") {
+  Claim claim{.looks = {.position = {8, 0}, .quality = 0.68, .strength = 52},
+              .age_us = 22'000,
+              .found = {.score = 0.44},
+              .leads = true};
+  Defence main{.looks = {.quality = 0, .strength = 9},
+               .is_trusted = true,
+               .is_proven = true,
+               .knows_pucks = true,
+               .was_covered = true,
+               .had_contrast = true,
+               .since_good_us = 36'000,
+               .since_sound_us = 119'000};
+  REQUIRE(succeeds_nearby(claim, main));
+  CHECK(may_be_cover(claim, main));
+  CHECK_FALSE(is_convincing(claim, main));
+
+  Claim seen = claim;
+  seen.found.score = 0.46;
+  CHECK(is_convincing(seen, main));
+
+  const auto convinces = [&](auto&& change) {
+    Defence changed = main;
+    change(changed);
+    return is_convincing(claim, changed);
+  };
+  CHECK(convinces([](Defence& long_gone) { long_gone.since_sound_us = 120'000; }));
+  CHECK(convinces([](Defence& open) { open.was_covered = false; }));
+  CHECK(convinces([](Defence& faint) { faint.had_contrast = false; }));
+  CHECK(convinces([](Defence& stranger) { stranger.is_trusted = false; }));
+  CHECK(convinces([](Defence& slow) { slow.is_proven = false; }));
+  CHECK(convinces([](Defence& without) { without.knows_pucks = false; }));
 }
 
 TEST_CASE("From a track of some quality it takes over only if it is stronger and leads") {
