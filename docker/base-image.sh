@@ -5,7 +5,7 @@
 #
 #   docker/base-image.sh [--name]      --name: only says its name
 set -euo pipefail
-cd "$(dirname "$0")/.."
+CDPATH='' cd "$(dirname "$0")/.."
 
 image=debian:bookworm-slim
 if [ "${1-}" = --name ]; then

@@ -8,7 +8,7 @@
 # system: the real programs together, over LCM on this machine. containers: the services as machines,
 # where there is Docker. all, the default: everything.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+CDPATH='' cd "$(dirname "$0")/.."
 
 what=${1:-all}
 case "$what" in

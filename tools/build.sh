@@ -3,7 +3,7 @@
 #
 #   tools/build.sh TARGET...
 set -euo pipefail
-cd "$(dirname "$0")/.."
+CDPATH='' cd "$(dirname "$0")/.."
 
 tools/install-deps.sh
 echo "building"

@@ -23,7 +23,7 @@
 # All of it takes some 40 minutes on two cores, without the particle filter and the ablation a
 # quarter of an hour, and --sequences 2 --seconds 5 less than two minutes.
 set -euo pipefail
-root=$(cd "$(dirname "$0")/.." && pwd)
+root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 
 for option in "$@"; do
   if [ "$option" = -h ] || [ "$option" = --help ]; then

@@ -12,7 +12,7 @@
 # Exits with 1 when a service died or nothing was tracked. Uses LCM ports of its own on this machine
 # only, so that it never meets another demo or a robot.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+CDPATH='' cd "$(dirname "$0")/.."
 
 usage() { # EXIT_CODE
   sed -n '2,/^set /s/^# \{0,1\}//p' "$0" | sed '/^set /d'

@@ -23,7 +23,7 @@
 # Of the loop in steps also --seed, --jobs, --latency-ms, --rate-hz, --loss-percent, --burst-ms,
 # --frames-hz and --fit-estimate-errors: build/release/bin/puck-play --help says what they do.
 set -euo pipefail
-root=$(cd "$(dirname "$0")/.." && pwd)
+root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 
 usage() { # EXIT_CODE
   sed -n '2,/^set /s/^# \{0,1\}//p' "$root/tools/play.sh" | sed '/^set /d'

@@ -29,7 +29,7 @@ while [ $# -gt 0 ]; do
       ;;
   esac
 done
-cd "$(dirname "$0")/../.."
+CDPATH='' cd "$(dirname "$0")/../.."
 
 tools/build.sh puck_bench
 bin=build/release/bin

@@ -8,7 +8,7 @@
 # scenario; exits with 1 when one failed. Leaves nothing behind: no container, network, volume or
 # image, but a base image that was there before.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
+CDPATH='' cd "$(dirname "$0")/../.."
 
 all=(game loss_1 loss_5 narrow killed frozen cut_off neighbours intruder)
 case "${1-}" in

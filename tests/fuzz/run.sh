@@ -8,7 +8,7 @@
 # stays in build/asan/corpus. Exit status 1 when something was found; the input is then in
 # build/asan/findings.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
+CDPATH='' cd "$(dirname "$0")/../.."
 
 usage() {
   echo "usage: tests/fuzz/run.sh [--minutes N [FUZZER...]]" >&2
