@@ -70,10 +70,10 @@ class Game {
 
   /// Ends it. The log is whole then.
   const std::filesystem::path& stop() {
-    for (auto& [name, service] : services_) {
-      CAPTURE(name);
-      service->send(SIGTERM);
-      CHECK(service->wait_for(std::chrono::seconds(10)) == 0);
+    for (auto& service : services_) {
+      CAPTURE(service.first);
+      service.second->send(SIGTERM);
+      CHECK(service.second->wait_for(std::chrono::seconds(10)) == 0);
     }
     return log_;
   }
