@@ -19,8 +19,8 @@ constexpr double kSlow_px_s = 100;
 constexpr double kLeastStrength = 40;
 // A hand that only passes over the puck is gone sooner.
 constexpr std::int64_t kTakenAway_us = 200'000;
-// A puck that was sound so recently is still beneath what covers it, or comes out beside it.
-constexpr std::int64_t kJustCovered_us = 120'000;
+// A puck that was sound so lately is still beneath what came over it, or beside it.
+constexpr std::int64_t kSoundLately_us = 120'000;
 // Of what the search found, most that is no puck has a lower score.
 constexpr double kPossibleScore = 0.45;
 // … and a part of a hand or a mallet one below this.
@@ -182,14 +182,14 @@ bool is_recognised(const Claim& claim, const Defence& main) {
   return support(claim) > 1.7 && (is_possible || score > kLikelyScore);
 }
 
-bool may_be_cover(const Claim& claim, const Defence& main) {
+bool is_premature(const Claim& claim, const Defence& main) {
   return main.knows_pucks && main.had_contrast && main.is_trusted && main.is_proven &&
-         main.was_covered && main.since_sound_us < kJustCovered_us &&
-         claim.found.score < kPossibleScore;
+         main.was_covered && main.since_sound_us < kSoundLately_us &&
+         claim.found.score <= kPossibleScore && !is_clear_at_once(claim);
 }
 
 bool is_convincing(const Claim& claim, const Defence& main) {
-  if (may_be_cover(claim, main)) return false;
+  if (is_premature(claim, main)) return false;
   if (claim.found.is_conjecture && !moves_by_itself(claim) &&
       main.since_sound_us <= kUnsoundFor_us) {
     return false;

@@ -48,12 +48,12 @@ bool is_evident(const Claim& claim);
 /// the head rests, it moves at all, and is a puck in every respect.
 bool moves_by_itself(const Claim& claim);
 
-/// It is by far the stronger, wherever it is, to searches it is not nothing, and the main track has
-/// not been sound for long or it is evident itself.
+/// It is by far the stronger, wherever it is, searches see something of a puck in it, and the main
+/// track has not been sound for long or it is evident itself.
 bool outshines(const Claim& claim, const Defence& main);
 /// It moves as a puck does and is of its size, and it is more of a puck in every respect: its
 /// events are better, at least half as many again, and on more sides, and searches say so, too. If
-/// these hardly see a puck, its ring must be a fine one.
+/// these do not clearly see a puck, its ring must be a fine one.
 /// What is not of a puck's size it need not quite equal in quality.
 bool surpasses(const Claim& claim, const Defence& main);
 /// It moves as a puck does; the main track has never done so, or has not been good for so long
@@ -83,12 +83,13 @@ bool outruns_rest(const Claim& claim, const Defence& main);
 /// way round, and the clearer those are, the sooner; the main track has not been good for a while.
 bool is_recognised(const Claim& claim, const Defence& main);
 
-/// The puck was beyond doubt a moment ago, and something has come over it; the claim is likely a
-/// part of that, since to searches it is no puck. It may be the better ring while the puck is
-/// hidden. A faint puck may be seen no better.
-bool may_be_cover(const Claim& claim, const Defence& main);
+/// Something has come over a puck that was beyond doubt a moment ago. What searches do not see as a
+/// puck is then likely a part of that, or a mallet elsewhere, each of which may be the better ring
+/// while the puck is hidden. What is clear at once is neither; and of a faint puck searches may see
+/// no more.
+bool is_premature(const Claim& claim, const Defence& main);
 
-/// Any of the first six, or recognised, and not likely the cover; but far from a track that moves,
+/// Any of the first six, or recognised, and not premature; but far from a track that moves,
 /// has twice its events, on more sides, and is more of a puck to searches, none; against a puck at
 /// rest, which makes no events, that it is evident, outruns it, or is recognised, by a high score
 /// if it is not lost. A conjecture must move by itself, unless the main track has not been sound

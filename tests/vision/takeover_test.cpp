@@ -107,17 +107,23 @@ TEST_CASE(
   main.since_sound_us = 150'001;
   CHECK(outshines(claim, main));
   CHECK(is_convincing(claim, main));
-  main.knows_pucks = true;
-  CHECK_FALSE(outshines(claim, main));
-  claim.found.score = 0.34;
-  CHECK(outshines(claim, main));
-  main.knows_pucks = false;
-  claim.found.score = 0;
   claim.looks.strength = 300;
   CHECK_FALSE(is_convincing(claim, main));
   claim.looks.strength = 301;
   claim.found.score = 0.66;
   CHECK(is_convincing(claim, kStrongMain));
+}
+
+TEST_CASE("What searches do not see at all outshines nothing, however strong it is") {
+  Claim claim{.looks = {.position = {500, 0}, .quality = 0.76, .strength = 301},
+              .age_us = 10'001,
+              .found = {.score = 0.33}};
+  Defence main = kStrongMain;
+  main.since_sound_us = 150'001;
+  main.knows_pucks = true;
+  CHECK_FALSE(outshines(claim, main));
+  claim.found.score = 0.34;
+  CHECK(outshines(claim, main));
 }
 
 TEST_CASE("A puck at rest gives way to what is evident only, however weak it looks itself") {
@@ -461,13 +467,15 @@ TEST_CASE("It needs some strength, however little the track has") {
   CHECK_FALSE(surpasses(claim, main));
 }
 
-TEST_CASE("What searches hardly see as a puck must be a fine ring") {
+TEST_CASE("What searches do not clearly see as a puck must be a fine ring") {
   Defence main = kMallet;
   main.score = 0.4;
   Claim claim = kBetter;
   claim.found.score = 0.46;
   CHECK(surpasses(claim, main));
   claim.found.score = 0.45;
+  CHECK_FALSE(surpasses(claim, main));
+  claim.looks.quality = 0.85;
   CHECK_FALSE(surpasses(claim, main));
   claim.looks.quality = 0.86;
   CHECK(surpasses(claim, main));
@@ -648,38 +656,53 @@ TEST_CASE("The farther away, the better it must look, and never beyond 60 px") {
   CHECK_FALSE(succeeds_nearby(claim, main));
 }
 
-TEST_CASE("What covers a puck does not succeed it, unless searches see a puck in it") {
-  Claim claim{.looks = {.position = {8, 0}, .quality = 0.68, .strength = 52},
-              .age_us = 22'000,
-              .found = {.score = 0.44},
-              .leads = true};
-  Defence main{.looks = {.quality = 0, .strength = 9},
-               .is_trusted = true,
-               .is_proven = true,
-               .knows_pucks = true,
-               .was_covered = true,
-               .had_contrast = true,
-               .since_good_us = 36'000,
-               .since_sound_us = 119'000};
-  REQUIRE(succeeds_nearby(claim, main));
-  CHECK(may_be_cover(claim, main));
-  CHECK_FALSE(is_convincing(claim, main));
+// Of a puck that something has just come over.
+constexpr Defence kJustCovered{.looks = {.quality = 0, .strength = 9},
+                               .is_trusted = true,
+                               .is_proven = true,
+                               .knows_pucks = true,
+                               .was_covered = true,
+                               .had_contrast = true,
+                               .since_good_us = 36'000,
+                               .since_sound_us = 119'999};
+// An edge of the hand.
+constexpr Claim kEdge{.looks = {.position = {8, 0}, .quality = 0.68, .strength = 52},
+                      .age_us = 22'000,
+                      .found = {.score = 0.45},
+                      .leads = true};
 
-  Claim seen = claim;
+TEST_CASE("What searches do not see as a puck does not succeed one that was just covered") {
+  REQUIRE(succeeds_nearby(kEdge, kJustCovered));
+  CHECK_FALSE(is_convincing(kEdge, kJustCovered));
+  Claim seen = kEdge;
   seen.found.score = 0.46;
-  CHECK(is_convincing(seen, main));
+  CHECK(is_convincing(seen, kJustCovered));
 
-  const auto convinces = [&](auto&& change) {
-    Defence changed = main;
-    change(changed);
-    return is_convincing(claim, changed);
+  const auto still_convinces = [](auto&& change) {
+    Defence main = kJustCovered;
+    change(main);
+    return is_convincing(kEdge, main);
   };
-  CHECK(convinces([](Defence& long_gone) { long_gone.since_sound_us = 120'000; }));
-  CHECK(convinces([](Defence& open) { open.was_covered = false; }));
-  CHECK(convinces([](Defence& faint) { faint.had_contrast = false; }));
-  CHECK(convinces([](Defence& stranger) { stranger.is_trusted = false; }));
-  CHECK(convinces([](Defence& slow) { slow.is_proven = false; }));
-  CHECK(convinces([](Defence& without) { without.knows_pucks = false; }));
+  CHECK(still_convinces([](Defence& main) { main.since_sound_us = 120'000; }));
+  CHECK(still_convinces([](Defence& main) { main.was_covered = false; }));
+  CHECK(still_convinces([](Defence& main) { main.had_contrast = false; }));
+  CHECK(still_convinces([](Defence& main) { main.is_trusted = false; }));
+  CHECK(still_convinces([](Defence& main) { main.is_proven = false; }));
+  CHECK(still_convinces([](Defence& main) { main.knows_pucks = false; }));
+}
+
+TEST_CASE("Nor does it by another rule, unless it is clear at once") {
+  Claim mallet = kLeading;
+  mallet.looks.position = {500, 0};
+  Defence main = kJustCovered;
+  main.may_be_overtaken = true;
+  REQUIRE(outmoves(mallet, main));
+  CHECK_FALSE(is_convincing(mallet, main));
+  Claim clear = mallet;
+  clear.looks.quality = 0.86;
+  clear.looks.strength = 61;
+  REQUIRE(is_clear_at_once(clear));
+  CHECK(is_convincing(clear, main));
 }
 
 TEST_CASE("From a track of some quality it takes over only if it is stronger and leads") {
