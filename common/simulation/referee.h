@@ -10,6 +10,7 @@ namespace puck {
 /// nobody touched it again:
 /// - a shot is a hit of the opponent that would enter the robot's goal;
 /// - a save is a shot under way that the robot's mallet touched and that then would not enter.
+/// A shot that the opponent touches again, and that then would not enter, is neither save nor goal.
 class Referee {
  public:
   explicit Referee(const PuckPhysics& physics);

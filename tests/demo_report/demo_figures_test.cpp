@@ -75,4 +75,19 @@ TEST_CASE("a report says when a counter that it takes for 0 may have had no room
   CHECK(report.json["messages_received"] == 7);
 }
 
+TEST_CASE("a report says what became of shots that were neither saved nor went in") {
+  const auto told = [](int shots, int saves, int goals_against) {
+    GameLog game;
+    game.last_truth.emplace();
+    game.last_truth->shots = shots;
+    game.last_truth->saves = saves;
+    game.last_truth->goals_against = goals_against;
+    return printed(game).text;
+  };
+  CHECK(told(9, 6, 1).find("neither saved nor in: 2, under way at the end") != std::string::npos);
+  CHECK(told(8, 7, 1).find("neither saved") == std::string::npos);
+  // Saved, and in by a rail.
+  CHECK(told(1, 1, 1).find("neither saved") == std::string::npos);
+}
+
 }  // namespace puck

@@ -69,6 +69,15 @@ TEST_CASE("A shot that the robot only brushes, and a touch without a shot, are n
   CHECK(judge.counts() == GameCounts{1, 0, 1, 0});
 }
 
+TEST_CASE("A shot that the opponent turns away himself is neither a save nor a goal") {
+  Referee judge = referee();
+  opponent_hits(judge, kAtGoal, 1);
+  opponent_hits(judge, kBesideGoal, 2);
+  judge.robot_touched(kBesideGoal, 3);
+  judge.watch(kTurnedAway, 3.02);
+  CHECK(judge.counts() == GameCounts{1, 0, 0, 0});
+}
+
 TEST_CASE("A shot so near that it is in before its hit is over still counts") {
   Referee judge = referee();
   judge.opponent_touched(kResting, 1);
@@ -102,7 +111,7 @@ TEST_CASE("In a game a robot that stands in the way saves, and one that is away 
   CHECK(play(0.3, {{1, 0}, {-3, 0}}) == 1);
 }
 
-TEST_CASE("Over a long game every shot ends in a save or a goal, but for the last one") {
+TEST_CASE("Over a long game shots end in saves and goals") {
   SimulationParams params;
   params.game.shot_speed_max_m_s = 8;
   params.autonomous_robot = true;

@@ -164,6 +164,15 @@ void tell_disagreement(const char* what, const std::optional<std::int64_t>& beli
               static_cast<long long>(*believed), what, static_cast<long long>(*truth));
 }
 
+// A saved puck that goes in by a rail is a save and a goal, so that there may be more of them.
+void tell_open_shots(const DemoFigures& f) {
+  if (!f.shots || !f.saves || !f.goals_against) return;
+  const std::int64_t open = *f.shots - *f.saves - *f.goals_against;
+  if (open <= 0) return;
+  std::printf("  neither saved nor in: %lld, under way at the end or turned away by the opponent\n",
+              static_cast<long long>(open));
+}
+
 }  // namespace
 
 DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
@@ -231,6 +240,7 @@ void print(const DemoFigures& f) {
   print_row("shots at the robot's goal", f.shots, "");
   print_row("saves", f.saves, "");
   print_row("goals against", f.goals_against, "");
+  tell_open_shots(f);
   tell_disagreement("shots", f.believed_shots, f.shots);
   tell_disagreement("saves", f.believed_saves, f.saves);
   tell_disagreement("goals against", f.believed_goals_against, f.goals_against);
