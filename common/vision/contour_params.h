@@ -54,7 +54,9 @@ struct ContourIngredients {
   /// what slides along an edge does not; where it is known how it turns, only a whole or very
   /// strong ring displaces what is not trusted.
   bool own_motion = true;
-  bool recognition = true;  ///< What the search and its events together say is the puck takes over.
+  /// What the search and its events together say is the puck takes over; what the search hardly sees
+  /// as one does so less easily.
+  bool recognition = true;
   bool sightings = true;    ///< What a search sees where a poor track is puts that right.
   bool at_once = true;      ///< What is clearly a puck, or likely, is believed on a few events.
   bool silent_trust = true;  ///< A track keeps its trust while its events, though few, agree.

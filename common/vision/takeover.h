@@ -89,8 +89,8 @@ bool is_recognised(const Claim& claim, const Defence& main);
 /// no more.
 bool is_premature(const Claim& claim, const Defence& main);
 
-/// Any of the first six, or recognised, and not premature; but far from a track that moves,
-/// has twice its events, on more sides, and is more of a puck to searches, none; against a puck at
+/// Any of the first six, or recognised, and not premature; but far from a track that moves, has
+/// twice its events, on more sides, and is more of a puck to searches, none; against a puck at
 /// rest, which makes no events, that it is evident, outruns it, or is recognised, by a high score
 /// if it is not lost. A conjecture must move by itself, unless the main track has not been sound
 /// for long.

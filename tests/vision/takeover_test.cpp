@@ -114,7 +114,7 @@ TEST_CASE(
   CHECK(is_convincing(claim, kStrongMain));
 }
 
-TEST_CASE("What searches do not see at all outshines nothing, however strong it is") {
+TEST_CASE("What searches hardly see as a puck outshines nothing, however strong it is") {
   Claim claim{.looks = {.position = {500, 0}, .quality = 0.76, .strength = 301},
               .age_us = 10'001,
               .found = {.score = 0.33}};
