@@ -31,6 +31,8 @@ constexpr double kSearchedWallStep = 0.015;
 constexpr int kPuckMargin_px = 6;
 // How far the events of a puck may lie beyond where its centre is searched for.
 constexpr int kSearchMargin_px = 40;
+// So many events ahead what is remembered of a pixel is fetched.
+constexpr std::size_t kFetchedAhead = 8;
 
 }  // namespace
 
@@ -57,10 +59,11 @@ ContourPipeline::ContourPipeline(SensorSize sensor, const ContourPipelineParams&
 }
 
 void ContourPipeline::take(Timestamp start, std::span<const Event> events) {
-  for (const Event& event : events) {
-    const std::int64_t time_us = (start + event.offset_us).us;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (i + kFetchedAhead < events.size()) history_.fetch(events[i + kFetchedAhead]);
+    const std::int64_t time_us = (start + events[i].offset_us).us;
     decide_before(time_us);
-    take_event(event, time_us);
+    take_event(events[i], time_us);
   }
 }
 
