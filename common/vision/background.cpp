@@ -64,6 +64,7 @@ CameraTurn turn_of(SensorSize sensor) {
 Background::Background(SensorSize sensor)
     : sensor_(sensor), cells_(sensor), map_(sensor), turn_(turn_of(sensor)) {
   taken_.reserve(kMostEvents);
+  then_.reserve(kMostEvents);
 }
 
 void Background::clear_map() {
@@ -100,18 +101,27 @@ void Background::decide(std::int64_t time_us, double noise_per_pixel_us) {
     align();
     trail_.note(turn_, time_us);
   }
+  place_taken();
   // What has happened in a nap was not taken.
   const auto taken_us = static_cast<double>(std::min(passed_us, kPeriod_us));
   const double noise = noise_per_pixel_us * taken_us / static_cast<double>(stride_);
   still_level_ = std::max(kStill, map_.level_of_noise() + kAboveNoise);
   note_activity(passed_us, noise);
-  if (unknown_us_ > kLongestUnknown_us) clear_map();
+  if (unknown_us_ > kLongestUnknown_us) {
+    clear_map();
+    place_taken();
+  }
   map_.advance(time_us);
-  for (const Pixel& event : taken_) map_.add(turn_.then_of(event));
+  for (const Pixel& then : then_) map_.add(then);
   map_.note_noise(noise);
   taken_.clear();
   stride_ = 1 + seen_ / kMostEvents;
   seen_ = 0;
+}
+
+void Background::place_taken() {
+  then_.clear();
+  for (const Pixel& event : taken_) then_.push_back(turn_.then_of(event));
 }
 
 // Gauss-Newton on how far the events are from lying on the map, (half / (level + half))². A hand
@@ -122,11 +132,13 @@ void Background::align() {
   turn_.turn(speed_);
   Cells events{};
   for (const Pixel& event : taken_) events[cell_of(event)] += 1;
-  for (int i = 0; i < kIterations; ++i) {
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    place_taken();
+    for (const Pixel& then : then_) map_.fetch(then);
     std::array<Steps, 3> squares{{{kStiffness, 0, 0}, {0, kStiffness, 0}, {0, 0, kStiffness}}};
     Steps towards{};
-    for (const Pixel& event : taken_) {
-      const Pixel then = turn_.then_of(event);
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      const Pixel then = then_[i];
       const FadingMap::Sample sample = map_.sample(then);
       if (!(sample.level > 0)) continue;
       const double residual = kHalf / (sample.level + kHalf);
@@ -136,7 +148,7 @@ void Background::align() {
       for (std::size_t k = 0; k < 3; ++k) {
         steps[k] = slope * (sample.slope_x * slopes.x[k] + sample.slope_y * slopes.y[k]);
       }
-      const double weight = (1 - residual) * kFew / (kFew + events[cell_of(event)]);
+      const double weight = (1 - residual) * kFew / (kFew + events[cell_of(taken_[i])]);
       for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t k = 0; k < 3; ++k) squares[row][k] += weight * steps[row] * steps[k];
         towards[row] -= weight * steps[row] * residual;
@@ -153,10 +165,10 @@ void Background::note_activity(std::int64_t passed_us, double noise) {
   for (double& cell : activity_) cell *= keep;
   for (double& cell : events_) cell *= keep;
   noise_ = keep * noise_ + noise;
-  for (const Pixel& event : taken_) {
-    const std::size_t cell = cell_of(event);
+  for (std::size_t i = 0; i < taken_.size(); ++i) {
+    const std::size_t cell = cell_of(taken_[i]);
     events_[cell] += 1;
-    if (map_.level(turn_.then_of(event)) > still_level_) activity_[cell] += 1;
+    if (map_.level(then_[i]) > still_level_) activity_[cell] += 1;
   }
   const auto count_above = [](const Cells& cells, double least) {
     return std::count_if(cells.begin(), cells.end(), [&](double cell) { return cell > least; });

@@ -78,6 +78,7 @@ class Background {
   static constexpr std::int64_t kGlance_us = 100'000;
   using Cells = std::array<double, ImageCells::kCount>;
 
+  void place_taken();
   void align();
   void clear_map();
   std::size_t cell_of(Pixel event) const {
@@ -92,6 +93,7 @@ class Background {
   CameraTurn::Steps speed_{};  // a period
   TurnTrail trail_;
   std::vector<Pixel> taken_;
+  std::vector<Pixel> then_;  // where they lie on the map
   std::uint64_t seen_ = 0;  // in this period
   std::uint64_t stride_ = 1;
   std::int64_t aligned_us_ = 0;

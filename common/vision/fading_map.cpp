@@ -50,40 +50,16 @@ void FadingMap::advance(std::int64_t time_us) {
 }
 
 void FadingMap::add(Pixel place) {
-  const int x = static_cast<int>(std::lround(place.x)) + margin_x_;
-  const int y = static_cast<int>(std::lround(place.y)) + margin_y_;
-  if (!contains(x, y)) return;
+  const Place at = place_of(place, 0.5);
+  if (!contains(at)) return;
   const auto peak = static_cast<float>(1 / unit_);
   for (int dy = -1; dy <= 1; ++dy) {
-    float* row = map_.row(y + dy) + x;
+    float* row = map_.row(at.y + dy) + at.x;
     const float here = dy == 0 ? peak : peak / 2;
     row[-1] += here / 2;
     row[0] += here;
     row[1] += here / 2;
   }
-}
-
-FadingMap::Sample FadingMap::sample(Pixel place) const {
-  const double from_left = place.x + margin_x_;
-  const double from_top = place.y + margin_y_;
-  const int x = static_cast<int>(std::floor(from_left));
-  const int y = static_cast<int>(std::floor(from_top));
-  if (!contains(x, y)) return {};
-  const double fx = from_left - x;
-  const double fy = from_top - y;
-  const float* above = map_.row(y) + x;
-  const float* below = map_.row(y + 1) + x;
-  const double top = above[0] + fx * (above[1] - above[0]);
-  const double bottom = below[0] + fx * (below[1] - below[0]);
-  return {unit_ * (top + fy * (bottom - top)),
-          unit_ * ((1 - fy) * (above[1] - above[0]) + fy * (below[1] - below[0])),
-          unit_ * (bottom - top)};
-}
-
-double FadingMap::level(Pixel place) const {
-  const int x = static_cast<int>(std::lround(place.x)) + margin_x_;
-  const int y = static_cast<int>(std::lround(place.y)) + margin_y_;
-  return contains(x, y) ? unit_ * map_(x, y) : 0;
 }
 
 }  // namespace puck

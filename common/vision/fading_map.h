@@ -37,14 +37,50 @@ class FadingMap {
   /// outside the map is not kept.
   void add(Pixel place);
 
+  /// Fetches what the map shows at a place, for `sample`: of many places, all at once, that takes
+  /// less time than one by one.
+  void fetch(Pixel place) const {
+    const Place at = place_of(place, 0);
+    if (!contains(at)) return;
+    __builtin_prefetch(map_.row(at.y) + at.x);
+    __builtin_prefetch(map_.row(at.y + 1) + at.x);
+  }
   /// Between the pixels; nothing (0) outside the map.
-  Sample sample(Pixel place) const;
-  /// At the nearest pixel.
-  double level(Pixel place) const;
+  Sample sample(Pixel place) const {
+    const Place at = place_of(place, 0);
+    if (!contains(at)) return {};
+    const double fx = place.x + margin_x_ - at.x;
+    const double fy = place.y + margin_y_ - at.y;
+    const float* above = map_.row(at.y) + at.x;
+    const float* below = map_.row(at.y + 1) + at.x;
+    const double top = above[0] + fx * (above[1] - above[0]);
+    const double bottom = below[0] + fx * (below[1] - below[0]);
+    return {unit_ * (top + fy * (bottom - top)),
+            unit_ * ((1 - fy) * (above[1] - above[0]) + fy * (below[1] - below[0])),
+            unit_ * (bottom - top)};
+  }
+  /// At the nearest pixel; 0 outside the map.
+  double level(Pixel place) const {
+    const Place at = place_of(place, 0.5);
+    return contains(at) ? unit_ * map_(at.x, at.y) : 0;
+  }
 
  private:
-  bool contains(int x, int y) const {
-    return x >= 1 && y >= 1 && x < map_.width() - 2 && y < map_.height() - 2;
+  // A pixel of the map.
+  struct Place {
+    int x;
+    int y;
+  };
+
+  // The pixel in which a place lies, `middle` of the way between it and the next. What lies beyond
+  // the left or upper border may come to lie on it.
+  Place place_of(Pixel place, double middle) const {
+    return {static_cast<int>(place.x + margin_x_ + middle),
+            static_cast<int>(place.y + margin_y_ + middle)};
+  }
+  // … and is not taken for the map's: its border has no events.
+  bool contains(Place at) const {
+    return at.x >= 1 && at.y >= 1 && at.x < map_.width() - 2 && at.y < map_.height() - 2;
   }
 
   int margin_x_;
