@@ -69,6 +69,7 @@ Background::Background(SensorSize sensor)
 
 void Background::clear_map() {
   map_.clear();
+  ++scene_;
   turn_ = turn_of(sensor_);
   speed_ = {};
   trail_.clear();

@@ -59,6 +59,17 @@ class Background {
   /// is not known that it does, or has been known for less than TurnTrail takes.
   std::optional<PixelVelocity> still_velocity_at(Pixel place) const;
 
+  /// A place in what stands still, for as long as the same scene is known.
+  struct ScenePlace {
+    Pixel then;
+    std::uint32_t scene = 0;
+  };
+  ScenePlace scene_place_of(Pixel now) const { return {turn_.then_of(now), scene_}; }
+  /// Where it lies in the image now; none once it is of another scene than is known.
+  std::optional<Pixel> place_of(const ScenePlace& place) const {
+    return place.scene == scene_ ? std::optional(turn_.now_of(place.then)) : std::nullopt;
+  }
+
   /// Whether an event here is of something that stands still.
   bool is_still(double x, double y) const {
     return is_known_ && map_.level(turn_.then_of({x, y})) > still_level_;
@@ -94,7 +105,7 @@ class Background {
   TurnTrail trail_;
   std::vector<Pixel> taken_;
   std::vector<Pixel> then_;  // where they lie on the map
-  std::uint64_t seen_ = 0;  // in this period
+  std::uint64_t seen_ = 0;   // in this period
   std::uint64_t stride_ = 1;
   std::int64_t aligned_us_ = 0;
   double still_level_ = kStill;  // more than noise has on the map
@@ -106,6 +117,7 @@ class Background {
   std::int64_t calm_us_ = 0;     // see head_rests
   std::int64_t unknown_us_ = 0;  // for how long it has not been known what stands still
   bool is_empty_ = true;
+  std::uint32_t scene_ = 0;  // how many scenes have been forgotten
 };
 
 }  // namespace puck

@@ -15,6 +15,7 @@ struct ClaimContext {
   bool head_rests = false;  ///< Background's: whatever moves in the image moves by itself.
   bool at_once = true;      ///< Ingredient `at-once`.
   bool face_print = true;   ///< Ingredient `face-print`.
+  bool scene_rests = true;  ///< Ingredient `scene-rests`.
   /// Ingredient `own-motion`: the head is not known to rest, which takes 300 ms, so that what moves
   /// may stand still. False while the background is not consulted.
   bool head_may_turn = false;
@@ -53,6 +54,11 @@ bool is_clear_at_once(const Claim& claim);
 /// does, and may slide along an edge: it has not very many events, nor is it a whole ring that is
 /// far faster than the scene. False while it is not known how the head turns.
 bool is_adrift(const Claim& claim);
+
+/// Ingredient `scene-rests`. A ring of a puck's size, most of the way around, that moves with the
+/// scene of a turning head, as a puck at rest does. It need not have many events. A round mark is
+/// such a ring, too. False while it is not known how the head turns.
+bool rests_in_scene(const Claim& claim);
 
 /// Ingredient `at-once`. A whole ring that need not move: its events and the search's score
 /// together say that it is the puck, though neither does so beyond doubt.

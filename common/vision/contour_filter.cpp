@@ -29,7 +29,15 @@ void ContourFilter::restart(const Start& start) {
 }
 
 void ContourFilter::park(double sigma_px, double sigma_px_s) {
-  state_[2] = state_[3] = 0;
+  carry(position(), {}, sigma_px, sigma_px_s);
+}
+
+void ContourFilter::carry(Pixel position, PixelVelocity velocity, double sigma_px,
+                          double sigma_px_s) {
+  state_[0] = position.x;
+  state_[1] = position.y;
+  state_[2] = velocity.x;
+  state_[3] = velocity.y;
   for (std::size_t i = 0; i < 4; ++i) {
     const double bound = i < 2 ? sigma_px * sigma_px : sigma_px_s * sigma_px_s;
     if (cov(i, i) <= bound) continue;

@@ -66,6 +66,9 @@ class ContourFilter {
   /// Takes its velocity, and keeps the uncertainty below these bounds.
   void park(double sigma_px, double sigma_px_s);
 
+  /// Takes it to a place with a velocity, and keeps the uncertainty below these bounds.
+  void carry(Pixel position, PixelVelocity velocity, double sigma_px, double sigma_px_s);
+
   /// Puts the puck to rest at a place, with the uncertainty of a start.
   void restart(const Start& start);
 

@@ -54,11 +54,12 @@ struct ContourIngredients {
   /// what slides along an edge does not; where it is known how it turns, only a whole or very
   /// strong ring displaces what is not trusted.
   bool own_motion = true;
-  /// What the search and its events together say is the puck takes over; what the search hardly sees
-  /// as one does so less easily.
+  bool scene_rests = true;  ///< A faint puck at rest beneath a turning head stays in the scene.
+  /// What the search and its events together say is the puck takes over; what the search hardly
+  /// sees as one does so less easily.
   bool recognition = true;
-  bool sightings = true;    ///< What a search sees where a poor track is puts that right.
-  bool at_once = true;      ///< What is clearly a puck, or likely, is believed on a few events.
+  bool sightings = true;     ///< What a search sees where a poor track is puts that right.
+  bool at_once = true;       ///< What is clearly a puck, or likely, is believed on a few events.
   bool silent_trust = true;  ///< A track keeps its trust while its events, though few, agree.
 };
 
@@ -68,7 +69,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 39> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 40> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -104,6 +105,7 @@ inline constexpr std::array<ContourIngredient, 39> kContourIngredients{{
     {"overtaking", &ContourIngredients::overtaking},
     {"slow-movers", &ContourIngredients::slow_movers},
     {"own-motion", &ContourIngredients::own_motion},
+    {"scene-rests", &ContourIngredients::scene_rests},
     {"recognition", &ContourIngredients::recognition},
     {"sightings", &ContourIngredients::sightings},
     {"at-once", &ContourIngredients::at_once},

@@ -116,6 +116,9 @@ void ContourPipeline::decide(std::int64_t time_us) {
     if (held_rest_.is_held()) {
       witness_.put(main_->filter().position(), time_us);
       challengers_.dismiss_born();
+    } else if (scene_rest_.is_held()) {
+      witness_.put(main_->filter().position(), time_us);
+      twins_.bear_at_rest(*main_, context_, time_us, challengers_);
     } else {
       witness_.consult(*main_, context_, time_us, challengers_);
       twins_.bear_at_rest(*main_, context_, time_us, challengers_);
@@ -143,6 +146,10 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   main_->decide(time_us, trust_.since_good_us(time_us) > kBlindAfter_us, context_);
   const PuckSignature::Sample sample = main_->take_sample();
   held_rest_.hold(*main_, standing_, context_, time_us);
+  scene_rest_.hold(*main_, background_, context_, time_us);
+  if (scene_rest_.is_held() && standing_.state() == TrackState::kTracking && trust_.is_believed()) {
+    standing_.note_seen(time_us);
+  }
   if (keeps_still()) {
     main_->park();
     if (standing_.has_settled(time_us)) witness_.draw_to(main_->filter().position(), passed_us);
@@ -225,6 +232,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
                         .may_be_overtaken = context_.ingredients.overtaking,
                         .knows_pucks = context_.ingredients.recognition,
                         .is_resting = keeps_still(),
+                        .lies_in_scene = scene_rest_.is_held(),
                         .is_lost = standing_.state() != TrackState::kTracking,
                         .was_covered = trust_.was_covered(),
                         .is_witnessed = witness_.vouches(looks.position, context_),
@@ -256,6 +264,7 @@ ClaimContext ContourPipeline::claim_context() const {
   return {.head_rests = ingredients.slow_movers && head_rests(),
           .at_once = ingredients.at_once,
           .face_print = ingredients.face_print,
+          .scene_rests = ingredients.scene_rests,
           .head_may_turn = asks_for_turn && !background_.head_rests(),
           .background = asks_for_turn ? &background_ : nullptr};
 }
@@ -297,6 +306,7 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
   main_ = challenger.track();
   context_.is_first = false;
   held_rest_.forget();
+  scene_rest_.forget();
   settling_.forget();
   // What the search found may be the puck all the same, while twins of a wrong track go on
   // succeeding one another.

@@ -14,6 +14,7 @@
 #include "common/vision/missed_events.h"
 #include "common/vision/noise_floor.h"
 #include "common/vision/puck_size_model.h"
+#include "common/vision/scene_rest.h"
 #include "common/vision/search_plan.h"
 #include "common/vision/seen_score.h"
 #include "common/vision/settling.h"
@@ -92,6 +93,7 @@ class ContourPipeline final : public TrackingPipeline {
   TrackStanding standing_;
   Settling settling_;
   HeldRest held_rest_;
+  SceneRest scene_rest_;
   LeftBehind left_behind_;
   WitnessCheck witness_;
   Twins twins_;

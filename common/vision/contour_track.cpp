@@ -273,6 +273,12 @@ void ContourTrack::park() {
   filter_.park(kParkedSigma_px, kParkedSigma_px_s);
 }
 
+void ContourTrack::carry_to(Pixel position, PixelVelocity velocity, const ContourContext& context) {
+  filter_.carry(position, velocity, kParkedSigma_px, kParkedSigma_px_s);
+  last_ring_position_ = position;
+  follow_contour(context);
+}
+
 void ContourTrack::correct_place(double dx, double dy, const ContourContext& context) {
   filter_.correct_place(dx, dy, kSearchSigma_px);
   last_ring_position_ = filter_.position();

@@ -60,6 +60,9 @@ class ContourTrack {
   /// A puck at rest sets off: it may have any speed.
   void set_off() { filter_.restart(filter_.start_at(filter_.position())); }
 
+  /// A puck at rest is here now, and moves with the scene of a turning head.
+  void carry_to(Pixel position, PixelVelocity velocity, const ContourContext& context);
+
   /// A search saw the puck so far from where this track has it.
   void correct_place(double dx, double dy, const ContourContext& context);
 

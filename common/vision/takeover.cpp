@@ -169,6 +169,14 @@ bool outruns_rest(const Claim& claim, const Defence& main) {
          claim.looks.strength > kLeastStrength;
 }
 
+bool unsettles(const Claim& claim, const Defence& main) {
+  const bool is_more_of_a_puck = claim.found.score > main.score + kScoreNoise;
+  // While the puck is seen to lie there, what is no ring is a hand or a mallet that comes for it.
+  const bool has_set_off =
+      is_clear_at_once(claim) && (!main.looks.is_good() || claim.looks.is_whole_ring());
+  return (is_evident(claim) && is_more_of_a_puck) || has_set_off || outruns_rest(claim, main);
+}
+
 bool is_recognised(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
   const double score = claim.found.score;
@@ -199,6 +207,7 @@ bool is_convincing(const Claim& claim, const Defence& main) {
     return is_evident(claim) || outruns_rest(claim, main) ||
            (is_recognised(claim, main) && (main.is_lost || claim.found.score > kLikelyScore));
   }
+  if (main.lies_in_scene) return unsettles(claim, main);
   if (is_lesser(claim, main)) return succeeds_nearby(claim, main);
   return is_recognised(claim, main) || outshines(claim, main) || surpasses(claim, main) ||
          outmoves(claim, main) || unmasks(claim, main) || displaces_stranger(claim, main) ||
@@ -220,15 +229,16 @@ bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
                               (!may_turn || is_more_than_edges(looks));
   return ((is_evident(claim) || may_be_printed(claim)) && !is_like_a_mark) ||
          (is_likely(claim) && !(may_turn && looks.is_covered())) || moves_as_first ||
-         (searched_us > kPatience_us && claim.age_us > 20'000 && looks.quality > 0.8 &&
-          looks.strength > 30 && looks.is_whole_ring());
+         (searched_us > kPatience_us &&
+          (rests_in_scene(claim) || (claim.age_us > 20'000 && looks.quality > 0.8 &&
+                                     looks.strength > 30 && looks.is_whole_ring())));
 }
 
 bool is_weakly_found(const Claim& claim, const std::optional<TrackLooks>& main) {
   const bool is_near =
       main && distance_px(main->position, claim.looks.position) < kFarthestTakeover_px;
   return !is_near && !is_evident(claim) && !moves_by_itself(claim) && !is_clear_at_once(claim) &&
-         !is_likely(claim);
+         !is_likely(claim) && !rests_in_scene(claim);
 }
 
 }  // namespace puck

@@ -29,6 +29,7 @@ struct Defence {
   bool may_be_overtaken = false;    ///< Ingredient `overtaking`.
   bool knows_pucks = false;         ///< Ingredient `recognition`.
   bool is_resting = false;          ///< TrackStanding's.
+  bool lies_in_scene = false;       ///< SceneRest's.
   bool is_lost = false;             ///< TrackStanding's.
   bool was_covered = false;         ///< TrackTrust's.
   bool is_witnessed = false;        ///< WitnessCheck vouches for it.
@@ -78,6 +79,11 @@ bool succeeds_nearby(const Claim& claim, const Defence& main);
 /// has never done so itself, or the puck is so faint that it is never evident, or was covered and
 /// has not been seen for a while, so that it may have been taken away.
 bool outruns_rest(const Claim& claim, const Defence& main);
+
+/// It is evident, and more of a puck to searches, or clear at once, or moves as a puck does; the
+/// main track lies in the scene of a turning head. While that looks good, what is clear must be a
+/// whole ring.
+bool unsettles(const Claim& claim, const Defence& main);
 
 /// It is clear at once; or, the less the correlation says, the more its events must, and the other
 /// way round, and the clearer those are, the sooner; the main track has not been good for a while.

@@ -47,6 +47,22 @@ TEST_CASE("How what stands still moves is known to a third of its speed while th
   CHECK(squared_error < squared_speed / 9);
 }
 
+TEST_CASE(
+    "A place in the scene is found again wherever the head has turned, until it is forgotten") {
+  Background background(TurningScene::kSensor);
+  TurningScene scene;
+  scene.show(background, 300);
+  const auto place = [&] { return TurningScene::place(20, 0, scene.time_us()); };
+  const Background::ScenePlace kept = background.scene_place_of(place());
+  const Pixel before = place();
+  scene.show(background, 1'000);
+  REQUIRE(distance_px(before, place()) > 10);
+  REQUIRE(background.place_of(kept));
+  CHECK(distance_px(*background.place_of(kept), place()) < 2);
+  background.forget();
+  CHECK_FALSE(background.place_of(kept));
+}
+
 TEST_CASE("What passes once does not become part of what stands still") {
   Background background(TurningScene::kSensor);
   TurningScene scene;

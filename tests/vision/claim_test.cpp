@@ -133,6 +133,33 @@ Claim at_own_speed(const Claim& claim, std::optional<double> speed_px_s) {
   return changed;
 }
 
+// Just seen to rest in the scene.
+constexpr Claim kResting{
+    .looks = {.growth_px = 0.34, .quality = 0.76, .strength = 13, .cover = 0.61},
+    .age_us = 15'001,
+    .leads = true,
+    .own_speed_px_s = 59};
+
+TEST_CASE("A ring of a puck's size that moves with the scene rests in it, few events or not") {
+  CHECK(rests_in_scene(kResting));
+  CHECK_FALSE(rests_in_scene(at_own_speed(kResting, 60)));
+  CHECK_FALSE(rests_in_scene(at_own_speed(kResting, std::nullopt)));
+  CHECK_FALSE(rests_in_scene(with(kResting, &TrackLooks::quality, 0.75)));
+  CHECK_FALSE(rests_in_scene(with(kResting, &TrackLooks::strength, 12)));
+  CHECK_FALSE(rests_in_scene(with(kResting, &TrackLooks::cover, 0.6)));
+  CHECK_FALSE(rests_in_scene(with(kResting, &TrackLooks::growth_px, 0.35)));
+  CHECK_FALSE(rests_in_scene(with(kResting, &TrackLooks::growth_px, -0.35)));
+  Claim claim = kResting;
+  claim.age_us = 15'000;
+  CHECK_FALSE(rests_in_scene(claim));
+  claim = kResting;
+  claim.leads = false;
+  CHECK_FALSE(rests_in_scene(claim));
+  claim = kResting;
+  claim.context.scene_rests = false;
+  CHECK_FALSE(rests_in_scene(claim));
+}
+
 TEST_CASE("What moves neither with the scene nor clearly by itself is adrift") {
   CHECK(is_adrift(kAdrift));
   CHECK_FALSE(is_adrift(at_own_speed(kAdrift, 150)));

@@ -335,6 +335,61 @@ constexpr Claim kPrintedAtRest{
 constexpr Claim kAwaited{.looks = {.quality = 0.81, .strength = 31, .cover = 0.51},
                          .age_us = 20'001};
 
+constexpr Claim kLying{.looks = {.quality = 0.76, .strength = 13, .cover = 0.61},
+                       .age_us = 15'001,
+                       .leads = true,
+                       .own_speed_px_s = 0};
+
+TEST_CASE("What rests in the scene is the first after 150 ms, and was not found weakly") {
+  REQUIRE(rests_in_scene(kLying));
+  CHECK_FALSE(is_convincing_as_first(kLying, 150'000));
+  CHECK(is_convincing_as_first(kLying, 150'001));
+  CHECK_FALSE(is_weakly_found(kLying, std::nullopt));
+  Claim claim = kLying;
+  claim.own_speed_px_s = 100;
+  CHECK_FALSE(is_convincing_as_first(claim, 150'001));
+  CHECK(is_weakly_found(claim, std::nullopt));
+}
+
+TEST_CASE("What lies in the scene gives way to what is evident and more of a puck to searches") {
+  const Claim evident{
+      .looks = {.quality = 0.7, .strength = 11}, .age_us = 5'001, .found = {.score = 0.75}};
+  REQUIRE(is_evident(evident));
+  Defence main{.lies_in_scene = true, .score = 0.64};
+  CHECK(is_convincing(evident, main));
+  main.score = 0.66;
+  CHECK_FALSE(is_convincing(evident, main));
+}
+
+TEST_CASE("It gives way to what has clearly set off, while it looks good only to a whole ring") {
+  Claim claim{.looks = {.speed_px_s = 500, .quality = 0.7, .strength = 90, .cover = 0.5},
+              .age_us = 3'000,
+              .leads = true};
+  REQUIRE(is_clear_at_once(claim));
+  Defence main{.lies_in_scene = true};
+  CHECK(is_convincing(claim, main));
+  main.looks = {.quality = 0.51, .strength = 7};
+  CHECK_FALSE(is_convincing(claim, main));
+  claim.looks.cover = 0.51;
+  CHECK(is_convincing(claim, main));
+}
+
+TEST_CASE("It gives way to what moves as pucks do, but to nothing because that is stronger") {
+  const Defence main{.looks = {.quality = 0.3, .strength = 5},
+                     .lies_in_scene = true,
+                     .since_good_us = 1'000'000,
+                     .since_sound_us = 1'000'000};
+  Claim claim{.looks = {.quality = 0.9, .strength = 200, .cover = 0.9},
+              .age_us = 15'001,
+              .found = {.score = 0.5}};
+  CHECK_FALSE(is_convincing(claim, main));
+  Defence elsewhere = main;
+  elsewhere.lies_in_scene = false;
+  CHECK(is_convincing(claim, elsewhere));
+  claim.looks.speed_px_s = 301;
+  CHECK(is_convincing(claim, main));
+}
+
 TEST_CASE("What is clear at once, or likely, was not found weakly, however far away") {
   CHECK_FALSE(is_weakly_found(kClear, std::nullopt));
   CHECK(is_weakly_found(without_at_once(kClear), std::nullopt));

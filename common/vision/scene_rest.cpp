@@ -1,0 +1,66 @@
+#include "common/vision/scene_rest.h"
+
+#include <cmath>
+
+namespace puck {
+namespace {
+
+// What moves with the scene for so long lies there, or nearly so: a filter knows its velocity no
+// better.
+constexpr std::int64_t kLiesAfter_us = 10'000;
+constexpr double kWithScene_px_s = 90;
+constexpr double kClear = 0.6;
+// A puck that is not seen again for so long may be anywhere.
+constexpr std::int64_t kLongestUnseen_us = 500'000;
+
+bool may_be_held(const ContourContext& context) {
+  const PuckSignature& signature = context.signature;
+  return context.ingredients.scene_rests &&
+         (signature.may_be_faint() || (!signature.knows_multiplicity() && !context.is_trusted));
+}
+
+}  // namespace
+
+void SceneRest::hold(ContourTrack& main, const Background& background,
+                     const ContourContext& context, std::int64_t time_us) {
+  if (!may_be_held(context)) {
+    forget();
+  } else if (main.is_good() && main.quality() > kClear) {
+    watch(main, background, time_us);
+  } else {
+    follows_since_us_.reset();
+    carry(main, background, context, time_us);
+  }
+}
+
+void SceneRest::watch(const ContourTrack& main, const Background& background,
+                      std::int64_t time_us) {
+  const TrackLooks looks = main.looks();
+  const auto scene = background.still_velocity_at(looks.position);
+  const PixelVelocity velocity = main.filter().velocity();
+  // That the scene's is not known now says nothing against it.
+  const double own_px_s =
+      scene ? std::hypot(velocity.x - scene->x, velocity.y - scene->y) : kWithScene_px_s;
+  if (own_px_s > looks.turning_px_s) forget();
+  if (own_px_s >= kWithScene_px_s || !looks.has_pucks_size()) {
+    follows_since_us_.reset();
+    return;
+  }
+  if (!follows_since_us_) follows_since_us_ = time_us;
+  if (time_us - *follows_since_us_ < kLiesAfter_us) return;
+  lies_at_ = background.scene_place_of(looks.position);
+  seen_us_ = time_us;
+}
+
+void SceneRest::carry(ContourTrack& main, const Background& background,
+                      const ContourContext& context, std::int64_t time_us) {
+  if (!lies_at_) return;
+  const auto place = background.place_of(*lies_at_);
+  if (!place || time_us - seen_us_ > kLongestUnseen_us) {
+    forget();
+    return;
+  }
+  main.carry_to(*place, background.still_velocity_at(*place).value_or(PixelVelocity{}), context);
+}
+
+}  // namespace puck
