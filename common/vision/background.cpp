@@ -22,6 +22,10 @@ constexpr double kFew = 5;
 // the fit has found changes the prediction.
 constexpr double kStiffness = 4;
 constexpr double kSpeedGain = 0.04;
+// With fewer events on the map, by their weights, the head may have stopped: in each period so much
+// of its speed is kept.
+constexpr double kLeastSupport = 2;
+constexpr double kUnsupported = 0.9;
 // Events on the map in so many cells of the image, each so many of late: the scene moves as one.
 // Arms that cross half of it have them in up to 25 cells of 48, a table while the head turns in 37
 // to 48.
@@ -133,11 +137,13 @@ void Background::align() {
   turn_.turn(speed_);
   Cells events{};
   for (const Pixel& event : taken_) events[cell_of(event)] += 1;
+  double support = 0;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     place_taken();
     for (const Pixel& then : then_) map_.fetch(then);
     std::array<Steps, 3> squares{{{kStiffness, 0, 0}, {0, kStiffness, 0}, {0, 0, kStiffness}}};
     Steps towards{};
+    support = 0;
     for (std::size_t i = 0; i < taken_.size(); ++i) {
       const Pixel then = then_[i];
       const FadingMap::Sample sample = map_.sample(then);
@@ -150,6 +156,7 @@ void Background::align() {
         steps[k] = slope * (sample.slope_x * slopes.x[k] + sample.slope_y * slopes.y[k]);
       }
       const double weight = (1 - residual) * kFew / (kFew + events[cell_of(taken_[i])]);
+      support += weight;
       for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t k = 0; k < 3; ++k) squares[row][k] += weight * steps[row] * steps[k];
         towards[row] -= weight * steps[row] * residual;
@@ -158,6 +165,9 @@ void Background::align() {
     const Steps found = solved(squares, towards);
     turn_.turn(found);
     for (std::size_t k = 0; k < 3; ++k) speed_[k] += kSpeedGain * found[k];
+  }
+  if (support < kLeastSupport) {
+    for (double& speed : speed_) speed *= kUnsupported;
   }
 }
 
@@ -189,6 +199,13 @@ void Background::note_activity(std::int64_t passed_us, double noise) {
 
 std::optional<PixelVelocity> Background::still_velocity_at(Pixel place) const {
   return head_turns_ ? trail_.still_velocity_at(place) : std::nullopt;
+}
+
+std::optional<Pixel> Background::place_of(const ScenePlace& place) const {
+  if (place.scene != scene_) return std::nullopt;
+  const Pixel now = turn_.now_of(place.then);
+  const bool is_seen = now.x >= 0 && now.y >= 0 && now.x < sensor_.width && now.y < sensor_.height;
+  return is_seen ? std::optional(now) : std::nullopt;
 }
 
 double Background::still_share(const ContourRing& ring, Pixel centre) const {

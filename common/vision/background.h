@@ -65,10 +65,9 @@ class Background {
     std::uint32_t scene = 0;
   };
   ScenePlace scene_place_of(Pixel now) const { return {turn_.then_of(now), scene_}; }
-  /// Where it lies in the image now; none once it is of another scene than is known.
-  std::optional<Pixel> place_of(const ScenePlace& place) const {
-    return place.scene == scene_ ? std::optional(turn_.now_of(place.then)) : std::nullopt;
-  }
+  /// Where in the image it lies, as of the last alignment; none once it has left the image, or
+  /// another scene is known.
+  std::optional<Pixel> place_of(const ScenePlace& place) const;
 
   /// Whether an event here is of something that stands still.
   bool is_still(double x, double y) const {

@@ -20,6 +20,8 @@ constexpr double kMostOfTheWay = 0.6;
 constexpr double kWithScene = 0.5;
 // … or by less than this, since a filter's velocity is no better on few events.
 constexpr double kFilterNoise_px_s = 120;
+// What rests in it does so by less on most of its events.
+constexpr double kRestsWithin_px_s = 60;
 // What slides along an edge is slower than this, in PuckContour::turning_px_s.
 constexpr double kBeyondSliding = 2;
 
@@ -72,7 +74,7 @@ bool is_adrift(const Claim& claim) {
 bool rests_in_scene(const Claim& claim) {
   const TrackLooks& looks = claim.looks;
   return claim.context.scene_rests && claim.own_speed_px_s &&
-         *claim.own_speed_px_s < kFilterNoise_px_s / 2 && claim.age_us > kRestsAfter_us &&
+         *claim.own_speed_px_s < kRestsWithin_px_s && claim.age_us > kRestsAfter_us &&
          claim.leads && looks.quality > 0.75 && looks.strength > 12 &&
          looks.cover > kMostOfTheWay && looks.has_pucks_size();
 }

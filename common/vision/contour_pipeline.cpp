@@ -31,7 +31,7 @@ constexpr double kSearchedWallStep = 0.015;
 constexpr int kPuckMargin_px = 6;
 // How far the events of a puck may lie beyond where its centre is searched for.
 constexpr int kSearchMargin_px = 40;
-// So many events ahead what is remembered of a pixel is fetched.
+// How many events ahead what is remembered of a pixel is fetched.
 constexpr std::size_t kFetchedAhead = 8;
 
 }  // namespace
@@ -105,7 +105,7 @@ void ContourPipeline::decide(std::int64_t time_us) {
   if (watches_background_) background_.decide(time_us, context_.noise_per_pixel_us);
   if (main_) {
     judge_main(time_us);
-    stop_if_silent(*main_, context_, time_us);
+    if (!scene_rest_.is_held()) stop_if_silent(*main_, context_, time_us);
     // While the head turns, a faint puck makes events at rest, too; of others it is not known that
     // the head turns.
     if (!head_turns() && settling_.settle(*main_, context_, trust_.was_covered(), time_us)) {
@@ -146,7 +146,11 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   main_->decide(time_us, trust_.since_good_us(time_us) > kBlindAfter_us, context_);
   const PuckSignature::Sample sample = main_->take_sample();
   held_rest_.hold(*main_, standing_, context_, time_us);
-  scene_rest_.hold(*main_, background_, context_, time_us);
+  if (consults_background_ && !held_rest_.is_held()) {
+    scene_rest_.hold(*main_, background_, context_, time_us);
+  } else {
+    scene_rest_.forget();
+  }
   if (scene_rest_.is_held() && standing_.state() == TrackState::kTracking && trust_.is_believed()) {
     standing_.note_seen(time_us);
   }
@@ -198,7 +202,10 @@ void ContourPipeline::return_if_left_behind(std::int64_t time_us) {
       .is_sure = trust_.is_surely_puck() && standing_.state() == TrackState::kTracking,
       .is_resting = standing_.is_resting(),
       .sensor = sensor_};
-  if (left_behind_.bring_back(*main_, now, context_, time_us)) held_rest_.seize(context_, time_us);
+  if (left_behind_.bring_back(*main_, now, context_, time_us)) {
+    held_rest_.seize(context_, time_us);
+    scene_rest_.forget();
+  }
   if (left_behind_.is_there()) standing_.note_seen(time_us);
 }
 
@@ -417,7 +424,10 @@ void ContourPipeline::take(const SearchResult& result) {
 
 // `main`: where the track was when the search's snapshot was taken.
 void ContourPipeline::correct_by(const SearchResult& result, Pixel main) {
-  if (!context_.ingredients.sightings || keeps_still() || main_->is_good()) return;
+  if (!context_.ingredients.sightings || keeps_still() || scene_rest_.is_held() ||
+      main_->is_good()) {
+    return;
+  }
   const auto seen = sighting_near(main, main_->wall_share(), result, context_.contour);
   if (!seen) return;
   main_->correct_place(seen->x - main.x, seen->y - main.y, context_);

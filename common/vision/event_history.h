@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/events/event.h"
@@ -24,11 +25,11 @@ class EventHistory {
   void fetch(const Event& event) const { __builtin_prefetch(&last_us_[index_of(event)], 1); }
 
   /// Takes an event; true when its pixel has not fired with this sign for 3 ms. Times may go back
-  /// by up to a second. Of a pixel's events one in hundreds of thousands is mistaken: what fired
-  /// before just 2³² µs, to a second, is taken for recent, and so is, 2³¹ µs after time 0, what
-  /// never fired.
+  /// by up to a second. For a second, 2³¹ µs (36 minutes) after the first event, pixels that have
+  /// never fired are taken to have done so lately; and so is, each 2³² µs, what fired then last.
   bool is_first(const Event& event, std::int64_t time_us) {
-    const auto now = static_cast<std::uint32_t>(time_us);
+    if (!start_us_) start_us_ = time_us;
+    const auto now = static_cast<std::uint32_t>(time_us - *start_us_);
     std::uint32_t& last = last_us_[index_of(event)];
     const bool first = now - last + kBack_us > kBack_us + kPassing_us;
     last = now;
@@ -46,7 +47,8 @@ class EventHistory {
   }
 
   int width_;
-  std::vector<std::uint32_t> last_us_;  // its lower 32 bits; both signs of a pixel side by side
+  std::optional<std::int64_t> start_us_;  // of the first event
+  std::vector<std::uint32_t> last_us_;    // since then; both signs of a pixel side by side
 };
 
 }  // namespace puck

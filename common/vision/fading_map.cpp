@@ -1,6 +1,7 @@
 #include "common/vision/fading_map.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace puck {
 namespace {
@@ -50,11 +51,13 @@ void FadingMap::advance(std::int64_t time_us) {
 }
 
 void FadingMap::add(Pixel place) {
-  const Place at = place_of(place, 0.5);
-  if (!contains(at)) return;
+  const Pixel on_map = on_map_of(place, kToNearest);
+  if (!contains(on_map)) return;
+  const int x = static_cast<int>(on_map.x);
+  const int y = static_cast<int>(on_map.y);
   const auto peak = static_cast<float>(1 / unit_);
   for (int dy = -1; dy <= 1; ++dy) {
-    float* row = map_.row(at.y + dy) + at.x;
+    float* row = map_.row(y + dy) + x;
     const float here = dy == 0 ? peak : peak / 2;
     row[-1] += here / 2;
     row[0] += here;

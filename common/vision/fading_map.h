@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 #include "common/events/sensor_size.h"
@@ -40,19 +39,22 @@ class FadingMap {
   /// Fetches what the map shows at a place, for `sample`: of many places, all at once, that takes
   /// less time than one by one.
   void fetch(Pixel place) const {
-    const Place at = place_of(place, 0);
-    if (!contains(at)) return;
-    __builtin_prefetch(map_.row(at.y) + at.x);
-    __builtin_prefetch(map_.row(at.y + 1) + at.x);
+    const Pixel on_map = on_map_of(place, 0);
+    if (!contains(on_map)) return;
+    const float* here = map_.row(static_cast<int>(on_map.y)) + static_cast<int>(on_map.x);
+    __builtin_prefetch(here);
+    __builtin_prefetch(here + map_.width());
   }
   /// Between the pixels; nothing (0) outside the map.
   Sample sample(Pixel place) const {
-    const Place at = place_of(place, 0);
-    if (!contains(at)) return {};
-    const double fx = place.x + margin_x_ - at.x;
-    const double fy = place.y + margin_y_ - at.y;
-    const float* above = map_.row(at.y) + at.x;
-    const float* below = map_.row(at.y + 1) + at.x;
+    const Pixel on_map = on_map_of(place, 0);
+    if (!contains(on_map)) return {};
+    const int x = static_cast<int>(on_map.x);
+    const int y = static_cast<int>(on_map.y);
+    const double fx = on_map.x - x;
+    const double fy = on_map.y - y;
+    const float* above = map_.row(y) + x;
+    const float* below = map_.row(y + 1) + x;
     const double top = above[0] + fx * (above[1] - above[0]);
     const double bottom = below[0] + fx * (below[1] - below[0]);
     return {unit_ * (top + fy * (bottom - top)),
@@ -61,26 +63,23 @@ class FadingMap {
   }
   /// At the nearest pixel; 0 outside the map.
   double level(Pixel place) const {
-    const Place at = place_of(place, 0.5);
-    return contains(at) ? unit_ * map_(at.x, at.y) : 0;
+    const Pixel on_map = on_map_of(place, kToNearest);
+    if (!contains(on_map)) return 0;
+    return unit_ * map_(static_cast<int>(on_map.x), static_cast<int>(on_map.y));
   }
 
  private:
-  // A pixel of the map.
-  struct Place {
-    int x;
-    int y;
-  };
+  static constexpr double kToNearest = 0.5;
 
-  // The pixel in which a place lies, `middle` of the way between it and the next. What lies beyond
-  // the left or upper border may come to lie on it.
-  Place place_of(Pixel place, double middle) const {
-    return {static_cast<int>(place.x + margin_x_ + middle),
-            static_cast<int>(place.y + margin_y_ + middle)};
+  // On the map, so that cutting off the fractions gives its pixel: with `rounding` 0 the one to the
+  // upper left, with kToNearest the nearest one.
+  Pixel on_map_of(Pixel place, double rounding) const {
+    return {place.x + margin_x_ + rounding, place.y + margin_y_ + rounding};
   }
-  // … and is not taken for the map's: its border has no events.
-  bool contains(Place at) const {
-    return at.x >= 1 && at.y >= 1 && at.x < map_.width() - 2 && at.y < map_.height() - 2;
+  // False for what is no number, too.
+  bool contains(Pixel on_map) const {
+    return on_map.x >= 1 && on_map.y >= 1 && on_map.x < map_.width() - 2 &&
+           on_map.y < map_.height() - 2;
   }
 
   int margin_x_;

@@ -10,6 +10,8 @@ namespace {
 constexpr std::int64_t kLiesAfter_us = 10'000;
 constexpr double kWithScene_px_s = 90;
 constexpr double kClear = 0.6;
+// A good track so far from there has been set off.
+constexpr double kSetOff_px = 5;
 // A puck that is not seen again for so long may be anywhere.
 constexpr std::int64_t kLongestUnseen_us = 500'000;
 
@@ -36,13 +38,14 @@ void SceneRest::hold(ContourTrack& main, const Background& background,
 void SceneRest::watch(const ContourTrack& main, const Background& background,
                       std::int64_t time_us) {
   const TrackLooks looks = main.looks();
+  if (lies_at_) {
+    const auto place = background.place_of(*lies_at_);
+    if (!place || distance_px(*place, looks.position) > kSetOff_px) forget();
+  }
   const auto scene = background.still_velocity_at(looks.position);
   const PixelVelocity velocity = main.filter().velocity();
-  // That the scene's is not known now says nothing against it.
-  const double own_px_s =
-      scene ? std::hypot(velocity.x - scene->x, velocity.y - scene->y) : kWithScene_px_s;
-  if (own_px_s > looks.turning_px_s) forget();
-  if (own_px_s >= kWithScene_px_s || !looks.has_pucks_size()) {
+  if (!scene || std::hypot(velocity.x - scene->x, velocity.y - scene->y) > kWithScene_px_s ||
+      !looks.has_pucks_size()) {
     follows_since_us_.reset();
     return;
   }

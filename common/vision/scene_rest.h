@@ -12,8 +12,8 @@ namespace puck {
 /// scene, and is soon taken for a part of it, so that its events count no more; while the head
 /// turns back there are hardly any; and a hand or a mallet that comes for it has many. It stays
 /// where it lies in the scene all the same, until it is seen to move, or something else convinces
-/// as the puck. Of a trusted puck that is not known to be faint nothing is held: its own events
-/// tell better.
+/// as the puck. No puck is held that is known not to be faint, nor one that is trusted and not
+/// known to be: its own events tell better.
 class SceneRest {
  public:
   /// To be called at each decision, after the main track's own: keeps in mind where in the scene a
@@ -21,10 +21,10 @@ class SceneRest {
   void hold(ContourTrack& main, const Background& background, const ContourContext& context,
             std::int64_t time_us);
 
-  /// The puck is taken to lie there, whether it is seen or not.
+  /// The puck is taken to lie there, or to be just setting off.
   bool is_held() const { return lies_at_.has_value(); }
 
-  /// The main track is another one, or is set off.
+  /// To be called when another track becomes the main one, and while something else holds it.
   void forget() {
     lies_at_.reset();
     follows_since_us_.reset();

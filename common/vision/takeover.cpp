@@ -207,7 +207,7 @@ bool is_convincing(const Claim& claim, const Defence& main) {
     return is_evident(claim) || outruns_rest(claim, main) ||
            (is_recognised(claim, main) && (main.is_lost || claim.found.score > kLikelyScore));
   }
-  if (main.lies_in_scene) return unsettles(claim, main);
+  if (main.lies_in_scene && !main.is_lost) return unsettles(claim, main);
   if (is_lesser(claim, main)) return succeeds_nearby(claim, main);
   return is_recognised(claim, main) || outshines(claim, main) || surpasses(claim, main) ||
          outmoves(claim, main) || unmasks(claim, main) || displaces_stranger(claim, main) ||

@@ -104,14 +104,15 @@ bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident, nor
 /// likely, nor may be printed, nor moves by itself, being no larger than a puck, must look like a
-/// puck in every respect, and longer; so must, for a while, what is but evident or printed, with
-/// another side wall than the puck. While the head may turn, what may slide along an edge or is
-/// adrift does not count for kLongPatience_us, nor what is no whole ring as moving by itself,
-/// unless they are very strong; and what has something in its middle does not count as likely.
+/// puck in every respect, and longer, unless it rests in the scene; so must, for a while, what is
+/// but evident or printed, with another side wall than the puck. While the head may turn, what may
+/// slide along an edge or is adrift does not count for kLongPatience_us, nor what is no whole ring
+/// as moving by itself, unless they are very strong; and what has something in its middle does not
+/// count as likely.
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us);
 
 /// What the search found far away, or first, even if it may be printed, and is neither evident,
-/// clear at once, nor likely, nor moves by itself.
+/// clear at once, nor likely, nor moves by itself, nor rests in the scene.
 bool is_weakly_found(const Claim& claim, const std::optional<TrackLooks>& main);
 
 }  // namespace puck

@@ -63,6 +63,18 @@ TEST_CASE(
   CHECK_FALSE(background.place_of(kept));
 }
 
+TEST_CASE("Where nothing is seen any more the head is not taken to turn on for long") {
+  Background background(TurningScene::kSensor);
+  TurningScene scene;
+  scene.show(background, 300);
+  const Pixel before = TurningScene::place(20, 0, scene.time_us());
+  const Background::ScenePlace kept = background.scene_place_of(before);
+  for (int i = 1; i <= 400; ++i) background.decide(scene.time_us() + i * 1'000);
+  REQUIRE(background.place_of(kept));
+  // At its speed of then it would have turned by 18 px.
+  CHECK(distance_px(*background.place_of(kept), before) < 3);
+}
+
 TEST_CASE("What passes once does not become part of what stands still") {
   Background background(TurningScene::kSensor);
   TurningScene scene;

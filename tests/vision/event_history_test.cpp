@@ -28,7 +28,7 @@ TEST_CASE("What is late is not the first") {
 
 TEST_CASE("First events are told in a run of hours, and by clocks that count from elsewhere") {
   for (const std::int64_t start_us :
-       {-5'000'000LL, 0LL, (1LL << 32) - 4'000, 1'700'000'000'000'000LL}) {
+       {-5'000'000LL, 0LL, (1LL << 31) - 500'000, (1LL << 32) - 4'000, 1'700'000'000'000'000LL}) {
     EventHistory history(kSmallSensor);
     CHECK(history.is_first(kOn, start_us));
     CHECK_FALSE(history.is_first(kOn, start_us + 3'000));

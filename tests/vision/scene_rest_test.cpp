@@ -113,6 +113,17 @@ TEST_CASE("What moves against the scene does not lie in it, nor what has been se
   CHECK_FALSE(pushed.rest.is_held());
 }
 
+TEST_CASE("A puck that is moved slowly is held no more once it is seen elsewhere") {
+  Beneath world;
+  world.pass(60, 8);
+  REQUIRE(world.rest.is_held());
+  for (int speed = 10; speed <= 150; speed += 10) world.pass(2, 20, speed);
+  world.pass(60, 20, 150);
+  REQUIRE(world.track.is_good());
+  REQUIRE(world.off_px() > 8);
+  CHECK_FALSE(world.rest.is_held());
+}
+
 TEST_CASE("Of a trusted puck none is held but a faint one") {
   Beneath world;
   world.context.is_trusted = true;
