@@ -16,9 +16,8 @@ constexpr double kSetOff_px = 5;
 constexpr std::int64_t kLongestUnseen_us = 500'000;
 
 bool may_be_held(const ContourContext& context) {
-  const PuckSignature& signature = context.signature;
-  return context.ingredients.scene_rests &&
-         (signature.may_be_faint() || (!signature.knows_multiplicity() && !context.is_trusted));
+  return context.ingredients.scene_rests && !context.signature.knows_multiplicity() &&
+         !context.is_trusted;
 }
 
 }  // namespace

@@ -124,18 +124,21 @@ TEST_CASE("A puck that is moved slowly is held no more once it is seen elsewhere
   CHECK_FALSE(world.rest.is_held());
 }
 
-TEST_CASE("Of a trusted puck none is held but a faint one") {
-  Beneath world;
-  world.context.is_trusted = true;
-  world.pass(60, 8);
-  REQUIRE(world.track.is_good());
-  CHECK_FALSE(world.rest.is_held());
+TEST_CASE("What is trusted is not held, nor a puck of which it is known whether it is faint") {
+  Beneath trusted;
+  trusted.context.is_trusted = true;
+  trusted.pass(60, 8);
+  REQUIRE(trusted.track.is_good());
+  CHECK_FALSE(trusted.rest.is_held());
+  Beneath known;
+  known.pass(60, 8);
+  REQUIRE(known.rest.is_held());
   PuckSignature::Sample sample;
   for (int i = 0; i < 100; ++i) sample.count(true, -500, true);  // of a dark one
-  world.context.signature.learn(sample, 1'000);
-  REQUIRE(world.context.signature.may_be_faint());
-  world.pass(20, 8);
-  CHECK(world.rest.is_held());
+  known.context.signature.learn(sample, 1'000);
+  REQUIRE(known.context.signature.knows_multiplicity());
+  known.pass(1, 8);
+  CHECK_FALSE(known.rest.is_held());
 }
 
 TEST_CASE("Once the scene is forgotten it is not known where in it the puck lies") {
