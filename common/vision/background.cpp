@@ -201,6 +201,12 @@ std::optional<PixelVelocity> Background::still_velocity_at(Pixel place) const {
   return head_turns_ ? trail_.still_velocity_at(place) : std::nullopt;
 }
 
+std::optional<double> Background::own_speed_px_s(Pixel place, PixelVelocity velocity) const {
+  const auto still = still_velocity_at(place);
+  if (!still) return std::nullopt;
+  return std::hypot(velocity.x - still->x, velocity.y - still->y);
+}
+
 std::optional<Pixel> Background::place_of(const ScenePlace& place) const {
   if (place.scene != scene_) return std::nullopt;
   const Pixel now = turn_.now_of(place.then);

@@ -59,6 +59,10 @@ class Background {
   /// is not known that it does, or has been known for less than TurnTrail takes.
   std::optional<PixelVelocity> still_velocity_at(Pixel place) const;
 
+  /// How fast what is at `place` and has this velocity in the image moves against what stands
+  /// still, px/s; none where still_velocity_at has none.
+  std::optional<double> own_speed_px_s(Pixel place, PixelVelocity velocity) const;
+
   /// A place in what stands still, for as long as the same scene is known.
   struct ScenePlace {
     Pixel then;

@@ -1,7 +1,6 @@
 #include "common/vision/claim.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/vision/background.h"
 
@@ -27,10 +26,7 @@ constexpr double kBeyondSliding = 2;
 
 std::optional<double> own_speed_px_s(const ContourFilter& filter, const ClaimContext& context) {
   if (context.background == nullptr) return std::nullopt;
-  const auto still = context.background->still_velocity_at(filter.position());
-  if (!still) return std::nullopt;
-  const PixelVelocity velocity = filter.velocity();
-  return std::hypot(velocity.x - still->x, velocity.y - still->y);
+  return context.background->own_speed_px_s(filter.position(), filter.velocity());
 }
 
 }  // namespace

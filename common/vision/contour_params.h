@@ -54,8 +54,8 @@ struct ContourIngredients {
   /// what slides along an edge does not; where it is known how it turns, only a whole or very
   /// strong ring displaces what is not trusted.
   bool own_motion = true;
-  /// A faint puck at rest beneath a turning head is found by that it moves with the scene, which
-  /// takes own_motion, too, and stays in it.
+  /// A faint puck at rest beneath a turning head is found, since it moves with the scene, and stays
+  /// in it. The former takes own_motion, too.
   bool scene_rests = true;
   /// What the search and its events together say is the puck takes over; what the search hardly
   /// sees as one does so less easily.

@@ -113,14 +113,14 @@ void ContourPipeline::decide(std::int64_t time_us) {
     }
     stop_beyond_image(*main_, context_, sensor_, now_us_);
     return_if_left_behind(time_us);
-    if (held_rest_.is_held()) {
+    if (held_rest_.is_held() || scene_rest_.is_held()) {
       witness_.put(main_->filter().position(), time_us);
-      challengers_.dismiss_born();
-    } else if (scene_rest_.is_held()) {
-      witness_.put(main_->filter().position(), time_us);
-      twins_.bear_at_rest(*main_, context_, time_us, challengers_);
     } else {
       witness_.consult(*main_, context_, time_us, challengers_);
+    }
+    if (held_rest_.is_held()) {
+      challengers_.dismiss_born();
+    } else {
       twins_.bear_at_rest(*main_, context_, time_us, challengers_);
     }
     twins_.bear_of_other_wall(*main_, context_, time_us, challengers_);
@@ -146,10 +146,10 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   main_->decide(time_us, trust_.since_good_us(time_us) > kBlindAfter_us, context_);
   const PuckSignature::Sample sample = main_->take_sample();
   held_rest_.hold(*main_, standing_, context_, time_us);
-  if (consults_background_ && !held_rest_.is_held()) {
-    scene_rest_.hold(*main_, background_, context_, time_us);
-  } else {
+  if (held_rest_.is_held()) {
     scene_rest_.forget();
+  } else {
+    scene_rest_.hold(*main_, background_, context_, time_us);
   }
   if (scene_rest_.is_held() && standing_.state() == TrackState::kTracking && trust_.is_believed()) {
     standing_.note_seen(time_us);
@@ -202,10 +202,7 @@ void ContourPipeline::return_if_left_behind(std::int64_t time_us) {
       .is_sure = trust_.is_surely_puck() && standing_.state() == TrackState::kTracking,
       .is_resting = standing_.is_resting(),
       .sensor = sensor_};
-  if (left_behind_.bring_back(*main_, now, context_, time_us)) {
-    held_rest_.seize(context_, time_us);
-    scene_rest_.forget();
-  }
+  if (left_behind_.bring_back(*main_, now, context_, time_us)) held_rest_.seize(context_, time_us);
   if (left_behind_.is_there()) standing_.note_seen(time_us);
 }
 

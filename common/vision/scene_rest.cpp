@@ -1,7 +1,5 @@
 #include "common/vision/scene_rest.h"
 
-#include <cmath>
-
 namespace puck {
 namespace {
 
@@ -41,10 +39,8 @@ void SceneRest::watch(const ContourTrack& main, const Background& background,
     const auto place = background.place_of(*lies_at_);
     if (!place || distance_px(*place, looks.position) > kSetOff_px) forget();
   }
-  const auto scene = background.still_velocity_at(looks.position);
-  const PixelVelocity velocity = main.filter().velocity();
-  if (!scene || std::hypot(velocity.x - scene->x, velocity.y - scene->y) > kWithScene_px_s ||
-      !looks.has_pucks_size()) {
+  const auto own_px_s = background.own_speed_px_s(looks.position, main.filter().velocity());
+  if (!own_px_s || *own_px_s > kWithScene_px_s || !looks.has_pucks_size()) {
     follows_since_us_.reset();
     return;
   }

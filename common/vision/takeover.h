@@ -98,8 +98,8 @@ bool is_premature(const Claim& claim, const Defence& main);
 /// Any of the first six, or recognised, and not premature; but far from a track that moves, has
 /// twice its events, on more sides, and is more of a puck to searches, none; against a puck at
 /// rest, which makes no events, that it is evident, outruns it, or is recognised, by a high score
-/// if it is not lost. A conjecture must move by itself, unless the main track has not been sound
-/// for long.
+/// if it is not lost; against one that lies in the scene and is not lost, that it unsettles it. A
+/// conjecture must move by itself, unless the main track has not been sound for long.
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident, nor

@@ -68,6 +68,14 @@ class Beneath {
   double moved_px_ = 0;
 };
 
+// It has been seen for 60 ms.
+Beneath lying() {
+  Beneath world;
+  world.pass(60, 8);
+  REQUIRE(world.rest.is_held());
+  return world;
+}
+
 TEST_CASE("A puck that lies beneath a turning head stays in the scene for half a second unseen") {
   Beneath world;
   world.pass(5, 8);
@@ -105,18 +113,14 @@ TEST_CASE("What moves against the scene does not lie in it, nor what has been se
   moving.pass(60, 20, 400);
   REQUIRE(moving.track.is_good());
   CHECK_FALSE(moving.rest.is_held());
-  Beneath pushed;
-  pushed.pass(60, 8);
-  REQUIRE(pushed.rest.is_held());
+  Beneath pushed = lying();
   for (int speed = 10; speed <= 450; speed += 10) pushed.pass(2, 20, speed);
   REQUIRE(pushed.track.is_good());
   CHECK_FALSE(pushed.rest.is_held());
 }
 
 TEST_CASE("A puck that is moved slowly is held no more once it is seen elsewhere") {
-  Beneath world;
-  world.pass(60, 8);
-  REQUIRE(world.rest.is_held());
+  Beneath world = lying();
   for (int speed = 10; speed <= 150; speed += 10) world.pass(2, 20, speed);
   world.pass(60, 20, 150);
   REQUIRE(world.track.is_good());
@@ -130,9 +134,7 @@ TEST_CASE("What is trusted is not held, nor a puck of which it is known whether 
   trusted.pass(60, 8);
   REQUIRE(trusted.track.is_good());
   CHECK_FALSE(trusted.rest.is_held());
-  Beneath known;
-  known.pass(60, 8);
-  REQUIRE(known.rest.is_held());
+  Beneath known = lying();
   PuckSignature::Sample sample;
   for (int i = 0; i < 100; ++i) sample.count(true, -500, true);  // of a dark one
   known.context.signature.learn(sample, 1'000);
@@ -142,18 +144,14 @@ TEST_CASE("What is trusted is not held, nor a puck of which it is known whether 
 }
 
 TEST_CASE("Once the scene is forgotten it is not known where in it the puck lies") {
-  Beneath world;
-  world.pass(60, 8);
-  REQUIRE(world.rest.is_held());
+  Beneath world = lying();
   world.background.forget();
   world.pass(60, 0);
   CHECK_FALSE(world.rest.is_held());
 }
 
 TEST_CASE("Another track does not lie where the last one did") {
-  Beneath world;
-  world.pass(60, 8);
-  REQUIRE(world.rest.is_held());
+  Beneath world = lying();
   world.rest.forget();
   CHECK_FALSE(world.rest.is_held());
   world.pass(5, 8);
