@@ -25,7 +25,7 @@ constexpr double kSpeedGain = 0.04;
 // With fewer events on the map, by their weights, the head may have stopped: in each period so much
 // of its speed is kept.
 constexpr double kLeastSupport = 2;
-constexpr double kUnsupported = 0.9;
+constexpr double kSpeedKept = 0.9;
 // Events on the map in so many cells of the image, each so many of late: the scene moves as one.
 // Arms that cross half of it have them in up to 25 cells of 48, a table while the head turns in 37
 // to 48.
@@ -167,7 +167,7 @@ void Background::align() {
     for (std::size_t k = 0; k < 3; ++k) speed_[k] += kSpeedGain * found[k];
   }
   if (support < kLeastSupport) {
-    for (double& speed : speed_) speed *= kUnsupported;
+    for (double& speed : speed_) speed *= kSpeedKept;
   }
 }
 
