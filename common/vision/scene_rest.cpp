@@ -7,7 +7,7 @@ namespace {
 // better.
 constexpr std::int64_t kLiesAfter_us = 10'000;
 constexpr double kWithScene_px_s = 90;
-constexpr double kClear = 0.6;
+constexpr double kClearQuality = 0.6;
 // A good track so far from there has been set off.
 constexpr double kSetOff_px = 5;
 // A puck that is not seen again for so long may be anywhere.
@@ -24,7 +24,7 @@ void SceneRest::hold(ContourTrack& main, const Background& background,
                      const ContourContext& context, std::int64_t time_us) {
   if (!may_be_held(context)) {
     forget();
-  } else if (main.is_good() && main.quality() > kClear) {
+  } else if (main.is_good() && main.quality() > kClearQuality) {
     watch(main, background, time_us);
   } else {
     follows_since_us_.reset();
