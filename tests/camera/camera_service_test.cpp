@@ -59,7 +59,7 @@ TEST_CASE("no packet is published before its events have happened") {
 
 TEST_CASE("packets that are due every 150 us go one by one") {
   const CameraFolder folder;
-  write_recording(folder / "a.raw", even_events(60'000, 1000, 4));
+  write_recording(folder / "a.raw", even_events(240'000, 1000, 4));
   CameraRun run(file_settings(folder / "a.raw", "flush_us = 150\n"));
   run.run();
   REQUIRE(run.packets_.size() > 1000);
