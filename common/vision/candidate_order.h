@@ -4,6 +4,7 @@
 
 #include "common/vision/background.h"
 #include "common/vision/puck_contour.h"
+#include "common/vision/sighting_trails.h"
 #include "common/vision/tracking_pipeline.h"
 
 namespace puck {
@@ -17,5 +18,9 @@ inline constexpr double kClearRingScore = 0.6;
 /// Otherwise the order stays.
 void put_still_last(SearchResult& found, const Background& background, const PuckContour& contour,
                     double clear_score = 1);
+
+/// What has left a likely trail is tried before all else, wherever it lies. Otherwise the order
+/// stays. `found`: what `trails` took last.
+void put_followed_first(SearchResult& found, const SightingTrails& trails);
 
 }  // namespace puck

@@ -39,6 +39,7 @@ void Challenger::note_found(const Found& again) {
   } else if (found_.is_conjecture) {
     found_ = again;
   }
+  found_.trail = again.trail;
 }
 
 std::int64_t Challenger::convincing_for_us(bool convinces, std::int64_t time_us) {

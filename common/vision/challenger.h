@@ -5,6 +5,7 @@
 
 #include "common/vision/contour_track.h"
 #include "common/vision/missed_events.h"
+#include "common/vision/sighting_trail.h"
 
 namespace puck {
 
@@ -22,6 +23,7 @@ class Challenger {
   struct Found {
     double score = 0;            ///< SearchCandidate::score.
     bool is_conjecture = false;  ///< Only a search for a wall that the puck may not have found it.
+    SightingTrail trail;         ///< As of the last search that found it.
   };
 
   Challenger(Kind kind, const ContourContext& context, const ContourFilter::Start& start,

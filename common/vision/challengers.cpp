@@ -24,6 +24,9 @@ constexpr std::int64_t kThrivingLife_us = 150'000;
 constexpr std::int64_t kSupportedAfter_us = 5'000;
 constexpr double kUnsupported = 0.1;
 
+// How well a steady trail knows how fast it is.
+constexpr double kTrailSigma_px_s = 300;
+
 // A challenger that has come so near to the main track is the same track.
 constexpr double kSame_px = 2;
 constexpr double kSame_px_s = 100;
@@ -104,16 +107,26 @@ void Challengers::add_found(const Answer& answer, const ContourContext& context)
   const auto try_one = [&](Pixel position, double wall_share, const Challenger::Found& found) {
     ContourFilter::Start start;
     start.position = position;
+    if (found.trail.is_steady()) {
+      const double passed_s = static_cast<double>(seen_us - result.time.us) * 1e-6;
+      start.velocity = found.trail.velocity;
+      start.position.x += start.velocity.x * passed_s;
+      start.position.y += start.velocity.y * passed_s;
+      start.sigma_px_s = kTrailSigma_px_s;
+    }
     Challenger* added = add(Challenger::Kind::kSearch, context, start, seen_us, wall_share, found);
     if (added) added->catch_up(answer.missed, answer.period_us, answer.decided_us, context);
   };
   const double sought = context.contour.wall_share(result.request.other_wall);
   const double not_sought = context.contour.wall_share(!result.request.other_wall);
   for (const SearchCandidate& candidate : result.candidates) {
-    const Challenger::Found found{candidate.score, answer.is_conjecture};
+    const Challenger::Found found{candidate.score, answer.is_conjecture,
+                                  answer.trails ? answer.trails->of(candidate) : SightingTrail{}};
     if (answer.main && distance_px(candidate.position, *answer.main) < kSame_px) continue;
     if (note_known(candidate.position, found, seen_us)) continue;
-    if (refuted_.contains(candidate.position, candidate.score, answer.time_us)) continue;
+    if (!found.trail.is_steady() &&
+        refuted_.contains(candidate.position, candidate.score, answer.time_us))
+      continue;
     make_room_for(candidate, answer.time_us);
     try_one(candidate.position, sought, found);
     if (!context.ingredients.wall) continue;
@@ -140,7 +153,10 @@ bool Challengers::note_known(Pixel position, const Challenger::Found& found, std
 const Challenger* Challengers::least_good(std::int64_t time_us) const {
   const Challenger* worst = nullptr;
   for (const Challenger& one : challengers_) {
-    if (!is_found(one) || one.tried_us(time_us) < kSupportedAfter_us) continue;
+    if (!is_found(one) || one.tried_us(time_us) < kSupportedAfter_us ||
+        one.found().trail.is_steady()) {
+      continue;
+    }
     if (worst == nullptr || one.track().quality() < worst->track().quality()) worst = &one;
   }
   return worst;
@@ -200,7 +216,8 @@ const Challenger* Challengers::first(const ClaimContext& context, std::int64_t s
 void Challengers::dismiss_hopeless(std::int64_t time_us, bool head_rests) {
   std::erase_if(challengers_, [&](const Challenger& challenger) {
     const bool is_over = is_found(challenger) && is_hopeless(challenger, time_us);
-    if (is_over && !(head_rests && challenger.track().looks().is_fast())) {
+    const bool was_led_away = head_rests && challenger.track().looks().is_fast();
+    if (is_over && !was_led_away && !challenger.found().trail.is_steady()) {
       refuted_.add(position_of(challenger), challenger.found().score, time_us);
     }
     return is_over;

@@ -8,6 +8,7 @@
 #include "common/vision/challenger.h"
 #include "common/vision/missed_events.h"
 #include "common/vision/refuted_places.h"
+#include "common/vision/sighting_trails.h"
 #include "common/vision/takeover.h"
 #include "common/vision/tracking_pipeline.h"
 
@@ -36,6 +37,7 @@ class Challengers {
   struct Answer {
     const SearchResult& result;
     bool is_conjecture = false;
+    const SightingTrails* trails = nullptr;  ///< With `result`; null: they do not count.
     /// Where the main track was when the search's snapshot was taken; without, what was found there
     /// is tried as well.
     std::optional<Pixel> main;
@@ -47,9 +49,10 @@ class Challengers {
   };
 
   /// Adds what a search found and is neither `main`, nor known, nor refuted of late: once
-  /// for each opinion on the puck's side wall. What is known is noted to have been found again.
-  /// Where there is no room, what no event speaks for gives way, and to what is evident the least
-  /// likely.
+  /// for each opinion on the puck's side wall. What has left a steady trail is added wherever
+  /// something was refuted, and starts as fast as that. What is known is noted to have been found
+  /// again. Where there is no room, what no event speaks for gives way, and to what is evident the
+  /// least likely.
   void add_found(const Answer& answer, const ContourContext& context);
 
   void decide(std::int64_t time_us, const ContourContext& context);

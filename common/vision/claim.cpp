@@ -33,9 +33,11 @@ std::optional<double> own_speed_px_s(const ContourFilter& filter, const ClaimCon
 
 Claim claim_of(const Challenger& challenger, const ClaimContext& context, std::int64_t time_us) {
   const ContourTrack& track = challenger.track();
+  Challenger::Found found = challenger.found();
+  if (time_us - found.trail.seen_us > SightingTrail::kEndsAfter_us) found.trail = {};
   return {.looks = track.looks(),
           .age_us = challenger.age_us(time_us),
-          .found = challenger.found(),
+          .found = found,
           .leads = challenger.leads(),
           .has_other_wall = challenger.has_other_wall(),
           .own_speed_px_s = own_speed_px_s(track.filter(), context),

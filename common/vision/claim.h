@@ -35,7 +35,7 @@ struct Claim {
   ClaimContext context;
 };
 
-/// What speaks for it as of its last decision.
+/// What speaks for it as of its last decision; a trail only until it ends.
 Claim claim_of(const Challenger& challenger, const ClaimContext& context, std::int64_t time_us);
 
 /// Hardly anything that the search finds and that is no puck has a higher score.

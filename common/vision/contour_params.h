@@ -57,6 +57,10 @@ struct ContourIngredients {
   /// A faint puck at rest beneath a turning head is found, since it moves with the scene, and stays
   /// in it. The former takes own_motion, too.
   bool scene_rests = true;
+  /// What one search after another finds along a way of its own is a faint puck, even if it has
+  /// hardly any events of its own, as beside a rail. Takes background and, to correct a track,
+  /// sightings.
+  bool sighting_trails = true;
   /// What the search and its events together say is the puck takes over; what the search hardly
   /// sees as one does so less easily.
   bool recognition = true;
@@ -71,7 +75,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 40> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 41> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -108,6 +112,7 @@ inline constexpr std::array<ContourIngredient, 40> kContourIngredients{{
     {"slow-movers", &ContourIngredients::slow_movers},
     {"own-motion", &ContourIngredients::own_motion},
     {"scene-rests", &ContourIngredients::scene_rests},
+    {"sighting-trails", &ContourIngredients::sighting_trails},
     {"recognition", &ContourIngredients::recognition},
     {"sightings", &ContourIngredients::sightings},
     {"at-once", &ContourIngredients::at_once},

@@ -18,6 +18,7 @@
 #include "common/vision/search_plan.h"
 #include "common/vision/seen_score.h"
 #include "common/vision/settling.h"
+#include "common/vision/sighting_trails.h"
 #include "common/vision/sought_wall.h"
 #include "common/vision/track_standing.h"
 #include "common/vision/track_trust.h"
@@ -77,6 +78,8 @@ class ContourPipeline final : public TrackingPipeline {
   bool is_tried_afresh() const;
   void find_first(std::int64_t time_us);
   void enthrone(const Challenger& challenger, std::int64_t time_us);
+  /// Null: none do.
+  const SightingTrails* trails_that_count() const;
   void correct_by(const SearchResult& result, Pixel main);
   void plan_search(std::int64_t time_us);
   void plan_events(std::int64_t time_us);
@@ -104,6 +107,7 @@ class ContourPipeline final : public TrackingPipeline {
   WallHeight wall_height_;
   double searched_wall_share_ = 0;  // SearchRequest::other_wall_share
   SeenScore seen_score_;
+  SightingTrails trails_;
   SearchResult found_;
   Background background_;
   NoiseFloor noise_floor_;

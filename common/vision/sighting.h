@@ -3,14 +3,23 @@
 #include <optional>
 
 #include "common/vision/puck_contour.h"
+#include "common/vision/sighting_trails.h"
 #include "common/vision/tracking_pipeline.h"
 
 namespace puck {
 
+struct Sighting {
+  Pixel place;              ///< As the track would have it.
+  bool is_sure = false;     ///< By its score, or its trail.
+  bool is_certain = false;  ///< SightingTrail's.
+};
+
 /// Where a search saw the puck, if it did so near a track at `main` that believes `wall_share`: the
-/// place that looked most like it, as that track would have it. What is near a poor track and looks
-/// like the puck is it, however few its events; where it is not, the track hardly ever is, either.
-std::optional<Pixel> sighting_near(Pixel main, double wall_share, const SearchResult& result,
-                                   const PuckContour& contour);
+/// place that looked most like it. What is near a poor track and looks like the puck is it, however
+/// few its events; where it is not, the track hardly ever is, either. What has left a steady trail
+/// need not look as much like it. `trails`: with `result`; null: they do not count.
+std::optional<Sighting> sighting_near(Pixel main, double wall_share, const SearchResult& result,
+                                      const PuckContour& contour,
+                                      const SightingTrails* trails = nullptr);
 
 }  // namespace puck

@@ -25,8 +25,13 @@ constexpr std::int64_t kSoundLately_us = 120'000;
 constexpr double kPossibleScore = 0.45;
 // … and a part of a hand or a mallet one below this.
 constexpr double kHardlySeen = 0.33;
+// Of a puck more than this share of the directions is seen, unless something covers it.
+constexpr double kFewSides = 0.35;
 // A ring as good as that is more than a part of a mallet.
 constexpr double kFineRing = 0.85;
+// A trail that takes over has led so far. Clutter's seldom does.
+constexpr int kFollowedFor = 8;
+constexpr double kFollowed_px = 10;
 // Of two that are seen alike, either may score as much more.
 constexpr double kScoreNoise = 0.1;
 // How far the puck may be from a track that has just been good, and how much farther it gets.
@@ -65,6 +70,19 @@ bool is_lesser(const Claim& claim, const Defence& main) {
   return main.knows_pucks && main.looks.is_good() && main.looks.is_fast() &&
          claim.looks.strength < main.looks.strength / 2 && claim.looks.cover < main.looks.cover &&
          claim.found.score < main.score;
+}
+
+// A faint puck is seen all around.
+bool is_faint_ring(const Defence& main) {
+  return main.knows_pucks && main.may_be_faint && main.looks.is_good() &&
+         main.looks.is_whole_ring();
+}
+
+// Of what lies beside a faint puck, an arm's edge or a rail has events on few sides, and is hardly
+// seen as a puck.
+bool is_hardly_there(const Claim& claim, const Defence& main) {
+  return main.knows_pucks && main.may_be_faint && claim.looks.cover < kFewSides &&
+         claim.found.score < kPossibleScore;
 }
 
 }  // namespace
@@ -129,9 +147,12 @@ bool outmoves(const Claim& claim, const Defence& main) {
 }
 
 bool unmasks(const Claim& claim, const Defence& main) {
-  return (is_evident(claim) || is_clear_at_once(claim)) &&
-         claim.looks.quality > main.looks.quality + 0.1 && !is_only_round(claim, main) &&
-         !is_outscored(claim, main) && (!main.is_trusted || main.since_sound_us > kUnsoundFor_us);
+  // A hand or a mallet that moves is clear at once, but no ring.
+  const bool is_clear =
+      is_clear_at_once(claim) && (claim.looks.is_whole_ring() || !is_faint_ring(main));
+  return (is_evident(claim) || is_clear) && claim.looks.quality > main.looks.quality + 0.1 &&
+         !is_only_round(claim, main) && !is_outscored(claim, main) &&
+         (!main.is_trusted || main.since_sound_us > kUnsoundFor_us);
 }
 
 bool displaces_stranger(const Claim& claim, const Defence& main) {
@@ -146,6 +167,7 @@ bool displaces_stranger(const Claim& claim, const Defence& main) {
 bool succeeds_nearby(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
   if (main.is_witnessed || is_outscored(claim, main) || looks.is_oversized()) return false;
+  if (is_hardly_there(claim, main)) return false;
   const double reach_px = std::min(
       kFarthestTakeover_px,
       kTakeoverRadius_px + kTakeoverGrowth_px_us * static_cast<double>(main.since_good_us));
@@ -196,6 +218,16 @@ bool is_premature(const Claim& claim, const Defence& main) {
          claim.found.score <= kPossibleScore && !is_clear_at_once(claim);
 }
 
+bool is_followed(const Claim& claim, const Defence& main) {
+  const TrackLooks& looks = claim.looks;
+  const SightingTrail& trail = claim.found.trail;
+  const bool has_some_events =
+      looks.quality > 0.35 && looks.strength > 5 && !looks.is_oversized() && !looks.is_undersized();
+  return main.may_be_faint && main.since_good_us > kBadFor_us &&
+         (trail.is_certain() || (trail.is_steady() && trail.sightings >= kFollowedFor &&
+                                 trail.own_px > kFollowed_px && has_some_events));
+}
+
 bool is_convincing(const Claim& claim, const Defence& main) {
   if (is_premature(claim, main)) return false;
   if (claim.found.is_conjecture && !moves_by_itself(claim) &&
@@ -211,7 +243,7 @@ bool is_convincing(const Claim& claim, const Defence& main) {
   if (is_lesser(claim, main)) return succeeds_nearby(claim, main);
   return is_recognised(claim, main) || outshines(claim, main) || surpasses(claim, main) ||
          outmoves(claim, main) || unmasks(claim, main) || displaces_stranger(claim, main) ||
-         succeeds_nearby(claim, main);
+         succeeds_nearby(claim, main) || is_followed(claim, main);
 }
 
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {
@@ -238,7 +270,7 @@ bool is_weakly_found(const Claim& claim, const std::optional<TrackLooks>& main) 
   const bool is_near =
       main && distance_px(main->position, claim.looks.position) < kFarthestTakeover_px;
   return !is_near && !is_evident(claim) && !moves_by_itself(claim) && !is_clear_at_once(claim) &&
-         !is_likely(claim) && !rests_in_scene(claim);
+         !is_likely(claim) && !rests_in_scene(claim) && !claim.found.trail.is_certain();
 }
 
 }  // namespace puck

@@ -63,7 +63,8 @@ bool surpasses(const Claim& claim, const Defence& main);
 /// less of a puck to searches.
 bool outmoves(const Claim& claim, const Defence& main);
 /// It is evident, or clear at once, and not less of a puck to searches; the main track is not to be
-/// trusted, or has not been sound for long. While that moves as only pucks do, what is slow unmasks
+/// trusted, or has not been sound for long. Of a faint puck that is a good whole ring what is clear
+/// must be one, too. While that moves as only pucks do, what is slow unmasks
 /// nothing.
 bool unmasks(const Claim& claim, const Defence& main);
 /// It looks better than a main track that is not to be trusted, is of a puck's size, and not less
@@ -72,7 +73,8 @@ bool unmasks(const Claim& claim, const Defence& main);
 bool displaces_stranger(const Claim& claim, const Defence& main);
 /// It looks better near a main track that nothing vouches for, is no larger than a puck, and not
 /// less of one to searches; the farther away, the better it must look. It may be smaller: of the
-/// other opinion on the wall it is.
+/// other opinion on the wall it is. What is seen on few sides succeeds a faint puck only if
+/// searches see it, too.
 bool succeeds_nearby(const Claim& claim, const Defence& main);
 
 /// It moves as a puck does, beyond doubt or as a whole ring; the main track is taken to rest, and
@@ -89,17 +91,21 @@ bool unsettles(const Claim& claim, const Defence& main);
 /// way round, and the clearer those are, the sooner; the main track has not been good for a while.
 bool is_recognised(const Claim& claim, const Defence& main);
 
+/// Searches have followed it along a way of its own, and it has some events, or they have done so
+/// for long; the main track may be a faint puck's and has not been good for a while.
+bool is_followed(const Claim& claim, const Defence& main);
+
 /// Something has come over a puck that was beyond doubt a moment ago. What searches do not see as a
 /// puck is then likely a part of that, or a mallet elsewhere, each of which may be the better ring
 /// while the puck is hidden. What is clear at once is neither; and of a faint puck searches may see
 /// no more.
 bool is_premature(const Claim& claim, const Defence& main);
 
-/// Any of the first six, or recognised, and not premature; but far from a track that moves, has
-/// twice its events, on more sides, and is more of a puck to searches, none; against a puck at
-/// rest, which makes no events, that it is evident, outruns it, or is recognised, by a high score
-/// if it is not lost; against one that lies in the scene and is not lost, that it unsettles it. A
-/// conjecture must move by itself, unless the main track has not been sound for long.
+/// Any of the first six, or recognised or followed, and not premature; but far from a track that
+/// moves, has twice its events, on more sides, and is more of a puck to searches, none; against a
+/// puck at rest, which makes no events, that it is evident, outruns it, or is recognised, by a high
+/// score if it is not lost; against one that lies in the scene and is not lost, that it unsettles
+/// it. A conjecture must move by itself, unless the main track has not been sound for long.
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident, nor
@@ -112,7 +118,8 @@ bool is_convincing(const Claim& claim, const Defence& main);
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us);
 
 /// What the search found far away, or first, even if it may be printed, and is neither evident,
-/// clear at once, nor likely, nor moves by itself, nor rests in the scene.
+/// clear at once, nor likely, nor moves by itself, nor rests in the scene, nor has been followed
+/// for long.
 bool is_weakly_found(const Claim& claim, const std::optional<TrackLooks>& main);
 
 }  // namespace puck

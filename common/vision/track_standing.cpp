@@ -50,6 +50,7 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool hea
   }
   if (time_us - held_us_ <= (in_image ? coast_us_ : kLeaving_us)) {
     state_ = TrackState::kTracking;
+    if (in_image) left_image_.reset();
     return;
   }
   if (!in_image && !left_image_) left_image_ = nearest_in_image;

@@ -30,12 +30,25 @@ constexpr std::uint32_t kSeeds = kIsSanitized ? 1 : 3;
 constexpr SensorSize kHalfSensor{320, 240};
 constexpr PuckSizeModel kHalfSizeModel{16, 0, 0.08, 8, 0, 0.08};
 
+// What searches find from some time on, and nothing else.
+struct Imagined {
+  Pixel start;
+  PixelVelocity velocity;
+  std::int64_t since_us = 0;
+
+  Pixel position_at(std::int64_t time_us) const {
+    const double passed_s = static_cast<double>(time_us - since_us) * 1e-6;
+    return {start.x + velocity.x * passed_s, start.y + velocity.y * passed_s};
+  }
+};
+
 // A pipeline, and what it wanted to be searched for: o for the other wall, c for the calibrated
-// one.
+// one. It may be told something imagined.
 class NotedSearches final : public TrackingPipeline {
  public:
-  NotedSearches(std::unique_ptr<TrackingPipeline> pipeline, std::string& noted)
-      : pipeline_(std::move(pipeline)), noted_(noted) {}
+  NotedSearches(std::unique_ptr<TrackingPipeline> pipeline, std::string& noted,
+                const std::optional<Imagined>& imagined)
+      : pipeline_(std::move(pipeline)), noted_(noted), imagined_(imagined) {}
 
   Region events_needed() const override { return pipeline_->events_needed(); }
   std::int64_t decision_period_us() const override { return pipeline_->decision_period_us(); }
@@ -49,11 +62,17 @@ class NotedSearches final : public TrackingPipeline {
     if (!wanted.region.empty()) noted_ += wanted.other_wall ? 'o' : 'c';
     return wanted;
   }
-  void take(const SearchResult& result) override { pipeline_->take(result); }
+  void take(const SearchResult& result) override {
+    if (!imagined_) return pipeline_->take(result);
+    SearchResult told = result;
+    told.candidates = {{imagined_->position_at(result.time.us), 0.55}};
+    pipeline_->take(told);
+  }
 
  private:
   std::unique_ptr<TrackingPipeline> pipeline_;
   std::string& noted_;
+  const std::optional<Imagined>& imagined_;
 };
 
 // Shows a tracker of preset `default` a dark puck that glides, rests, jumps or hides.
@@ -62,9 +81,10 @@ class Table {
   explicit Table(const PipelineParams& params = preset_params(Preset::kDefault),
                  std::uint32_t seed = 1, const PuckSizeModel& size_model = kHalfSizeModel)
       : contour_(kHalfSensor, size_model, exact(), true),
-        tracker_(kHalfSensor, with_exact(params), size_model,
-                 std::make_unique<NotedSearches>(
-                     make_pipeline(kHalfSensor, with_exact(params), size_model), searches_)),
+        tracker_(
+            kHalfSensor, with_exact(params), size_model,
+            std::make_unique<NotedSearches>(
+                make_pipeline(kHalfSensor, with_exact(params), size_model), searches_, imagined_)),
         random_(seed) {}
 
   // Lets the puck glide for so long; the mean error of the last half, px.
@@ -138,6 +158,12 @@ class Table {
     show_other_wall();
   }
   void put(Pixel position) { puck_ = position; }
+  // Searches find nothing but this, from now on.
+  void imagine(Pixel start, PixelVelocity velocity) { imagined_ = {start, velocity, now_us_}; }
+  double from_imagined_px() const {
+    if (!estimate_.position) return 100;
+    return distance_px(*estimate_.position, imagined_->position_at(now_us_));
+  }
   double error_px() const {
     if (!estimate_.position) return 100;
     return distance_px(*estimate_.position, puck_);
@@ -178,6 +204,7 @@ class Table {
   PuckContour contour_;
   double wall_share_ = 0;
   std::string searches_;
+  std::optional<Imagined> imagined_;
   SurfaceTracker tracker_;
   Pixel puck_{60, 100};
   PuckEstimate estimate_;
@@ -446,6 +473,33 @@ TEST_CASE("a faint puck is followed when it sets off slowly") {
     CHECK(worst_px < 5);
     CHECK(table.error_px() < 1);
   }
+}
+
+TEST_CASE("a faint puck that is lost is where searches have followed it, without any events") {
+  const auto is_followed = [](double density, bool is_on, PixelVelocity velocity) {
+    PipelineParams params = preset_params(Preset::kDefault);
+    params.contour.ingredients.sighting_trails = is_on;
+    Table table(params);
+    table.density = density;
+    CHECK(table.glide({400, 60}, 300) < 1);
+    table.cover(150);
+    REQUIRE(table.estimate().state == TrackState::kLost);
+    table.imagine({40, 200}, velocity);
+    bool was_there = false;
+    for (int i = 0; i < 150; ++i) {
+      table.cover(1);
+      if (table.estimate().state == TrackState::kTracking && table.from_imagined_px() < 5) {
+        was_there = true;
+      }
+    }
+    return was_there;
+  };
+  constexpr double kFaint = 0.6;
+  constexpr double kClear = 3;
+  CHECK(is_followed(kFaint, true, {400, 0}));
+  CHECK_FALSE(is_followed(kFaint, false, {400, 0}));
+  CHECK_FALSE(is_followed(kClear, true, {400, 0}));
+  CHECK_FALSE(is_followed(kFaint, true, {10, 0}));
 }
 
 TEST_CASE("a puck that begins to move after long noise is found within a tenth of a second") {

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/vision/contour_world.h"
+#include "tests/vision/sighting_walk.h"
 
 namespace puck {
 namespace {
@@ -17,8 +18,12 @@ const PuckContour kFlatContour(kSensor, {30, 0, 0, 20, 0, 0}, {0, 0, 0}, true);
 
 std::optional<Pixel> seen(const std::vector<SearchCandidate>& candidates, bool other_wall = false,
                           double wall_share = 0) {
-  return sighting_near(kTrackPlace, wall_share, {{}, {.other_wall = other_wall}, candidates},
-                       kFlatContour);
+  const auto sighting = sighting_near(kTrackPlace, wall_share,
+                                      {{}, {.other_wall = other_wall}, candidates}, kFlatContour);
+  if (!sighting) return std::nullopt;
+  CHECK(sighting->is_sure);
+  CHECK_FALSE(sighting->is_certain);
+  return sighting->place;
 }
 
 TEST_CASE("Of what a search found near the track it is the one that looks most like the puck") {
@@ -43,6 +48,27 @@ TEST_CASE("A sighting is where the puck would be by the track's own opinion on t
   CHECK(place->x == kTrackPlace.x);
   CHECK(place->y == doctest::Approx(kTrackPlace.y - other * 15));
   CHECK(seen({{kTrackPlace, 0.9}}, true, other) == kTrackPlace);
+}
+
+TEST_CASE("What has left a steady trail is one whatever its score, but only near the track") {
+  const auto seen_after = [](const test::Walk& walk) {
+    SightingTrails trails;
+    const SearchResult last = test::show(trails, walk, kFlatContour, 1'000'000);
+    CHECK_FALSE(sighting_near(kTrackPlace, 0, last, kFlatContour).has_value());
+    return sighting_near(kTrackPlace, 0, last, kFlatContour, &trails);
+  };
+  const auto steady = seen_after({.end = {303, 204}, .velocity = {500, 0}, .searches = 8});
+  REQUIRE(steady.has_value());
+  CHECK(steady->place == Pixel{303, 204});
+  CHECK_FALSE(steady->is_sure);
+  CHECK_FALSE(steady->is_certain);
+  const auto certain =
+      seen_after({.end = {303, 204}, .velocity = {500, 0}, .score = 0.51, .searches = 12});
+  REQUIRE(certain.has_value());
+  CHECK(certain->is_sure);
+  CHECK(certain->is_certain);
+  CHECK_FALSE(seen_after({.end = {303, 204}, .velocity = {500, 0}, .searches = 5}).has_value());
+  CHECK_FALSE(seen_after({.end = {310, 200}, .velocity = {500, 0}}).has_value());
 }
 
 }  // namespace

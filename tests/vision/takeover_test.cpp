@@ -126,6 +126,54 @@ TEST_CASE("What searches hardly see as a puck outshines nothing, however strong 
   CHECK(outshines(claim, main));
 }
 
+constexpr Claim kFollowed{
+    .looks = {.quality = 0.36, .strength = 6},
+    .found = {.score = 0.5, .trail = {.sightings = 8, .own_px = 11, .score = 0.4, .rms_px = 0.9}}};
+
+TEST_CASE("What searches have followed takes over on few events, unless the track was just good") {
+  const Defence main{.looks = {.quality = 0.4, .strength = 30},
+                     .is_trusted = true,
+                     .is_proven = true,
+                     .may_be_faint = true,
+                     .since_good_us = 20'001};
+  const auto follows = [&main](auto change) {
+    Claim claim = kFollowed;
+    change(claim);
+    CHECK(is_followed(claim, main) == is_convincing(claim, main));
+    return is_followed(claim, main);
+  };
+  CHECK(follows([](Claim&) {}));
+  CHECK_FALSE(follows([](Claim& claim) { claim.looks.quality = 0.35; }));
+  CHECK_FALSE(follows([](Claim& claim) { claim.looks.strength = 5; }));
+  CHECK_FALSE(follows([](Claim& claim) { claim.looks.growth_px = 0.45; }));
+  CHECK_FALSE(follows([](Claim& claim) { claim.looks.growth_px = -0.6; }));
+  CHECK_FALSE(follows([](Claim& claim) { claim.found.trail.sightings = 7; }));
+  CHECK_FALSE(follows([](Claim& claim) { claim.found.trail.own_px = 10; }));
+  CHECK_FALSE(follows([](Claim& claim) { claim.found.trail.score = 0.39; }));
+  CHECK_FALSE(follows([](Claim& claim) { claim.found.trail.rms_px = 0.91; }));
+  Defence good = main;
+  good.since_good_us = 20'000;
+  CHECK_FALSE(is_convincing(kFollowed, good));
+  Defence clear = main;
+  clear.may_be_faint = false;
+  CHECK_FALSE(is_convincing(kFollowed, clear));
+}
+
+TEST_CASE("What searches have followed for long needs no events, and was not found weakly") {
+  const Defence main{
+      .is_trusted = true, .is_proven = true, .may_be_faint = true, .since_good_us = 20'001};
+  Claim claim{.found = {.score = 0.5,
+                        .trail = {.sightings = 12, .own_px = 15, .score = 0.5, .rms_px = 0.8}}};
+  CHECK(is_convincing(claim, main));
+  CHECK_FALSE(is_weakly_found(claim, std::nullopt));
+  Defence resting = main;
+  resting.is_resting = true;
+  CHECK_FALSE(is_convincing(claim, resting));
+  claim.found.trail.sightings = 11;
+  CHECK_FALSE(is_convincing(claim, main));
+  CHECK(is_weakly_found(claim, std::nullopt));
+}
+
 TEST_CASE("A puck at rest gives way to what is evident only, however weak it looks itself") {
   Defence main{
       .looks = {.quality = 0, .strength = 0}, .is_proven = true, .since_sound_us = 1'000'000};
@@ -634,6 +682,57 @@ TEST_CASE("An evident puck takes over from a track that is not trusted or long u
   CHECK(unmasks(claim, main));
   main.score = 0.81;
   CHECK_FALSE(unmasks(claim, main));
+}
+
+TEST_CASE("A faint puck that is seen all around is unmasked by nothing but a whole ring") {
+  Claim mallet{.looks = {.speed_px_s = 1'100, .quality = 0.81, .strength = 183, .cover = 0.3},
+               .age_us = 22'000,
+               .found = {.score = 0.42},
+               .leads = true};
+  REQUIRE(is_clear_at_once(mallet));
+  const Defence faint{.looks = {.quality = 0.67, .strength = 88, .cover = 0.68},
+                      .is_trusted = true,
+                      .is_proven = true,
+                      .knows_pucks = true,
+                      .may_be_faint = true,
+                      .score = 0.41,
+                      .since_sound_us = 183'000};
+  CHECK_FALSE(unmasks(mallet, faint));
+  const auto unmasks_if = [&mallet, &faint](auto change) {
+    Defence main = faint;
+    change(main);
+    return unmasks(mallet, main);
+  };
+  CHECK(unmasks_if([](Defence& main) { main.may_be_faint = false; }));
+  CHECK(unmasks_if([](Defence& main) { main.knows_pucks = false; }));
+  CHECK(unmasks_if([](Defence& main) { main.looks.quality = 0.5; }));
+  CHECK(unmasks_if([](Defence& main) { main.looks.cover = 0.5; }));
+  mallet.looks.cover = 0.51;
+  CHECK(unmasks(mallet, faint));
+  mallet.looks.cover = 0.3;
+  mallet.found.score = 0.66;
+  REQUIRE(is_evident(mallet));
+  CHECK(unmasks(mallet, faint));
+}
+
+TEST_CASE("What has events on few sides, and is hardly seen, does not succeed a faint puck") {
+  const Defence faint{.is_trusted = true, .knows_pucks = true, .may_be_faint = true};
+  const Claim arm{.looks = {.quality = 0.66, .strength = 22, .cover = 0.34},
+                  .age_us = 25'000,
+                  .found = {.score = 0.44}};
+  CHECK_FALSE(succeeds_nearby(arm, faint));
+  Claim claim = arm;
+  claim.looks.cover = 0.35;
+  CHECK(succeeds_nearby(claim, faint));
+  claim = arm;
+  claim.found.score = 0.45;
+  CHECK(succeeds_nearby(claim, faint));
+  Defence main = faint;
+  main.may_be_faint = false;
+  CHECK(succeeds_nearby(arm, main));
+  main = faint;
+  main.knows_pucks = false;
+  CHECK(succeeds_nearby(arm, main));
 }
 
 TEST_CASE("A track that is not trusted gives way to what looks better or twice as strong") {

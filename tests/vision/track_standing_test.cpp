@@ -56,6 +56,18 @@ TEST_CASE("What a search has just seen where it is followed goes on to be") {
   CHECK(standing.state() == TrackState::kLost);
 }
 
+TEST_CASE("What a search has seen in the image has not left it") {
+  TrackStanding standing(kSensor, 50'000);
+  standing.judge(kGliding, true, false, sound(), 200'000);
+  standing.judge(kOutside, false, false, sound(), 210'001);
+  REQUIRE(standing.state() == TrackState::kLost);
+  REQUIRE(standing.left_image().has_value());
+  standing.note_seen(300'000);
+  standing.judge(kSilent, false, false, sound(), 300'500);
+  CHECK(standing.state() == TrackState::kTracking);
+  CHECK_FALSE(standing.left_image().has_value());
+}
+
 TEST_CASE("A slow, quiet puck that the witness sees, too, rests for ever") {
   TrackStanding standing(kSensor, 50'000);
   standing.judge(kGliding, true, false, sound(), 100'000);
