@@ -156,12 +156,18 @@ TEST_CASE("A search within 2 ms of the last sees the same: it adds nothing, but 
 
 TEST_CASE("How far it has come is soon forgotten once it stays") {
   Searches searches;
-  for (int i = 0; i < 20; ++i) searches.find({step(i)});
-  REQUIRE(searches.trails().of(step(19)).is_certain());
+  SearchCandidate candidate = step(0);
+  double step_px = 2;
   SightingTrail trail;
-  for (int i = 0; i < 100; ++i) trail = searches.find({step(19)});
-  CHECK(trail.sightings == 120);
+  for (int i = 0; i < 200; ++i) {
+    trail = searches.find({candidate});
+    CHECK(trail.sightings == i + 1);
+    if (i == 20) CHECK(trail.is_certain());
+    if (i > 20) step_px *= 0.95;
+    candidate.position.x += step_px;
+  }
   CHECK(trail.own_px < 8);
+  CHECK_FALSE(trail.is_steady());
 }
 
 TEST_CASE("A search for the other side wall finds the same puck elsewhere and follows it") {
