@@ -3,8 +3,8 @@
 namespace puck {
 namespace {
 
-// Nine of ten such sightings within so many px of a poor track were of the puck, and of those that
-// were not, the track was not either.
+// Nine of ten sightings of such a score within so many px of a poor track were of the puck, and of
+// those that were not, the track was not either.
 constexpr double kNearTrack_px = 10;
 constexpr double kSightingScore = 0.62;
 

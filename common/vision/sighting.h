@@ -8,6 +8,7 @@
 
 namespace puck {
 
+/// Where a search saw the puck.
 struct Sighting {
   Pixel place;              ///< As the track would have it.
   bool is_sure = false;     ///< By its score, or its trail.

@@ -197,5 +197,16 @@ TEST_CASE("A claim says how fast it is in the scene, while it is known how that 
   CHECK_FALSE(claim_of(challenger, context, 0).own_speed_px_s);
 }
 
+TEST_CASE("A trail speaks for a claim until 25 ms after it was last found") {
+  const PuckContour contour(test::TurningScene::kSensor, {30, 0, 0, 30, 0, 0}, {0, 0, 0}, true);
+  const ContourContext context{contour, {}, {}, {}};
+  const Challenger challenger(Challenger::Kind::kSearch, context, {.position = {320, 240}}, 0, 0,
+                              {.score = 0.5, .trail = {.sightings = 8, .seen_us = 100'000}});
+  CHECK(claim_of(challenger, {}, 125'000).found.trail.sightings == 8);
+  const Claim late = claim_of(challenger, {}, 125'001);
+  CHECK(late.found.trail.sightings == 0);
+  CHECK(late.found.score == 0.5);
+}
+
 }  // namespace
 }  // namespace puck
