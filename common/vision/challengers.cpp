@@ -125,8 +125,9 @@ void Challengers::add_found(const Answer& answer, const ContourContext& context)
     if (answer.main && distance_px(candidate.position, *answer.main) < kSame_px) continue;
     if (note_known(candidate.position, found, seen_us)) continue;
     if (!found.trail.is_steady() &&
-        refuted_.contains(candidate.position, candidate.score, answer.time_us))
+        refuted_.contains(candidate.position, candidate.score, answer.time_us)) {
       continue;
+    }
     make_room_for(candidate, answer.time_us);
     try_one(candidate.position, sought, found);
     if (!context.ingredients.wall) continue;

@@ -63,9 +63,8 @@ bool surpasses(const Claim& claim, const Defence& main);
 /// less of a puck to searches.
 bool outmoves(const Claim& claim, const Defence& main);
 /// It is evident, or clear at once, and not less of a puck to searches; the main track is not to be
-/// trusted, or has not been sound for long. Of a faint puck that is a good whole ring what is clear
-/// must be one, too. While that moves as only pucks do, what is slow unmasks
-/// nothing.
+/// trusted, or has not been sound for long. If that is a faint puck's, and a good whole ring, what
+/// is clear must be one, too. While it moves as only pucks do, what is slow unmasks nothing.
 bool unmasks(const Claim& claim, const Defence& main);
 /// It looks better than a main track that is not to be trusted, is of a puck's size, and not less
 /// of a puck to searches; nor slow while that moves as only pucks do. Where the head is known to

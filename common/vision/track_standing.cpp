@@ -46,7 +46,6 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool hea
       whole_us_ = time_us;
       whole_at_ = main.position;
     }
-    left_image_.reset();
   }
   if (time_us - held_us_ <= (in_image ? coast_us_ : kLeaving_us)) {
     state_ = TrackState::kTracking;
