@@ -29,9 +29,9 @@ void put_still_last(SearchResult& found, const Background& background, const Puc
   });
 }
 
-void put_followed_first(SearchResult& found, const SightingTrails& trails) {
+void put_followed_first(SearchResult& found) {
   put_first(found.candidates,
-            [&](const SearchCandidate& candidate) { return trails.of(candidate).is_likely(); });
+            [](const SearchCandidate& candidate) { return candidate.trail.is_likely(); });
 }
 
 }  // namespace puck

@@ -4,7 +4,6 @@
 
 #include "common/vision/background.h"
 #include "common/vision/puck_contour.h"
-#include "common/vision/sighting_trails.h"
 #include "common/vision/tracking_pipeline.h"
 
 namespace puck {
@@ -20,7 +19,7 @@ void put_still_last(SearchResult& found, const Background& background, const Puc
                     double clear_score = 1);
 
 /// What has left a likely trail is tried before all else, wherever it lies. Otherwise the order
-/// stays. `found`: what `trails` took last.
-void put_followed_first(SearchResult& found, const SightingTrails& trails);
+/// stays.
+void put_followed_first(SearchResult& found);
 
 }  // namespace puck

@@ -120,8 +120,7 @@ void Challengers::add_found(const Answer& answer, const ContourContext& context)
   const double sought = context.contour.wall_share(result.request.other_wall);
   const double not_sought = context.contour.wall_share(!result.request.other_wall);
   for (const SearchCandidate& candidate : result.candidates) {
-    const Challenger::Found found{candidate.score, answer.is_conjecture,
-                                  answer.trails ? answer.trails->of(candidate) : SightingTrail{}};
+    const Challenger::Found found{candidate.score, answer.is_conjecture, candidate.trail};
     if (answer.main && distance_px(candidate.position, *answer.main) < kSame_px) continue;
     if (note_known(candidate.position, found, seen_us)) continue;
     if (!found.trail.is_steady() &&

@@ -8,7 +8,6 @@
 #include "common/vision/challenger.h"
 #include "common/vision/missed_events.h"
 #include "common/vision/refuted_places.h"
-#include "common/vision/sighting_trails.h"
 #include "common/vision/takeover.h"
 #include "common/vision/tracking_pipeline.h"
 
@@ -37,7 +36,6 @@ class Challengers {
   struct Answer {
     const SearchResult& result;
     bool is_conjecture = false;
-    const SightingTrails* trails = nullptr;  ///< With `result`; null: they do not count.
     /// Where the main track was when the search's snapshot was taken; without, what was found there
     /// is tried as well.
     std::optional<Pixel> main;

@@ -399,22 +399,25 @@ void ContourPipeline::take(const SearchResult& result) {
   if (context_.ingredients.sighting_trails) {
     trails_.take(found_, context_.contour, background_, head_rests());
   }
+  // Of a puck of good contrast its events tell more; and before there is a track, what moves is a
+  // hand rather than the puck.
+  if (!main_ || !rest_may_be_wrong()) {
+    for (SearchCandidate& candidate : found_.candidates) candidate.trail = {};
+  }
   std::optional<Pixel> main;
   if (main_) {
-    main = main_->filter().position_at(result.time.us);
-    seen_score_.note(result, *main, context_.contour.is_other_wall(main_->wall_share()));
-    correct_by(result, *main);
+    main = main_->filter().position_at(found_.time.us);
+    seen_score_.note(found_, *main, context_.contour.is_other_wall(main_->wall_share()));
+    correct_by(*main);
   }
   const bool keeps_clear =
       context_.ingredients.clear_rings && main_ &&
       (!context_.signature.knows_multiplicity() || context_.signature.may_be_faint());
   put_still_last(found_, background_, context_.contour, keeps_clear ? kClearRingScore : 1);
-  const SightingTrails* const trails = trails_that_count();
-  if (trails) put_followed_first(found_, *trails);
+  put_followed_first(found_);
   const bool is_conjecture = found_.request.other_wall && sought_wall_.is_conjecture();
   challengers_.add_found({.result = found_,
                           .is_conjecture = is_conjecture,
-                          .trails = trails,
                           .main = main_ && is_tried_afresh() ? std::nullopt : main,
                           .missed = missed_.events(),
                           .can_catch_up = missed_.are_kept(),
@@ -425,20 +428,13 @@ void ContourPipeline::take(const SearchResult& result) {
   missed_.end();
 }
 
-// Of a puck of good contrast its events tell more; and before there is a track, what moves is a
-// hand rather than the puck.
-const SightingTrails* ContourPipeline::trails_that_count() const {
-  return main_ && rest_may_be_wrong() ? &trails_ : nullptr;
-}
-
 // `main`: where the track was when the search's snapshot was taken.
-void ContourPipeline::correct_by(const SearchResult& result, Pixel main) {
+void ContourPipeline::correct_by(Pixel main) {
   if (!context_.ingredients.sightings || keeps_still() || scene_rest_.is_held() ||
       main_->is_good()) {
     return;
   }
-  const auto seen =
-      sighting_near(main, main_->wall_share(), result, context_.contour, trails_that_count());
+  const auto seen = sighting_near(main, main_->wall_share(), found_, context_.contour);
   if (!seen) return;
   main_->correct_place(seen->place.x - main.x, seen->place.y - main.y, context_);
   if (!seen->is_sure) return;

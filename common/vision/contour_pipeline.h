@@ -78,9 +78,7 @@ class ContourPipeline final : public TrackingPipeline {
   bool is_tried_afresh() const;
   void find_first(std::int64_t time_us);
   void enthrone(const Challenger& challenger, std::int64_t time_us);
-  /// Null: none do.
-  const SightingTrails* trails_that_count() const;
-  void correct_by(const SearchResult& result, Pixel main);
+  void correct_by(Pixel main);
   void plan_search(std::int64_t time_us);
   void plan_events(std::int64_t time_us);
   /// Whether the main track must not move.

@@ -11,18 +11,17 @@ constexpr double kSightingScore = 0.62;
 }  // namespace
 
 std::optional<Sighting> sighting_near(Pixel main, double wall_share, const SearchResult& result,
-                                      const PuckContour& contour, const SightingTrails* trails) {
+                                      const PuckContour& contour) {
   const double sought = contour.wall_share(result.request.other_wall);
   std::optional<Sighting> seen;
   double best = 0;
   for (const SearchCandidate& candidate : result.candidates) {
     const Pixel place = contour.centre_with_wall(candidate.position, sought, wall_share);
     if (candidate.score <= best || distance_px(place, main) >= kNearTrack_px) continue;
-    const SightingTrail trail = trails ? trails->of(candidate) : SightingTrail{};
-    const bool is_sure = candidate.score > kSightingScore || trail.is_certain();
-    if (!is_sure && !trail.is_steady()) continue;
+    const bool is_sure = candidate.score > kSightingScore || candidate.trail.is_certain();
+    if (!is_sure && !candidate.trail.is_steady()) continue;
     best = candidate.score;
-    seen = Sighting{place, is_sure, trail.is_certain()};
+    seen = Sighting{place, is_sure, candidate.trail.is_certain()};
   }
   return seen;
 }

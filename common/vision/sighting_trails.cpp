@@ -41,7 +41,7 @@ SightingTrails::SightingTrails() {
   seen_.reserve(PuckDetector::kMostDetections);
 }
 
-void SightingTrails::take(const SearchResult& found, const PuckContour& contour,
+void SightingTrails::take(SearchResult& found, const PuckContour& contour,
                           const Background& background, bool head_rests) {
   time_us_ = found.time.us;
   const double sought = contour.wall_share(found.request.other_wall);
@@ -49,26 +49,25 @@ void SightingTrails::take(const SearchResult& found, const PuckContour& contour,
   seen_.clear();
   for (const SearchCandidate& candidate : found.candidates) {
     if (seen_.size() == seen_.capacity()) break;
-    seen_.push_back({candidate.position,
-                     contour.centre_with_wall(candidate.position, sought, calibrated),
-                     candidate.score});
+    seen_.push_back(
+        {contour.centre_with_wall(candidate.position, sought, calibrated), candidate.score});
   }
   std::erase_if(trails_, [&](const Trail& trail) {
     return trail.missed > kMostMissed || time_us_ - trail.seen_us > SightingTrail::kEndsAfter_us;
   });
   // The longest first: what follows one is not another's.
   std::sort(trails_.begin(), trails_.end(), [](const Trail& a, const Trail& b) {
-    return std::tuple(-a.sightings, a.missed, -a.score, a.found.x, a.found.y) <
-           std::tuple(-b.sightings, b.missed, -b.score, b.found.x, b.found.y);
+    return std::tuple(-a.sightings, a.missed, -a.score, a.position.x, a.position.y) <
+           std::tuple(-b.sightings, b.missed, -b.score, b.position.x, b.position.y);
   });
   for (Trail& trail : trails_) follow(trail, found.request.region, background, head_rests);
-  for (const Seen& seen : seen_) {
-    if (seen.is_known || trails_.size() == trails_.capacity()) continue;
-    trails_.push_back({.found = seen.found,
-                       .found_us = time_us_,
-                       .position = seen.position,
-                       .seen_us = time_us_,
-                       .score = seen.score});
+  for (Seen& seen : seen_) {
+    if (seen.trail || trails_.size() == trails_.capacity()) continue;
+    seen.trail = &trails_.emplace_back(
+        Trail{.position = seen.position, .seen_us = time_us_, .score = seen.score});
+  }
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    if (seen_[i].trail) found.candidates[i].trail = told(*seen_[i].trail);
   }
 }
 
@@ -92,9 +91,7 @@ void SightingTrails::follow(Trail& trail, const Region& searched, const Backgrou
     if (!is_same_search) ++trail.missed;
     return;
   }
-  seen->is_known = true;
-  trail.found = seen->found;
-  trail.found_us = time_us_;
+  seen->trail = &trail;
   if (is_same_search) return;
   const double dx = seen->position.x - expected.x;
   const double dy = seen->position.y - expected.y;
@@ -127,27 +124,20 @@ SightingTrails::Seen* SightingTrails::nearest(Pixel expected, double within_px) 
     const double dx = seen.position.x - expected.x;
     const double dy = seen.position.y - expected.y;
     const double square = dx * dx + dy * dy;
-    if (seen.is_known || square >= least) continue;
+    if (seen.trail || square >= least) continue;
     least = square;
     best = &seen;
   }
   return best;
 }
 
-SightingTrail SightingTrails::of(const SearchCandidate& candidate) const {
-  for (const Trail& trail : trails_) {
-    if (trail.found_us != time_us_ || trail.found.x != candidate.position.x ||
-        trail.found.y != candidate.position.y) {
-      continue;
-    }
-    return {.sightings = trail.sightings,
-            .own_px = std::hypot(trail.own.x, trail.own.y),
-            .score = trail.score,
-            .rms_px = std::sqrt(trail.square),
-            .velocity = trail.velocity,
-            .seen_us = trail.seen_us};
-  }
-  return {};
+SightingTrail SightingTrails::told(const Trail& trail) {
+  return {.sightings = trail.sightings,
+          .own_px = std::hypot(trail.own.x, trail.own.y),
+          .score = trail.score,
+          .rms_px = std::sqrt(trail.square),
+          .velocity = trail.velocity,
+          .seen_us = trail.seen_us};
 }
 
 }  // namespace puck

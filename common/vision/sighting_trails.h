@@ -7,7 +7,6 @@
 #include "common/vision/background.h"
 #include "common/vision/pixel.h"
 #include "common/vision/puck_contour.h"
-#include "common/vision/sighting_trail.h"
 #include "common/vision/tracking_pipeline.h"
 
 namespace puck {
@@ -20,20 +19,15 @@ class SightingTrails {
  public:
   SightingTrails();
 
-  /// Takes what a search found. `background` knows how what stands still moves, if `head_rests`
-  /// does not say that it does not. Of two searches within 2 ms, which see the same, the later one
-  /// adds nothing.
-  void take(const SearchResult& found, const PuckContour& contour, const Background& background,
+  /// Takes what a search found, and fills in the trail of each candidate. `background` knows how
+  /// what stands still moves, if `head_rests` does not say that it does not. Of two searches within
+  /// 2 ms, which see the same, the later one adds nothing.
+  void take(SearchResult& found, const PuckContour& contour, const Background& background,
             bool head_rests);
-
-  /// That of a candidate of the last search.
-  SightingTrail of(const SearchCandidate& candidate) const;
 
  private:
   struct Trail {
-    Pixel found;                // where the last search found it, as that has it
-    std::int64_t found_us = 0;  // when
-    Pixel position;             // smoothed, of the calibrated wall
+    Pixel position;  // smoothed, of the calibrated wall
     PixelVelocity velocity;
     Pixel own;                 // how far it has moved by itself of late, px
     std::int64_t seen_us = 0;  // when `position` was
@@ -43,11 +37,12 @@ class SightingTrails {
     double square = 0;  // of the distance from where it was expected, on average
   };
   struct Seen {
-    Pixel found;
-    Pixel position;
+    Pixel position;  // of the calibrated wall
     double score = 0;
-    bool is_known = false;
+    const Trail* trail = nullptr;  // whose it is
   };
+
+  static SightingTrail told(const Trail& trail);
 
   void follow(Trail& trail, const Region& searched, const Background& background, bool head_rests);
   Seen* nearest(Pixel expected, double within_px);

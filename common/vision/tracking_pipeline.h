@@ -9,6 +9,7 @@
 #include "common/vision/pixel.h"
 #include "common/vision/puck_estimate.h"
 #include "common/vision/region.h"
+#include "common/vision/sighting_trail.h"
 #include "common/vision/surface_snapshot.h"
 
 namespace puck {
@@ -32,6 +33,9 @@ struct SearchRequest {
 struct SearchCandidate {
   Pixel position;    ///< Of the puck's centre, if it has the side wall that was searched for.
   double score = 0;  ///< EllipseKernel::contrast there, 0 to 1.
+  /// Along which earlier searches have found it. A search leaves it out; the tracker fills it in
+  /// where it counts.
+  SightingTrail trail;
 };
 
 /// What a search of a part of the surface found.

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include "tests/vision/contour_world.h"
-#include "tests/vision/sighting_walk.h"
 #include "tests/vision/turning_scene.h"
 
 namespace puck {
@@ -61,15 +60,12 @@ TEST_CASE("A mark taken for a puck of the other wall comes last with the ring of
 }
 
 TEST_CASE("What has left a trail comes first, in the same order otherwise") {
-  const PuckContour contour(test::kSensor, kRoundModel, {0, 0, 0}, true);
-  SightingTrails trails;
-  SearchResult found =
-      test::show(trails, {.end = {300, 200}, .velocity = {500, 0}}, contour, 1'000'000);
-  const SearchCandidate walker = found.candidates.front();
+  const SearchCandidate walker{
+      {300, 200}, 0.5, {.sightings = 8, .own_px = 20, .score = 0.5, .rms_px = 0.1}};
   const SearchCandidate other{{100, 100}, 0.9};
   const SearchCandidate another{{500, 300}, 0.8};
-  found.candidates = {other, another, walker};
-  put_followed_first(found, trails);
+  SearchResult found{.candidates = {other, another, walker}};
+  put_followed_first(found);
   CHECK(found.candidates[0].position == walker.position);
   CHECK(found.candidates[1].position == other.position);
   CHECK(found.candidates[2].position == another.position);

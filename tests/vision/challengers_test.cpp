@@ -254,23 +254,22 @@ TEST_CASE("What has left a steady trail starts as fast as that, even where somet
       test::show(trails, {.end = {300, 200}, .velocity = {500, 0}, .searches = 8}, kContext.contour,
                  1'000'000);
   Challengers challengers;
-  const auto find_walker = [&](const SightingTrails* counting) {
-    challengers.add_found({.result = walked,
-                           .trails = counting,
-                           .main = Pixel{600, 400},
-                           .time_us = 1'000'000,
-                           .period_us = kPeriod_us},
-                          kContext);
+  SearchResult without = walked;
+  without.candidates.front().trail = {};
+  const auto find_walker = [&](const SearchResult& found) {
+    challengers.add_found(
+        {.result = found, .main = Pixel{600, 400}, .time_us = 1'000'000, .period_us = kPeriod_us},
+        kContext);
   };
-  find_walker(nullptr);
+  find_walker(without);
   REQUIRE(test::count(challengers) == 2);
   CHECK(challengers.begin()->track().filter().velocity().x == 0);
   CHECK(challengers.begin()->found().trail.sightings == 0);
   challengers.dismiss_hopeless(1'000'000 + 11'000, false);
   REQUIRE(test::count(challengers) == 0);
-  find_walker(nullptr);
+  find_walker(without);
   CHECK(test::count(challengers) == 0);
-  find_walker(&trails);
+  find_walker(walked);
   REQUIRE(test::count(challengers) == 2);
   CHECK(challengers.begin()->track().filter().velocity().x == doctest::Approx(500));
   CHECK(challengers.begin()->found().trail.sightings == 8);
@@ -280,13 +279,12 @@ TEST_CASE("What is found again has the trail of then") {
   Challengers challengers;
   SightingTrails trails;
   for (int i = 0; i < 3; ++i) {
-    const SearchResult found{{5'000 * (i + 1)},
-                             {.region = Region::all_of(test::kSensor)},
-                             {{{300.0 + i, 200}, 0.5 - 0.1 * i}}};
+    SearchResult found{{5'000 * (i + 1)},
+                       {.region = Region::all_of(test::kSensor)},
+                       {{{300.0 + i, 200}, 0.5 - 0.1 * i}}};
     trails.take(found, kContext.contour, Background(test::kSensor), true);
-    challengers.add_found(
-        {.result = found, .trails = &trails, .time_us = found.time.us, .period_us = kPeriod_us},
-        kContext);
+    challengers.add_found({.result = found, .time_us = found.time.us, .period_us = kPeriod_us},
+                          kContext);
     CHECK(test::count(challengers) == 2);
     CHECK(challengers.begin()->found().trail.sightings == i + 1);
     CHECK(challengers.begin()->found().score == 0.5);

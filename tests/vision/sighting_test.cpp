@@ -54,8 +54,10 @@ TEST_CASE("What has left a steady trail is one whatever its score, but only near
   const auto seen_after = [](const test::Walk& walk) {
     SightingTrails trails;
     const SearchResult last = test::show(trails, walk, kFlatContour, 1'000'000);
-    CHECK_FALSE(sighting_near(kTrackPlace, 0, last, kFlatContour).has_value());
-    return sighting_near(kTrackPlace, 0, last, kFlatContour, &trails);
+    SearchResult without = last;
+    without.candidates.front().trail = {};
+    CHECK_FALSE(sighting_near(kTrackPlace, 0, without, kFlatContour).has_value());
+    return sighting_near(kTrackPlace, 0, last, kFlatContour);
   };
   const auto steady = seen_after({.end = {303, 204}, .velocity = {500, 0}, .searches = 8});
   REQUIRE(steady.has_value());

@@ -1,6 +1,7 @@
 #include "common/vision/sighting_trails.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,17 +24,20 @@ const Region kEverywhere = Region::all_of(kSensor);
 /// Searches one after another, of a head that rests.
 class Searches {
  public:
+  /// Of the first candidate.
   SightingTrail find(const std::vector<SearchCandidate>& candidates,
                      const Region& region = kEverywhere, bool other_wall = false) {
     time_us_ += kSearchPeriod_us;
-    trails_.take({{time_us_}, {.region = region, .other_wall = other_wall}, candidates},
-                 kLyingContour, background_, true);
-    return candidates.empty() ? SightingTrail{} : trails_.of(candidates.front());
+    found_ = {{time_us_}, {.region = region, .other_wall = other_wall}, candidates};
+    trails_.take(found_, kLyingContour, background_, true);
+    return candidates.empty() ? SightingTrail{} : trail(0);
   }
+  /// Of one of the last search.
+  SightingTrail trail(std::size_t candidate) const { return found_.candidates[candidate].trail; }
   void wait(std::int64_t us) { time_us_ += us; }
-  const SightingTrails& trails() const { return trails_; }
 
  private:
+  SearchResult found_;
   SightingTrails trails_;
   Background background_{kSensor};
   std::int64_t time_us_ = 1'000'000;
@@ -58,7 +62,7 @@ TEST_CASE("What is found again and again along its way leaves a trail, clutter d
     }
     trail = searches.find(candidates);
     for (std::size_t n = 1; n < candidates.size(); ++n) {
-      if (searches.trails().of(candidates[n]).is_likely()) ++likely_clutter;
+      if (searches.trail(n).is_likely()) ++likely_clutter;
     }
     CHECK(trail.sightings == i + 1);
     CHECK(trail.is_likely() == (i >= 3));
@@ -74,13 +78,15 @@ TEST_CASE("What is found again and again along its way leaves a trail, clutter d
   CHECK(trail.velocity.y == doctest::Approx(0));
 }
 
-TEST_CASE("Only what the last search found has a trail") {
+TEST_CASE("Each of what a search found has its own trail, in whatever order it comes") {
   Searches searches;
-  for (int i = 0; i < 8; ++i) searches.find({step(i)});
-  CHECK(searches.trails().of(step(7)).sightings == 8);
-  CHECK(searches.trails().of(step(6)).sightings == 0);
-  searches.find({});
-  CHECK(searches.trails().of(step(7)).sightings == 0);
+  for (int i = 0; i < 7; ++i) searches.find({step(i)});
+  searches.find({{{400, 300}, 0.9}, step(7), {{100, 60}, 0.3}});
+  CHECK(searches.trail(0).sightings == 1);
+  CHECK(searches.trail(1).sightings == 8);
+  CHECK(searches.trail(2).sightings == 1);
+  CHECK(searches.trail(0).score == 0.9);
+  CHECK(searches.trail(2).score == 0.3);
 }
 
 TEST_CASE("What stays where it is gets nowhere, however often it is found") {
@@ -142,7 +148,7 @@ TEST_CASE("A search of another region misses nothing, but a trail waits for 25 m
 TEST_CASE("A search within 2 ms of the last sees the same: it adds nothing, but knows the trail") {
   Searches searches;
   for (int i = 0; i < 6; ++i) searches.find({step(i)});
-  const SightingTrail before = searches.trails().of(step(5));
+  const SightingTrail before = searches.trail(0);
   searches.wait(-4'000);
   const SearchCandidate again{{step(5).position.x + 1, step(5).position.y}, 0.9};
   const SightingTrail same = searches.find({again});
@@ -204,10 +210,10 @@ TEST_CASE(
     const double sway_px = TurningScene::sway_px(scene.time_us());
     const SearchCandidate mark{{320 + sway_px, 240}, 0.6};
     const SearchCandidate puck{{50 + sway_px + 1.3 * i, 105}, 0.6};
-    trails.take({{scene.time_us()}, {.region = kEverywhere}, {mark, puck}}, kLyingContour,
-                background, false);
-    of_mark = trails.of(mark);
-    of_puck = trails.of(puck);
+    SearchResult found{{scene.time_us()}, {.region = kEverywhere}, {mark, puck}};
+    trails.take(found, kLyingContour, background, false);
+    of_mark = found.candidates[0].trail;
+    of_puck = found.candidates[1].trail;
     if (of_mark.is_steady()) ++steady_marks;
   }
   CHECK(of_mark.sightings == 400);
@@ -221,9 +227,9 @@ TEST_CASE("While it is not known how what stands still moves nothing has moved b
   SightingTrails trails;
   SightingTrail trail;
   for (int i = 0; i < 20; ++i) {
-    trails.take({{kSearchPeriod_us * i}, {.region = kEverywhere}, {step(i)}}, kLyingContour,
-                Background(kSensor), false);
-    trail = trails.of(step(i));
+    SearchResult found{{kSearchPeriod_us * i}, {.region = kEverywhere}, {step(i)}};
+    trails.take(found, kLyingContour, Background(kSensor), false);
+    trail = found.candidates[0].trail;
   }
   CHECK(trail.sightings == 20);
   CHECK(trail.own_px == 0);
@@ -240,12 +246,12 @@ TEST_CASE(
   };
   Searches searches;
   CHECK(searches.find(row(0, 50)).sightings == 1);
-  CHECK(searches.trails().of(row(0, 48).back()).sightings == 1);
-  CHECK(searches.trails().of(row(0, 49).back()).sightings == 0);
+  CHECK(searches.trail(47).sightings == 1);
+  CHECK(searches.trail(48).sightings == 0);
   // None of these misses the others.
   const Region elsewhere{600, 440, 30, 30};
   for (int n = 1; n < 4; ++n) CHECK(searches.find(row(n, 48), elsewhere).sightings == 1);
-  CHECK(searches.trails().of(row(3, 48).back()).sightings == 1);
+  CHECK(searches.trail(47).sightings == 1);
   CHECK(searches.find(row(4, 48), elsewhere).sightings == 0);
 }
 

@@ -19,7 +19,8 @@ struct Walk {
   int searches = 8;
 };
 
-/// Shows a walk under a head that rests to the trails; returns the last search, at `end_us`.
+/// Shows a walk under a head that rests to the trails; returns the last search, at `end_us`, with
+/// what they have filled in.
 inline SearchResult show(SightingTrails& trails, const Walk& walk, const PuckContour& contour,
                          std::int64_t end_us) {
   SearchResult found;
