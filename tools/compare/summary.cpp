@@ -1,6 +1,8 @@
 #include "tools/compare/summary.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "common/evaluation/quantile.h"
 #include "tools/compare/program.h"
@@ -49,6 +51,15 @@ std::vector<double> sorted_values(const std::vector<const RunFigures*>& runs, co
   return values;
 }
 
+std::optional<double> standard_error(const std::vector<double>& values) {
+  if (values.size() < 2) return std::nullopt;
+  const auto count = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / (count - 1) / count);
+}
+
 }  // namespace
 
 Summary summarise(const std::vector<const RunFigures*>& runs) {
@@ -63,9 +74,11 @@ Summary summarise(const std::vector<const RunFigures*>& runs) {
   summary.nees_median = mean_by_ticks(runs, "nees_median");
   summary.nees_within_95_percent = mean_by_ticks(runs, "nees_within_95_percent");
   if (const auto means = sorted_values(runs, "mean_px"); !means.empty()) {
+    summary.mean_px_error = standard_error(means);
     summary.median_mean_px = quantile(means, 0.5);
     summary.worst_mean_px = means.back();
   }
+  summary.lost_percent_error = standard_error(sorted_values(runs, "lost_percent"));
   if (const auto losses = sorted_values(runs, "longest_loss_ms"); !losses.empty()) {
     summary.longest_loss_ms = losses.back();
   }
