@@ -13,6 +13,8 @@ constexpr std::int64_t kWallTwinAge_us = 15'000;
 constexpr std::int64_t kUnsoundFor_us = 150'000;
 // A bounce or a mallet that passes is over sooner.
 constexpr std::int64_t kBadFor_us = 20'000;
+// A track from which the puck has gone is without events sooner, and will not find them again.
+constexpr std::int64_t kMissedFor_us = 2'000;
 // Of what moves slower, noise makes too much.
 constexpr double kSlow_px_s = 100;
 // With fewer events nothing is seen clearly enough to be compared.
@@ -183,6 +185,16 @@ bool succeeds_nearby(const Claim& claim, const Defence& main) {
   return looks.strength > 1.3 * main.looks.strength && claim.leads;
 }
 
+bool inherits(const Claim& claim, const Defence& main) {
+  const TrackLooks& looks = claim.looks;
+  const bool has_lost_all = main.since_good_us > kMissedFor_us && main.looks.quality < 0.2 &&
+                            main.looks.strength < looks.strength / 4;
+  return main.knows_pucks && has_lost_all && claim.leads && looks.is_fast() &&
+         looks.quality > 0.8 && looks.strength > 15 && looks.cover > 0.4 &&
+         looks.has_pucks_size() && claim.found.score > kPossibleScore &&
+         distance_px(looks.position, main.looks.position) < kFarthestTakeover_px;
+}
+
 bool outruns_rest(const Claim& claim, const Defence& main) {
   const bool may_be_gone = main.may_be_overtaken && main.was_covered &&
                            main.since_good_us > kTakenAway_us && claim.looks.is_whole_ring();
@@ -243,7 +255,7 @@ bool is_convincing(const Claim& claim, const Defence& main) {
   if (is_lesser(claim, main)) return succeeds_nearby(claim, main);
   return is_recognised(claim, main) || outshines(claim, main) || surpasses(claim, main) ||
          outmoves(claim, main) || unmasks(claim, main) || displaces_stranger(claim, main) ||
-         succeeds_nearby(claim, main) || is_followed(claim, main);
+         succeeds_nearby(claim, main) || inherits(claim, main) || is_followed(claim, main);
 }
 
 bool is_convincing_as_first(const Claim& claim, std::int64_t searched_us) {

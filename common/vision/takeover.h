@@ -75,6 +75,10 @@ bool displaces_stranger(const Claim& claim, const Defence& main);
 /// other opinion on the wall it is. What is seen on few sides succeeds a faint puck only if
 /// searches see it, too.
 bool succeeds_nearby(const Claim& claim, const Defence& main);
+/// It moves as a puck does, leads, and searches see something of a puck in it; and a main track not
+/// far away has just lost all of its events, as one does that missed a bounce or a hit. While they
+/// fly apart, it is out of reach of what succeeds nearby.
+bool inherits(const Claim& claim, const Defence& main);
 
 /// It moves as a puck does, beyond doubt or as a whole ring; the main track is taken to rest, and
 /// has never done so itself, or the puck is so faint that it is never evident, or was covered and
@@ -100,7 +104,7 @@ bool is_followed(const Claim& claim, const Defence& main);
 /// no more.
 bool is_premature(const Claim& claim, const Defence& main);
 
-/// Any of the first six, or recognised or followed, and not premature; but far from a track that
+/// Any of the first seven, or recognised or followed, and not premature; but far from a track that
 /// moves, has twice its events, on more sides, and is more of a puck to searches, none; against a
 /// puck at rest, which makes no events, that it is evident, outruns it, or is recognised, by a high
 /// score if it is not lost; against one that lies in the scene and is not lost, that it unsettles

@@ -159,6 +159,47 @@ TEST_CASE("What searches have followed takes over on few events, unless the trac
   CHECK_FALSE(is_convincing(kFollowed, clear));
 }
 
+TEST_CASE("What leads inherits from a track that has just lost all of its events") {
+  const Defence deserted{.looks = {.position = {340, 200}, .quality = 0.19, .strength = 4},
+                         .is_trusted = true,
+                         .is_proven = true,
+                         .knows_pucks = true,
+                         .score = 0.5,
+                         .since_good_us = 2'001};
+  const Claim heir{.looks = {.position = {300, 200},
+                             .speed_px_s = 301,
+                             .quality = 0.81,
+                             .strength = 17,
+                             .cover = 0.41},
+                   .age_us = 3'000,
+                   .found = {.score = 0.46},
+                   .leads = true};
+  const auto inherits_if = [&](auto change) {
+    Claim claim = heir;
+    Defence main = deserted;
+    change(claim, main);
+    CHECK(inherits(claim, main) == is_convincing(claim, main));
+    return inherits(claim, main);
+  };
+  CHECK(inherits_if([](Claim&, Defence&) {}));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.leads = false; }));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.speed_px_s = 300; }));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.quality = 0.8; }));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.strength = 15; }));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.cover = 0.4; }));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.growth_px = 0.35; }));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.growth_px = -0.35; }));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.found.score = 0.45; }));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.position.x = 280; }));
+  CHECK_FALSE(inherits_if([](Claim&, Defence& main) { main.since_good_us = 2'000; }));
+  CHECK_FALSE(inherits_if([](Claim&, Defence& main) { main.looks.quality = 0.2; }));
+  CHECK_FALSE(inherits_if([](Claim&, Defence& main) { main.looks.strength = 4.25; }));
+  CHECK_FALSE(inherits_if([](Claim&, Defence& main) { main.knows_pucks = false; }));
+  Defence resting = deserted;
+  resting.is_resting = true;
+  CHECK_FALSE(is_convincing(heir, resting));
+}
+
 TEST_CASE("What searches have followed for long needs no events, and was not found weakly") {
   const Defence main{
       .is_trusted = true, .is_proven = true, .may_be_faint = true, .since_good_us = 20'001};
