@@ -46,6 +46,7 @@ struct ContourIngredients {
   bool early_background = true;  ///< … which is known by the time that a track becomes doubtful.
   bool clear_rings = true;       ///< … unless a faint puck is sought, and it is a clear ring.
   bool faint_rests = true;       ///< What may be a faint puck at rest is looked for elsewhere, too.
+  bool faint_memory = true;      ///< That the puck is faint is not forgotten while it is lost.
   /// What moves by itself takes over from a track that has gone bad, or rests and never moved.
   bool overtaking = true;
   /// While the head rests, which the background tells, even what moves slowly moves by itself.
@@ -75,7 +76,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 41> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 42> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -108,6 +109,7 @@ inline constexpr std::array<ContourIngredient, 41> kContourIngredients{{
     {"early-background", &ContourIngredients::early_background},
     {"clear-rings", &ContourIngredients::clear_rings},
     {"faint-rests", &ContourIngredients::faint_rests},
+    {"faint-memory", &ContourIngredients::faint_memory},
     {"overtaking", &ContourIngredients::overtaking},
     {"slow-movers", &ContourIngredients::slow_movers},
     {"own-motion", &ContourIngredients::own_motion},

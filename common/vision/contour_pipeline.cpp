@@ -165,6 +165,9 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   if (main_->is_good() && main_->shape_quality() > kLearnable) {
     context_.signature.learn(sample, passed_us);
   }
+  if (context_.ingredients.faint_memory && trust_.is_surely_puck() && main_->is_good()) {
+    context_.signature.confirm(passed_us);
+  }
   if (shows_wall()) {
     sought_wall_.learn(context_.contour.is_other_wall(main_->wall_share()), passed_us);
   }
@@ -173,7 +176,7 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
 
 // What was learned of the puck may be of something else.
 void ContourPipeline::forget_looks() {
-  context_.signature = {};
+  context_.signature.forget();
   wall_height_ = {};
   searched_wall_share_ = 0;
   context_.contour.forget_other_wall_share();

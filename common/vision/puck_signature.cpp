@@ -1,5 +1,6 @@
 #include "common/vision/puck_signature.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace puck {
@@ -9,6 +10,9 @@ constexpr double kSignatureMemory_us = 500'000;
 // A puck of good contrast makes about five events at a pixel, a faint one hardly more than one.
 constexpr double kFaintBelow = 1.6;
 constexpr double kMaybeFaintBelow = 2.5;
+// A puck that has been surely seen for so long has been seen on more than one way.
+constexpr std::int64_t kConfirmedAfter_us = 300'000;
+constexpr std::int64_t kConfirmedMemory_us = 2'000'000;
 // As of thirty events at 100 px/s.
 constexpr double kLeastSpeedSum_px_s = 3'000;
 constexpr double kLeastSwept_px2 = 2'000;
@@ -41,6 +45,24 @@ void PuckSignature::learn(const Sample& sample, std::int64_t duration_us) {
   }
 }
 
+void PuckSignature::confirm(std::int64_t duration_us) {
+  if (!knows_multiplicity()) return;
+  confirmed_us_ = std::min(confirmed_us_ + duration_us, kConfirmedMemory_us);
+  confirmed_multiplicity_ += static_cast<double>(duration_us) / static_cast<double>(confirmed_us_) *
+                             (multiplicity() - confirmed_multiplicity_);
+}
+
+void PuckSignature::forget() {
+  PuckSignature fresh;
+  fresh.confirmed_multiplicity_ = confirmed_multiplicity_;
+  fresh.confirmed_us_ = confirmed_us_;
+  *this = fresh;
+}
+
+bool PuckSignature::was_faint() const {
+  return confirmed_us_ > kConfirmedAfter_us && confirmed_multiplicity_ < kFaintBelow;
+}
+
 bool PuckSignature::has_plain_face() const {
   return ring_per_px2_ > kLeastForFace_per_px2 && inside_per_px2_ < kPlainFace * ring_per_px2_;
 }
@@ -54,11 +76,11 @@ double PuckSignature::multiplicity() const {
 }
 
 bool PuckSignature::is_faint() const {
-  return knows_multiplicity() && multiplicity() < kFaintBelow;
+  return knows_multiplicity() ? multiplicity() < kFaintBelow : was_faint();
 }
 
 bool PuckSignature::may_be_faint() const {
-  return knows_multiplicity() && multiplicity() < kMaybeFaintBelow;
+  return knows_multiplicity() ? multiplicity() < kMaybeFaintBelow : was_faint();
 }
 
 bool PuckSignature::had_contrast() const { return last_multiplicity_ >= kMaybeFaintBelow; }

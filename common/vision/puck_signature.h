@@ -36,10 +36,16 @@ class PuckSignature {
   };
 
   void learn(const Sample& sample, std::int64_t duration_us);
+  /// What it was learned from has been the puck beyond doubt for so much longer.
+  void confirm(std::int64_t duration_us);
+  /// What was learned may be of something else: forgets it, but not that the puck is faint, if that
+  /// has been confirmed for long enough.
+  void forget();
 
   /// From −1, a puck darker than the table, to 1, a brighter one; 0 while it is not known.
   double contrast_sign() const;
-  /// Whether the puck makes hardly more than one event at each pixel that its edge passes.
+  /// Whether the puck makes hardly more than one event at each pixel that its edge passes, as it
+  /// does now, or, while that is not known, as has been confirmed.
   bool is_faint() const;
   /// Whether it may be faint: hands and clutter near the track make it seem to have more events.
   bool may_be_faint() const;
@@ -56,10 +62,14 @@ class PuckSignature {
   bool has_plain_face() const;
 
  private:
+  bool was_faint() const;
+
   static constexpr double kLeastEvents = 30;
   Sample sum_;  // Fading with 0.5 s.
   double last_density_ = 0;
   double last_multiplicity_ = 0;
+  double confirmed_multiplicity_ = 0;  // on average over the last two seconds of …
+  std::int64_t confirmed_us_ = 0;
   // Of the last 8 to 16 contour events a px² of the contour's band, however old.
   double ring_per_px2_ = 0;
   double inside_per_px2_ = 0;

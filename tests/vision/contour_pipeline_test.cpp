@@ -30,7 +30,7 @@ constexpr std::uint32_t kSeeds = kIsSanitized ? 1 : 3;
 constexpr SensorSize kHalfSensor{320, 240};
 constexpr PuckSizeModel kHalfSizeModel{16, 0, 0.08, 8, 0, 0.08};
 
-// What searches find from some time on, and nothing else.
+// What searches find from some time on, and nothing else; a puck of the calibrated wall.
 struct Imagined {
   Pixel start;
   PixelVelocity velocity;
@@ -47,8 +47,8 @@ struct Imagined {
 class NotedSearches final : public TrackingPipeline {
  public:
   NotedSearches(std::unique_ptr<TrackingPipeline> pipeline, std::string& noted,
-                const std::optional<Imagined>& imagined)
-      : pipeline_(std::move(pipeline)), noted_(noted), imagined_(imagined) {}
+                const std::optional<Imagined>& imagined, const PuckContour& contour)
+      : pipeline_(std::move(pipeline)), noted_(noted), imagined_(imagined), contour_(contour) {}
 
   Region events_needed() const override { return pipeline_->events_needed(); }
   std::int64_t decision_period_us() const override { return pipeline_->decision_period_us(); }
@@ -65,7 +65,10 @@ class NotedSearches final : public TrackingPipeline {
   void take(const SearchResult& result) override {
     if (!imagined_) return pipeline_->take(result);
     SearchResult told = result;
-    told.candidates = {{imagined_->position_at(result.time.us), 0.55}};
+    told.candidates = {{contour_.centre_with_wall(imagined_->position_at(result.time.us),
+                                                  contour_.calibrated_wall_share(),
+                                                  contour_.wall_share(result.request.other_wall)),
+                        0.55}};
     pipeline_->take(told);
   }
 
@@ -73,6 +76,7 @@ class NotedSearches final : public TrackingPipeline {
   std::unique_ptr<TrackingPipeline> pipeline_;
   std::string& noted_;
   const std::optional<Imagined>& imagined_;
+  const PuckContour& contour_;
 };
 
 // Shows a tracker of preset `default` a dark puck that glides, rests, jumps or hides.
@@ -81,10 +85,10 @@ class Table {
   explicit Table(const PipelineParams& params = preset_params(Preset::kDefault),
                  std::uint32_t seed = 1, const PuckSizeModel& size_model = kHalfSizeModel)
       : contour_(kHalfSensor, size_model, exact(), true),
-        tracker_(
-            kHalfSensor, with_exact(params), size_model,
-            std::make_unique<NotedSearches>(
-                make_pipeline(kHalfSensor, with_exact(params), size_model), searches_, imagined_)),
+        tracker_(kHalfSensor, with_exact(params), size_model,
+                 std::make_unique<NotedSearches>(
+                     make_pipeline(kHalfSensor, with_exact(params), size_model), searches_,
+                     imagined_, contour_)),
         random_(seed) {}
 
   // Lets the puck glide for so long; the mean error of the last half, px.
@@ -475,31 +479,53 @@ TEST_CASE("a faint puck is followed when it sets off slowly") {
   }
 }
 
+// Whether the track of a lost puck comes to be where searches see something go its way, without any
+// events.
+bool follows_searches(Table& table, PixelVelocity velocity) {
+  REQUIRE(table.estimate().state == TrackState::kLost);
+  table.imagine({40, 200}, velocity);
+  bool was_there = false;
+  for (int i = 0; i < 150; ++i) {
+    table.cover(1);
+    if (table.estimate().state == TrackState::kTracking && table.from_imagined_px() < 5) {
+      was_there = true;
+    }
+  }
+  return was_there;
+}
+
+constexpr double kFaintDensity = 0.6;
+constexpr double kClearDensity = 3;
+
 TEST_CASE("a faint puck that is lost is where searches have followed it, without any events") {
-  const auto is_followed = [](double density, bool is_on, PixelVelocity velocity) {
+  const auto is_found = [](double density, bool is_on, PixelVelocity velocity) {
     PipelineParams params = preset_params(Preset::kDefault);
     params.contour.ingredients.sighting_trails = is_on;
     Table table(params);
     table.density = density;
     CHECK(table.glide({400, 60}, 300) < 1);
     table.cover(150);
-    REQUIRE(table.estimate().state == TrackState::kLost);
-    table.imagine({40, 200}, velocity);
-    bool was_there = false;
-    for (int i = 0; i < 150; ++i) {
-      table.cover(1);
-      if (table.estimate().state == TrackState::kTracking && table.from_imagined_px() < 5) {
-        was_there = true;
-      }
-    }
-    return was_there;
+    return follows_searches(table, velocity);
   };
-  constexpr double kFaint = 0.6;
-  constexpr double kClear = 3;
-  CHECK(is_followed(kFaint, true, {400, 0}));
-  CHECK_FALSE(is_followed(kFaint, false, {400, 0}));
-  CHECK_FALSE(is_followed(kClear, true, {400, 0}));
-  CHECK_FALSE(is_followed(kFaint, true, {10, 0}));
+  CHECK(is_found(kFaintDensity, true, {400, 0}));
+  CHECK_FALSE(is_found(kFaintDensity, false, {400, 0}));
+  CHECK_FALSE(is_found(kClearDensity, true, {400, 0}));
+  CHECK_FALSE(is_found(kFaintDensity, true, {10, 0}));
+}
+
+TEST_CASE("a faint puck that has been lost for long is still known to be faint") {
+  const auto is_found = [](double density, bool is_on) {
+    PipelineParams params = preset_params(Preset::kDefault);
+    params.contour.ingredients.faint_memory = is_on;
+    Table table(params);
+    table.density = density;
+    for (const double speed : {400, -400, 400}) CHECK(table.glide({speed, 60}, 300) < 1);
+    table.cover(3'000);
+    return follows_searches(table, {400, 0});
+  };
+  CHECK(is_found(kFaintDensity, true));
+  CHECK_FALSE(is_found(kFaintDensity, false));
+  CHECK_FALSE(is_found(kClearDensity, true));
 }
 
 TEST_CASE("a puck that begins to move after long noise is found within a tenth of a second") {

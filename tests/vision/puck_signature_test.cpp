@@ -104,6 +104,68 @@ TEST_CASE("That a puck was not faint is remembered while it is slow, until it pr
   CHECK_FALSE(signature.had_contrast());
 }
 
+// Seen for so long, and surely the puck.
+PuckSignature confirmed(int events_each, std::int64_t for_us) {
+  PuckSignature signature;
+  for (std::int64_t us = 0; us < for_us; us += 1'000) {
+    signature.learn(passing(100, events_each, false), 1'000);
+    signature.confirm(1'000);
+  }
+  return signature;
+}
+
+TEST_CASE("That a puck is faint is not forgotten with all else once it has been confirmed") {
+  PuckSignature signature = confirmed(1, 301'000);
+  signature.forget();
+  CHECK_FALSE(signature.knows_multiplicity());
+  CHECK(signature.contrast_sign() == 0);
+  CHECK(signature.last_density() == 0);
+  CHECK(signature.is_faint());
+  CHECK(signature.may_be_faint());
+  signature.forget();
+  CHECK(signature.is_faint());
+  // What is seen now counts more.
+  signature.learn(passing(300, 3, false), 1'000);
+  CHECK_FALSE(signature.is_faint());
+  CHECK_FALSE(signature.may_be_faint());
+
+  PuckSignature slow = confirmed(1, 301'000);
+  for (int i = 0; i < 10; ++i) slow.learn({}, 500'000);
+  REQUIRE_FALSE(slow.knows_multiplicity());
+  CHECK(slow.is_faint());
+}
+
+TEST_CASE("What has not been confirmed for long, or is not faint, is forgotten") {
+  PuckSignature brief = confirmed(1, 300'000);
+  brief.forget();
+  CHECK_FALSE(brief.is_faint());
+  CHECK_FALSE(brief.may_be_faint());
+
+  PuckSignature learned_only;
+  for (int i = 0; i < 1'000; ++i) learned_only.learn(passing(100, 1, false), 1'000);
+  learned_only.forget();
+  CHECK_FALSE(learned_only.may_be_faint());
+
+  // Nothing is confirmed of what is not known.
+  PuckSignature unseen;
+  for (int i = 0; i < 1'000; ++i) unseen.confirm(1'000);
+  CHECK_FALSE(unseen.may_be_faint());
+
+  PuckSignature doubtful = confirmed(2, 301'000);
+  doubtful.forget();
+  CHECK_FALSE(doubtful.may_be_faint());
+}
+
+TEST_CASE("Another puck than the faint one that was confirmed is soon known for what it is") {
+  PuckSignature signature = confirmed(1, 5'000'000);
+  for (int i = 0; i < 1'000; ++i) {
+    signature.learn(passing(100, 5, false), 1'000);
+    signature.confirm(1'000);
+  }
+  signature.forget();
+  CHECK_FALSE(signature.may_be_faint());
+}
+
 TEST_CASE("Slow edges say nothing of the multiplicity") {
   PuckSignature signature;
   PuckSignature::Sample sample;
