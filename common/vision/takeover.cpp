@@ -13,8 +13,8 @@ constexpr std::int64_t kWallTwinAge_us = 15'000;
 constexpr std::int64_t kUnsoundFor_us = 150'000;
 // A bounce or a mallet that passes is over sooner.
 constexpr std::int64_t kBadFor_us = 20'000;
-// A track from which the puck has gone is without events sooner, and will not find them again.
-constexpr std::int64_t kMissedFor_us = 2'000;
+// A track from which the puck has gone has lost its events before that.
+constexpr std::int64_t kDesertedFor_us = 2'000;
 // Of what moves slower, noise makes too much.
 constexpr double kSlow_px_s = 100;
 // With fewer events nothing is seen clearly enough to be compared.
@@ -187,7 +187,8 @@ bool succeeds_nearby(const Claim& claim, const Defence& main) {
 
 bool inherits(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
-  const bool has_lost_all = main.since_good_us > kMissedFor_us && main.looks.quality < 0.2 &&
+  const bool has_lost_all = main.since_good_us > kDesertedFor_us &&
+                            main.since_good_us <= kBadFor_us && main.looks.quality < 0.2 &&
                             main.looks.strength < looks.strength / 4;
   return main.knows_pucks && has_lost_all && claim.leads && looks.is_fast() &&
          looks.quality > 0.8 && looks.strength > 15 && looks.cover > 0.4 &&

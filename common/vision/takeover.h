@@ -75,9 +75,10 @@ bool displaces_stranger(const Claim& claim, const Defence& main);
 /// other opinion on the wall it is. What is seen on few sides succeeds a faint puck only if
 /// searches see it, too.
 bool succeeds_nearby(const Claim& claim, const Defence& main);
-/// It moves as a puck does, leads, and searches see something of a puck in it; and a main track not
-/// far away has just lost all of its events, as one does that missed a bounce or a hit. While they
-/// fly apart, it is out of reach of what succeeds nearby.
+/// It moves as a puck does, is of its size, leads, and looks good on enough sides, and searches see
+/// something of a puck in it; and a main track not far away has just lost all of its events, as one
+/// does that missed a bounce or a hit. While they fly apart, it is out of reach of what succeeds
+/// nearby.
 bool inherits(const Claim& claim, const Defence& main);
 
 /// It moves as a puck does, beyond doubt or as a whole ring; the main track is taken to rest, and

@@ -185,16 +185,23 @@ TEST_CASE("What leads inherits from a track that has just lost all of its events
   CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.leads = false; }));
   CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.speed_px_s = 300; }));
   CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.quality = 0.8; }));
-  CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.strength = 15; }));
+  CHECK_FALSE(inherits_if([](Claim& claim, Defence& main) {
+    claim.looks.strength = 15;
+    main.looks.strength = 3;
+  }));
   CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.cover = 0.4; }));
   CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.growth_px = 0.35; }));
   CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.growth_px = -0.35; }));
   CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.found.score = 0.45; }));
   CHECK_FALSE(inherits_if([](Claim& claim, Defence&) { claim.looks.position.x = 280; }));
   CHECK_FALSE(inherits_if([](Claim&, Defence& main) { main.since_good_us = 2'000; }));
+  CHECK(inherits_if([](Claim&, Defence& main) { main.since_good_us = 20'000; }));
   CHECK_FALSE(inherits_if([](Claim&, Defence& main) { main.looks.quality = 0.2; }));
   CHECK_FALSE(inherits_if([](Claim&, Defence& main) { main.looks.strength = 4.25; }));
   CHECK_FALSE(inherits_if([](Claim&, Defence& main) { main.knows_pucks = false; }));
+  Defence long_gone = deserted;
+  long_gone.since_good_us = 20'001;
+  CHECK_FALSE(inherits(heir, long_gone));
   Defence resting = deserted;
   resting.is_resting = true;
   CHECK_FALSE(is_convincing(heir, resting));
