@@ -142,10 +142,29 @@ TEST_CASE(
 
   const Json json = Json::parse(read_text(folder / "comparison.json"));
   CHECK(json["sets"]["still"]["contestants"]["default"]["mean_px"] == 0.25);
-  CHECK(json["sets"]["still"]["contestants"]["default"]["mean_px_standard_error"].is_null());
   CHECK(json["sets"]["still"]["contestants"]["default"]["runs"][0]["seed"] == 1001);
   CHECK(json["ablation"]["shear"]["fast-still"]["mean_px"] == 4.5);
   CHECK(json["goals"].size() == goals().size());
+}
+
+TEST_CASE("beside mean and lost the report has how far these may be off") {
+  Runs runs;
+  runs.add("still", 1001, "default", figures(1000, 0.25, 1));
+  runs.add("still", 1002, "default", figures(1000, 0.75, 3));
+  const Comparison comparison = runs.comparison();
+  const Comparison latency((ExperimentResults()));
+  const ComparisonReport report{{}, {}, comparison, latency};
+  const TemporaryFolder folder;
+  write_report(report, folder.path());
+  const Json json = Json::parse(read_text(folder / "comparison.json"));
+  const Json& still = json.at("sets").at("still").at("contestants").at("default");
+  CHECK(still.at("mean_px_standard_error") == 0.25);
+  CHECK(still.at("lost_percent_standard_error") == 1);
+  const std::string markdown = read_text(folder / "comparison.md");
+  CHECK(markdown.find("|  | mean px | +- | median seq. |") != std::string::npos);
+  CHECK(markdown.find("| lost % | +- |") != std::string::npos);
+  CHECK(markdown.find("| default | 0.500 | 0.250 |") != std::string::npos);
+  CHECK(markdown.find("| 2.00 | 1.00 |") != std::string::npos);
 }
 
 TEST_CASE("a score curve survives its file") {

@@ -21,8 +21,8 @@ struct Summary {
   std::optional<double> nees_mean;
   std::optional<double> nees_median;  ///< Mean of the sequences' medians.
   std::optional<double> nees_within_95_percent;
-  /// How far two of these may be off since the sequences are few: the standard error of a mean over
-  /// sequences, each as good as another. Nothing for a single one.
+  /// How far mean and lost may be off since the sequences are few: the standard error of a mean in
+  /// which each sequence counts as much, not each tick. Nothing for a single one.
   std::optional<double> mean_px_error;
   std::optional<double> lost_percent_error;
   // The middle one and the worst of the sequences.
