@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <tuple>
 
 #include "common/vision/puck_detector.h"
@@ -66,8 +67,9 @@ void SightingTrails::take(SearchResult& found, const PuckContour& contour,
     seen.trail = &trails_.emplace_back(
         Trail{.position = seen.position, .seen_us = time_us_, .score = seen.score});
   }
-  for (std::size_t i = 0; i < seen_.size(); ++i) {
-    if (seen_[i].trail) found.candidates[i].trail = told(*seen_[i].trail);
+  for (std::size_t i = 0; i < found.candidates.size(); ++i) {
+    const Trail* const trail = i < seen_.size() ? seen_[i].trail : nullptr;
+    found.candidates[i].trail = trail ? told(*trail) : SightingTrail{};
   }
 }
 

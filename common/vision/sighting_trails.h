@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "common/vision/background.h"
 #include "common/vision/pixel.h"
 #include "common/vision/puck_contour.h"
+#include "common/vision/sighting_trail.h"
 #include "common/vision/tracking_pipeline.h"
 
 namespace puck {
