@@ -46,7 +46,7 @@ struct ContourIngredients {
   bool early_background = true;  ///< … which is known by the time that a track becomes doubtful.
   bool clear_rings = true;       ///< … unless a faint puck is sought, and it is a clear ring.
   bool faint_rests = true;       ///< What may be a faint puck at rest is looked for elsewhere, too.
-  bool faint_memory = true;      ///< That the puck is faint is not forgotten while it is lost.
+  bool faint_memory = true;      ///< That a puck is faint is remembered while nothing tells it.
   /// What moves by itself takes over from a track that has gone bad, or rests and never moved.
   bool overtaking = true;
   /// While the head rests, which the background tells, even what moves slowly moves by itself.

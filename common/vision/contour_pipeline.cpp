@@ -164,9 +164,9 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   if (trust_.is_exhausted()) forget_looks();
   if (main_->is_good() && main_->shape_quality() > kLearnable) {
     context_.signature.learn(sample, passed_us);
-  }
-  if (context_.ingredients.faint_memory && trust_.is_surely_puck() && main_->is_good()) {
-    context_.signature.confirm(passed_us);
+    if (context_.ingredients.faint_memory && trust_.is_surely_puck()) {
+      context_.signature.confirm(passed_us);
+    }
   }
   if (shows_wall()) {
     sought_wall_.learn(context_.contour.is_other_wall(main_->wall_share()), passed_us);

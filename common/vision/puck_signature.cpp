@@ -10,7 +10,7 @@ constexpr double kSignatureMemory_us = 500'000;
 // A puck of good contrast makes about five events at a pixel, a faint one hardly more than one.
 constexpr double kFaintBelow = 1.6;
 constexpr double kMaybeFaintBelow = 2.5;
-// A puck that has been surely seen for so long has been seen on more than one way.
+// For less it may have been taken for something else; of longer ago it may have been another one.
 constexpr std::int64_t kConfirmedAfter_us = 300'000;
 constexpr std::int64_t kConfirmedMemory_us = 2'000'000;
 // As of thirty events at 100 px/s.
@@ -46,7 +46,8 @@ void PuckSignature::learn(const Sample& sample, std::int64_t duration_us) {
 }
 
 void PuckSignature::confirm(std::int64_t duration_us) {
-  if (!knows_multiplicity()) return;
+  if (!knows_multiplicity() || duration_us <= 0) return;
+  duration_us = std::min(duration_us, kConfirmedMemory_us);
   confirmed_us_ = std::min(confirmed_us_ + duration_us, kConfirmedMemory_us);
   confirmed_multiplicity_ += static_cast<double>(duration_us) / static_cast<double>(confirmed_us_) *
                              (multiplicity() - confirmed_multiplicity_);
@@ -60,7 +61,8 @@ void PuckSignature::forget() {
 }
 
 bool PuckSignature::was_faint() const {
-  return confirmed_us_ > kConfirmedAfter_us && confirmed_multiplicity_ < kFaintBelow;
+  return !had_contrast() && confirmed_us_ > kConfirmedAfter_us &&
+         confirmed_multiplicity_ < kFaintBelow;
 }
 
 bool PuckSignature::has_plain_face() const {

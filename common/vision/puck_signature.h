@@ -68,7 +68,8 @@ class PuckSignature {
   Sample sum_;  // Fading with 0.5 s.
   double last_density_ = 0;
   double last_multiplicity_ = 0;
-  double confirmed_multiplicity_ = 0;  // on average over the last two seconds of …
+  // On average over the last two seconds for which it was confirmed, and for how long it was.
+  double confirmed_multiplicity_ = 0;
   std::int64_t confirmed_us_ = 0;
   // Of the last 8 to 16 contour events a px² of the contour's band, however old.
   double ring_per_px2_ = 0;

@@ -12,8 +12,8 @@ namespace puck {
 /// scene, and is soon taken for a part of it, so that its events count no more; while the head
 /// turns back there are hardly any; and a hand or a mallet that comes for it has many. It stays
 /// where it lies in the scene all the same, until it is seen to move, or something else convinces
-/// as the puck. Only a track that is not trusted yet is held, and while it is not known whether the
-/// puck is faint, as before it first moves: later its own events tell better.
+/// as the puck. Only a track that is not trusted yet is held, and while none of its events tells
+/// whether the puck is faint, as before it first moves: later they tell better.
 class SceneRest {
  public:
   /// To be called at each decision, after the main track's own: keeps in mind where in the scene a

@@ -514,16 +514,20 @@ TEST_CASE("a faint puck that is lost is where searches have followed it, without
 }
 
 TEST_CASE("a faint puck that has been lost for long is still known to be faint") {
-  const auto is_found = [](double density, bool is_on) {
+  const auto is_found = [](double density, bool is_on, int milliseconds = 900) {
     PipelineParams params = preset_params(Preset::kDefault);
     params.contour.ingredients.faint_memory = is_on;
     Table table(params);
     table.density = density;
-    for (const double speed : {400, -400, 400}) CHECK(table.glide({speed, 60}, 300) < 1);
+    for (const double speed : {400, -400, 400}) {
+      CHECK(table.glide({speed, 60}, milliseconds / 3) < 1);
+    }
     table.cover(3'000);
     return follows_searches(table, {400, 0});
   };
   CHECK(is_found(kFaintDensity, true));
+  // It has not been beyond doubt for long enough.
+  CHECK_FALSE(is_found(kFaintDensity, true, 450));
   CHECK_FALSE(is_found(kFaintDensity, false));
   CHECK_FALSE(is_found(kClearDensity, true));
 }

@@ -151,12 +151,36 @@ TEST_CASE("What has not been confirmed for long, or is not faint, is forgotten")
   for (int i = 0; i < 1'000; ++i) unseen.confirm(1'000);
   CHECK_FALSE(unseen.may_be_faint());
 
+  // However long it was at once, it is no fainter than it has been seen.
+  PuckSignature leapt = confirmed(5, 1'000);
+  leapt.learn(passing(30'000, 2, false), 1'000);
+  leapt.confirm(60'000'000);
+  leapt.forget();
+  CHECK_FALSE(leapt.may_be_faint());
+
+  PuckSignature at_once;
+  at_once.learn(passing(300, 1, false), 1'000);
+  at_once.confirm(0);
+  at_once.forget();
+  CHECK_FALSE(at_once.may_be_faint());
+  at_once.learn(passing(300, 1, false), 1'000);
+  at_once.confirm(301'000);
+  at_once.forget();
+  CHECK(at_once.may_be_faint());
+
   PuckSignature doubtful = confirmed(2, 301'000);
   doubtful.forget();
   CHECK_FALSE(doubtful.may_be_faint());
 }
 
 TEST_CASE("Another puck than the faint one that was confirmed is soon known for what it is") {
+  PuckSignature seen_briefly = confirmed(1, 5'000'000);
+  for (int i = 0; i < 20; ++i) seen_briefly.learn({}, 500'000);
+  seen_briefly.learn(passing(3'000, 5, false), 1'000);
+  for (int i = 0; i < 20; ++i) seen_briefly.learn({}, 500'000);
+  REQUIRE_FALSE(seen_briefly.knows_multiplicity());
+  CHECK_FALSE(seen_briefly.may_be_faint());
+
   PuckSignature signature = confirmed(1, 5'000'000);
   for (int i = 0; i < 1'000; ++i) {
     signature.learn(passing(100, 5, false), 1'000);
