@@ -5,7 +5,7 @@
 #   tools/compare.sh [--sequences N] [--seconds S] [--only NAME[,NAME...]] [--output DIR] [--jobs J]
 #                    [--keep]
 #
-# --sequences N  with the still and with the moving camera each, 1 to 10 (default 10), and half as many
+# --sequences N  with the still and with the moving camera each, 1 to 20 (default 10), and half as many
 #                of each hard scene in tools/compare/scenes
 # --seconds S    length of each (default 30); the hard ones are a third as long, 2 to 10 s
 # --only NAMES   these presets and baselines alone, and without the ablation of default

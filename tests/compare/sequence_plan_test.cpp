@@ -41,10 +41,14 @@ TEST_CASE("the whole comparison is 10 still, 10 moving and 5 of each hard set") 
 }
 
 TEST_CASE("no seed is used twice, and none for testing that is for development") {
-  std::set<int> seeds;
-  for (const Sequence& sequence : plan_sequences({}, {})) {
-    CHECK(sequence.seed > 1000);
-    CHECK(seeds.insert(sequence.seed).second);
+  for (const int sequences : {10, PlanOptions::kMostSequences}) {
+    PlanOptions options;
+    options.sequences = sequences;
+    std::set<int> seeds;
+    for (const Sequence& sequence : plan_sequences(options, {})) {
+      CHECK(sequence.seed > 1000);
+      CHECK(seeds.insert(sequence.seed).second);
+    }
   }
   CHECK(calibration_sequence().seed <= 99);
   CHECK(latency_sequence({}, 1).seed <= 99);

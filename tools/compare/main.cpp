@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   options.experiment.jobs = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
   app.add_option("--sequences", options.plan.sequences,
                  "of the still and of the moving camera each")
-      ->check(CLI::Range(1, 10))
+      ->check(CLI::Range(1, puck::PlanOptions::kMostSequences))
       ->capture_default_str();
   app.add_option("--seconds", options.plan.seconds,
                  "of each of them; hard ones are a third as long")

@@ -38,7 +38,9 @@ std::vector<SequenceSet> sequence_sets();
 SequenceSet set_of(const std::vector<SequenceSet>& sets, const std::string& name);
 
 struct PlanOptions {
-  int sequences = 10;   ///< Of the still and of the moving set each.
+  /// More than so many hard ones would have each other's seeds.
+  static constexpr int kMostSequences = 20;
+  int sequences = 10;   ///< Of the still and of the moving set each, 1 to kMostSequences.
   double seconds = 30;  ///< Of each of these.
   /// Names of contestants: these alone, without the ablation; empty: all of them, and the ablation.
   std::vector<std::string> only;
