@@ -61,8 +61,8 @@ TEST_CASE("a summary weighs its sequences by their ticks and keeps the worst") {
   CHECK(*summary.median_mean_px == doctest::Approx(0.2));
   CHECK(*summary.worst_mean_px == doctest::Approx(0.4));
   CHECK(*summary.lost_percent == doctest::Approx(0.75));
-  CHECK(*summary.mean_px_error == doctest::Approx(0.1));
-  CHECK(*summary.lost_percent_error == doctest::Approx(0.5));
+  CHECK(*summary.mean_px_standard_error == doctest::Approx(0.1));
+  CHECK(*summary.lost_percent_standard_error == doctest::Approx(0.5));
   CHECK(*summary.longest_loss_ms == doctest::Approx(10));
   CHECK(*summary.time_to_first_track_ms == 5);
   CHECK_FALSE(summary.nees_mean.has_value());
@@ -75,11 +75,11 @@ TEST_CASE("how far a mean may be off is told by how its sequences differ, and no
   runs.add("moving", 1101, "default", figures(1000, 1, 2));
   const Summary four = runs.comparison().summary("still", "default");
   // The deviation of 1, 2, 3 and 4 over the root of four.
-  CHECK(*four.mean_px_error == doctest::Approx(std::sqrt(5.0 / 3) / 2));
-  CHECK(*four.lost_percent_error == 0);
+  CHECK(*four.mean_px_standard_error == doctest::Approx(std::sqrt(5.0 / 3) / 2));
+  CHECK(*four.lost_percent_standard_error == 0);
   const Summary one = runs.comparison().summary("moving", "default");
-  CHECK_FALSE(one.mean_px_error.has_value());
-  CHECK_FALSE(one.lost_percent_error.has_value());
+  CHECK_FALSE(one.mean_px_standard_error.has_value());
+  CHECK_FALSE(one.lost_percent_standard_error.has_value());
 }
 
 TEST_CASE("a puck that was never tracked in one sequence has no time to its first track") {

@@ -57,10 +57,10 @@ TextTable set_table(const SequenceSet& set, const ComparisonReport& report) {
   for (const Contestant& contestant : contestants()) {
     const Summary s = report.comparison.summary(set.name, contestant.name);
     if (s.sequences == 0) continue;
-    table.add({contestant.name, number_text(s.mean_px, 3), number_text(s.mean_px_error, 3),
+    table.add({contestant.name, number_text(s.mean_px, 3), number_text(s.mean_px_standard_error, 3),
                number_text(s.median_mean_px, 3), number_text(s.worst_mean_px, 3),
                number_text(s.within_3p5px_percent, 2), number_text(s.within_4px_percent, 2),
-               number_text(s.lost_percent, 2), number_text(s.lost_percent_error, 2),
+               number_text(s.lost_percent, 2), number_text(s.lost_percent_standard_error, 2),
                number_text(s.longest_loss_ms, 0), number_text(s.time_to_first_track_ms, 0),
                nees_text(s.nees_mean), nees_text(s.nees_median),
                number_text(s.nees_within_95_percent, 1), number_text(s.cpu_us_per_ms, 0),

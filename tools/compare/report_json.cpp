@@ -16,13 +16,13 @@ Json summary_json(const Summary& s) {
   json["sequences"] = s.sequences;
   json["estimates"] = s.ticks;
   json["mean_px"] = or_null(s.mean_px);
-  json["mean_px_standard_error"] = or_null(s.mean_px_error);
+  json["mean_px_standard_error"] = or_null(s.mean_px_standard_error);
   json["median_sequence_mean_px"] = or_null(s.median_mean_px);
   json["worst_sequence_mean_px"] = or_null(s.worst_mean_px);
   json["within_3p5px_percent"] = or_null(s.within_3p5px_percent);
   json["within_4px_percent"] = or_null(s.within_4px_percent);
   json["lost_percent"] = or_null(s.lost_percent);
-  json["lost_percent_standard_error"] = or_null(s.lost_percent_error);
+  json["lost_percent_standard_error"] = or_null(s.lost_percent_standard_error);
   json["longest_loss_ms"] = or_null(s.longest_loss_ms);
   json["time_to_first_track_ms"] = or_null(s.time_to_first_track_ms);
   json["nees_mean"] = or_null(s.nees_mean);

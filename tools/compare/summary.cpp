@@ -74,11 +74,11 @@ Summary summarise(const std::vector<const RunFigures*>& runs) {
   summary.nees_median = mean_by_ticks(runs, "nees_median");
   summary.nees_within_95_percent = mean_by_ticks(runs, "nees_within_95_percent");
   if (const auto means = sorted_values(runs, "mean_px"); !means.empty()) {
-    summary.mean_px_error = standard_error(means);
+    summary.mean_px_standard_error = standard_error(means);
     summary.median_mean_px = quantile(means, 0.5);
     summary.worst_mean_px = means.back();
   }
-  summary.lost_percent_error = standard_error(sorted_values(runs, "lost_percent"));
+  summary.lost_percent_standard_error = standard_error(sorted_values(runs, "lost_percent"));
   if (const auto losses = sorted_values(runs, "longest_loss_ms"); !losses.empty()) {
     summary.longest_loss_ms = losses.back();
   }

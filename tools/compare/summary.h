@@ -23,8 +23,8 @@ struct Summary {
   std::optional<double> nees_within_95_percent;
   /// How far mean and lost may be off since the sequences are few: the standard error of a mean in
   /// which each sequence counts as much, not each tick. Nothing for a single one.
-  std::optional<double> mean_px_error;
-  std::optional<double> lost_percent_error;
+  std::optional<double> mean_px_standard_error;
+  std::optional<double> lost_percent_standard_error;
   // The middle one and the worst of the sequences.
   std::optional<double> median_mean_px;
   std::optional<double> worst_mean_px;
