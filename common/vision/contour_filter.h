@@ -66,6 +66,9 @@ class ContourFilter {
   /// Takes its velocity, and keeps the uncertainty below these bounds.
   void park(double sigma_px, double sigma_px_s);
 
+  /// The size's offset may be beyond its bounds by so much, px, and wander half as far besides.
+  void give_slack(double px) { slack_px_ = px; }
+
   /// Takes it to a place with a velocity, and keeps the uncertainty below these bounds.
   void carry(Pixel position, PixelVelocity velocity, double sigma_px, double sigma_px_s);
 
@@ -100,6 +103,7 @@ class ContourFilter {
 
   ContourFilterParams params_;
   std::int64_t time_us_ = 0;
+  double slack_px_ = 0;
   State state_{};
   std::array<double, kSize * kSize> covariance_{};
 };

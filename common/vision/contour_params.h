@@ -11,12 +11,14 @@ namespace puck {
 struct ContourIngredients {
   /// Sizes are those of a disc in perspective, where the calibration knows it, not Equation (2).
   bool perspective = true;
-  bool shear = true;              ///< The ellipse is sheared as the table's perspective asks.
-  bool size_state = true;         ///< The filter follows the contour's size, not only its place.
-  bool lag = true;                ///< Events are put forward by the sensor's lag.
-  bool polarity = true;           ///< Events of the wrong sign are no contour events.
-  bool first_events = true;       ///< A puck of low contrast is followed by first events only.
-  bool size_penalty = true;       ///< Too many events, or too large a size, make a track doubtful.
+  bool shear = true;         ///< The ellipse is sheared as the table's perspective asks.
+  bool size_state = true;    ///< The filter follows the contour's size, not only its place.
+  bool lag = true;           ///< Events are put forward by the sensor's lag.
+  bool polarity = true;      ///< Events of the wrong sign are no contour events.
+  bool first_events = true;  ///< A puck of low contrast is followed by first events only.
+  bool size_penalty = true;  ///< Too many events, or too large a size, make a track doubtful.
+  /// … but at the image's sides a puck of good contrast may be of another size, and cut off.
+  bool image_sides = true;
   bool bloom = true;              ///< … but a bright puck looks larger than it is.
   bool purity = true;             ///< Signs that do not suit a disc of one tone make it doubtful.
   bool sector_saturation = true;  ///< Events in one direction count less and less.
@@ -76,7 +78,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 42> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 43> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -84,6 +86,7 @@ inline constexpr std::array<ContourIngredient, 42> kContourIngredients{{
     {"polarity", &ContourIngredients::polarity},
     {"first-events", &ContourIngredients::first_events},
     {"size-penalty", &ContourIngredients::size_penalty},
+    {"image-sides", &ContourIngredients::image_sides},
     {"bloom", &ContourIngredients::bloom},
     {"purity", &ContourIngredients::purity},
     {"sector-saturation", &ContourIngredients::sector_saturation},

@@ -82,6 +82,12 @@ void ContourTrack::follow_contour(const ContourContext& context) {
     areas_ = RingEvidence::areas_of(ring_);
   }
   if (filter_.speed_px_s() > turning_px_s_) has_moved_ = true;
+  // What a faint puck is taken for, as it is, needs no more room.
+  side_view_ = context.ingredients.image_sides && context.signature.had_contrast()
+                   ? side_view_of(ring_, ring_made_at_, context.contour.sensor())
+                   : SideView{};
+  filter_.give_slack(side_view_.slack_px);
+  areas_.sectors = side_view_.sectors;
   areas_.may_have_print = context.ingredients.face_print && has_moved_ && !context.is_plain;
 }
 
@@ -232,8 +238,7 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
 double ContourTrack::shape_penalty(const ContourContext& context) const {
   double penalty = context.ingredients.purity ? purity(context) : 1;
   if (context.ingredients.size_penalty) {
-    const double excess_px =
-        (filter_.growth_px() - bloom_px_ - kLarge_px) / (kTooLarge_px - kLarge_px);
+    const double excess_px = (unexplained_growth_px() - kLarge_px) / (kTooLarge_px - kLarge_px);
     const double factor = context.is_trusted ? kTooLargeFactor : kStrangerTooLargeFactor;
     penalty *= 1 - (1 - factor) * std::clamp(excess_px, 0.0, 1.0);
   }
@@ -252,18 +257,23 @@ double ContourTrack::bloom_px(const ContourContext& context) const {
   return std::clamp(growth_px, 0.0, most_px * std::clamp(follows, 0.0, 1.0));
 }
 
+double ContourTrack::unexplained_growth_px() const {
+  const double growth_px = filter_.growth_px() - bloom_px_;
+  return growth_px - std::clamp(growth_px, -side_view_.slack_px, side_view_.slack_px);
+}
+
 TrackLooks ContourTrack::looks() const {
   return {.position = filter_.position(),
           .speed_px_s = filter_.speed_px_s(),
           .turning_px_s = turning_px_s_,
           .slide = filter_.slide(),
-          .growth_px = filter_.growth_px() - bloom_px_,
+          .growth_px = unexplained_growth_px(),
           .quality = quality_,
           .agreement = evidence_.agreement(areas_),
           .clarity = clarity_,
           .printed_quality = printed_quality_,
           .strength = strength_,
-          .cover = evidence_.cover(),
+          .cover = evidence_.cover(areas_),
           .near_events = beyond_noise(evidence_.near_events(), near_noise_),
           .inside_events = beyond_noise(evidence_.inside_events(), inside_noise_)};
 }

@@ -8,6 +8,7 @@
 #include "common/vision/puck_signature.h"
 #include "common/vision/recent_pixels.h"
 #include "common/vision/ring_evidence.h"
+#include "common/vision/side_view.h"
 #include "common/vision/track_looks.h"
 #include "common/vision/wall_edge.h"
 
@@ -94,6 +95,8 @@ class ContourTrack {
   void follow_contour(const ContourContext& context);
   double swept_px2_per_s() const;
   double bloom_px(const ContourContext& context) const;
+  // By how much it is larger than brightness and its place in the image explain.
+  double unexplained_growth_px() const;
   double shape_penalty(const ContourContext& context) const;
   double purity(const ContourContext& context) const;
   double contrast_sign(const ContourContext& context) const;
@@ -108,6 +111,7 @@ class ContourTrack {
   bool has_moved_ = false;
   ContourRing ring_;
   Pixel ring_made_at_;
+  SideView side_view_;
   RingAreas areas_;
   WallEdge wall_edge_;
   RingEvidence evidence_;

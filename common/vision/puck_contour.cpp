@@ -36,7 +36,8 @@ double ContourRing::outside_area(double half_width_px, double reach_px) const {
 
 PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
                          const ContourCalibration& calibration, bool sheared)
-    : size_model_(size_model),
+    : sensor_(sensor),
+      size_model_(size_model),
       calibration_(calibration),
       other_wall_share_(calibration.other_wall_share(size_model)),
       middle_column_((sensor.width - 1) / 2.0),

@@ -124,6 +124,7 @@ class PuckContour {
     const double share = wall_share_at(centre, to) - wall_share_at(centre, from);
     return {centre.x, centre.y + share * size_at(centre).width / 2};
   }
+  SensorSize sensor() const { return sensor_; }
   PuckSize size_at(Pixel centre) const { return size_model_.at(centre); }
   /// Faster than the image of what is fixed to the table while the head turns as it does in play,
   /// px/s, at least 36. It goes with the lens, of which the puck's size in the image's middle tells
@@ -142,6 +143,7 @@ class PuckContour {
     return is_left_out ? std::max(wall_share * wall_profile(place), -kHighestWall) : wall_share;
   }
 
+  SensorSize sensor_;
   PuckSizeModel size_model_;
   ContourCalibration calibration_;
   double other_wall_share_ = 0;

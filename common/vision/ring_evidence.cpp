@@ -56,10 +56,10 @@ double RingEvidence::add_outside(const RingAreas& areas) {
   return kClutterWorth * areas.ring / areas.outside;
 }
 
-double RingEvidence::cover() const {
+double RingEvidence::cover(const RingAreas& areas) const {
   double squares = 0;
   for (const double sector : sectors_) squares += sector * sector;
-  return squares > 0 ? ring_ * ring_ / (kContourSectors * squares) : 0;
+  return squares > 0 ? std::min(ring_ * ring_ / (areas.sectors * squares), 1.0) : 0;
 }
 
 bool RingEvidence::is_print_inside(const RingAreas& areas) const {
@@ -83,7 +83,7 @@ double RingEvidence::stands_out(const RingAreas& areas, double noise_per_px2, do
 
 double RingEvidence::quality(const RingAreas& areas, double noise_per_px2) const {
   return stands_out(areas, noise_per_px2, kDoubt + noise_per_px2) *
-         std::min(1.0, cover() / kWholeCover);
+         std::min(1.0, cover(areas) / kWholeCover);
 }
 
 double RingEvidence::agreement(const RingAreas& areas) const {

@@ -13,6 +13,8 @@ struct RingAreas {
   double outside = 1;
   /// Of a print on the puck's face: what is denser inside than around the ring is no clutter then.
   bool may_have_print = false;
+  /// Of the kContourSectors directions those in which the ring lies in the image.
+  int sectors = kContourSectors;
 };
 
 /// What events say about a contour, over the last 15 ms, fading: how many lie on it with the right
@@ -64,8 +66,8 @@ class RingEvidence {
   double agreement(const RingAreas& areas) const;
   /// How many more events lie on the ring than its surroundings would put there.
   double strength(const RingAreas& areas) const;
-  /// Share of the directions that the ring's events cover, 0 to 1.
-  double cover() const;
+  /// Share of the directions in the image that the ring's events cover, 0 to 1.
+  double cover(const RingAreas& areas) const;
 
  private:
   double stands_out(const RingAreas& areas, double noise_per_px2, double doubt) const;

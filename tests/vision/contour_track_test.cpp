@@ -311,6 +311,46 @@ TEST_CASE("What is larger than brightness makes a puck is doubtful") {
   CHECK(mallet.quality < 0.7);
 }
 
+// … that is larger by a pixel, and comes in at the image's right border, in a context where the
+// puck is known to have good contrast. `sees_it`: whether anything has been learned of the puck.
+TrackLooks looks_of_larger_at_border(ContourContext context, bool sees_it = true) {
+  if (sees_it) context.signature.learn({.quick_events = 400, .first_events = 100}, 1'000);
+  PuckSizeModel larger = test::kSizeModel;
+  larger.width_0 += 2;
+  larger.height_0 += 2;
+  const PuckContour contour(test::kSensor, larger, {0, 0, 0}, true);
+  test::MovingContour puck(contour, {642, 180}, {-200, 600});
+  ContourTrack track(context, {.position = {640, 180}, .velocity = {-200, 600}}, 0, 0);
+  for (std::int64_t t = 0; t < 20'000; t += 1'000) {
+    for (const ContourEvent& event : puck.events(t, t + 1'000)) {
+      if (event.x < test::kSensor.width) track.take(event, context);
+    }
+    track.decide(t + 1'000, false, context);
+  }
+  return track.looks();
+}
+
+TEST_CASE(
+    "A puck that comes in at the image's side may be larger, and is seen as far as it is in") {
+  ContourContext context = test::contour_context();
+  const TrackLooks looks = looks_of_larger_at_border(context);
+  CHECK_FALSE(looks.is_oversized());
+  CHECK(looks.cover > 0.6);
+  CHECK(looks.quality > 0.8);
+
+  TrackLooks strict;
+  SUBCASE("unless image-sides is off") {
+    context.ingredients.image_sides = false;
+    strict = looks_of_larger_at_border(context);
+  }
+  SUBCASE("unless it is not known to have good contrast") {
+    strict = looks_of_larger_at_border(context, false);
+  }
+  CHECK(strict.is_oversized());
+  CHECK(strict.cover < 0.6);
+  CHECK(strict.quality < looks.quality - 0.2);
+}
+
 // What a sensor is late by.
 constexpr std::int64_t kLag_us = 1'000;
 

@@ -18,7 +18,7 @@ RingEvidence whole_ring(int events_per_sector) {
 
 TEST_CASE("A ring with nothing around it is of nearly perfect quality") {
   const RingEvidence evidence = whole_ring(20);
-  CHECK(evidence.cover() == doctest::Approx(1));
+  CHECK(evidence.cover(kAreas) == doctest::Approx(1));
   CHECK(evidence.quality(kAreas) > 0.95);
   CHECK(evidence.strength(kAreas) == doctest::Approx(240));
 }
@@ -35,6 +35,19 @@ TEST_CASE("An edge that touches the ring in one direction is of poor quality") {
   RingEvidence evidence;
   for (int i = 0; i < 200; ++i) evidence.add_ring(4, true);
   CHECK(evidence.quality(kAreas) < 0.3);
+}
+
+TEST_CASE("A ring that is cut off by the image's border covers all that can be seen of it") {
+  RingEvidence half;
+  for (int sector = 0; sector < kContourSectors / 2; ++sector) {
+    for (int i = 0; i < 20; ++i) half.add_ring(sector, true);
+  }
+  CHECK(half.cover(kAreas) == doctest::Approx(0.5));
+  RingAreas cut = kAreas;
+  cut.sectors = kContourSectors / 2;
+  CHECK(half.cover(cut) == doctest::Approx(1));
+  // Where more is seen than lies in the image, there is no more to cover.
+  CHECK(whole_ring(20).cover(cut) == 1);
 }
 
 TEST_CASE("More events in one direction are worth less and less, unless saturation is off") {
