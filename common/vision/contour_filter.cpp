@@ -46,6 +46,12 @@ void ContourFilter::carry(Pixel position, PixelVelocity velocity, double sigma_p
   }
 }
 
+void ContourFilter::give_slack(double px) {
+  if (px == slack_px_) return;
+  slack_px_ = px;
+  keep_in_bounds();
+}
+
 void ContourFilter::predict(std::int64_t time_us, bool blind) {
   const double dt = static_cast<double>(time_us - time_us_) * 1e-6;
   if (!(dt > 0)) return;
@@ -78,9 +84,7 @@ void ContourFilter::predict(std::int64_t time_us, bool blind) {
     cov(4, i) *= 1 - share;
     cov(i, 4) *= 1 - share;
   }
-  const double variance_px2 =
-      params_.growth_sigma_px * params_.growth_sigma_px + slack_px_ * slack_px_ / 4;
-  cov(4, 4) += 2 * share * (variance_px2 - cov(4, 4));
+  cov(4, 4) += 2 * share * (params_.growth_sigma_px * params_.growth_sigma_px - cov(4, 4));
 }
 
 double ContourFilter::distance_variance(double normal_x, double normal_y) const {
@@ -113,8 +117,8 @@ void ContourFilter::apply(const State& ph, double per_innovation, double innovat
 }
 
 void ContourFilter::keep_in_bounds() {
-  state_[4] = std::clamp(state_[4], params_.smallest_growth_px - slack_px_,
-                         params_.largest_growth_px + slack_px_);
+  state_[4] =
+      std::clamp(state_[4], params_.smallest_growth_px, params_.largest_growth_px + slack_px_);
   // A square root only where there is something to bound: this is done for every event.
   const double squared_speed = state_[2] * state_[2] + state_[3] * state_[3];
   if (squared_speed > params_.max_speed_px_s * params_.max_speed_px_s) {

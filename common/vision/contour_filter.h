@@ -66,8 +66,8 @@ class ContourFilter {
   /// Takes its velocity, and keeps the uncertainty below these bounds.
   void park(double sigma_px, double sigma_px_s);
 
-  /// The size's offset may be beyond its bounds by so much, px, and wander half as far besides.
-  void give_slack(double px) { slack_px_ = px; }
+  /// The contour may be larger than `largest_growth_px` by so much, px, from now on.
+  void give_slack(double px);
 
   /// Takes it to a place with a velocity, and keeps the uncertainty below these bounds.
   void carry(Pixel position, PixelVelocity velocity, double sigma_px, double sigma_px_s);

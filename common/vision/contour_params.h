@@ -17,7 +17,7 @@ struct ContourIngredients {
   bool polarity = true;      ///< Events of the wrong sign are no contour events.
   bool first_events = true;  ///< A puck of low contrast is followed by first events only.
   bool size_penalty = true;  ///< Too many events, or too large a size, make a track doubtful.
-  /// … but at the image's sides a puck of good contrast may be of another size, and cut off.
+  /// … but at the image's sides a puck of good contrast may be larger, and cut off.
   bool image_sides = true;
   bool bloom = true;              ///< … but a bright puck looks larger than it is.
   bool purity = true;             ///< Signs that do not suit a disc of one tone make it doubtful.

@@ -83,7 +83,7 @@ void ContourTrack::follow_contour(const ContourContext& context) {
   }
   if (filter_.speed_px_s() > turning_px_s_) has_moved_ = true;
   // What a faint puck is taken for, as it is, needs no more room.
-  side_view_ = context.ingredients.image_sides && context.signature.had_contrast()
+  side_view_ = context.ingredients.image_sides && context.signature.remembers_contrast()
                    ? side_view_of(ring_, ring_made_at_, context.contour.sensor())
                    : SideView{};
   filter_.give_slack(side_view_.slack_px);
@@ -253,13 +253,14 @@ double ContourTrack::bloom_px(const ContourContext& context) const {
   const double most_px =
       kBloom_px * purity_of(own_contrast()) * std::clamp(strength_ / kBloomStrength - 1, 0.0, 1.0);
   const double growth_px = filter_.growth_px();
-  const double follows = (context.filter.largest_growth_px - growth_px) / kLeastFollowed_px;
+  const double follows =
+      (context.filter.largest_growth_px + side_view_.slack_px - growth_px) / kLeastFollowed_px;
   return std::clamp(growth_px, 0.0, most_px * std::clamp(follows, 0.0, 1.0));
 }
 
 double ContourTrack::unexplained_growth_px() const {
   const double growth_px = filter_.growth_px() - bloom_px_;
-  return growth_px - std::clamp(growth_px, -side_view_.slack_px, side_view_.slack_px);
+  return growth_px - std::clamp(growth_px, 0.0, side_view_.slack_px);
 }
 
 TrackLooks ContourTrack::looks() const {

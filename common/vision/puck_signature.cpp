@@ -87,6 +87,11 @@ bool PuckSignature::may_be_faint() const {
 
 bool PuckSignature::had_contrast() const { return last_multiplicity_ >= kMaybeFaintBelow; }
 
+bool PuckSignature::remembers_contrast() const {
+  if (last_multiplicity_ > 0) return had_contrast();
+  return confirmed_us_ > kConfirmedAfter_us && confirmed_multiplicity_ >= kMaybeFaintBelow;
+}
+
 double PuckSignature::density() const {
   return sum_.swept_px2 > kLeastSwept_px2 ? sum_.events / sum_.swept_px2 : 0;
 }

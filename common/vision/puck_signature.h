@@ -53,6 +53,8 @@ class PuckSignature {
   double multiplicity() const;
   /// When its multiplicity was last known, the puck was certainly not faint.
   bool had_contrast() const;
+  /// The same, or, where that has been forgotten, as has been confirmed.
+  bool remembers_contrast() const;
   /// Contour events per px² swept; nothing (0) while it is not known.
   double density() const;
   /// The same, or, after a rest, what it was when it was last known.

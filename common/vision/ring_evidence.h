@@ -13,7 +13,7 @@ struct RingAreas {
   double outside = 1;
   /// Of a print on the puck's face: what is denser inside than around the ring is no clutter then.
   bool may_have_print = false;
-  /// Of the kContourSectors directions those in which the ring lies in the image.
+  /// SideView::sectors.
   int sectors = kContourSectors;
 };
 
@@ -66,7 +66,7 @@ class RingEvidence {
   double agreement(const RingAreas& areas) const;
   /// How many more events lie on the ring than its surroundings would put there.
   double strength(const RingAreas& areas) const;
-  /// Share of the directions in the image that the ring's events cover, 0 to 1.
+  /// Share of the directions that the ring's events cover, of those in the image; 0 to 1.
   double cover(const RingAreas& areas) const;
 
  private:

@@ -6,15 +6,17 @@
 
 namespace puck {
 
-/// What is different about a puck at the image's sides. Part of its ring may lie outside. And its
-/// size is known less well: where the head has to turn for a puck to be seen there, the table lies
-/// at another slant than it was calibrated at. For a puck at the angle θ beside the optical axis,
-/// the head turned by ψ, widths are cos²(θ − ψ) / cos² θ times as large, about 1 + 2 ψ tan θ.
+/// What is different about a puck at the left and right sides of the image. Part of its ring may
+/// lie outside. And it may be larger than the size model says: the head has turned away for it to
+/// be seen there, so that the table lies at another slant than it was calibrated at. At the angle θ
+/// beside the optical axis, the head turned away by ψ, widths are cos²(θ − ψ) / cos² θ times as
+/// large, less than 1 + 2 ψ tan θ: a tenth more at the side of a lens that sees 23° to each side,
+/// the head turned by 8°.
 struct SideView {
-  /// The ring may be so much larger, or smaller, all round than the size model says, px.
+  /// The ring may be so much larger all round, px.
   double slack_px = 0;
-  /// Of the kContourSectors directions from its centre those in which it lies in the image; at
-  /// least half of them, so that a corner of a ring is not taken for a ring.
+  /// Of the kContourSectors directions from its centre those in which it does not lie beyond either
+  /// side; at least half of them, so that a corner of a ring is not taken for a ring.
   int sectors = kContourSectors;
 };
 

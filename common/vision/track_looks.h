@@ -12,7 +12,7 @@ struct TrackLooks {
   double turning_px_s = 300;  ///< PuckContour::turning_px_s().
   double slide = 1;           ///< ContourFilter::slide().
   /// By how much its contour is larger than the size model says, less what brightness makes of it
-  /// and what it may be at the image's sides.
+  /// and what it may be larger by at the image's sides.
   double growth_px = 0;
   double quality = 0;    ///< From −1 to 1.
   double agreement = 0;  ///< From −1 to 1: quality, but that few events are no reason to doubt.
@@ -20,7 +20,7 @@ struct TrackLooks {
   /// From −1 to 1: quality, were what lies inside a print on the puck's face.
   double printed_quality = 0;
   double strength = 0;  ///< How many more events lie on the ring than clutter would put there.
-  double cover = 0;     ///< Share of the directions that the ring's events cover.
+  double cover = 0;     ///< RingEvidence::cover.
   /// On the ring, inside and around it, of late, but neither repeats nor noise.
   double near_events = 0;
   double inside_events = 0;  ///< Well inside the ring, of late, no noise, but repeats as well.

@@ -71,21 +71,26 @@ TEST_CASE("A sighting after a while tells of the speed, too, but of none that no
   CHECK(filter.speed_px_s() == doctest::Approx(12'000));
 }
 
-// Of a filter to which all events say that the contour is 3 px larger.
-double growth_with_slack_px(double slack_px) {
-  ContourFilter filter = at_origin();
-  filter.give_slack(slack_px);
+// Lets all events say to a filter that the contour is 3 px larger.
+void enlarge(ContourFilter& filter) {
   for (int i = 1; i <= 400; ++i) {
     filter.predict(i * 100, false);
     filter.correct(3 - filter.position().x - filter.growth_px(), 1, 0);
     filter.correct(3 + filter.position().x - filter.growth_px(), -1, 0);
   }
-  return filter.growth_px();
 }
 
-TEST_CASE("A size that has slack may be beyond its bounds by so much") {
-  CHECK(growth_with_slack_px(0) == doctest::Approx(0.8));
-  CHECK(growth_with_slack_px(1) == doctest::Approx(1.8));
+TEST_CASE(
+    "A contour that has slack may be larger than its bound by so much, for as long as it has") {
+  ContourFilter filter = at_origin();
+  enlarge(filter);
+  CHECK(filter.growth_px() == doctest::Approx(0.8));
+  filter = at_origin();
+  filter.give_slack(1);
+  enlarge(filter);
+  CHECK(filter.growth_px() == doctest::Approx(1.8));
+  filter.give_slack(0.5);
+  CHECK(filter.growth_px() == doctest::Approx(1.3));
 }
 
 TEST_CASE("Events outside on both sides make the puck larger, not elsewhere") {

@@ -311,13 +311,12 @@ TEST_CASE("What is larger than brightness makes a puck is doubtful") {
   CHECK(mallet.quality < 0.7);
 }
 
-// … that is larger by a pixel, and comes in at the image's right border, in a context where the
-// puck is known to have good contrast. `sees_it`: whether anything has been learned of the puck.
-TrackLooks looks_of_larger_at_border(ContourContext context, bool sees_it = true) {
-  if (sees_it) context.signature.learn({.quick_events = 400, .first_events = 100}, 1'000);
+// … that is larger by so much and comes in at the image's right border, in a context where the puck
+// is known to have good contrast.
+ContourTrack track_of_larger_at_border(double wider_px, ContourContext context) {
   PuckSizeModel larger = test::kSizeModel;
-  larger.width_0 += 2;
-  larger.height_0 += 2;
+  larger.width_0 += 2 * wider_px;
+  larger.height_0 += 2 * wider_px;
   const PuckContour contour(test::kSensor, larger, {0, 0, 0}, true);
   test::MovingContour puck(contour, {642, 180}, {-200, 600});
   ContourTrack track(context, {.position = {640, 180}, .velocity = {-200, 600}}, 0, 0);
@@ -327,28 +326,35 @@ TrackLooks looks_of_larger_at_border(ContourContext context, bool sees_it = true
     }
     track.decide(t + 1'000, false, context);
   }
-  return track.looks();
+  return track;
+}
+
+ContourContext clear_context() {
+  ContourContext context = test::contour_context();
+  context.signature.learn({.quick_events = 400, .first_events = 100}, 1'000);
+  return context;
 }
 
 TEST_CASE(
     "A puck that comes in at the image's side may be larger, and is seen as far as it is in") {
-  ContourContext context = test::contour_context();
-  const TrackLooks looks = looks_of_larger_at_border(context);
+  ContourContext context = clear_context();
+  const TrackLooks looks = track_of_larger_at_border(1, context).looks();
   CHECK_FALSE(looks.is_oversized());
   CHECK(looks.cover > 0.6);
   CHECK(looks.quality > 0.8);
 
-  TrackLooks strict;
-  SUBCASE("unless image-sides is off") {
-    context.ingredients.image_sides = false;
-    strict = looks_of_larger_at_border(context);
-  }
-  SUBCASE("unless it is not known to have good contrast") {
-    strict = looks_of_larger_at_border(context, false);
-  }
+  SUBCASE("unless image-sides is off") { context.ingredients.image_sides = false; }
+  SUBCASE("unless it is not known to have good contrast") { context.signature = {}; }
+  const TrackLooks strict = track_of_larger_at_border(1, context).looks();
   CHECK(strict.is_oversized());
   CHECK(strict.cover < 0.6);
   CHECK(strict.quality < looks.quality - 0.2);
+}
+
+TEST_CASE("What is larger than the image's side makes a puck is followed, but doubtful") {
+  const ContourTrack mallet = track_of_larger_at_border(2.5, clear_context());
+  CHECK(mallet.filter().growth_px() > 1.2);
+  CHECK(mallet.looks().is_oversized());
 }
 
 // What a sensor is late by.

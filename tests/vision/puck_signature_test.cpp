@@ -92,6 +92,24 @@ TEST_CASE("Whether a face is plain is told by the latest events") {
   CHECK_FALSE(signature.has_plain_face());
 }
 
+TEST_CASE("That the puck has contrast is remembered when its looks are forgotten, if confirmed") {
+  PuckSignature signature;
+  CHECK_FALSE(signature.remembers_contrast());
+  signature.learn(passing(300, 5, false), 1'000);
+  CHECK(signature.remembers_contrast());
+  signature.confirm(300'000);
+  PuckSignature hardly_confirmed = signature;
+  hardly_confirmed.forget();
+  CHECK_FALSE(hardly_confirmed.remembers_contrast());
+  signature.confirm(1'000);
+  signature.forget();
+  REQUIRE_FALSE(signature.had_contrast());
+  CHECK(signature.remembers_contrast());
+  // What is seen now counts more.
+  signature.learn(passing(300, 1, false), 1'000);
+  CHECK_FALSE(signature.remembers_contrast());
+}
+
 TEST_CASE("That a puck was not faint is remembered while it is slow, until it proves to be") {
   PuckSignature signature;
   CHECK_FALSE(signature.had_contrast());
