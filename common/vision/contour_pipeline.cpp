@@ -27,6 +27,8 @@ constexpr double kPoor = 0.6;
 // Steps in which the height of its wall, in widths, is followed, and is searched for.
 constexpr double kWallStep = 0.003;
 constexpr double kSearchedWallStep = 0.015;
+// A puck that was at a side of the image so lately may be so again, whatever is followed by then.
+constexpr std::int64_t kAsideFor_us = 300'000;
 // How far around the puck events may be its own.
 constexpr int kPuckMargin_px = 6;
 // How far the events of a puck may lie beyond where its centre is searched for.
@@ -138,6 +140,7 @@ void ContourPipeline::decide(std::int64_t time_us) {
   }
   plan_search(time_us);
   plan_events(time_us);
+  note_aside(time_us);
   decided_us_ = time_us;
 }
 
@@ -172,6 +175,17 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
     sought_wall_.learn(context_.contour.is_other_wall(main_->wall_share()), passed_us);
   }
   learn_wall_height(passed_us);
+}
+
+// While the puck is elsewhere, what is too large for one at the image's sides is none.
+void ContourPipeline::note_aside(std::int64_t time_us) {
+  const bool is_aside_now =
+      standing_.left_image()
+          ? is_aside(*standing_.left_image(), sensor_)
+          : main_ && trust_.is_surely_puck() && is_aside(main_->filter().position(), sensor_);
+  if (is_aside_now) aside_us_ = time_us;
+  context_.may_be_aside =
+      context_.ingredients.image_sides && aside_us_ >= 0 && time_us - aside_us_ < kAsideFor_us;
 }
 
 // What was learned of the puck may be of something else.

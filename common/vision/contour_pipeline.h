@@ -69,6 +69,7 @@ class ContourPipeline final : public TrackingPipeline {
   bool shows_wall() const;
   bool shows_plain_face() const;
   void forget_looks();
+  void note_aside(std::int64_t time_us);
   void learn_wall_height(std::int64_t passed_us);
   ClaimContext claim_context() const;
   bool head_turns() const;
@@ -111,6 +112,7 @@ class ContourPipeline final : public TrackingPipeline {
   NoiseFloor noise_floor_;
 
   std::int64_t now_us_ = 0;
+  std::int64_t aside_us_ = -1;  // when the puck was last at a side of the image or beyond
   std::int64_t decided_us_ = 0;
   Region events_needed_;
   Region near_;          // what the tracks take of it

@@ -83,7 +83,7 @@ void ContourTrack::follow_contour(const ContourContext& context) {
   }
   if (filter_.speed_px_s() > turning_px_s_) has_moved_ = true;
   // What a faint puck is taken for, as it is, needs no more room.
-  side_view_ = context.ingredients.image_sides && context.signature.remembers_contrast()
+  side_view_ = context.may_be_aside && context.signature.remembers_contrast()
                    ? side_view_of(ring_, ring_made_at_, context.contour.sensor())
                    : SideView{};
   filter_.give_slack(side_view_.slack_px);

@@ -38,6 +38,8 @@ struct ContourContext {
   bool is_first = false;
   /// NoiseFloor's.
   double noise_per_pixel_us = 0;
+  /// The puck is, or was of late, at a side of the image, or has left it.
+  bool may_be_aside = false;
 };
 
 /// One belief about where the puck is: a filter that events correct, and what the events of the

@@ -15,6 +15,11 @@ constexpr double kSidesFrom = 0.65;
 constexpr double kSidesTo = 0.8;
 constexpr double kMostSlack = 0.08;
 
+double aside(Pixel place, SensorSize sensor) {
+  const double half_image = (sensor.width - 1) / 2.0;
+  return std::abs(place.x - half_image) / std::max(half_image, 1.0);
+}
+
 // Of the middle of each direction, an ellipse's axes being 1.
 struct Direction {
   double x = 0;
@@ -52,11 +57,12 @@ int sectors_between(const ContourRing& ring, double centre_x, double left, doubl
 
 }  // namespace
 
+bool is_aside(Pixel place, SensorSize sensor) { return aside(place, sensor) > kSidesFrom; }
+
 SideView side_view_of(const ContourRing& ring, Pixel centre, SensorSize sensor) {
   const double right = sensor.width - 1;
-  const double half_image = std::max(right / 2, 1.0);
-  const double aside = std::abs(centre.x - right / 2) / half_image;
-  const double share = std::clamp((aside - kSidesFrom) / (kSidesTo - kSidesFrom), 0.0, 1.0);
+  const double share =
+      std::clamp((aside(centre, sensor) - kSidesFrom) / (kSidesTo - kSidesFrom), 0.0, 1.0);
   return {share * kMostSlack * ring.drawn_out_semi_x(), sectors_between(ring, centre.x, 0, right)};
 }
 

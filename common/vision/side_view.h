@@ -20,6 +20,9 @@ struct SideView {
   int sectors = kContourSectors;
 };
 
+/// Whether a place is at one of the sides.
+bool is_aside(Pixel place, SensorSize sensor);
+
 /// Of the ring of a puck at `centre`.
 SideView side_view_of(const ContourRing& ring, Pixel centre, SensorSize sensor);
 

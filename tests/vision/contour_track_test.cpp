@@ -312,7 +312,7 @@ TEST_CASE("What is larger than brightness makes a puck is doubtful") {
 }
 
 // … that is larger by so much and comes in at the image's right border, in a context where the puck
-// is known to have good contrast.
+// is known to have good contrast, and to have left there.
 ContourTrack track_of_larger_at_border(double wider_px, ContourContext context) {
   PuckSizeModel larger = test::kSizeModel;
   larger.width_0 += 2 * wider_px;
@@ -332,6 +332,7 @@ ContourTrack track_of_larger_at_border(double wider_px, ContourContext context) 
 ContourContext clear_context() {
   ContourContext context = test::contour_context();
   context.signature.learn({.quick_events = 400, .first_events = 100}, 1'000);
+  context.may_be_aside = true;
   return context;
 }
 
@@ -343,7 +344,7 @@ TEST_CASE(
   CHECK(looks.cover > 0.6);
   CHECK(looks.quality > 0.8);
 
-  SUBCASE("unless image-sides is off") { context.ingredients.image_sides = false; }
+  SUBCASE("unless the puck has been elsewhere") { context.may_be_aside = false; }
   SUBCASE("unless it is not known to have good contrast") { context.signature = {}; }
   const TrackLooks strict = track_of_larger_at_border(1, context).looks();
   CHECK(strict.is_oversized());

@@ -27,6 +27,13 @@ TEST_CASE("both sides of the image are alike, and larger pucks have more slack")
         doctest::Approx(2 * view_at(620, 240).slack_px));
 }
 
+TEST_CASE("a place is aside where pucks may be larger, and beyond the image") {
+  CHECK_FALSE(is_aside({320, 0}, test::kSensor));
+  CHECK_FALSE(is_aside({526, 240}, test::kSensor));
+  CHECK(is_aside({528, 240}, test::kSensor));
+  CHECK(is_aside({-15, 240}, test::kSensor));
+}
+
 TEST_CASE("a ring that lies beyond a side of the image is seen in the other directions") {
   CHECK(view_at(320, 240).sectors == kContourSectors);
   CHECK(view_at(623, 240).sectors == kContourSectors);
