@@ -27,8 +27,6 @@ constexpr double kPoor = 0.6;
 // Steps in which the height of its wall, in widths, is followed, and is searched for.
 constexpr double kWallStep = 0.003;
 constexpr double kSearchedWallStep = 0.015;
-// A puck that was at a side of the image so lately may be so again, whatever is followed by then.
-constexpr std::int64_t kAsideFor_us = 300'000;
 // How far around the puck events may be its own.
 constexpr int kPuckMargin_px = 6;
 // How far the events of a puck may lie beyond where its centre is searched for.
@@ -52,6 +50,7 @@ ContourPipeline::ContourPipeline(SensorSize sensor, const ContourPipelineParams&
       seen_score_(sensor),
       background_(sensor),
       noise_floor_(sensor),
+      side_watch_(sensor),
       events_needed_(Region::all_of(sensor)),
       near_(events_needed_),
       measures_noise_(params.ingredients.noise_floor) {
@@ -140,7 +139,7 @@ void ContourPipeline::decide(std::int64_t time_us) {
   }
   plan_search(time_us);
   plan_events(time_us);
-  note_aside(time_us);
+  watch_sides(time_us);
   decided_us_ = time_us;
 }
 
@@ -177,15 +176,12 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
   learn_wall_height(passed_us);
 }
 
-// While the puck is elsewhere, what is too large for one at the image's sides is none.
-void ContourPipeline::note_aside(std::int64_t time_us) {
-  const bool is_aside_now =
-      standing_.left_image()
-          ? is_aside(*standing_.left_image(), sensor_)
-          : main_ && trust_.is_surely_puck() && is_aside(main_->filter().position(), sensor_);
-  if (is_aside_now) aside_us_ = time_us;
-  context_.may_be_aside =
-      context_.ingredients.image_sides && aside_us_ >= 0 && time_us - aside_us_ < kAsideFor_us;
+void ContourPipeline::watch_sides(std::int64_t time_us) {
+  if (!context_.ingredients.image_sides) return;
+  std::optional<Pixel> puck = standing_.left_image();
+  if (!puck && main_ && trust_.is_surely_puck()) puck = main_->filter().position();
+  side_watch_.note(puck, time_us);
+  context_.may_be_aside = side_watch_.may_be_aside(time_us);
 }
 
 // What was learned of the puck may be of something else.

@@ -18,6 +18,7 @@
 #include "common/vision/search_plan.h"
 #include "common/vision/seen_score.h"
 #include "common/vision/settling.h"
+#include "common/vision/side_view.h"
 #include "common/vision/sighting_trails.h"
 #include "common/vision/sought_wall.h"
 #include "common/vision/track_standing.h"
@@ -69,7 +70,7 @@ class ContourPipeline final : public TrackingPipeline {
   bool shows_wall() const;
   bool shows_plain_face() const;
   void forget_looks();
-  void note_aside(std::int64_t time_us);
+  void watch_sides(std::int64_t time_us);
   void learn_wall_height(std::int64_t passed_us);
   ClaimContext claim_context() const;
   bool head_turns() const;
@@ -110,9 +111,9 @@ class ContourPipeline final : public TrackingPipeline {
   SearchResult found_;
   Background background_;
   NoiseFloor noise_floor_;
+  SideWatch side_watch_;
 
   std::int64_t now_us_ = 0;
-  std::int64_t aside_us_ = -1;  // when the puck was last at a side of the image or beyond
   std::int64_t decided_us_ = 0;
   Region events_needed_;
   Region near_;          // what the tracks take of it

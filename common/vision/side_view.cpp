@@ -57,13 +57,16 @@ int sectors_between(const ContourRing& ring, double centre_x, double left, doubl
 
 }  // namespace
 
-bool is_aside(Pixel place, SensorSize sensor) { return aside(place, sensor) > kSidesFrom; }
-
 SideView side_view_of(const ContourRing& ring, Pixel centre, SensorSize sensor) {
   const double right = sensor.width - 1;
   const double share =
       std::clamp((aside(centre, sensor) - kSidesFrom) / (kSidesTo - kSidesFrom), 0.0, 1.0);
   return {share * kMostSlack * ring.drawn_out_semi_x(), sectors_between(ring, centre.x, 0, right)};
+}
+
+void SideWatch::note(const std::optional<Pixel>& puck, std::int64_t time_us) {
+  constexpr std::int64_t kMemory_us = 300'000;
+  if (puck && aside(*puck, sensor_) > kSidesFrom) until_us_ = time_us + kMemory_us;
 }
 
 }  // namespace puck

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "common/events/sensor_size.h"
 #include "common/vision/pixel.h"
 #include "common/vision/puck_contour.h"
@@ -20,10 +23,26 @@ struct SideView {
   int sectors = kContourSectors;
 };
 
-/// Whether a place is at one of the sides.
-bool is_aside(Pixel place, SensorSize sensor);
-
 /// Of the ring of a puck at `centre`.
 SideView side_view_of(const ContourRing& ring, Pixel centre, SensorSize sensor);
+
+/// Remembers whether the puck was at a side of the image: while it is elsewhere, what is too large
+/// for a puck there is none.
+class SideWatch {
+ public:
+  explicit SideWatch(SensorSize sensor) : sensor_(sensor) {}
+
+  /// To be called at each decision. `puck`: where it is beyond doubt, or has left the image; none
+  /// while that is not known.
+  void note(const std::optional<Pixel>& puck, std::int64_t time_us);
+
+  /// The puck is, or was within the last 0.3 s, at a side, or has left there: it may be there
+  /// again, whatever is followed by then.
+  bool may_be_aside(std::int64_t time_us) const { return time_us < until_us_; }
+
+ private:
+  SensorSize sensor_;
+  std::int64_t until_us_ = 0;
+};
 
 }  // namespace puck

@@ -27,13 +27,6 @@ TEST_CASE("both sides of the image are alike, and larger pucks have more slack")
         doctest::Approx(2 * view_at(620, 240).slack_px));
 }
 
-TEST_CASE("a place is aside where pucks may be larger, and beyond the image") {
-  CHECK_FALSE(is_aside({320, 0}, test::kSensor));
-  CHECK_FALSE(is_aside({526, 240}, test::kSensor));
-  CHECK(is_aside({528, 240}, test::kSensor));
-  CHECK(is_aside({-15, 240}, test::kSensor));
-}
-
 TEST_CASE("a ring that lies beyond a side of the image is seen in the other directions") {
   CHECK(view_at(320, 240).sectors == kContourSectors);
   CHECK(view_at(623, 240).sectors == kContourSectors);
@@ -53,6 +46,28 @@ TEST_CASE("a sheared ring reaches farther to the side") {
 TEST_CASE("a corner of a ring is not taken for one") {
   CHECK(view_at(650, 240).sectors == kContourSectors / 2);
   CHECK(view_at(700, 240).sectors == kContourSectors / 2);
+}
+
+TEST_CASE("a puck that was at a side may be there for 0.3 s more") {
+  SideWatch watch(test::kSensor);
+  CHECK_FALSE(watch.may_be_aside(0));
+  watch.note(Pixel{526, 240}, 1'000);
+  CHECK_FALSE(watch.may_be_aside(1'000));
+  watch.note(Pixel{530, 240}, 2'000);
+  CHECK(watch.may_be_aside(2'000));
+  // Where it is by now is not known, or is in the middle.
+  watch.note(std::nullopt, 3'000);
+  watch.note(Pixel{320, 240}, 200'000);
+  CHECK(watch.may_be_aside(301'000));
+  CHECK_FALSE(watch.may_be_aside(302'000));
+}
+
+TEST_CASE("a puck that has left the image to a side is awaited there for as long as it is away") {
+  SideWatch watch(test::kSensor);
+  for (std::int64_t us = 0; us < 2'000'000; us += 1'000) watch.note(Pixel{0, 100}, us);
+  CHECK(watch.may_be_aside(2'000'000));
+  watch.note(Pixel{639, 100}, 3'000'000);
+  CHECK(watch.may_be_aside(3'000'000));
 }
 
 TEST_CASE("an image of a single column has no sides that matter") {
