@@ -117,8 +117,7 @@ void ContourFilter::apply(const State& ph, double per_innovation, double innovat
 }
 
 void ContourFilter::keep_in_bounds() {
-  state_[4] =
-      std::clamp(state_[4], params_.smallest_growth_px, params_.largest_growth_px + slack_px_);
+  state_[4] = std::clamp(state_[4], params_.smallest_growth_px, largest_growth_px());
   // A square root only where there is something to bound: this is done for every event.
   const double squared_speed = state_[2] * state_[2] + state_[3] * state_[3];
   if (squared_speed > params_.max_speed_px_s * params_.max_speed_px_s) {

@@ -55,6 +55,11 @@ class ContourFilter {
   /// Variance of the velocity along a normal, px²/s².
   double speed_variance(double normal_x, double normal_y) const;
 
+  /// The contour may be larger than the parameters say by so much, px, from now on.
+  void give_slack(double px);
+  double slack_px() const { return slack_px_; }
+  double largest_growth_px() const { return params_.largest_growth_px + slack_px_; }
+
   /// Takes an event that lies `distance_px` outside the predicted contour. The filter must have
   /// been predicted to the event's time.
   void correct(double distance_px, double normal_x, double normal_y);
@@ -65,9 +70,6 @@ class ContourFilter {
 
   /// Takes its velocity, and keeps the uncertainty below these bounds.
   void park(double sigma_px, double sigma_px_s);
-
-  /// The contour may be larger than `largest_growth_px` by so much, px, from now on.
-  void give_slack(double px);
 
   /// Takes it to a place with a velocity, and keeps the uncertainty below these bounds.
   void carry(Pixel position, PixelVelocity velocity, double sigma_px, double sigma_px_s);

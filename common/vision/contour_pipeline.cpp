@@ -177,7 +177,6 @@ void ContourPipeline::judge_main(std::int64_t time_us) {
 }
 
 void ContourPipeline::watch_sides(std::int64_t time_us) {
-  if (!context_.ingredients.image_sides) return;
   std::optional<Pixel> puck = standing_.left_image();
   if (!puck && main_ && trust_.is_surely_puck()) puck = main_->filter().position();
   side_watch_.note(puck, time_us);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/vision/noise_floor.h"
+#include "common/vision/side_view.h"
 
 namespace puck {
 namespace {
@@ -82,12 +83,13 @@ void ContourTrack::follow_contour(const ContourContext& context) {
     areas_ = RingEvidence::areas_of(ring_);
   }
   if (filter_.speed_px_s() > turning_px_s_) has_moved_ = true;
-  // What a faint puck is taken for, as it is, needs no more room.
-  side_view_ = context.may_be_aside && context.signature.remembers_contrast()
-                   ? side_view_of(ring_, ring_made_at_, context.contour.sensor())
-                   : SideView{};
-  filter_.give_slack(side_view_.slack_px);
-  areas_.sectors = side_view_.sectors;
+  // With a faint puck clutter would pass for one that is larger.
+  const bool counts = context.ingredients.image_sides && context.may_be_aside &&
+                      context.signature.remembers_contrast();
+  const SideView view =
+      counts ? side_view_of(ring_, ring_made_at_, context.contour.sensor()) : SideView{};
+  filter_.give_slack(view.slack_px);
+  areas_.sectors = view.sectors;
   areas_.may_have_print = context.ingredients.face_print && has_moved_ && !context.is_plain;
 }
 
@@ -253,14 +255,13 @@ double ContourTrack::bloom_px(const ContourContext& context) const {
   const double most_px =
       kBloom_px * purity_of(own_contrast()) * std::clamp(strength_ / kBloomStrength - 1, 0.0, 1.0);
   const double growth_px = filter_.growth_px();
-  const double follows =
-      (context.filter.largest_growth_px + side_view_.slack_px - growth_px) / kLeastFollowed_px;
+  const double follows = (filter_.largest_growth_px() - growth_px) / kLeastFollowed_px;
   return std::clamp(growth_px, 0.0, most_px * std::clamp(follows, 0.0, 1.0));
 }
 
 double ContourTrack::unexplained_growth_px() const {
   const double growth_px = filter_.growth_px() - bloom_px_;
-  return growth_px - std::clamp(growth_px, 0.0, side_view_.slack_px);
+  return growth_px - std::clamp(growth_px, 0.0, filter_.slack_px());
 }
 
 TrackLooks ContourTrack::looks() const {

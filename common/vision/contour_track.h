@@ -8,7 +8,6 @@
 #include "common/vision/puck_signature.h"
 #include "common/vision/recent_pixels.h"
 #include "common/vision/ring_evidence.h"
-#include "common/vision/side_view.h"
 #include "common/vision/track_looks.h"
 #include "common/vision/wall_edge.h"
 
@@ -38,7 +37,7 @@ struct ContourContext {
   bool is_first = false;
   /// NoiseFloor's.
   double noise_per_pixel_us = 0;
-  /// The puck is, or was of late, at a side of the image, or has left it.
+  /// SideWatch's.
   bool may_be_aside = false;
 };
 
@@ -113,7 +112,6 @@ class ContourTrack {
   bool has_moved_ = false;
   ContourRing ring_;
   Pixel ring_made_at_;
-  SideView side_view_;
   RingAreas areas_;
   WallEdge wall_edge_;
   RingEvidence evidence_;

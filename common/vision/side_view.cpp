@@ -41,17 +41,17 @@ constexpr std::array<Direction, kContourSectors> kDirections{{{kNear, kFar},
                                                               {-kEven, -kEven},
                                                               {-kFar, -kNear}}};
 
-int sectors_between(const ContourRing& ring, double centre_x, double left, double right) {
-  if (centre_x - ring.half_width() >= left && centre_x + ring.half_width() <= right) {
+int sectors_in_image(const ContourRing& ring, double centre_x, double right) {
+  if (centre_x - ring.half_width() >= 0 && centre_x + ring.half_width() <= right) {
     return kContourSectors;
   }
-  const auto is_between = [&](const Direction& direction) {
+  const auto is_in_image = [&](const Direction& direction) {
     const double x =
         centre_x + ring.semi_x * direction.x + ring.shear * ring.face_semi_y() * direction.y;
-    return x >= left && x <= right;
+    return x >= 0 && x <= right;
   };
   return std::max(
-      static_cast<int>(std::count_if(kDirections.begin(), kDirections.end(), is_between)),
+      static_cast<int>(std::count_if(kDirections.begin(), kDirections.end(), is_in_image)),
       kContourSectors / 2);
 }
 
@@ -61,7 +61,7 @@ SideView side_view_of(const ContourRing& ring, Pixel centre, SensorSize sensor) 
   const double right = sensor.width - 1;
   const double share =
       std::clamp((aside(centre, sensor) - kSidesFrom) / (kSidesTo - kSidesFrom), 0.0, 1.0);
-  return {share * kMostSlack * ring.drawn_out_semi_x(), sectors_between(ring, centre.x, 0, right)};
+  return {share * kMostSlack * ring.drawn_out_semi_x(), sectors_in_image(ring, centre.x, right)};
 }
 
 void SideWatch::note(const std::optional<Pixel>& puck, std::int64_t time_us) {

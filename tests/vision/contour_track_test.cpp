@@ -232,13 +232,18 @@ TEST_CASE("Many events in one direction are worth less, unless sector-saturation
   CHECK(worth_of_last() == 1);
 }
 
-// A track of something round that is larger than the puck by so much, and darker than the table or
-// brighter.
-ContourTrack track_of_larger(double wider_px, ContourContext context, bool is_bright = false) {
+// Of something round that is larger than the puck by so much.
+PuckContour larger_contour(double wider_px) {
   PuckSizeModel larger = test::kSizeModel;
   larger.width_0 += 2 * wider_px;
   larger.height_0 += 2 * wider_px;
-  const PuckContour contour(test::kSensor, larger, {0, 0, 0}, true);
+  return {test::kSensor, larger, {0, 0, 0}, true};
+}
+
+// A track of something round that is larger than the puck by so much, and darker than the table or
+// brighter.
+ContourTrack track_of_larger(double wider_px, ContourContext context, bool is_bright = false) {
+  const PuckContour contour = larger_contour(wider_px);
   test::MovingContour mallet(contour, {250, 180}, {700, 300});
   context.filter.follows_size = context.ingredients.size_state;
   ContourTrack track(context, {.position = {250, 180}, .velocity = {700, 300}}, 0, 0);
@@ -313,11 +318,8 @@ TEST_CASE("What is larger than brightness makes a puck is doubtful") {
 
 // … that is larger by so much and comes in at the image's right border, in a context where the puck
 // is known to have good contrast, and to have left there.
-ContourTrack track_of_larger_at_border(double wider_px, ContourContext context) {
-  PuckSizeModel larger = test::kSizeModel;
-  larger.width_0 += 2 * wider_px;
-  larger.height_0 += 2 * wider_px;
-  const PuckContour contour(test::kSensor, larger, {0, 0, 0}, true);
+ContourTrack track_of_larger_at_border(double wider_px, const ContourContext& context) {
+  const PuckContour contour = larger_contour(wider_px);
   test::MovingContour puck(contour, {642, 180}, {-200, 600});
   ContourTrack track(context, {.position = {640, 180}, .velocity = {-200, 600}}, 0, 0);
   for (std::int64_t t = 0; t < 20'000; t += 1'000) {
@@ -344,6 +346,7 @@ TEST_CASE(
   CHECK(looks.cover > 0.6);
   CHECK(looks.quality > 0.8);
 
+  SUBCASE("unless image-sides is off") { context.ingredients.image_sides = false; }
   SUBCASE("unless the puck has been elsewhere") { context.may_be_aside = false; }
   SUBCASE("unless it is not known to have good contrast") { context.signature = {}; }
   const TrackLooks strict = track_of_larger_at_border(1, context).looks();
