@@ -20,6 +20,7 @@ struct ContourIngredients {
   /// … but at the image's sides a puck of good contrast may be larger, and cut off.
   bool image_sides = true;
   bool bloom = true;              ///< … but a bright puck looks larger than it is.
+  bool smear = true;              ///< … and a fast one may look smaller.
   bool purity = true;             ///< Signs that do not suit a disc of one tone make it doubtful.
   bool sector_saturation = true;  ///< Events in one direction count less and less.
   bool twins = true;              ///< A twin at rest is there to take over at a bounce.
@@ -35,7 +36,10 @@ struct ContourIngredients {
   bool search = true;       ///< A doubtful track is challenged by the correlation near it.
   bool wide_search = true;  ///< … and, unless it is beyond doubt, everywhere.
   bool anywhere = true;     ///< … again and again where it is not known at all where the puck is.
-  bool afresh = true;       ///< What is found where a poor track is challenges it, too.
+  /// A track that has left the image has nothing left that speaks for it, so that the puck is
+  /// looked for at once; and what is farther off than it may have come back to is less believed.
+  bool way_back = true;
+  bool afresh = true;        ///< What is found where a poor track is challenges it, too.
   bool fresh_search = true;  ///< The search sees what has made events of late only.
   bool stopping = true;      ///< A puck that falls silent is taken to have stopped.
   bool settling = true;      ///< A puck whose events fade comes to rest where it was last clear.
@@ -78,7 +82,7 @@ struct ContourIngredient {
 };
 
 /// Their names, for the ablation.
-inline constexpr std::array<ContourIngredient, 43> kContourIngredients{{
+inline constexpr std::array<ContourIngredient, 45> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},
     {"size-state", &ContourIngredients::size_state},
@@ -88,6 +92,7 @@ inline constexpr std::array<ContourIngredient, 43> kContourIngredients{{
     {"size-penalty", &ContourIngredients::size_penalty},
     {"image-sides", &ContourIngredients::image_sides},
     {"bloom", &ContourIngredients::bloom},
+    {"smear", &ContourIngredients::smear},
     {"purity", &ContourIngredients::purity},
     {"sector-saturation", &ContourIngredients::sector_saturation},
     {"twins", &ContourIngredients::twins},
@@ -101,6 +106,7 @@ inline constexpr std::array<ContourIngredient, 43> kContourIngredients{{
     {"search", &ContourIngredients::search},
     {"wide-search", &ContourIngredients::wide_search},
     {"anywhere", &ContourIngredients::anywhere},
+    {"way-back", &ContourIngredients::way_back},
     {"afresh", &ContourIngredients::afresh},
     {"fresh-search", &ContourIngredients::fresh_search},
     {"stopping", &ContourIngredients::stopping},

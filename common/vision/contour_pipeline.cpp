@@ -112,7 +112,7 @@ void ContourPipeline::decide(std::int64_t time_us) {
     if (!head_turns() && settling_.settle(*main_, context_, trust_.was_covered(), time_us)) {
       witness_.put(main_->filter().position(), time_us);
     }
-    stop_beyond_image(*main_, context_, sensor_, now_us_);
+    watch_exit(time_us);
     return_if_left_behind(time_us);
     if (held_rest_.is_held() || scene_rest_.is_held()) {
       witness_.put(main_->filter().position(), time_us);
@@ -191,6 +191,21 @@ void ContourPipeline::forget_looks() {
   context_.contour.forget_other_wall_share();
 }
 
+// What spoke for it in the image must not keep it from being looked for where it comes back.
+void ContourPipeline::watch_exit(std::int64_t time_us) {
+  if (trust_.is_surely_puck() && standing_.state() == TrackState::kTracking &&
+      !standing_.left_image()) {
+    way_back_.forget();
+  }
+  const double speed_px_s = main_->looks().speed_px_s;
+  if (!stop_beyond_image(*main_, context_, sensor_, now_us_)) return;
+  if (!context_.ingredients.way_back) return;
+  main_->forget_evidence();
+  if (trust_.is_surely_puck() && !way_back_.reach(time_us)) {
+    way_back_.note_left(main_->filter().position(), speed_px_s, time_us);
+  }
+}
+
 // Where the annotations show the wall, or it was calibrated, its height is known.
 void ContourPipeline::learn_wall_height(std::int64_t passed_us) {
   PuckContour& contour = context_.contour;
@@ -254,6 +269,7 @@ void ContourPipeline::challenge_main(std::int64_t time_us) {
                         .is_witnessed = witness_.vouches(looks.position, context_),
                         .may_be_faint = rest_may_be_wrong(),
                         .had_contrast = context_.signature.had_contrast(),
+                        .way_back = way_back_.reach(time_us),
                         .score = seen_score_.value(),
                         .since_good_us = trust_.since_good_us(time_us),
                         .since_sound_us = trust_.since_sound_us(time_us)};

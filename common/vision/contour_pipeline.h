@@ -26,6 +26,7 @@
 #include "common/vision/tracking_pipeline.h"
 #include "common/vision/twins.h"
 #include "common/vision/wall_height.h"
+#include "common/vision/way_back.h"
 #include "common/vision/witness_check.h"
 
 namespace puck {
@@ -71,6 +72,7 @@ class ContourPipeline final : public TrackingPipeline {
   bool shows_plain_face() const;
   void forget_looks();
   void watch_sides(std::int64_t time_us);
+  void watch_exit(std::int64_t time_us);
   void learn_wall_height(std::int64_t passed_us);
   ClaimContext claim_context() const;
   bool head_turns() const;
@@ -112,6 +114,7 @@ class ContourPipeline final : public TrackingPipeline {
   Background background_;
   NoiseFloor noise_floor_;
   SideWatch side_watch_;
+  WayBack way_back_;
 
   std::int64_t now_us_ = 0;
   std::int64_t decided_us_ = 0;

@@ -29,6 +29,9 @@ constexpr double kStrangerTooLargeFactor = 0.4;
 // strength, all at twice that.
 constexpr double kBloom_px = 0.5;
 constexpr double kBloomStrength = 30;
+// Of what is faster than this, a share of the last events lies so long on its way behind its edges.
+constexpr double kSmearFrom_px_s = 1'000;
+constexpr double kSmear_s = 1.5e-4;
 // A contour that is larger by all that the filter can follow may be larger by anything; so may one
 // that is nearly as large.
 constexpr double kLeastFollowed_px = 0.1;
@@ -216,6 +219,7 @@ void ContourTrack::decide(std::int64_t time_us, bool blind, const ContourContext
   near_noise_ = noise_per_px2 * ring_.reach_area(RingEvidence::kReach_px + growth_px);
   strength_ = evidence_.strength(areas_);
   bloom_px_ = bloom_px(context);
+  smear_px_ = smear_px(context);
   const double penalty = shape_penalty(context);
   quality_ = penalty * evidence_.quality(areas_);
   clarity_ = penalty * evidence_.quality(areas_, noise_per_px2);
@@ -259,9 +263,16 @@ double ContourTrack::bloom_px(const ContourContext& context) const {
   return std::clamp(growth_px, 0.0, most_px * std::clamp(follows, 0.0, 1.0));
 }
 
+// The last events of an edge come when it has moved on, so that they lie inside what is fast, and
+// the more so until the filter knows how fast.
+double ContourTrack::smear_px(const ContourContext& context) const {
+  if (!context.ingredients.smear) return 0;
+  return kSmear_s * std::max(filter_.speed_px_s() - kSmearFrom_px_s, 0.0);
+}
+
 double ContourTrack::unexplained_growth_px() const {
   const double growth_px = filter_.growth_px() - bloom_px_;
-  return growth_px - std::clamp(growth_px, 0.0, filter_.slack_px());
+  return growth_px - std::clamp(growth_px, -smear_px_, filter_.slack_px());
 }
 
 TrackLooks ContourTrack::looks() const {
@@ -303,7 +314,10 @@ void ContourTrack::stop_at(Pixel position, std::int64_t time_us, const ContourCo
   filter_.restart(start);
   follow_contour(context);
   // Of a puck of good contrast what little goes on around it keeps it from being taken to rest.
-  if (!context.signature.is_faint()) return;
+  if (context.signature.is_faint()) forget_evidence();
+}
+
+void ContourTrack::forget_evidence() {
   evidence_ = {};
   quality_ = clarity_ = printed_quality_ = shape_quality_ = strength_ = 0;
 }

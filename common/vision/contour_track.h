@@ -72,6 +72,9 @@ class ContourTrack {
   /// before, and does not count any more.
   void stop_at(Pixel position, std::int64_t time_us, const ContourContext& context);
 
+  /// Nothing speaks for this track any more, until new events do.
+  void forget_evidence();
+
   const ContourFilter& filter() const { return filter_; }
   /// PuckContour::ring_at's, as this track believes it.
   double wall_share() const { return wall_share_; }
@@ -96,7 +99,9 @@ class ContourTrack {
   void follow_contour(const ContourContext& context);
   double swept_px2_per_s() const;
   double bloom_px(const ContourContext& context) const;
-  // By how much it is larger than brightness and its place in the image explain.
+  double smear_px(const ContourContext& context) const;
+  // By how much it is larger or smaller than brightness, its place in the image and its speed
+  // explain.
   double unexplained_growth_px() const;
   double shape_penalty(const ContourContext& context) const;
   double purity(const ContourContext& context) const;
@@ -122,6 +127,7 @@ class ContourTrack {
   double shape_quality_ = 0;
   double strength_ = 0;
   double bloom_px_ = 0;  // by how much it looks larger than it is
+  double smear_px_ = 0;  // by how much it may look smaller
   // Events that the sensor makes by itself in the memory of the evidence.
   double ring_noise_ = 0;
   double inside_noise_ = 0;

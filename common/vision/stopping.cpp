@@ -24,12 +24,14 @@ void stop_if_silent(ContourTrack& track, const ContourContext& context, std::int
   }
 }
 
-void stop_beyond_image(ContourTrack& track, const ContourContext& context, SensorSize sensor,
+bool stop_beyond_image(ContourTrack& track, const ContourContext& context, SensorSize sensor,
                        std::int64_t time_us) {
   const Pixel position = track.filter().position();
   const Pixel inside{std::clamp(position.x, -kBeyondImage_px, sensor.width - 1 + kBeyondImage_px),
                      std::clamp(position.y, -kBeyondImage_px, sensor.height - 1 + kBeyondImage_px)};
-  if (!(inside == position)) track.stop_at(inside, time_us, context);
+  if (inside == position) return false;
+  track.stop_at(inside, time_us, context);
+  return true;
 }
 
 }  // namespace puck

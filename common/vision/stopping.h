@@ -9,8 +9,8 @@ namespace puck {
 /// has happened around it, it has stopped where it was. Switched by ContourIngredients::stopping.
 void stop_if_silent(ContourTrack& track, const ContourContext& context, std::int64_t time_us);
 
-/// A track cannot be followed far beyond the image: stops it 15 px outside.
-void stop_beyond_image(ContourTrack& track, const ContourContext& context, SensorSize sensor,
+/// A track cannot be followed far beyond the image: stops it 15 px outside, and says so.
+bool stop_beyond_image(ContourTrack& track, const ContourContext& context, SensorSize sensor,
                        std::int64_t time_us);
 
 }  // namespace puck

@@ -19,6 +19,8 @@ constexpr std::int64_t kDesertedFor_us = 2'000;
 constexpr double kSlow_px_s = 100;
 // With fewer events nothing is seen clearly enough to be compared.
 constexpr double kLeastStrength = 40;
+// So many events a mallet has only while it is as fast as a puck.
+constexpr double kUnmistakable = 300;
 // A hand that only passes over the puck is gone sooner.
 constexpr std::int64_t kTakenAway_us = 200'000;
 // A puck that was sound so lately is still beneath what came over it, or beside it.
@@ -231,6 +233,14 @@ bool is_premature(const Claim& claim, const Defence& main) {
          claim.found.score <= kPossibleScore && !is_clear_at_once(claim);
 }
 
+bool is_out_of_reach(const Claim& claim, const Defence& main) {
+  const TrackLooks& looks = claim.looks;
+  const bool was_hit =
+      looks.moves_as_pucks_do() && looks.is_whole_ring() && looks.strength > kUnmistakable;
+  return main.way_back && !main.way_back->contains(looks.position) && !is_evident(claim) &&
+         !was_hit;
+}
+
 bool is_followed(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
   const SightingTrail& trail = claim.found.trail;
@@ -242,7 +252,7 @@ bool is_followed(const Claim& claim, const Defence& main) {
 }
 
 bool is_convincing(const Claim& claim, const Defence& main) {
-  if (is_premature(claim, main)) return false;
+  if (is_premature(claim, main) || is_out_of_reach(claim, main)) return false;
   if (claim.found.is_conjecture && !moves_by_itself(claim) &&
       main.since_sound_us <= kUnsoundFor_us) {
     return false;

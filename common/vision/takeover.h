@@ -6,6 +6,7 @@
 #include "common/vision/challenger.h"
 #include "common/vision/claim.h"
 #include "common/vision/track_looks.h"
+#include "common/vision/way_back.h"
 
 /// The rules by which a challenger takes the main track's place: functions of numbers.
 namespace puck {
@@ -24,20 +25,21 @@ inline constexpr std::int64_t kFirstConvincedAfter_us = 3'000;
 /// What speaks for the main track.
 struct Defence {
   TrackLooks looks;
-  bool is_trusted = false;          ///< TrackTrust's.
-  bool is_proven = false;           ///< TrackTrust's.
-  bool may_be_overtaken = false;    ///< Ingredient `overtaking`.
-  bool knows_pucks = false;         ///< Ingredient `recognition`.
-  bool is_resting = false;          ///< TrackStanding's.
-  bool lies_in_scene = false;       ///< SceneRest's.
-  bool is_lost = false;             ///< TrackStanding's.
-  bool was_covered = false;         ///< TrackTrust's.
-  bool is_witnessed = false;        ///< WitnessCheck vouches for it.
-  bool may_be_faint = false;        ///< PuckSignature's.
-  bool had_contrast = false;        ///< PuckSignature's.
-  double score = 0;                 ///< SeenScore's.
-  std::int64_t since_good_us = 0;   ///< TrackTrust's.
-  std::int64_t since_sound_us = 0;  ///< TrackTrust's.
+  bool is_trusted = false;                 ///< TrackTrust's.
+  bool is_proven = false;                  ///< TrackTrust's.
+  bool may_be_overtaken = false;           ///< Ingredient `overtaking`.
+  bool knows_pucks = false;                ///< Ingredient `recognition`.
+  bool is_resting = false;                 ///< TrackStanding's.
+  bool lies_in_scene = false;              ///< SceneRest's.
+  bool is_lost = false;                    ///< TrackStanding's.
+  bool was_covered = false;                ///< TrackTrust's.
+  bool is_witnessed = false;               ///< WitnessCheck vouches for it.
+  bool may_be_faint = false;               ///< PuckSignature's.
+  bool had_contrast = false;               ///< PuckSignature's.
+  std::optional<WayBack::Reach> way_back;  ///< WayBack's.
+  double score = 0;                        ///< SeenScore's.
+  std::int64_t since_good_us = 0;          ///< TrackTrust's.
+  std::int64_t since_sound_us = 0;         ///< TrackTrust's.
 };
 
 /// For those born of the main track: the sequential test on the events that both of them saw.
@@ -104,6 +106,11 @@ bool is_followed(const Claim& claim, const Defence& main);
 /// while the puck is hidden. What is clear at once is neither; and of a faint puck searches may see
 /// no more.
 bool is_premature(const Claim& claim, const Defence& main);
+
+/// The puck has left the image, and the claim is farther from there than that may have glided
+/// since. It must be evident, or, as if hit out there, a whole ring that moves as pucks do, with
+/// very many events.
+bool is_out_of_reach(const Claim& claim, const Defence& main);
 
 /// Any of the first seven, or recognised or followed, and not premature; but far from a track that
 /// moves, has twice its events, on more sides, and is more of a puck to searches, none; against a

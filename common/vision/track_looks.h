@@ -11,8 +11,8 @@ struct TrackLooks {
   double speed_px_s = 0;
   double turning_px_s = 300;  ///< PuckContour::turning_px_s().
   double slide = 1;           ///< ContourFilter::slide().
-  /// By how much its contour is larger than the size model says, less what brightness makes of it
-  /// and what it may be larger by at the image's sides.
+  /// By how much its contour is larger than the size model says, less what brightness makes of it,
+  /// what it may be larger by at the image's sides, and smaller by when it is fast.
   double growth_px = 0;
   double quality = 0;    ///< From −1 to 1.
   double agreement = 0;  ///< From −1 to 1: quality, but that few events are no reason to doubt.

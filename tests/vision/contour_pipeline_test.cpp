@@ -590,6 +590,34 @@ TEST_CASE("a puck that leaves the image is known to have left, and where") {
   CHECK(std::abs(table.estimate().left_image->y - 100) < 3);
 }
 
+TEST_CASE("a fast puck that comes back elsewhere over the image's side is soon found") {
+  PipelineParams params = preset_params(Preset::kDefault);
+  // Summed over how long it is away, since searches fall when they fall.
+  const auto milliseconds_until_found = [&params] {
+    int milliseconds = 0;
+    for (const int glides_ms : {92, 96, 100}) {
+      Table table(params);
+      table.noise_a_ms = 3;
+      table.glide({3'500, 0}, glides_ms);
+      REQUIRE(table.estimate().state == TrackState::kLost);
+      table.put({60 + 3.5 * glides_ms, 200});
+      // Back to where half of it is seen.
+      table.glide({-3'500, 300}, glides_ms - 73);
+      for (; table.error_px() > 5 && milliseconds < 100; ++milliseconds) {
+        table.glide({-3'500, 300}, 1);
+      }
+    }
+    return milliseconds;
+  };
+  const int with_ms = milliseconds_until_found();
+  params.contour.ingredients.way_back = false;
+  const int without_ms = milliseconds_until_found();
+  CAPTURE(with_ms);
+  CAPTURE(without_ms);
+  CHECK(with_ms < 30);
+  CHECK(without_ms > with_ms + 10);
+}
+
 TEST_CASE("random events are never a puck") {
   Table table;
   table.cover(300);

@@ -316,6 +316,33 @@ TEST_CASE("What is larger than brightness makes a puck is doubtful") {
   CHECK(mallet.quality < 0.7);
 }
 
+// … that is smaller by so much and moves so fast.
+TrackLooks looks_of_smaller(double narrower_px, PixelVelocity velocity,
+                            const ContourContext& context) {
+  const PuckContour contour = larger_contour(-narrower_px);
+  test::MovingContour puck(contour, {60, 200}, velocity);
+  ContourTrack track(context, {.position = {60, 200}, .velocity = velocity}, 0, 0);
+  for (std::int64_t t = 0; t < 60'000; t += 1'000) {
+    for (const ContourEvent& event : puck.events(t, t + 1'000)) track.take(event, context);
+    track.decide(t + 1'000, false, context);
+  }
+  return track.looks();
+}
+
+TEST_CASE("A fast puck may look smaller than it is") {
+  ContourContext context = test::contour_context();
+  const TrackLooks fast = looks_of_smaller(0.75, {4'000, 0}, context);
+  CHECK(fast.growth_px == doctest::Approx(-0.3).epsilon(0.3));
+  CHECK(fast.has_pucks_size());
+
+  PixelVelocity velocity{4'000, 0};
+  SUBCASE("unless ingredient smear is off") { context.ingredients.smear = false; }
+  SUBCASE("unless it is not that fast") { velocity = {1'000, 0}; }
+  const TrackLooks small = looks_of_smaller(0.75, velocity, context);
+  CHECK(small.growth_px == doctest::Approx(-0.75).epsilon(0.2));
+  CHECK_FALSE(small.has_pucks_size());
+}
+
 // … that is larger by so much and comes in at the image's right border, in a context where the puck
 // is known to have good contrast, and to have left there.
 ContourTrack track_of_larger_at_border(double wider_px, const ContourContext& context) {

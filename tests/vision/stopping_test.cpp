@@ -66,10 +66,10 @@ TEST_CASE("Stopping can be switched off") {
 TEST_CASE("A track ends 15 px outside the image") {
   const ContourContext context = test::contour_context();
   ContourTrack track(context, {.position = {-14, 200}, .velocity = {-900, 0}}, 0, 0);
-  stop_beyond_image(track, context, test::kSensor, 0);
+  CHECK_FALSE(stop_beyond_image(track, context, test::kSensor, 0));
   CHECK(track.filter().velocity().x == -900);
   track.decide(2'000, false, context);
-  stop_beyond_image(track, context, test::kSensor, 2'000);
+  CHECK(stop_beyond_image(track, context, test::kSensor, 2'000));
   CHECK(track.filter().position().x == -15);
   CHECK(track.filter().speed_px_s() == 0);
 }

@@ -893,6 +893,54 @@ TEST_CASE("What searches do not see as a puck does not succeed one that was just
   CHECK(still_convinces([](Defence& main) { main.knows_pucks = false; }));
 }
 
+// Recognised at 200 px from where the main track has left the image.
+constexpr Claim kInside{.looks = {.position = {200, 100},
+                                  .speed_px_s = 400,
+                                  .quality = 0.8,
+                                  .strength = 60,
+                                  .cover = 0.6},
+                        .age_us = 7'000,
+                        .found = {.score = 0.5},
+                        .leads = true};
+constexpr Defence kLeft{.is_trusted = true,
+                        .is_proven = true,
+                        .knows_pucks = true,
+                        .is_lost = true,
+                        .way_back = WayBack::Reach{{0, 100}, 199},
+                        .since_good_us = 50'000,
+                        .since_sound_us = 50'000};
+
+TEST_CASE("What has left the image is not believed to be farther than it can have come back") {
+  REQUIRE(is_recognised(kInside, kLeft));
+  CHECK(is_out_of_reach(kInside, kLeft));
+  CHECK_FALSE(is_convincing(kInside, kLeft));
+  Defence main = kLeft;
+  main.way_back->radius_px = 201;
+  CHECK_FALSE(is_out_of_reach(kInside, main));
+  CHECK(is_convincing(kInside, main));
+  main.way_back.reset();
+  CHECK(is_convincing(kInside, main));
+}
+
+TEST_CASE("Out of reach only the evident is believed, or a fast whole ring of very many events") {
+  Claim evident = kInside;
+  evident.found.score = 0.66;
+  CHECK_FALSE(is_out_of_reach(evident, kLeft));
+
+  Claim hit = kInside;
+  hit.looks.strength = 301;
+  CHECK_FALSE(is_out_of_reach(hit, kLeft));
+  const auto is_refused = [&](auto&& change) {
+    Claim claim = hit;
+    change(claim.looks);
+    return is_out_of_reach(claim, kLeft);
+  };
+  CHECK(is_refused([](TrackLooks& looks) { looks.strength = 300; }));
+  CHECK(is_refused([](TrackLooks& looks) { looks.cover = 0.5; }));
+  CHECK(is_refused([](TrackLooks& looks) { looks.speed_px_s = 300; }));
+  CHECK(is_refused([](TrackLooks& looks) { looks.growth_px = 0.35; }));
+}
+
 TEST_CASE("Nor does it by another rule, unless it is clear at once") {
   Claim mallet = kLeading;
   mallet.looks.position = {500, 0};

@@ -1,0 +1,38 @@
+#include "common/vision/way_back.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+TEST_CASE("where a puck that left may be grows as fast as it was, and a little faster") {
+  WayBack way_back;
+  CHECK_FALSE(way_back.reach(0));
+  way_back.note_left({-15, 100}, 2'000, 5'000);
+  REQUIRE(way_back.reach(5'000));
+  CHECK(way_back.reach(5'000)->from == Pixel{-15, 100});
+  CHECK(way_back.reach(5'000)->radius_px == 60);
+  CHECK(way_back.reach(105'000)->radius_px == doctest::Approx(60 + 1.3 * 200));
+}
+
+TEST_CASE("what was slow may be hit, and come back at 1000 px/s") {
+  WayBack way_back;
+  way_back.note_left({-15, 100}, 50, 0);
+  CHECK(way_back.reach(100'000)->radius_px == doctest::Approx(60 + 1.3 * 100));
+}
+
+TEST_CASE("it is within reach up to that distance") {
+  const WayBack::Reach reach{{0, 100}, 50};
+  CHECK(reach.contains({30, 140}));
+  CHECK_FALSE(reach.contains({31, 140}));
+}
+
+TEST_CASE("once it is back that is forgotten") {
+  WayBack way_back;
+  way_back.note_left({-15, 100}, 2'000, 0);
+  way_back.forget();
+  CHECK_FALSE(way_back.reach(1'000));
+}
+
+}  // namespace
+}  // namespace puck
