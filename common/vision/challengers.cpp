@@ -228,6 +228,12 @@ void Challengers::dismiss_born() {
   std::erase_if(challengers_, [](const Challenger& challenger) { return !is_found(challenger); });
 }
 
+void Challengers::dismiss_outside(SensorSize sensor) {
+  std::erase_if(challengers_, [&](const Challenger& challenger) {
+    return !is_in_image(position_of(challenger), sensor);
+  });
+}
+
 void Challengers::dismiss_idle(const ContourFilter& main, std::int64_t time_us) {
   std::erase_if(challengers_, [&](const Challenger& challenger) {
     return challenger.tried_us(time_us) > life_us(challenger.kind()) || is_same(challenger, main);

@@ -71,6 +71,9 @@ class Challengers {
   /// Gives up those that were born of the main track.
   void dismiss_born();
 
+  /// Gives up all whose centres lie outside the image.
+  void dismiss_outside(SensorSize sensor);
+
   std::vector<Challenger>::const_iterator begin() const { return challengers_.begin(); }
   std::vector<Challenger>::const_iterator end() const { return challengers_.end(); }
 

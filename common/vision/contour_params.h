@@ -36,8 +36,8 @@ struct ContourIngredients {
   bool search = true;       ///< A doubtful track is challenged by the correlation near it.
   bool wide_search = true;  ///< … and, unless it is beyond doubt, everywhere.
   bool anywhere = true;     ///< … again and again where it is not known at all where the puck is.
-  /// A track that has left the image has nothing left that speaks for it, so that the puck is
-  /// looked for at once; and what is farther off than it may have come back to is less believed.
+  /// A track that is 15 px outside the image has nothing left that speaks for it, so that the puck
+  /// is looked for at once; and what is farther off than it may have come back to is less believed.
   bool way_back = true;
   bool afresh = true;        ///< What is found where a poor track is challenges it, too.
   bool fresh_search = true;  ///< The search sees what has made events of late only.

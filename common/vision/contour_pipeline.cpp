@@ -191,19 +191,21 @@ void ContourPipeline::forget_looks() {
   context_.contour.forget_other_wall_share();
 }
 
-// What spoke for it in the image must not keep it from being looked for where it comes back.
 void ContourPipeline::watch_exit(std::int64_t time_us) {
-  if (trust_.is_surely_puck() && standing_.state() == TrackState::kTracking &&
-      !standing_.left_image()) {
+  const ContourFilter& filter = main_->filter();
+  const bool is_surely_puck =
+      trust_.is_surely_puck() && trust_.since_good_us(time_us) < kDoubtfulAfter_us;
+  if (is_surely_puck && main_->is_good() && is_in_image(filter.position(), sensor_)) {
     way_back_.forget();
   }
-  const double speed_px_s = main_->looks().speed_px_s;
   if (!stop_beyond_image(*main_, context_, sensor_, now_us_)) return;
   if (!context_.ingredients.way_back) return;
+  // What spoke for it in the image must not keep it from being looked for where it comes back.
   main_->forget_evidence();
-  if (trust_.is_surely_puck() && !way_back_.reach(time_us)) {
-    way_back_.note_left(main_->filter().position(), speed_px_s, time_us);
-  }
+  if (!is_surely_puck || way_back_.reach(time_us)) return;
+  way_back_.note_left(filter.position(), time_us);
+  // Those that have gone out with it would now look better than it does.
+  challengers_.dismiss_outside(sensor_);
 }
 
 // Where the annotations show the wall, or it was calibrated, its height is known.
@@ -326,6 +328,8 @@ void ContourPipeline::enthrone(const Challenger& challenger, std::int64_t time_u
   const Challenger::Kind kind = challenger.kind();
   if (kind != Challenger::Kind::kTwin) trust_.note_takeover(time_us);
   if (kind == Challenger::Kind::kSearch) {
+    const auto reach = way_back_.reach(time_us);
+    if (reach && !reach->contains(challenger.track().filter().position())) way_back_.forget();
     const auto deposed = main_ ? std::optional(main_->looks()) : std::nullopt;
     trust_.note_found(is_weakly_found(claim_of(challenger, claim_context(), time_us), deposed),
                       time_us);

@@ -29,9 +29,11 @@ constexpr double kStrangerTooLargeFactor = 0.4;
 // strength, all at twice that.
 constexpr double kBloom_px = 0.5;
 constexpr double kBloomStrength = 30;
-// Of what is faster than this, a share of the last events lies so long on its way behind its edges.
+// The last events of an edge come when it has moved on. Of pucks of good contrast that came into
+// view at 4,500 to 8,000 px/s the contour looked 0.5 to 0.9 px too small for 20 ms.
 constexpr double kSmearFrom_px_s = 1'000;
 constexpr double kSmear_s = 1.5e-4;
+constexpr double kMostSmear_px = 0.6;
 // A contour that is larger by all that the filter can follow may be larger by anything; so may one
 // that is nearly as large.
 constexpr double kLeastFollowed_px = 0.1;
@@ -263,11 +265,9 @@ double ContourTrack::bloom_px(const ContourContext& context) const {
   return std::clamp(growth_px, 0.0, most_px * std::clamp(follows, 0.0, 1.0));
 }
 
-// The last events of an edge come when it has moved on, so that they lie inside what is fast, and
-// the more so until the filter knows how fast.
 double ContourTrack::smear_px(const ContourContext& context) const {
   if (!context.ingredients.smear) return 0;
-  return kSmear_s * std::max(filter_.speed_px_s() - kSmearFrom_px_s, 0.0);
+  return std::clamp(kSmear_s * (filter_.speed_px_s() - kSmearFrom_px_s), 0.0, kMostSmear_px);
 }
 
 double ContourTrack::unexplained_growth_px() const {

@@ -107,16 +107,16 @@ bool is_followed(const Claim& claim, const Defence& main);
 /// no more.
 bool is_premature(const Claim& claim, const Defence& main);
 
-/// The puck has left the image, and the claim is farther from there than that may have glided
-/// since. It must be evident, or, as if hit out there, a whole ring that moves as pucks do, with
-/// very many events.
+/// A puck of good contrast has left the image, and the claim is farther from there than WayBack
+/// says. It must be evident, or a whole ring that moves as pucks do, with very many events.
 bool is_out_of_reach(const Claim& claim, const Defence& main);
 
-/// Any of the first seven, or recognised or followed, and not premature; but far from a track that
-/// moves, has twice its events, on more sides, and is more of a puck to searches, none; against a
-/// puck at rest, which makes no events, that it is evident, outruns it, or is recognised, by a high
-/// score if it is not lost; against one that lies in the scene and is not lost, that it unsettles
-/// it. A conjecture must move by itself, unless the main track has not been sound for long.
+/// Any of the first seven, or recognised or followed, and neither premature nor out of reach; but
+/// far from a track that moves, has twice its events, on more sides, and is more of a puck to
+/// searches, none; against a puck at rest, which makes no events, that it is evident, outruns it,
+/// or is recognised, by a high score if it is not lost; against one that lies in the scene and is
+/// not lost, that it unsettles it. A conjecture must move by itself, unless the main track has not
+/// been sound for long.
 bool is_convincing(const Claim& claim, const Defence& main);
 
 /// While nothing is known, `searched_us` after the first search began: what is neither evident, nor

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/vision/way_back.h"
+
 namespace puck {
 namespace {
 
@@ -23,7 +25,7 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool hea
                           const TrackTrust& trust, std::int64_t time_us) {
   const Pixel nearest_in_image{std::clamp(main.position.x, 0.0, sensor_.width - 1.0),
                                std::clamp(main.position.y, 0.0, sensor_.height - 1.0)};
-  const bool in_image = main.position == nearest_in_image;
+  const bool in_image = is_in_image(main.position, sensor_);
   is_resting_ = main.is_quiet() && !head_turns && trust.may_rest() &&
                 main.speed_px_s < kResting_px_s && witness_is_near;
   if (!is_resting_) moved_us_ = time_us;

@@ -3,12 +3,19 @@
 #include <cstdint>
 #include <optional>
 
+#include "common/events/sensor_size.h"
 #include "common/vision/pixel.h"
 
 namespace puck {
 
-/// Where a puck that has left the image may have come back: no farther from where it left than it
-/// has glided since, there and back, unless something has hit it out there.
+/// Whether a place lies in the image, pixel centres being at integers.
+inline bool is_in_image(Pixel place, SensorSize sensor) {
+  return place.x >= 0 && place.y >= 0 && place.x <= sensor.width - 1 &&
+         place.y <= sensor.height - 1;
+}
+
+/// Where a puck that has left the image may have come back without having been fast: what is
+/// farther from where it left must have so many events as a fast one has.
 class WayBack {
  public:
   struct Reach {
@@ -18,10 +25,10 @@ class WayBack {
     bool contains(Pixel place) const { return distance_px(from, place) <= radius_px; }
   };
 
-  /// It is now beyond the image, next to `edge`, px, and has been so fast, px/s.
-  void note_left(Pixel edge, double speed_px_s, std::int64_t time_us);
+  /// It is now beyond the image, here.
+  void note_left(Pixel place, std::int64_t time_us) { left_ = Left{place, time_us}; }
 
-  /// It is seen in the image, or something else is followed.
+  /// It is seen in the image, or something is believed to be it that is farther off.
   void forget() { left_.reset(); }
 
   /// None while it has not left.
@@ -29,8 +36,7 @@ class WayBack {
 
  private:
   struct Left {
-    Pixel edge;
-    double speed_px_s = 0;
+    Pixel place;
     std::int64_t time_us = 0;
   };
 

@@ -906,6 +906,7 @@ constexpr Defence kLeft{.is_trusted = true,
                         .is_proven = true,
                         .knows_pucks = true,
                         .is_lost = true,
+                        .had_contrast = true,
                         .way_back = WayBack::Reach{{0, 100}, 199},
                         .since_good_us = 50'000,
                         .since_sound_us = 50'000};
@@ -919,6 +920,10 @@ TEST_CASE("What has left the image is not believed to be farther than it can hav
   CHECK_FALSE(is_out_of_reach(kInside, main));
   CHECK(is_convincing(kInside, main));
   main.way_back.reset();
+  CHECK(is_convincing(kInside, main));
+  // A faint puck is neither evident nor has many events.
+  main = kLeft;
+  main.had_contrast = false;
   CHECK(is_convincing(kInside, main));
 }
 
