@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/vision/image_bounds.h"
+
 namespace puck {
 namespace {
 

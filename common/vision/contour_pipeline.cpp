@@ -6,6 +6,7 @@
 #include "common/vision/candidate_order.h"
 #include "common/vision/decision_time.h"
 #include "common/vision/honest_covariance.h"
+#include "common/vision/image_bounds.h"
 #include "common/vision/puck_detector.h"
 #include "common/vision/sighting.h"
 #include "common/vision/silent_trust.h"
@@ -195,14 +196,15 @@ void ContourPipeline::watch_exit(std::int64_t time_us) {
   const ContourFilter& filter = main_->filter();
   const bool is_surely_puck =
       trust_.is_surely_puck() && trust_.since_good_us(time_us) < kDoubtfulAfter_us;
-  if (is_surely_puck && main_->is_good() && is_in_image(filter.position(), sensor_)) {
+  const bool has_left = way_back_.reach(time_us).has_value();
+  if (has_left && is_surely_puck && main_->is_good() && is_in_image(filter.position(), sensor_)) {
     way_back_.forget();
   }
   if (!stop_beyond_image(*main_, context_, sensor_, now_us_)) return;
   if (!context_.ingredients.way_back) return;
   // What spoke for it in the image must not keep it from being looked for where it comes back.
   main_->forget_evidence();
-  if (!is_surely_puck || way_back_.reach(time_us)) return;
+  if (!is_surely_puck || has_left) return;
   way_back_.note_left(filter.position(), time_us);
   // Those that have gone out with it would now look better than it does.
   challengers_.dismiss_outside(sensor_);

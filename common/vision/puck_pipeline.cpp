@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "common/vision/image_bounds.h"
+
 namespace puck {
 namespace {
 
@@ -138,9 +140,7 @@ void PuckPipeline::lose(Timestamp now) {
   state_ = TrackState::kLost;
   coasting_ = false;
   region_ = {};
-  const Region image = Region::all_of(sensor_);
-  const Pixel inside{std::clamp(position_.x, 0.0, image.width - 1.0),
-                     std::clamp(position_.y, 0.0, image.height - 1.0)};
+  const Pixel inside = nearest_in_image(position_, sensor_);
   if (!(inside == position_)) left_image_ = inside;
   position_ = inside;
   next_search_ = now;

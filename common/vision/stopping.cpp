@@ -1,6 +1,6 @@
 #include "common/vision/stopping.h"
 
-#include <algorithm>
+#include "common/vision/image_bounds.h"
 
 namespace puck {
 namespace {
@@ -27,10 +27,9 @@ void stop_if_silent(ContourTrack& track, const ContourContext& context, std::int
 bool stop_beyond_image(ContourTrack& track, const ContourContext& context, SensorSize sensor,
                        std::int64_t time_us) {
   const Pixel position = track.filter().position();
-  const Pixel inside{std::clamp(position.x, -kBeyondImage_px, sensor.width - 1 + kBeyondImage_px),
-                     std::clamp(position.y, -kBeyondImage_px, sensor.height - 1 + kBeyondImage_px)};
-  if (inside == position) return false;
-  track.stop_at(inside, time_us, context);
+  const Pixel followed = nearest_in_image(position, sensor, kBeyondImage_px);
+  if (followed == position) return false;
+  track.stop_at(followed, time_us, context);
   return true;
 }
 

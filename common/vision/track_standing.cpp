@@ -1,8 +1,6 @@
 #include "common/vision/track_standing.h"
 
-#include <algorithm>
-
-#include "common/vision/way_back.h"
+#include "common/vision/image_bounds.h"
 
 namespace puck {
 namespace {
@@ -23,8 +21,6 @@ constexpr std::int64_t kLeaving_us = 10'000;
 
 void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool head_turns,
                           const TrackTrust& trust, std::int64_t time_us) {
-  const Pixel nearest_in_image{std::clamp(main.position.x, 0.0, sensor_.width - 1.0),
-                               std::clamp(main.position.y, 0.0, sensor_.height - 1.0)};
   const bool in_image = is_in_image(main.position, sensor_);
   is_resting_ = main.is_quiet() && !head_turns && trust.may_rest() &&
                 main.speed_px_s < kResting_px_s && witness_is_near;
@@ -54,7 +50,7 @@ void TrackStanding::judge(const TrackLooks& main, bool witness_is_near, bool hea
     if (in_image) left_image_.reset();
     return;
   }
-  if (!in_image && !left_image_) left_image_ = nearest_in_image;
+  if (!in_image && !left_image_) left_image_ = nearest_in_image(main.position, sensor_);
   state_ = TrackState::kLost;
 }
 

@@ -3,16 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/events/sensor_size.h"
 #include "common/vision/pixel.h"
 
 namespace puck {
-
-/// Whether a place lies in the image, pixel centres being at integers.
-inline bool is_in_image(Pixel place, SensorSize sensor) {
-  return place.x >= 0 && place.y >= 0 && place.x <= sensor.width - 1 &&
-         place.y <= sensor.height - 1;
-}
 
 /// Where a puck that has left the image may have come back without having been fast: what is
 /// farther from where it left must have so many events as a fast one has.

@@ -5,13 +5,6 @@
 namespace puck {
 namespace {
 
-TEST_CASE("the image ends at the centres of its last pixels") {
-  for (const Pixel inside : {Pixel{0, 0}, Pixel{319, 239}}) CHECK(is_in_image(inside, {320, 240}));
-  for (const Pixel outside : {Pixel{-0.1, 9}, Pixel{9, -0.1}, Pixel{319.1, 9}, Pixel{9, 239.1}}) {
-    CHECK_FALSE(is_in_image(outside, {320, 240}));
-  }
-}
-
 TEST_CASE("where a puck that left may be grows by 1.3 px a millisecond") {
   WayBack way_back;
   CHECK_FALSE(way_back.reach(0));

@@ -1,0 +1,27 @@
+#include "common/vision/image_bounds.h"
+
+#include <doctest/doctest.h>
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kSmallSensor{320, 240};
+
+TEST_CASE("the image ends at the centres of its last pixels") {
+  for (const Pixel inside : {Pixel{0, 0}, Pixel{319, 239}})
+    CHECK(is_in_image(inside, kSmallSensor));
+  for (const Pixel outside : {Pixel{-0.1, 9}, Pixel{9, -0.1}, Pixel{319.1, 9}, Pixel{9, 239.1}}) {
+    CHECK_FALSE(is_in_image(outside, kSmallSensor));
+  }
+}
+
+TEST_CASE("what lies outside is nearest to a border or a corner, or to one so far beyond") {
+  CHECK(nearest_in_image({100, 50}, kSmallSensor) == Pixel{100, 50});
+  CHECK(nearest_in_image({-20, 50}, kSmallSensor) == Pixel{0, 50});
+  CHECK(nearest_in_image({400, 300}, kSmallSensor) == Pixel{319, 239});
+  CHECK(nearest_in_image({-20, 245}, kSmallSensor, 15) == Pixel{-15, 245});
+  CHECK(nearest_in_image({340, -16}, kSmallSensor, 15) == Pixel{334, -15});
+}
+
+}  // namespace
+}  // namespace puck
