@@ -240,7 +240,7 @@ function(puck_test name)
     list(APPEND labels threads)
     add_dependencies(puck_thread_tests ${name})
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 600
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 1200
     ENVIRONMENT "PUCK_SOURCE_DIR=${PROJECT_SOURCE_DIR};PUCK_BIN_DIR=${CMAKE_BINARY_DIR}/bin;\
 TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/tsan_suppressions.txt")
 endfunction()
