@@ -14,7 +14,7 @@
 #
 # Prints mean px / lost % of two games with a still camera, and of two with a moving one: development
 # seeds 11 and 12; seed 1 is calibrated on. A scene that has keys of [head] has no still games. Exit
-# code 1: a scene could not be played or scored; it has no row. All of it took 20 to 41 minutes of
+# code 1: a scene could not be played or scored; it has no row. All of it took 15 to 41 minutes of
 # processor time.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
