@@ -236,10 +236,11 @@ bool is_premature(const Claim& claim, const Defence& main) {
 
 bool is_out_of_reach(const Claim& claim, const Defence& main) {
   const TrackLooks& looks = claim.looks;
-  const bool is_fast_puck =
-      looks.moves_as_pucks_do() && looks.is_whole_ring() && looks.strength > kUnmistakable;
-  return main.had_contrast && main.way_back && !main.way_back->contains(looks.position) &&
-         !is_evident(claim) && !is_fast_puck;
+  if (!main.had_contrast || !main.way_back || main.way_back->contains(looks.position)) return false;
+  const bool is_fast_puck = looks.moves_as_pucks_do() && looks.is_whole_ring() &&
+                            looks.strength > kUnmistakable &&
+                            main.way_back->may_lead_to(looks.position, looks.speed_px_s);
+  return !is_evident(claim) && !is_fast_puck;
 }
 
 bool is_followed(const Claim& claim, const Defence& main) {

@@ -108,7 +108,8 @@ bool is_followed(const Claim& claim, const Defence& main);
 bool is_premature(const Claim& claim, const Defence& main);
 
 /// A puck of good contrast has left the image, and the claim is farther from there than WayBack
-/// says. It must be evident, or a whole ring that moves as pucks do, with very many events.
+/// says. It must be evident, or a whole ring that moves as pucks do, with very many events, and
+/// fast enough to have come from there.
 bool is_out_of_reach(const Claim& claim, const Defence& main);
 
 /// Any of the first seven, or recognised or followed, and neither premature nor out of reach; but

@@ -7,13 +7,20 @@ namespace {
 constexpr double kAtOnce_px = 60;
 // What comes back faster has the events to do without.
 constexpr double kGrowth_px_us = 1.3e-3;
+// What has come nearer to the camera's end of the table, or bounced, has been at most so much
+// faster.
+constexpr double kSlowedDown = 2;
 
 }  // namespace
+
+bool WayBack::Reach::may_lead_to(Pixel place, double speed_px_s) const {
+  return distance_px(from, place) <= kAtOnce_px + kSlowedDown * speed_px_s * gone_s;
+}
 
 std::optional<WayBack::Reach> WayBack::reach(std::int64_t time_us) const {
   if (!left_) return std::nullopt;
   const auto gone_us = static_cast<double>(time_us - left_->time_us);
-  return Reach{left_->place, kAtOnce_px + kGrowth_px_us * gone_us};
+  return Reach{left_->place, kAtOnce_px + kGrowth_px_us * gone_us, gone_us * 1e-6};
 }
 
 }  // namespace puck

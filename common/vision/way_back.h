@@ -8,14 +8,19 @@
 namespace puck {
 
 /// Where a puck that has left the image may have come back without having been fast: what is
-/// farther from where it left must have so many events as a fast one has.
+/// farther from where it left must be as fast as that takes, and have so many events as a fast one
+/// has.
 class WayBack {
  public:
   struct Reach {
     Pixel from;
-    double radius_px = 0;
+    double radius_px = 0;  ///< Of a puck that has not been fast.
+    double gone_s = 0;
 
     bool contains(Pixel place) const { return distance_px(from, place) <= radius_px; }
+
+    /// A puck of this speed may have come to `place`, even if it has been faster before.
+    bool may_lead_to(Pixel place, double speed_px_s) const;
   };
 
   /// It is now beyond the image, here.

@@ -21,6 +21,18 @@ TEST_CASE("it is within reach up to that distance") {
   CHECK_FALSE(reach.contains({31, 140}));
 }
 
+TEST_CASE("it may have come farther at its speed, or at twice that") {
+  WayBack way_back;
+  way_back.note_left({-15, 100}, 5'000);
+  const auto reach = way_back.reach(25'000);
+  REQUIRE(reach);
+  CHECK(reach->gone_s == doctest::Approx(0.02));
+  // 60 px, and 20 ms at 2 x 1,500 px/s.
+  CHECK(reach->may_lead_to({104, 100}, 1'500));
+  CHECK_FALSE(reach->may_lead_to({106, 100}, 1'500));
+  CHECK(reach->may_lead_to({106, 100}, 1'550));
+}
+
 TEST_CASE("once it is back that is forgotten") {
   WayBack way_back;
   way_back.note_left({-15, 100}, 0);
