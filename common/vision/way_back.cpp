@@ -7,8 +7,8 @@ namespace {
 constexpr double kAtOnce_px = 60;
 // What comes back faster has the events to do without.
 constexpr double kGrowth_px_us = 1.3e-3;
-// What has come nearer to the camera's end of the table, or bounced, has been at most so much
-// faster.
+// What has gone away from the camera since, or bounced, has been at most so much faster. Together
+// with the growth: what is slower than 650 px/s never comes from beyond the reach.
 constexpr double kSlowedDown = 2;
 
 }  // namespace

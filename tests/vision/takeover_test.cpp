@@ -907,7 +907,7 @@ constexpr Defence kLeft{.is_trusted = true,
                         .knows_pucks = true,
                         .is_lost = true,
                         .had_contrast = true,
-                        .way_back = WayBack::Reach{{0, 100}, 199, 0.4},
+                        .way_back = WayBack::Reach{{0, 100}, 199, 0.107},
                         .since_good_us = 50'000,
                         .since_sound_us = 50'000};
 
@@ -934,6 +934,7 @@ TEST_CASE("Out of reach only the evident is believed, or a fast whole ring of ve
 
   Claim hit = kInside;
   hit.looks.strength = 301;
+  hit.looks.speed_px_s = 700;
   CHECK_FALSE(is_out_of_reach(hit, kLeft));
   const auto is_refused = [&](auto&& change) {
     Claim claim = hit;
@@ -942,15 +943,10 @@ TEST_CASE("Out of reach only the evident is believed, or a fast whole ring of ve
   };
   CHECK(is_refused([](TrackLooks& looks) { looks.strength = 300; }));
   CHECK(is_refused([](TrackLooks& looks) { looks.cover = 0.5; }));
-  CHECK(is_refused([](TrackLooks& looks) { looks.speed_px_s = 300; }));
+  CHECK(is_refused([](TrackLooks& looks) { looks.turning_px_s = 700; }));
   CHECK(is_refused([](TrackLooks& looks) { looks.growth_px = 0.35; }));
-
   // A mallet that moves inside the image has not been fast enough to come from there.
-  Defence just_left = kLeft;
-  just_left.way_back->gone_s = 0.15;
-  CHECK(is_out_of_reach(hit, just_left));
-  hit.looks.speed_px_s = 500;
-  CHECK_FALSE(is_out_of_reach(hit, just_left));
+  CHECK(is_refused([](TrackLooks& looks) { looks.speed_px_s = 600; }));
 }
 
 TEST_CASE("Nor does it by another rule, unless it is clear at once") {
