@@ -5,10 +5,7 @@ namespace {
 
 // Nearer than this it may be at once: where it left, and when, is not known better.
 constexpr double kAtOnce_px = 60;
-// What comes back faster has the events to do without.
-constexpr double kGrowth_px_us = 1.3e-3;
-// What has gone away from the camera since, or bounced, has been at most so much faster. Together
-// with the growth: what is slower than 650 px/s never comes from beyond the reach.
+// What has gone away from the camera since, or bounced, has been at most so much faster.
 constexpr double kSlowedDown = 2;
 
 }  // namespace
@@ -19,8 +16,7 @@ bool WayBack::Reach::may_lead_to(Pixel place, double speed_px_s) const {
 
 std::optional<WayBack::Reach> WayBack::reach(std::int64_t time_us) const {
   if (!left_) return std::nullopt;
-  const auto gone_us = static_cast<double>(time_us - left_->time_us);
-  return Reach{left_->place, kAtOnce_px + kGrowth_px_us * gone_us, gone_us * 1e-6};
+  return Reach{left_->place, static_cast<double>(time_us - left_->time_us) * 1e-6};
 }
 
 }  // namespace puck

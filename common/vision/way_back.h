@@ -14,12 +14,12 @@ class WayBack {
  public:
   struct Reach {
     Pixel from;
-    double radius_px = 0;  ///< Of a puck that has not been fast.
-    double gone_s = 0;
+    double gone_s = 0;  ///< How long it has been gone.
 
-    bool contains(Pixel place) const { return distance_px(from, place) <= radius_px; }
+    /// A puck that has not been fast may have come to `place`.
+    bool contains(Pixel place) const { return may_lead_to(place, kNotFast_px_s); }
 
-    /// A puck of this speed may have come to `place`, even if it has been faster before.
+    /// A puck of this speed may have, even if it has been faster before.
     bool may_lead_to(Pixel place, double speed_px_s) const;
   };
 
@@ -33,6 +33,9 @@ class WayBack {
   std::optional<Reach> reach(std::int64_t time_us) const;
 
  private:
+  // What comes back faster has the events to do without.
+  static constexpr double kNotFast_px_s = 650;
+
   struct Left {
     Pixel place;
     std::int64_t time_us = 0;

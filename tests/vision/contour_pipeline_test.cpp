@@ -24,8 +24,8 @@
 namespace puck {
 namespace {
 
-// Of the noise. They all take the same ways through the code, so sanitizers see one, as of what
-// else takes the same way more than once.
+// Of the noise. They all take the same ways through the code, so sanitizers see one; as they do of
+// the cases that search for long.
 constexpr std::uint32_t kSeeds = kIsSanitized ? 1 : 3;
 
 constexpr SensorSize kHalfSensor{320, 240};

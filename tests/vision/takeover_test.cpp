@@ -907,7 +907,7 @@ constexpr Defence kLeft{.is_trusted = true,
                         .knows_pucks = true,
                         .is_lost = true,
                         .had_contrast = true,
-                        .way_back = WayBack::Reach{{0, 100}, 199, 0.107},
+                        .way_back = WayBack::Reach{{0, 100}, 0.107},
                         .since_good_us = 50'000,
                         .since_sound_us = 50'000};
 
@@ -916,7 +916,7 @@ TEST_CASE("What has left the image is not believed to be farther than it can hav
   CHECK(is_out_of_reach(kInside, kLeft));
   CHECK_FALSE(is_convincing(kInside, kLeft));
   Defence main = kLeft;
-  main.way_back->radius_px = 201;
+  main.way_back->gone_s = 0.108;
   CHECK_FALSE(is_out_of_reach(kInside, main));
   CHECK(is_convincing(kInside, main));
   main.way_back.reset();

@@ -11,14 +11,16 @@ TEST_CASE("where a puck that left may be grows by 1.3 px a millisecond") {
   way_back.note_left({-15, 100}, 5'000);
   REQUIRE(way_back.reach(5'000));
   CHECK(way_back.reach(5'000)->from == Pixel{-15, 100});
-  CHECK(way_back.reach(5'000)->radius_px == 60);
-  CHECK(way_back.reach(105'000)->radius_px == doctest::Approx(60 + 130));
+  CHECK(way_back.reach(5'000)->contains({45, 100}));
+  CHECK_FALSE(way_back.reach(5'000)->contains({45.01, 100}));
+  CHECK(way_back.reach(105'000)->contains({174.99, 100}));
+  CHECK_FALSE(way_back.reach(105'000)->contains({175.01, 100}));
 }
 
-TEST_CASE("it is within reach up to that distance") {
-  const WayBack::Reach reach{{0, 100}, 50};
-  CHECK(reach.contains({30, 140}));
-  CHECK_FALSE(reach.contains({31, 140}));
+TEST_CASE("it is within reach up to that distance, whatever the direction") {
+  const WayBack::Reach reach{{0, 100}};
+  CHECK(reach.contains({36, 148}));
+  CHECK_FALSE(reach.contains({37, 148}));
 }
 
 TEST_CASE("it may have come farther at its speed, or at twice that") {
