@@ -26,8 +26,8 @@ struct ParticleFilterErosParams {
 /// The particles of ParticleFilter observing the blurred EROS surface instead of single events: a
 /// particle's likelihood is the sum of its template times the surface. There is no window to
 /// estimate, for the surface forgets by itself. One update for each estimate that is asked for with
-/// new events, as PUCK's own tracking thread does. Seeded at PUCK's detection on the same surface;
-/// never notices that it has lost the puck.
+/// new events, as PUCK's own tracking thread does. Seeded at PUCK's detection on the same surface,
+/// it never notices that it has lost the puck.
 ///
 /// The estimate's score is the likelihood of the best particle, 1 when the whole ring is fully lit
 /// and the inside dark; 0 before the first update. The velocity is not known.

@@ -46,8 +46,8 @@ using Datagram = std::variant<WholeMessage, MessageFragment, BadDatagram>;
 /// outside of them, allocates nothing, never throws. What it returns borrows from them.
 Datagram parse_datagram(std::span<const std::uint8_t> bytes);
 
-/// A name fit for a terminal: what is not printable ASCII becomes `\xNN`, and so does a backslash;
-/// cut after kMaxChannelName bytes.
+/// A name fit for a terminal, cut after kMaxChannelName bytes: what is not printable ASCII becomes
+/// `\xNN`, and so does a backslash.
 std::string printable(std::string_view name);
 
 }  // namespace puck

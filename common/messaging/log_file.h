@@ -58,8 +58,8 @@ class LogWriter {
   LogWriter(const LogWriter&) = delete;
   LogWriter& operator=(const LogWriter&) = delete;
 
-  /// `utime`: when it was received, CLOCK_REALTIME, µs. Throws LogFileError when the disk is full;
-  /// then all since the last flush is lost.
+  /// `utime`: when it was received, CLOCK_REALTIME, µs. Throws LogFileError when the disk is full:
+  /// all since the last flush is lost then.
   void write(std::string_view channel, std::int64_t utime, std::span<const std::uint8_t> bytes);
   /// Hands what was written to the system, so that it outlives the process. Throws LogFileError.
   void flush();

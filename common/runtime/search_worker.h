@@ -15,9 +15,9 @@ namespace puck {
 /// A thread of low priority that searches copies of the surface, so that a search never delays the
 /// tracking, however long it takes. One search at a time, in three steps:
 ///
-///     worker.begin(request);
-///     while (worker.is_copying()) worker.copy_more(surface);  // the tracking goes on in between
-///     … worker.poll() …                                       // until there is the result
+///  1. begin(), with what is wanted.
+///  2. copy_more() as long as is_copying(). The tracking goes on in between.
+///  3. poll() until there is the result.
 ///
 /// A search that takes no longer than a few steps of the tracking is made at once, on the caller's
 /// thread, so that what is near is not looked at too late. By whoever makes the step (see

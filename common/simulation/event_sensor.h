@@ -28,8 +28,8 @@ class EventSensor {
   EventSensor(const EventSensorParams& params, ImageView<const float> log_intensity,
               std::int64_t seed, const LightParams& light = {});
 
-  /// The light on a pixel goes from what it was at `from` to `log_intensity` at `to`, evenly;
-  /// `from` must not lie before the present slice. A pixel's changes come in the order of their
+  /// The light on a pixel goes evenly from what it was at `from`, which must not lie before the
+  /// present slice, to `log_intensity` at `to`. A pixel's changes come in the order of their
   /// times: one that ends before a pixel's last one did takes effect at that one's end.
   void change(int x, int y, float log_intensity, Timestamp from, Timestamp to) {
     const auto index = static_cast<std::uint32_t>(index_of(x, y));
