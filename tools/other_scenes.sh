@@ -19,15 +19,7 @@
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 
-usage() { # EXIT_CODE
-  sed -n '2,/^set /s/^# \{0,1\}//p' "$root/tools/other_scenes.sh" | sed '/^set /d'
-  exit "$1"
-}
-
-refuse() { # MESSAGE
-  echo "other_scenes.sh: $1" >&2
-  exit 2
-}
+. "$root/tools/games.sh"
 
 seconds=10
 jobs=$(nproc)
@@ -49,36 +41,22 @@ while [ $# -gt 0 ]; do
       ;;
   esac
 done
-[[ $seconds =~ ^[0-9]+(\.[0-9]+)?$ ]] || refuse "--seconds takes a number, got $seconds"
-[[ $jobs =~ ^[1-9][0-9]*$ ]] || refuse "--jobs takes a whole number from 1, got $jobs"
+require_seconds "$seconds"
+require_jobs "$jobs"
 if [ ${#scenes[@]} -eq 0 ]; then scenes=("$root"/tools/compare/other_scenes/*.toml); fi
 twice=$(for scene in "${scenes[@]}"; do basename "$scene"; done | sort | uniq -d | head -n 1)
 [ -z "$twice" ] || refuse "two scenes are called $twice; each needs a name of its own"
 
-if [ -z "$programs" ]; then
-  "$root/tools/build.sh" puck-simulate puck-calibrate puck-evaluate >&2
-  programs=$root/build/release/bin
-fi
-for program in puck-simulate puck-calibrate puck-evaluate; do
-  [ -x "$programs/$program" ] || refuse "no program $programs/$program"
-done
+require_programs puck-simulate puck-calibrate puck-evaluate
 
 # What follows also runs in the shells that xargs starts.
 export seconds output programs
 
-game_figures() { # SCENE FOLDER SEED [--moving]: "mean_px lost_percent"
+game_figures() { # SCENE FOLDER SEED [--moving]: "mean_px lost_percent longest_loss_ms"
   local game=$2/game
   "$programs/puck-simulate" --scene "$1" --seed "$3" --seconds "$seconds" --output "$game" \
     ${4:+"$4"} >&2
-  "$programs/puck-evaluate" "$game.raw" --truth "$game.truth.csv" --size-model "$2/size.toml" |
-    awk '{ is[$1] = $2 }
-      END {
-        if (is["mean_px"] !~ /^[0-9]/ || is["lost_percent"] !~ /^[0-9]/) {
-          print "a game cannot be scored: is its puck ever to be seen?" >"/dev/stderr"
-          exit 1
-        }
-        print is["mean_px"], is["lost_percent"]
-      }'
+  score "$game" "$2/size.toml"
 }
 
 cell() { # SCENE FOLDER [--moving]: the mean of two games

@@ -10,6 +10,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/system_compare/stand_ins.h"
 
 namespace puck {
 namespace {
@@ -17,32 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path script() { return source_folder() / "tools/other_scenes.sh"; }
-
-// The beginning of a shell script: puts what --output and --seed say into variables of those names.
-const std::string kReadOptions =
-    "#!/bin/sh\n"
-    "for argument; do\n"
-    "  case \"$before\" in --output) output=$argument ;; --seed) seed=$argument ;; esac\n"
-    "  before=$argument\n"
-    "done\n";
-
-// Programs in the place of the real ones: `evaluate` is what the tracker's does, and finds in its
-// first argument the seed of the game.
-fs::path programs_that(const TemporaryFolder& folder, const std::string& evaluate) {
-  const fs::path programs = folder / "programs";
-  fs::create_directory(programs);
-  const auto write = [&](const char* name, const std::string& script) {
-    write_text(programs / name, script);
-    fs::permissions(programs / name, fs::perms::owner_all);
-  };
-  write("puck-simulate",
-        kReadOptions +
-            "printf '%% geometry 64x48\\n%% end\\n%s\\n' \"$seed\" >\"$output.raw\"\n"
-            "touch \"$output.truth.csv\" \"$output.annotations.csv\"\n");
-  write("puck-calibrate", kReadOptions + "touch \"$output\"\n");
-  write("puck-evaluate", "#!/bin/sh\nseed=$(tail -n 1 \"$1\")\n" + evaluate);
-  return programs;
-}
 
 Finished told_with(const std::string& evaluate) {
   const TemporaryFolder folder;

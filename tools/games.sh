@@ -1,0 +1,47 @@
+# Plays simulated games and scores the tracker on them, for scripts that do so by the dozen: to be
+# sourced, with `root` set to the project's root. Its comment up to `set -e` is a script's help.
+me=$(basename "$0")
+
+usage() { # EXIT_CODE
+  sed -n '2,/^set /s/^# \{0,1\}//p' "$0" | sed '/^set /d'
+  exit "$1"
+}
+
+refuse() { # MESSAGE
+  echo "$me: $1" >&2
+  exit 2
+}
+
+require_seconds() { # VALUE
+  [[ $1 =~ ^[0-9]+(\.[0-9]+)?$ ]] || refuse "--seconds takes a number, got $1"
+}
+
+require_jobs() { # VALUE
+  [[ $1 =~ ^[1-9][0-9]*$ ]] || refuse "--jobs takes a whole number from 1, got $1"
+}
+
+# Puts the folder with these programs into `programs`; where that is empty, builds them.
+require_programs() { # NAME...
+  local program
+  if [ -z "$programs" ]; then
+    "$root/tools/build.sh" "$@" >&2
+    programs=$root/build/release/bin
+  fi
+  for program in "$@"; do
+    [ -x "$programs/$program" ] || refuse "no program $programs/$program"
+  done
+}
+
+# Says how well the game BASE.raw is tracked: "mean_px lost_percent longest_loss_ms".
+score() { # BASE SIZE_MODEL [OPTION of puck-evaluate...]
+  "$programs/puck-evaluate" "$1.raw" --truth "$1.truth.csv" --size-model "${@:2}" |
+    awk '{ is[$1] = $2 }
+      END {
+        if (is["mean_px"] !~ /^[0-9]/ || is["lost_percent"] !~ /^[0-9]/) {
+          print "a game cannot be scored: is its puck ever to be seen?" >"/dev/stderr"
+          exit 1
+        }
+        print is["mean_px"], is["lost_percent"], is["longest_loss_ms"]
+      }'
+}
+export -f score

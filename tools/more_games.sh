@@ -1,0 +1,153 @@
+#!/usr/bin/env bash
+# How well the tracker does in many games of one kind, with the standard error of the mean: five games
+# of ten seconds tell two trackers apart only if one is far better.
+#
+#   tools/more_games.sh FIRST-LAST [--scene SCENE.toml] [--moving] [--seconds S] [--size-model FILE]
+#                       [--jobs J] [--output DIR] [--programs DIR] [--keep] [-- OPTION...]
+#
+# FIRST-LAST         seeds of the games. 1 to 99 are for development
+# --scene SCENE      what they are played in (default: the plain game), as in tools/compare/scenes
+# --moving           with a camera that turns
+# --seconds S        length of each (default 10)
+# --size-model FILE  the puck's (default config/calibration/simulated_size.toml)
+# --jobs J           games worked on at a time (default: one a core)
+# --output DIR       where figures, logs and, while they are needed, recordings go (default
+#                    build/more_games)
+# --programs DIR     run the programs there, and build nothing
+# --keep             do not delete the recordings (30 to 100 MB each), and use those that are left
+#                    from a run with the same scene, length and simulator
+# -- OPTION...       tracks each game once more with these options of puck-evaluate, such as
+#                    --without shear or --preset correlation, and says what they change
+#
+# Prints a row a game, mean px / lost % / longest loss in ms, and then the means. Exit code 1: a game
+# could not be played or scored; it has no row and no part in the means.
+set -euo pipefail
+root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
+. "$root/tools/games.sh"
+
+seeds=
+scene=
+moving=
+seconds=10
+size_model=$root/config/calibration/simulated_size.toml
+jobs=$(nproc)
+output=$root/build/more_games
+programs=
+keep=
+options=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --scene) scene=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
+    --moving) moving=--moving && shift ;;
+    --seconds) seconds=${2-} && shift 2 || usage 2 ;;
+    --size-model) size_model=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
+    --jobs) jobs=${2-} && shift 2 || usage 2 ;;
+    --output) output=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
+    --programs) programs=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
+    --keep) keep=yes && shift ;;
+    --)
+      shift
+      options=("$@")
+      [ $# -gt 0 ] || refuse "-- takes options of puck-evaluate, got none"
+      break
+      ;;
+    -h | --help) usage 0 ;;
+    -*) refuse "unknown option $1; --help lists them" ;;
+    *)
+      [ -z "$seeds" ] || refuse "takes one range of seeds, got $seeds and $1"
+      seeds=$1
+      shift
+      ;;
+  esac
+done
+[[ $seeds =~ ^([0-9]{1,9})-([0-9]{1,9})$ ]] || refuse "takes a range of seeds as 11-40, got '$seeds'"
+first=$((10#${BASH_REMATCH[1]}))
+last=$((10#${BASH_REMATCH[2]}))
+[ "$first" -le "$last" ] || refuse "takes a range of seeds, the smaller one first, got $seeds"
+require_seconds "$seconds"
+require_jobs "$jobs"
+[ -z "$scene" ] || [ -f "$scene" ] || refuse "no scene $scene"
+[ -f "$size_model" ] || refuse "no size model $size_model"
+require_programs puck-simulate puck-evaluate
+
+kind=$(cat "$programs/puck-simulate" ${scene:+"$scene"} | sha256sum | cut -c 1-12)
+games=$output/${scene:+$(basename "$scene" .toml)-}${moving:+moving-}${seconds}s-$kind
+
+# What follows also runs in the shells that xargs starts.
+export scene moving seconds size_model programs keep games
+
+# Writes the game's figures: those of default, and with the options, if there are any.
+game() { # SEED [OPTION...]
+  set -euo pipefail
+  shopt -s inherit_errexit
+  # Not local: the trap runs when this function is over.
+  recording=$games/$1
+  [ -n "$keep" ] || trap 'rm -f "$recording".{complete,raw,truth.csv,annotations.csv,toml}' EXIT
+  if [ ! -f "$recording.complete" ] || [ ! -f "$recording.raw" ]; then
+    rm -f "$recording.complete"
+    "$programs/puck-simulate" ${scene:+--scene "$scene"} --seed "$1" --seconds "$seconds" \
+      ${moving:+"$moving"} --output "$recording" >&2
+    touch "$recording.complete"
+  fi
+  local figures
+  figures=$(score "$recording" "$size_model")
+  if [ $# -gt 1 ]; then figures+=" $(score "$recording" "$size_model" "${@:2}")"; fi
+  echo "$1 $figures" >"$recording.figures"
+}
+
+game_logged() { # SEED [OPTION...]
+  rm -f "$games/$1.figures"
+  if bash -c 'game "$@"' game "$@" 2>"$games/$1.log"; then
+    echo "seed $1 is done" >&2
+  else
+    echo "seed $1 failed; $games/$1.log ends with:" >&2
+    tail -n 3 "$games/$1.log" >&2
+    return 1
+  fi
+}
+export -f game game_logged
+
+mkdir -p "$games"
+failed=0
+seq "$first" "$last" |
+  xargs -I SEED -P "$jobs" bash -c 'game_logged "$@"' game_logged SEED "${options[@]}" || failed=1
+
+for seed in $(seq "$first" "$last"); do
+  if [ -f "$games/$seed.figures" ]; then cat "$games/$seed.figures"; fi
+done | awk -v options="${options[*]}" -v scene="${scene:+$(basename "$scene" .toml)}" '
+  function note(name, value) { sum[name] += value; square[name] += value * value }
+  function mean(name) { return sum[name] / NR }
+  function error(name,   variance) {
+    if (NR < 2) return "?"
+    variance = (square[name] - NR * mean(name) ^ 2) / (NR - 1)
+    return sprintf("%.2f", sqrt((variance > 0 ? variance : 0) / NR))
+  }
+  function means(sign, px, lost) {
+    return sprintf("%" sign ".2f ± %s / %" sign ".2f ± %s", mean(px), error(px), mean(lost),
+                   error(lost))
+  }
+  BEGIN {
+    print options == "" ? "| seed | default |" : "| seed | default | " options " |"
+    print options == "" ? "|---:|---:|" : "|---:|---:|---:|"
+  }
+  {
+    printf "| %d | %.2f / %.2f / %d |", $1, $2, $3, $4
+    note("px", $2); note("lost", $3)
+    if ($4 > longest) longest = $4
+    if (NF > 4) {
+      printf " %.2f / %.2f / %d |", $5, $6, $7
+      note("px2", $5); note("lost2", $6); note("more_px", $5 - $2); note("more_lost", $6 - $3)
+      if ($7 > longest2) longest2 = $7
+    }
+    print ""
+  }
+  END {
+    if (NR == 0) exit
+    printf "\n%d %s, %s, mean px / lost %%:\n", NR, NR == 1 ? "game" : "games",
+           scene == "" ? "plain" : scene
+    printf "default: %s, longest loss %d ms\n", means("", "px", "lost"), longest
+    if (options == "") exit
+    printf "%s: %s, longest loss %d ms\n", options, means("", "px2", "lost2"), longest2
+    printf "change: %s\n", means("+", "more_px", "more_lost")
+  }'
+exit "$failed"
