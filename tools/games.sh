@@ -1,5 +1,6 @@
 # Plays simulated games and scores the tracker on them, for scripts that do so by the dozen: to be
-# sourced, with `root` set to the project's root. Its comment up to `set -e` is a script's help.
+# sourced, with `root` set to the project's root. The comment at the script's beginning, up to its `set`,
+# is its help.
 me=$(basename "$0")
 
 usage() { # EXIT_CODE
@@ -17,7 +18,7 @@ require_seconds() { # VALUE
 }
 
 require_jobs() { # VALUE
-  [[ $1 =~ ^[1-9][0-9]*$ ]] || refuse "--jobs takes a whole number from 1, got $1"
+  [[ $1 =~ ^[1-9][0-9]{0,3}$ ]] || refuse "--jobs takes a whole number from 1 to 9999, got $1"
 }
 
 # Puts the folder with these programs into `programs`; where that is empty, builds them.
@@ -34,14 +35,15 @@ require_programs() { # NAME...
 
 # Says how well the game BASE.raw is tracked: "mean_px lost_percent longest_loss_ms".
 score() { # BASE SIZE_MODEL [OPTION of puck-evaluate...]
-  "$programs/puck-evaluate" "$1.raw" --truth "$1.truth.csv" --size-model "${@:2}" |
-    awk '{ is[$1] = $2 }
-      END {
-        if (is["mean_px"] !~ /^[0-9]/ || is["lost_percent"] !~ /^[0-9]/) {
-          print "a game cannot be scored: is its puck ever to be seen?" >"/dev/stderr"
-          exit 1
-        }
-        print is["mean_px"], is["lost_percent"], is["longest_loss_ms"]
-      }'
+  local told
+  told=$("$programs/puck-evaluate" "$1.raw" --truth "$1.truth.csv" --size-model "${@:2}") || return
+  awk '{ is[$1] = $2 }
+    END {
+      if (is["mean_px"] !~ /^[0-9]/ || is["lost_percent"] !~ /^[0-9]/) {
+        print "a game cannot be scored: is its puck ever to be seen?" >"/dev/stderr"
+        exit 1
+      }
+      print is["mean_px"], is["lost_percent"], is["longest_loss_ms"]
+    }' <<<"$told"
 }
 export -f score

@@ -14,8 +14,8 @@
 # --output DIR       where figures, logs and, while they are needed, recordings go (default
 #                    build/more_games)
 # --programs DIR     run the programs there, and build nothing
-# --keep             do not delete the recordings (30 to 100 MB each), and use those that are left
-#                    from a run with the same scene, length and simulator
+# --keep             do not delete the recordings (30 to 100 MB each). A later run with the same scene,
+#                    length and simulator uses them, and leaves them
 # -- OPTION...       tracks each game once more with these options of puck-evaluate, such as
 #                    --without shear or --preset correlation, and says what they change
 #
@@ -23,6 +23,7 @@
 # could not be played or scored; it has no row and no part in the means.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
+# shellcheck source=tools/games.sh
 . "$root/tools/games.sh"
 
 seeds=
@@ -48,7 +49,7 @@ while [ $# -gt 0 ]; do
     --)
       shift
       options=("$@")
-      [ $# -gt 0 ] || refuse "-- takes options of puck-evaluate, got none"
+      [ -n "${*}" ] || refuse "-- takes options of puck-evaluate, got none"
       break
       ;;
     -h | --help) usage 0 ;;
@@ -79,15 +80,14 @@ export scene moving seconds size_model programs keep games
 # Writes the game's figures: those of default, and with the options, if there are any.
 game() { # SEED [OPTION...]
   set -euo pipefail
-  shopt -s inherit_errexit
   # Not local: the trap runs when this function is over.
   recording=$games/$1
-  [ -n "$keep" ] || trap 'rm -f "$recording".{complete,raw,truth.csv,annotations.csv,toml}' EXIT
-  if [ ! -f "$recording.complete" ] || [ ! -f "$recording.raw" ]; then
-    rm -f "$recording.complete"
+  if [ ! -f "$recording.complete" ]; then
+    trap 'rm -f "$recording".{complete,raw,truth.csv,annotations.csv,toml}' EXIT
     "$programs/puck-simulate" ${scene:+--scene "$scene"} --seed "$1" --seconds "$seconds" \
       ${moving:+"$moving"} --output "$recording" >&2
     touch "$recording.complete"
+    [ -z "$keep" ] || trap - EXIT
   fi
   local figures
   figures=$(score "$recording" "$size_model")
@@ -95,8 +95,8 @@ game() { # SEED [OPTION...]
   echo "$1 $figures" >"$recording.figures"
 }
 
-game_logged() { # SEED [OPTION...]
-  rm -f "$games/$1.figures"
+game_logged() { # [OPTION...] SEED
+  set -- "${@: -1}" "${@:1:$#-1}"
   if bash -c 'game "$@"' game "$@" 2>"$games/$1.log"; then
     echo "seed $1 is done" >&2
   else
@@ -108,34 +108,40 @@ game_logged() { # SEED [OPTION...]
 export -f game game_logged
 
 mkdir -p "$games"
+exec 9>"$games/lock"
+flock --nonblock 9 || refuse "another run works in $games; --output DIR gives this one a folder of its own"
+rm -f "$games"/*.figures
 failed=0
 seq "$first" "$last" |
-  xargs -I SEED -P "$jobs" bash -c 'game_logged "$@"' game_logged SEED "${options[@]}" || failed=1
+  xargs -n 1 -P "$jobs" bash -c 'game_logged "$@"' game_logged "${options[@]}" || failed=1
 
+which="$seconds s, $(basename "${scene:-plain}" .toml)${moving:+, moving}"
 for seed in $(seq "$first" "$last"); do
   if [ -f "$games/$seed.figures" ]; then cat "$games/$seed.figures"; fi
-done | awk -v options="${options[*]}" -v scene="${scene:+$(basename "$scene" .toml)}" '
+done | extra=${options[*]} which=$which awk '
   function note(name, value) { sum[name] += value; square[name] += value * value }
   function mean(name) { return sum[name] / NR }
   function error(name,   variance) {
     if (NR < 2) return "?"
     variance = (square[name] - NR * mean(name) ^ 2) / (NR - 1)
-    return sprintf("%.2f", sqrt((variance > 0 ? variance : 0) / NR))
+    return sprintf("%.3f", sqrt((variance > 0 ? variance : 0) / NR))
   }
   function means(sign, px, lost) {
-    return sprintf("%" sign ".2f ± %s / %" sign ".2f ± %s", mean(px), error(px), mean(lost),
+    return sprintf("%" sign ".3f ± %s / %" sign ".3f ± %s", mean(px), error(px), mean(lost),
                    error(lost))
   }
   BEGIN {
+    options = ENVIRON["extra"]
+    gsub(/[|]/, "/", options)
     print options == "" ? "| seed | default |" : "| seed | default | " options " |"
     print options == "" ? "|---:|---:|" : "|---:|---:|---:|"
   }
   {
-    printf "| %d | %.2f / %.2f / %d |", $1, $2, $3, $4
+    printf "| %d | %.3f / %.3f / %.0f |", $1, $2, $3, $4
     note("px", $2); note("lost", $3)
     if ($4 > longest) longest = $4
-    if (NF > 4) {
-      printf " %.2f / %.2f / %d |", $5, $6, $7
+    if (options != "") {
+      printf " %.3f / %.3f / %.0f |", $5, $6, $7
       note("px2", $5); note("lost2", $6); note("more_px", $5 - $2); note("more_lost", $6 - $3)
       if ($7 > longest2) longest2 = $7
     }
@@ -143,11 +149,10 @@ done | awk -v options="${options[*]}" -v scene="${scene:+$(basename "$scene" .to
   }
   END {
     if (NR == 0) exit
-    printf "\n%d %s, %s, mean px / lost %%:\n", NR, NR == 1 ? "game" : "games",
-           scene == "" ? "plain" : scene
-    printf "default: %s, longest loss %d ms\n", means("", "px", "lost"), longest
+    printf "\n%d %s of %s, mean px / lost %%:\n", NR, NR == 1 ? "game" : "games", ENVIRON["which"]
+    printf "default: %s, longest loss %.0f ms\n", means("", "px", "lost"), longest
     if (options == "") exit
-    printf "%s: %s, longest loss %d ms\n", options, means("", "px2", "lost2"), longest2
+    printf "%s: %s, longest loss %.0f ms\n", options, means("", "px2", "lost2"), longest2
     printf "change: %s\n", means("+", "more_px", "more_lost")
   }'
 exit "$failed"

@@ -19,6 +19,7 @@
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 
+# shellcheck source=tools/games.sh
 . "$root/tools/games.sh"
 
 seconds=10

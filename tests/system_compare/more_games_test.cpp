@@ -19,9 +19,10 @@ namespace fs = std::filesystem;
 fs::path more_games() { return source_folder() / "tools/more_games.sh"; }
 
 Finished told_by(const TemporaryFolder& folder, const std::string& evaluate,
-                 const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{more_games(), "--programs", programs_that(folder, evaluate),
-                                   "--output", folder / "out"};
+                 const std::vector<std::string>& arguments, const std::string& simulate = "") {
+  std::vector<std::string> command{more_games(), "--programs",
+                                   programs_that(folder, evaluate, simulate), "--output",
+                                   folder / "out"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return run_program(command);
 }
@@ -38,11 +39,13 @@ int recordings_in(const fs::path& folder) {
   return count;
 }
 
-// Of three games: 1, 2 and 6 px, 10, 20 and 60 %, each a tenth of that with any option more.
+// Of three games: 1, 2 and 6 px, 10, 20 and 60 %, 411 to 413 ms. With any option more, a tenth of
+// the px, a twentieth of the %, and 511 to 513 ms.
 const std::string kFigures =
-    "case $seed in 11) n=1 ;; 12) n=2 ;; *) n=6 ;; esac\n"
-    "if [ $# -gt 5 ]; then n=0.$n; fi\n"
-    "echo mean_px $n; echo lost_percent ${n}0; echo longest_loss_ms 4$seed\n";
+    "case $seed in 11) n=1 lost=0.5 ;; 12) n=2 lost=1 ;; *) n=6 lost=3 ;; esac\n"
+    "if [ $# -gt 5 ]; then echo mean_px 0.$n; echo lost_percent $lost; echo longest_loss_ms "
+    "5$seed\n"
+    "else echo mean_px $n; echo lost_percent ${n}0; echo longest_loss_ms 4$seed; fi\n";
 
 }  // namespace
 
@@ -51,59 +54,108 @@ TEST_CASE("means have the standard error of so many games") {
   const Finished told = told_by(folder, kFigures, {"11-13"});
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 0);
-  CHECK(says(told, "| 12 | 2.00 / 20.00 / 412 |\n"));
-  CHECK(says(told, "3 games, plain"));
+  CHECK(says(told, "| 12 | 2.000 / 20.000 / 412 |\n"));
+  CHECK(says(told, "3 games of 10 s, plain, mean"));
   // The deviations are -2, -1 and 3: √(14 / 2 / 3).
-  CHECK(says(told, "default: 3.00 ± 1.53 / 30.00 ± 15.28, longest loss 413 ms\n"));
+  CHECK(says(told, "default: 3.000 ± 1.528 / 30.000 ± 15.275, longest loss 413 ms\n"));
   CHECK(recordings_in(folder / "out") == 0);
 }
 
 TEST_CASE("what options change has the error of the differences, game by game") {
   const TemporaryFolder folder;
-  const Finished told = told_by(folder, kFigures, {"11-13", "--", "--without", "shear"});
+  const Finished told = told_by(folder, kFigures, {"11-13", "--", "--without", "SEED"});
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 0);
-  CHECK(says(told, "| 12 | 2.00 / 20.00 / 412 | 0.20 / 0.20 / 412 |\n"));
-  CHECK(says(told, "--without shear: 0.30 ± 0.15 / 0.30 ± 0.15, longest loss 413 ms\n"));
-  CHECK(says(told, "change: -2.70 ± 1.37 / -29.70 ± 15.12\n"));
+  CHECK(says(told, "| 12 | 2.000 / 20.000 / 412 | 0.200 / 1.000 / 512 |\n"));
+  CHECK(says(told, "--without SEED: 0.300 ± 0.153 / 1.500 ± 0.764, longest loss 513 ms\n"));
+  CHECK(says(told, "change: -2.700 ± 1.375 / -28.500 ± 14.511\n"));
 }
 
 TEST_CASE("one game tells no error") {
   const TemporaryFolder folder;
   const Finished told = told_by(folder, kFigures, {"12-12"});
   CHECK(told.exit_code == 0);
-  CHECK(says(told, "default: 2.00 ± ? / 20.00 ± ?, longest loss 412 ms\n"));
+  CHECK(says(told, "1 game of 10 s, plain, mean"));
+  CHECK(says(told, "default: 2.000 ± ? / 20.000 ± ?, longest loss 412 ms\n"));
+}
+
+TEST_CASE("games are played and tracked as they are asked for") {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.toml", "");
+  write_text(folder / "size.toml", "");
+  // 3 px, if all that was asked for arrived.
+  const Finished told = told_by(
+      folder,
+      "game=$(cat \"$3\")\nn=0\n"
+      "case $game in *scene.toml*) n=$((n + 1)) ;; esac\n"
+      "case $game in *--moving*) n=$((n + 1)) ;; esac\n"
+      "case \"$game $5 $6 $7\" in *'--seconds 4'*'/size.toml --seed a b') n=$((n + 1)) ;; esac\n"
+      "echo mean_px $n; echo lost_percent 0; echo longest_loss_ms 0\n",
+      {"11-11", "--scene", folder / "scene.toml", "--moving", "--seconds", "4", "--size-model",
+       folder / "size.toml", "--", "--seed", "a b"});
+  INFO(told.output, told.errors);
+  CHECK(says(told, "1 game of 4 s, scene, moving, mean"));
+  CHECK(says(told, "default: 2.000 ± ?"));
+  CHECK(says(told, "--seed a b: 3.000 ± ?"));
 }
 
 TEST_CASE("a game that fails or cannot be scored has no part in the means") {
-  for (const char* failure : {"exit 1", "echo mean_px -; exit 0"}) {
-    CAPTURE(failure);
+  const std::string thirteenth = "if [ $seed = 13 ]; then ";
+  struct Failure {
+    std::string evaluate;
+    std::string simulate;
+  };
+  for (const auto& [evaluate, simulate] :
+       {Failure{thirteenth + "exit 1; fi\n" + kFigures, ""},
+        Failure{thirteenth + "echo mean_px -; exit; fi\n" + kFigures, ""},
+        Failure{kFigures + thirteenth + "exit 1; fi\n", ""},
+        Failure{kFigures, thirteenth + "exit 1; fi\n"}}) {
+    CAPTURE(evaluate);
+    CAPTURE(simulate);
     const TemporaryFolder folder;
-    const Finished told = told_by(
-        folder, "if [ $seed = 13 ]; then " + std::string(failure) + "; fi\n" + kFigures, {"11-13"});
+    const Finished told = told_by(folder, evaluate, {"11-13"}, simulate);
     CHECK(told.exit_code == 1);
     CHECK(told.errors.find("seed 13 failed") != std::string::npos);
     CHECK_FALSE(says(told, "| 13 |"));
-    CHECK(says(told, "default: 1.50 ± 0.50 / 15.00 ± 5.00, longest loss 412 ms\n"));
+    CHECK(says(told, "default: 1.500 ± 0.500 / 15.000 ± 5.000, longest loss 412 ms\n"));
   }
 }
 
-TEST_CASE("kept recordings are used again, and those of another scene are not") {
+TEST_CASE("a game that fails with the options alone has no part in the means, nor an earlier run") {
+  const TemporaryFolder folder;
+  CHECK(told_by(folder, kFigures, {"11-13", "--keep"}).exit_code == 0);
+  const Finished told = told_by(folder, "if [ $seed$# = 136 ]; then exit 1; fi\n" + kFigures,
+                                {"11-13", "--", "--new-option"});
+  INFO(told.output, told.errors);
+  CHECK(told.exit_code == 1);
+  CHECK_FALSE(says(told, "| 13 |"));
+  CHECK(says(told, "default: 1.500 ± 0.500 /"));
+  CHECK(says(told, "--new-option: 0.150 ± 0.050 /"));
+}
+
+TEST_CASE("kept recordings are used again, and stay; those of another scene are not used") {
   const TemporaryFolder folder;
   const fs::path scene = folder / "scene.toml";
   write_text(scene, "[game]\n");
-  const std::vector<std::string> arguments{"11-12", "--scene", scene, "--keep"};
-  CHECK(told_by(folder, kFigures, arguments).exit_code == 0);
+  const std::vector<std::string> arguments{"11-12", "--scene", scene};
+  std::vector<std::string> keeping = arguments;
+  keeping.emplace_back("--keep");
+  CHECK(told_by(folder, kFigures, keeping, "exit 1\n").exit_code == 1);
+  CHECK(recordings_in(folder / "out") == 0);
+  CHECK(told_by(folder, kFigures, keeping).exit_code == 0);
   CHECK(recordings_in(folder / "out") == 2);
 
-  // What the simulator would write is another seed, which no game has.
+  // The simulator would write another seed.
   for (const auto& entry : fs::recursive_directory_iterator(folder / "out")) {
     if (entry.path().filename() == "11.raw") write_text(entry.path(), "12\n");
   }
-  CHECK(says(told_by(folder, kFigures, arguments), "| 11 | 2.00 / 20.00 / 412 |\n"));
+  CHECK(says(told_by(folder, kFigures, arguments), "| 11 | 2.000 / 20.000 / 412 |\n"));
+  CHECK(recordings_in(folder / "out") == 2);
 
+  CHECK(says(told_by(folder, kFigures, arguments, "# another simulator\n"), "| 11 | 1.000 /"));
   write_text(scene, "[game]\n# changed\n");
-  CHECK(says(told_by(folder, kFigures, arguments), "| 11 | 1.00 / 10.00 / 411 |\n"));
+  CHECK(says(told_by(folder, kFigures, arguments), "| 11 | 1.000 /"));
+  CHECK(recordings_in(folder / "out") == 2);
 }
 
 TEST_CASE("a real game is played in a real scene, with an ingredient and without it") {
@@ -115,7 +167,7 @@ TEST_CASE("a real game is played in a real scene, with an ingredient and without
       {}, std::chrono::minutes(4));
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 0);
-  CHECK(says(told, "1 game, rests"));
+  CHECK(says(told, "1 game of 1 s, rests, mean"));
   CHECK(says(told, "\n--without lag: "));
 }
 
@@ -133,10 +185,12 @@ TEST_CASE("games that are asked for in the wrong way are refused before any is p
                                              {"11-12", "13-14"},
                                              {"11-12", "--seconds", "1.2.3"},
                                              {"11-12", "--jobs", "0"},
+                                             {"11-12", "--jobs", "10000"},
                                              {"11-12", "--scene", "no_such_scene.toml"},
                                              {"11-12", "--size-model", "no_such_model.toml"},
                                              {"11-12", "--no-such-option"},
-                                             {"11-12", "--"}}) {
+                                             {"11-12", "--"},
+                                             {"11-12", "--", ""}}) {
     CAPTURE(arguments.size());
     const Finished told = told_by(folder, kFigures, arguments);
     CHECK(told.exit_code == 2);

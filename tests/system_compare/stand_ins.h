@@ -8,11 +8,13 @@
 namespace puck {
 
 /// Shell scripts in the place of the real programs, to see what a tool makes of what they say or of
-/// their failure. puck-simulate writes a game whose last line is its seed, and puck-calibrate what
-/// it was asked for. `evaluate` is what puck-evaluate does: it finds the seed in $seed, and its own
-/// arguments where a program finds them.
+/// their failure. puck-simulate writes a game whose last line is its seed and whose truth is what
+/// it was asked for, and then does `simulate`; puck-calibrate writes an empty file. `evaluate` is
+/// what puck-evaluate does: it finds the seed in $seed, and its own arguments where a program finds
+/// them.
 inline std::filesystem::path programs_that(const TemporaryFolder& folder,
-                                           const std::string& evaluate) {
+                                           const std::string& evaluate,
+                                           const std::string& simulate = "") {
   namespace fs = std::filesystem;
   // Puts what --output and --seed say into variables of those names.
   const std::string read_options =
@@ -30,7 +32,9 @@ inline std::filesystem::path programs_that(const TemporaryFolder& folder,
   write("puck-simulate",
         read_options +
             "printf '%% geometry 64x48\\n%% end\\n%s\\n' \"$seed\" >\"$output.raw\"\n"
-            "touch \"$output.truth.csv\" \"$output.annotations.csv\" \"$output.toml\"\n");
+            "echo \"$*\" >\"$output.truth.csv\"\n"
+            "touch \"$output.annotations.csv\" \"$output.toml\"\n" +
+            simulate);
   write("puck-calibrate", read_options + "touch \"$output\"\n");
   write("puck-evaluate", "#!/bin/sh\nseed=$(tail -n 1 \"$1\")\n" + evaluate);
   return programs;
