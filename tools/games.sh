@@ -46,4 +46,15 @@ score() { # BASE SIZE_MODEL [OPTION of puck-evaluate...]
       print is["mean_px"], is["lost_percent"], is["longest_loss_ms"]
     }' <<<"$told"
 }
-export -f score
+# Runs a function in a shell of its own, whose failures -e can see: where the caller asks whether a
+# function worked, bash leaves it off in all of it. Says how it ended, and of what fails its last words.
+logged() { # NAME LOG FUNCTION [ARGUMENT...]
+  if bash -c '"$@"' "$3" "${@:3}" 2>"$2"; then
+    echo "$1 is done" >&2
+  else
+    echo "$1 failed; $2 ends with:" >&2
+    tail -n 3 "$2" >&2
+    return 1
+  fi
+}
+export -f score logged

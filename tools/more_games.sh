@@ -96,14 +96,8 @@ game() { # SEED [OPTION...]
 }
 
 game_logged() { # [OPTION...] SEED
-  set -- "${@: -1}" "${@:1:$#-1}"
-  if bash -c 'game "$@"' game "$@" 2>"$games/$1.log"; then
-    echo "seed $1 is done" >&2
-  else
-    echo "seed $1 failed; $games/$1.log ends with:" >&2
-    tail -n 3 "$games/$1.log" >&2
-    return 1
-  fi
+  local seed=${*: -1}
+  logged "seed $seed" "$games/$seed.log" game "$seed" "${@:1:$#-1}"
 }
 export -f game game_logged
 

@@ -68,8 +68,7 @@ cell() { # SCENE FOLDER [--moving]: the mean of two games
     awk '{ px += $1; lost += $2 } END { printf "%.2f / %.2f", px / NR, lost / NR }'
 }
 
-# Writes its row into the output folder. In a shell of its own, whose failures -e can see: where the
-# caller asks whether a function worked, bash leaves it off in all of it.
+# Writes its row into the output folder.
 row() { # SCENE
   set -euo pipefail
   shopt -s inherit_errexit
@@ -96,17 +95,10 @@ row() { # SCENE
 }
 
 row_logged() { # SCENE
-  local name log
+  local name
   name=$(basename "$1" .toml)
-  log=$output/$name.log
   rm -f "$output/$name/row.md"
-  if bash -c 'row "$1"' row "$1" 2>"$log"; then
-    echo "$name is done" >&2
-  else
-    echo "$name failed; $log ends with:" >&2
-    tail -n 3 "$log" >&2
-    return 1
-  fi
+  logged "$name" "$output/$name.log" row "$1"
 }
 export -f game_figures cell row row_logged
 
