@@ -46,6 +46,7 @@ score() { # BASE SIZE_MODEL [OPTION of puck-evaluate...]
       print is["mean_px"], is["lost_percent"], is["longest_loss_ms"]
     }' <<<"$told"
 }
+
 # Runs a function in a shell of its own, whose failures -e can see: where the caller asks whether a
 # function worked, bash leaves it off in all of it. Says how it ended, and of what fails its last words.
 logged() { # NAME LOG FUNCTION [ARGUMENT...]

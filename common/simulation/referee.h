@@ -8,7 +8,7 @@ namespace puck {
 /// Counts shots, saves and goals as they really are. A hit is one contact of a mallet with the
 /// puck, or several within 10 ms; it is judged when it is over, by where the puck would go if
 /// nobody touched it again:
-/// - a shot is a hit of the opponent that would enter the robot's goal;
+/// - a shot is a hit of the opponent that would enter the robot's goal,
 /// - a save is a shot under way that the robot's mallet touched and that then would not enter.
 /// A shot that the opponent touches again, and that then would not enter, is neither save nor goal.
 class Referee {

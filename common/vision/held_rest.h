@@ -14,8 +14,8 @@ namespace puck {
 bool may_hold(const TrackStanding& standing, const PuckSignature& signature);
 
 /// A puck at rest stays where it is while a mallet or a hand comes near: what happens beside it
-/// says nothing about it. It is let go when events lie all around its contour, since it sets off;
-/// when they lie inside it, since something is on it; or when it has been disturbed for long.
+/// says nothing about it. It is let go when events lie all around its contour, since it sets off,
+/// when they lie inside it, since something is on it, or when it has been disturbed for long.
 class HeldRest {
  public:
   /// To be called after each decision of the main track, which it frees when it sets off. Switched

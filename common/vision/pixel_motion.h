@@ -9,8 +9,8 @@
 namespace puck {
 
 struct PixelMotionParams {
-  /// Spectral density of the puck's acceleration, px²/s³. Larger follows hits and bounces sooner;
-  /// smaller smooths more.
+  /// Spectral density of the puck's acceleration, px²/s³. Larger follows hits and bounces
+  /// sooner, smaller smooths more.
   double acceleration_density = 1e6;
   /// Standard deviation of a measured position that does not bring its own, px.
   double measurement_sigma_px = 0.7;

@@ -12,7 +12,7 @@ namespace puck::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Copies from as many of the events as fill whole vectors; returns how many it has looked at;
+// Copies from as many of the events as fill whole vectors. Returns how many it has looked at, and
 // `copied` becomes how many of them lie inside. `region` lies within what 15 bits hold and is not
 // empty.
 std::size_t copy_vectors(std::span<const Event> events, const Region& region, Event* out,

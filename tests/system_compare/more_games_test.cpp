@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/support/child_process.h"
+#include "tests/support/contains.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/system_compare/stand_ins.h"
@@ -25,10 +26,6 @@ Finished told_by(const TemporaryFolder& folder, const std::string& evaluate,
                                    folder / "out"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return run_program(command);
-}
-
-bool says(const Finished& told, const std::string& text) {
-  return told.output.find(text) != std::string::npos;
 }
 
 int recordings_in(const fs::path& folder) {
@@ -54,10 +51,10 @@ TEST_CASE("means have the standard error of so many games") {
   const Finished told = told_by(folder, kFigures, {"11-13"});
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 0);
-  CHECK(says(told, "| 12 | 2.000 / 20.000 / 412 |\n"));
-  CHECK(says(told, "3 games of 10 s, plain, mean"));
+  CHECK(contains(told.output, "| 12 | 2.000 / 20.000 / 412 |\n"));
+  CHECK(contains(told.output, "3 games of 10 s, plain, mean"));
   // The deviations are -2, -1 and 3: √(14 / 2 / 3).
-  CHECK(says(told, "default: 3.000 ± 1.528 / 30.000 ± 15.275, longest loss 413 ms\n"));
+  CHECK(contains(told.output, "default: 3.000 ± 1.528 / 30.000 ± 15.275, longest loss 413 ms\n"));
   CHECK(recordings_in(folder / "out") == 0);
 }
 
@@ -66,17 +63,18 @@ TEST_CASE("what options change has the error of the differences, game by game") 
   const Finished told = told_by(folder, kFigures, {"11-13", "--", "--without", "SEED"});
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 0);
-  CHECK(says(told, "| 12 | 2.000 / 20.000 / 412 | 0.200 / 1.000 / 512 |\n"));
-  CHECK(says(told, "--without SEED: 0.300 ± 0.153 / 1.500 ± 0.764, longest loss 513 ms\n"));
-  CHECK(says(told, "change: -2.700 ± 1.375 / -28.500 ± 14.511\n"));
+  CHECK(contains(told.output, "| 12 | 2.000 / 20.000 / 412 | 0.200 / 1.000 / 512 |\n"));
+  CHECK(contains(told.output,
+                 "--without SEED: 0.300 ± 0.153 / 1.500 ± 0.764, longest loss 513 ms\n"));
+  CHECK(contains(told.output, "change: -2.700 ± 1.375 / -28.500 ± 14.511\n"));
 }
 
 TEST_CASE("one game tells no error") {
   const TemporaryFolder folder;
   const Finished told = told_by(folder, kFigures, {"12-12"});
   CHECK(told.exit_code == 0);
-  CHECK(says(told, "1 game of 10 s, plain, mean"));
-  CHECK(says(told, "default: 2.000 ± ? / 20.000 ± ?, longest loss 412 ms\n"));
+  CHECK(contains(told.output, "1 game of 10 s, plain, mean"));
+  CHECK(contains(told.output, "default: 2.000 ± ? / 20.000 ± ?, longest loss 412 ms\n"));
 }
 
 TEST_CASE("games are played and tracked as they are asked for") {
@@ -94,9 +92,9 @@ TEST_CASE("games are played and tracked as they are asked for") {
       {"11-11", "--scene", folder / "scene.toml", "--moving", "--seconds", "4", "--size-model",
        folder / "size.toml", "--", "--seed", "a b"});
   INFO(told.output, told.errors);
-  CHECK(says(told, "1 game of 4 s, scene, moving, mean"));
-  CHECK(says(told, "default: 2.000 ± ?"));
-  CHECK(says(told, "--seed a b: 3.000 ± ?"));
+  CHECK(contains(told.output, "1 game of 4 s, scene, moving, mean"));
+  CHECK(contains(told.output, "default: 2.000 ± ?"));
+  CHECK(contains(told.output, "--seed a b: 3.000 ± ?"));
 }
 
 TEST_CASE("a game that fails or cannot be scored has no part in the means") {
@@ -115,9 +113,9 @@ TEST_CASE("a game that fails or cannot be scored has no part in the means") {
     const TemporaryFolder folder;
     const Finished told = told_by(folder, evaluate, {"11-13"}, simulate);
     CHECK(told.exit_code == 1);
-    CHECK(told.errors.find("seed 13 failed") != std::string::npos);
-    CHECK_FALSE(says(told, "| 13 |"));
-    CHECK(says(told, "default: 1.500 ± 0.500 / 15.000 ± 5.000, longest loss 412 ms\n"));
+    CHECK(contains(told.errors, "seed 13 failed"));
+    CHECK_FALSE(contains(told.output, "| 13 |"));
+    CHECK(contains(told.output, "default: 1.500 ± 0.500 / 15.000 ± 5.000, longest loss 412 ms\n"));
   }
 }
 
@@ -128,9 +126,9 @@ TEST_CASE("a game that fails with the options alone has no part in the means, no
                                 {"11-13", "--", "--new-option"});
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 1);
-  CHECK_FALSE(says(told, "| 13 |"));
-  CHECK(says(told, "default: 1.500 ± 0.500 /"));
-  CHECK(says(told, "--new-option: 0.150 ± 0.050 /"));
+  CHECK_FALSE(contains(told.output, "| 13 |"));
+  CHECK(contains(told.output, "default: 1.500 ± 0.500 /"));
+  CHECK(contains(told.output, "--new-option: 0.150 ± 0.050 /"));
 }
 
 TEST_CASE("kept recordings are used again, and stay; those of another scene are not used") {
@@ -149,12 +147,13 @@ TEST_CASE("kept recordings are used again, and stay; those of another scene are 
   for (const auto& entry : fs::recursive_directory_iterator(folder / "out")) {
     if (entry.path().filename() == "11.raw") write_text(entry.path(), "12\n");
   }
-  CHECK(says(told_by(folder, kFigures, arguments), "| 11 | 2.000 / 20.000 / 412 |\n"));
+  CHECK(contains(told_by(folder, kFigures, arguments).output, "| 11 | 2.000 / 20.000 / 412 |\n"));
   CHECK(recordings_in(folder / "out") == 2);
 
-  CHECK(says(told_by(folder, kFigures, arguments, "# another simulator\n"), "| 11 | 1.000 /"));
+  CHECK(contains(told_by(folder, kFigures, arguments, "# another simulator\n").output,
+                 "| 11 | 1.000 /"));
   write_text(scene, "[game]\n# changed\n");
-  CHECK(says(told_by(folder, kFigures, arguments), "| 11 | 1.000 /"));
+  CHECK(contains(told_by(folder, kFigures, arguments).output, "| 11 | 1.000 /"));
   CHECK(recordings_in(folder / "out") == 2);
 }
 
@@ -167,14 +166,14 @@ TEST_CASE("a real game is played in a real scene, with an ingredient and without
       {}, std::chrono::minutes(4));
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 0);
-  CHECK(says(told, "1 game of 1 s, rests, mean"));
-  CHECK(says(told, "\n--without lag: "));
+  CHECK(contains(told.output, "1 game of 1 s, rests, mean"));
+  CHECK(contains(told.output, "\n--without lag: "));
 }
 
 TEST_CASE("games that are asked for in the wrong way are refused before any is played") {
   const Finished help = run_program({more_games(), "--help"});
   CHECK(help.exit_code == 0);
-  CHECK(help.output.find("--size-model FILE") != std::string::npos);
+  CHECK(contains(help.output, "--size-model FILE"));
 
   const TemporaryFolder folder;
   for (const std::vector<std::string>& arguments :
@@ -194,7 +193,7 @@ TEST_CASE("games that are asked for in the wrong way are refused before any is p
     CAPTURE(arguments.size());
     const Finished told = told_by(folder, kFigures, arguments);
     CHECK(told.exit_code == 2);
-    CHECK(told.errors.find("more_games.sh: ") != std::string::npos);
+    CHECK(contains(told.errors, "more_games.sh: "));
   }
   CHECK_FALSE(fs::exists(folder / "out"));
 }

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/support/child_process.h"
+#include "tests/support/contains.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/system_compare/stand_ins.h"
@@ -34,7 +35,7 @@ TEST_CASE("a row has the means of two games") {
       "else echo mean_px 1.0; echo lost_percent 20; fi\n");
   INFO(told.errors);
   CHECK(told.exit_code == 0);
-  CHECK(told.output.find("| Any scene | 0.90 / 15.00 | 0.90 / 15.00 |\n") != std::string::npos);
+  CHECK(contains(told.output, "| Any scene | 0.90 / 15.00 | 0.90 / 15.00 |\n"));
 }
 
 TEST_CASE("what fails or cannot be scored in one game has no row") {
@@ -48,8 +49,8 @@ TEST_CASE("what fails or cannot be scored in one game has no row") {
     CAPTURE(evaluate);
     const Finished told = told_with(evaluate);
     CHECK(told.exit_code == 1);
-    CHECK(told.output.find("Any scene") == std::string::npos);
-    CHECK(told.errors.find("scene failed") != std::string::npos);
+    CHECK_FALSE(contains(told.output, "Any scene"));
+    CHECK(contains(told.errors, "scene failed"));
   }
 }
 
@@ -63,8 +64,8 @@ TEST_CASE("another scene is played, and one that cannot be costs no other its ro
                   {}, std::chrono::minutes(8));
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 1);
-  CHECK(told.errors.find("threshhold") != std::string::npos);
-  CHECK(told.output.find("A key that nobody knows") == std::string::npos);
+  CHECK(contains(told.errors, "threshhold"));
+  CHECK_FALSE(contains(told.output, "A key that nobody knows"));
 
   const std::string name = "| A sensor of 240 x 180 px | ";
   const auto row = told.output.find(name);
@@ -86,7 +87,7 @@ TEST_CASE("another scene is played, and one that cannot be costs no other its ro
 TEST_CASE("what is asked in the wrong way is refused before anything runs") {
   const Finished help = run_program({script(), "--help"});
   CHECK(help.exit_code == 0);
-  CHECK(help.output.find("--programs DIR") != std::string::npos);
+  CHECK(contains(help.output, "--programs DIR"));
 
   const TemporaryFolder folder;
   fs::create_directory(folder / "other");
@@ -104,7 +105,7 @@ TEST_CASE("what is asked in the wrong way is refused before anything runs") {
     command.insert(command.end(), arguments.begin(), arguments.end());
     const Finished told = run_program(command);
     CHECK(told.exit_code == 2);
-    CHECK(told.errors.find("other_scenes.sh: ") != std::string::npos);
+    CHECK(contains(told.errors, "other_scenes.sh: "));
   }
 }
 
