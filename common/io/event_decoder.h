@@ -17,7 +17,8 @@ struct EventCounters {
   std::int64_t outside_sensor = 0;   ///< Dropped: no such pixel.
   std::int64_t backwards = 0;        ///< Dropped: older than one that was handed out before.
   std::int64_t missing = 0;          ///< Known to have been lost before they were recorded.
-  std::int64_t malformed_words = 0;  ///< Words of a type that the format does not have.
+  std::int64_t other_data = 0;       ///< Passed over: records of other sensors or cameras.
+  std::int64_t malformed_words = 0;  ///< Words or lines of a form that the format does not have.
   std::int64_t time_glitches = 0;    ///< Time words that their neighbours contradict; ignored.
   std::int64_t truncated_bytes = 0;  ///< Left at the end: too few for a word or a line.
 

@@ -6,11 +6,13 @@
 
 #include "common/io/event_reader.h"
 #include "common/io/raw_header.h"
+#include "common/io/yarp_packet.h"
 
 namespace puck {
 namespace {
 
-constexpr const char* kExpected = "expected a Prophesee RAW file (EVT2 or EVT3) or a text file";
+constexpr const char* kExpected =
+    "expected a Prophesee RAW file (EVT2 or EVT3), a text file or a YARP log";
 
 struct Signature {
   std::string_view start;
@@ -49,8 +51,8 @@ bool has_raw_header(std::string_view head) {
 EventFileKind event_file_kind(const std::filesystem::path& path, std::string_view head,
                               std::string_view from) {
   const std::string name = path.string();
-  if (!from.empty() && from != "evt2" && from != "evt3" && from != "text") {
-    throw EventFileError(name + ": the format to read must be evt2, evt3 or text, got \"" +
+  if (std::find(kEventFormats.begin(), kEventFormats.end(), from) == kEventFormats.end()) {
+    throw EventFileError(name + ": the format to read must be evt2, evt3, text or yarp, got \"" +
                          std::string(from) + "\"");
   }
   if (head.empty()) throw EventFileError(name + ": is empty; " + kExpected);
@@ -60,8 +62,9 @@ EventFileKind event_file_kind(const std::filesystem::path& path, std::string_vie
     }
   }
   if (has_raw_header(head)) return EventFileKind::kRaw;
+  // A log whose beginning is damaged, and words without a header: the caller must name the format.
+  if (is_yarp_log(head) || from == "yarp") return EventFileKind::kYarpLog;
   if (is_text(head)) return EventFileKind::kText;
-  // Words without a header: only somebody who says so can know.
   if (from == "evt2" || from == "evt3") return EventFileKind::kRaw;
   if (path.extension() == ".raw") {
     throw EventFileError(name +

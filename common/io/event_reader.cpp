@@ -10,6 +10,7 @@
 #include "common/io/event_file_kind.h"
 #include "common/io/raw_file_reader.h"
 #include "common/io/text_event_reader.h"
+#include "common/io/yarp_log_reader.h"
 
 namespace puck {
 
@@ -27,8 +28,13 @@ std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
   std::array<char, 4096> head{};
   file.read(head.data(), head.size());
   const std::string_view start(head.data(), static_cast<std::size_t>(file.gcount()));
-  if (event_file_kind(path, start, options.from) == EventFileKind::kRaw) {
-    return std::make_unique<RawFileReader>(path, options);
+  switch (event_file_kind(path, start, options.from)) {
+    case EventFileKind::kRaw:
+      return std::make_unique<RawFileReader>(path, options);
+    case EventFileKind::kYarpLog:
+      return std::make_unique<YarpLogReader>(path, options);
+    case EventFileKind::kText:
+      break;
   }
   return std::make_unique<TextEventReader>(path, options);
 }

@@ -23,7 +23,7 @@ class EventFileError : public std::runtime_error {
 
 /// How to read what a file does not say about itself.
 struct EventFileOptions {
-  /// "evt2", "evt3" or "text"; empty: told from the file's header, else from its ending.
+  /// "evt2", "evt3", "text" or "yarp"; empty: told from the file's header, else from its ending.
   std::string from;
   /// For files that do not say how large their sensor is; {0, 0}: not known.
   SensorSize sensor;
@@ -35,6 +35,9 @@ struct EventFileOptions {
   std::string text_unit = "auto";
   /// Text: what stands between the columns, "auto" being any run of spaces, tabs, `,` and `;`.
   std::string text_separator = "auto";
+
+  /// YARP log: "left", "right", or "first": that of the first event.
+  std::string yarp_eye = "first";
 };
 
 /// Events of a file, in the order of their times, which are as they stand in the file: no shift.
@@ -63,7 +66,7 @@ class EventReader {
   virtual std::vector<std::string> warnings() const = 0;
 };
 
-/// Opens Prophesee RAW files (EVT2, EVT3) and text files. Throws EventFileError for a file that is
+/// Opens Prophesee RAW files (EVT2, EVT3), text files and YARP text logs. Throws EventFileError for a file that is
 /// missing, empty, of another format, or does not say how large its sensor is when `options` does
 /// not either.
 std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,

@@ -1,11 +1,19 @@
 #include "common/io/truth_file.h"
 
 #include <array>
+#include <cctype>
+#include <charconv>
 #include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "common/io/csv_file.h"
 #include "common/io/number_limits.h"
+#include "common/io/trimmed.h"
 
 namespace puck {
 namespace {
@@ -19,9 +27,69 @@ constexpr std::array<CsvColumn, 6> kTruthColumns{{
     {"visible", {}, 1.0, 0, 1},
 }};
 
+// Blanks between values, and no comma: `t y0 y1 x0 x1`.
+bool holds_boxes(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    const std::string_view content = trimmed(line);
+    if (content.empty() || content.front() == '#') continue;
+    return content.find(',') == std::string_view::npos &&
+           std::isdigit(static_cast<unsigned char>(content.front())) != 0;
+  }
+  return false;
+}
+
+std::vector<double> numbers_in(const std::string& line) {
+  std::vector<double> numbers;
+  std::istringstream words(line);
+  for (std::string word; words >> word;) {
+    double number = 0;
+    const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (result.ec != std::errc{} || result.ptr != word.data() + word.size()) return {};
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::vector<TruthRow> read_boxes(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::vector<TruthRow> rows;
+  std::optional<double> us_per_unit;
+  std::size_t line_number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++line_number;
+    const std::string_view content = trimmed(line);
+    if (content.empty() || content.front() == '#') continue;
+    const std::vector<double> box = numbers_in(line);
+    // Written so that what is not a number is no box.
+    if (box.size() != 5 || !(box[0] >= 0) || !(box[1] <= box[2]) || !(box[3] <= box[4]) ||
+        !(box[2] - box[1] <= kLargestSizePx) || !(box[4] - box[3] <= kLargestSizePx)) {
+      throw_csv_error(path, line_number,
+                      "expected a box as five numbers t y0 y1 x0 x1, with t from 0 (in s with a "
+                      "decimal point, or in µs), y0 <= y1 and x0 <= x1");
+    }
+    if (!us_per_unit) {
+      const std::string_view time = content.substr(0, content.find_first_of(" \t"));
+      us_per_unit = time.find('.') != std::string_view::npos ? 1e6 : 1;
+    }
+    const double t_us = box[0] * *us_per_unit;
+    if (t_us > kLatestUs) throw_csv_error(path, line_number, "t is too large");
+    TruthRow row;
+    row.time = {std::llround(t_us)};
+    row.centre = {(box[3] + box[4]) / 2, (box[1] + box[2]) / 2};
+    row.size = {box[4] - box[3], box[2] - box[1]};
+    if (!rows.empty() && row.time <= rows.back().time) {
+      throw_csv_error(path, line_number, "t must be larger than in the box before");
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<TruthRow> read_truth_file(const std::filesystem::path& path) {
+  if (holds_boxes(path)) return read_boxes(path);
   std::vector<TruthRow> rows;
   for (const CsvRow& row : read_csv(path, kTruthColumns)) {
     TruthRow truth;

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "common/io/event_file_kind.h"
 #include "common/io/pixel_mask_file.h"
 #include "common/messaging/event_packing.h"
 #include "common/simulation/visit_parameters.h"
@@ -40,13 +41,14 @@ void read_scene(Config& config, SimulationParams& simulation) {
 }
 
 void read_file_settings(Config& config, FileSourceParams& file) {
-  constexpr std::array<std::string_view, 4> kFormats{"", "evt2", "evt3", "text"};
   constexpr std::array<std::string_view, 3> kUnits{"auto", "s", "us"};
+  constexpr std::array<std::string_view, 3> kEyes{"first", "left", "right"};
   constexpr double kHighestRate = 1000;
   std::string path;
   config.read("camera.file", path);
   file.file = path;
-  config.read_choice("camera.format", file.options.from, kFormats);
+  config.read_choice("camera.format", file.options.from, kEventFormats);
+  config.read_choice("camera.yarp_eye", file.options.yarp_eye, kEyes);
   config.read("camera.width", file.options.sensor.width, 0, SensorSize::kMax);
   config.read("camera.height", file.options.sensor.height, 0, SensorSize::kMax);
   config.read("camera.text_columns", file.options.text_columns);

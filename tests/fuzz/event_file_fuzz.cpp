@@ -11,7 +11,7 @@ namespace puck {
 namespace {
 
 EventFileOptions options_of(std::uint8_t choice) {
-  constexpr std::array<const char*, 4> kFormats{"", "evt2", "evt3", "text"};
+  constexpr std::array<const char*, 4> kFormats{"", "evt2", "yarp", "text"};
   constexpr std::array<const char*, 4> kColumns{"t x y p", "x y p t", "t,x,y,p", "p y x t"};
   constexpr std::array<const char*, 4> kUnits{"auto", "s", "us", "auto"};
   EventFileOptions options;

@@ -36,6 +36,31 @@ TEST_CASE("truth without a column for it is all visible") {
         1);
 }
 
+TEST_CASE("truth as boxes is their middles, in seconds with a decimal point, else in µs") {
+  TemporaryFolder folder;
+  const auto seconds = read_truth_file(folder.write("a.txt",
+                                                    "# by hand\n"
+                                                    "0.010 90 110 200 240\n"
+                                                    "1.5\t91 111 202 242\n"));
+  REQUIRE(seconds.size() == 2);
+  CHECK(seconds[0].time.us == 10'000);
+  CHECK(seconds[0].centre == Pixel{220, 100});
+  CHECK(seconds[0].size.width == 40);
+  CHECK(seconds[0].size.height == 20);
+  CHECK(seconds[0].visible == 1);
+  CHECK(seconds[1].time.us == 1'500'000);
+  CHECK(read_truth_file(folder.write("b.txt", "1500000 90 110 200 240\n"))[0].time.us == 1'500'000);
+  for (const char* bad : {"1.0 2 3 4", "1.0 2 3 4 5 6", "1.0 3 2 4 5", "1.0 2 3 5 4",
+                          "1.0 2 3 4 nan", "1.0 2 3 4 x", "inf 1 2 3 4", "1e300 1 2 3 4"}) {
+    CAPTURE(bad);
+    const auto path = folder.write("c.txt", std::string("0.5 1 2 3 4\n") + bad + "\n");
+    CHECK(contains(message_of<CsvError>([&] { read_truth_file(path); }), "c.txt:2: "));
+  }
+  const auto twice = folder.write("d.txt", "0.5 1 2 3 4\n0.5 1 2 3 4\n");
+  CHECK(contains(message_of<CsvError>([&] { read_truth_file(twice); }),
+                 "d.txt:2: t must be larger than in the box before"));
+}
+
 TEST_CASE("bad truth is refused by file and line") {
   const std::string header = "t_us,x,y,width,height\n";
   CHECK(contains(message_of<CsvError>([] { read_truth_file("/nowhere/a.csv"); }),

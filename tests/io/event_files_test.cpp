@@ -35,7 +35,7 @@ TEST_CASE("a file that is missing, empty, a folder or foreign is refused in one 
   CHECK(contains(refusal_of_file(folder.write("a.bin", "\x01\x02\x03\x04")),
                  "is of an unknown format"));
   CHECK(contains(refusal_of_file(folder.write("b.raw", kHeader), {.from = "evt9"}),
-                 "must be evt2, evt3 or text, got \"evt9\""));
+                 "must be evt2, evt3, text or yarp, got \"evt9\""));
   for (const char* name : {"empty.raw", "a.png", "a.raw"}) {
     CHECK(refusal_of_file(folder / name).find('\n') == std::string::npos);
   }

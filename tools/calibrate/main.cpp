@@ -13,6 +13,7 @@
 #include "tools/calibrate/motion_command.h"
 #include "tools/calibrate/size_command.h"
 #include "tools/calibrate/table_command.h"
+#include "tools/command_line/event_file_options.h"
 
 namespace puck {
 namespace {
@@ -30,15 +31,6 @@ void refuse_to_overwrite(const std::filesystem::path& input, const std::filesyst
   if (!std::filesystem::equivalent(input, output, none)) return;
   throw std::runtime_error(output.string() +
                            ": --output would overwrite what is read; name another file");
-}
-
-// What a recording may not say of itself.
-void add_file_options(CLI::App& command, EventFileOptions& file) {
-  command.add_option("--from", file.from, "format of the recording, where it does not say so")
-      ->check(CLI::IsMember({"evt2", "evt3", "text"}));
-  command.add_option("--width", file.sensor.width, "sensor, px, where the recording does not say");
-  command.add_option("--height", file.sensor.height,
-                     "sensor, px, where the recording does not say");
 }
 
 void add_arm_options(CLI::App& command, ArmCommand& arm) {
@@ -104,17 +96,19 @@ int run(int argc, char** argv) {
   LagCommand lag;
   CLI::App* lag_app = app.add_subcommand(
       "lag", "The sensor's lag, and how the puck's contour lies to its annotated size");
-  lag_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3) or text")->required();
+  lag_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3), text or YARP log")
+      ->required();
   lag_app->add_option("--truth", lag.truth, "CSV: t_us,x,y,width,height[,visible]")->required();
   lag_app->add_option("--size-model", lag.size_model, "TOML made by puck-calibrate size")
       ->required();
-  add_file_options(*lag_app, lag.file);
+  add_event_file_options(*lag_app, lag.file);
 
   HotPixelsCommand hot;
   CLI::App* hot_app =
       app.add_subcommand("hot-pixels", "A mask of the pixels that fire all the time");
-  hot_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3) or text")->required();
-  add_file_options(*hot_app, hot.file);
+  hot_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3), text or YARP log")
+      ->required();
+  add_event_file_options(*hot_app, hot.file);
 
   ArmCommand arm;
   CLI::App* arm_app = app.add_subcommand("arm", "The arm's joints along the robot's line");

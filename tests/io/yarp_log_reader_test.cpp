@@ -1,0 +1,256 @@
+// The text log of an IIT camera, in its three encodings; and what may be wrong with one.
+#include <cstddef>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "common/io/event_reader.h"
+#include "tests/io/io_fixtures.h"
+#include "tests/support/contains.h"
+#include "tests/support/recordings.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/yarp_log_encoder.h"
+
+namespace puck {
+namespace {
+
+constexpr SensorSize kAtis{304, 240};
+
+// Packets of 1 ms, twenty events in each, anywhere on the sensor.
+std::vector<PlainEvent> random_events(int packets) {
+  std::mt19937 random(40);
+  std::vector<PlainEvent> events;
+  for (int i = 0; i < 20 * packets; ++i) {
+    events.push_back({i * 50, static_cast<int>(random() % 304), static_cast<int>(random() % 240),
+                      static_cast<int>(random() % 2)});
+  }
+  return events;
+}
+
+constexpr std::size_t kEventsInPacket = 20;
+constexpr std::int64_t kPacketUs = 1000;
+
+std::vector<std::vector<PlainEvent>> packets_of(const std::vector<PlainEvent>& events) {
+  std::vector<std::vector<PlainEvent>> packets;
+  for (std::size_t i = 0; i < events.size(); i += kEventsInPacket) {
+    packets.emplace_back(events.begin() + static_cast<std::ptrdiff_t>(i),
+                         events.begin() + static_cast<std::ptrdiff_t>(i + kEventsInPacket));
+  }
+  return packets;
+}
+
+std::string encoded(const std::vector<PlainEvent>& events, YarpEncoding encoding,
+                    std::uint32_t first_stamp = 383'033'170) {
+  YarpLogEncoder encoder(encoding, {events.front().t_us}, first_stamp);
+  for (const auto& packet : packets_of(events)) encoder.add(packet_of(packet), kPacketUs);
+  return encoder.text();
+}
+
+struct ReadLog {
+  std::vector<PlainEvent> events;
+  EventCounters counters;
+  std::vector<std::string> warnings;
+};
+
+ReadLog read_log(const std::string& text, EventFileOptions options = {.sensor = kAtis}) {
+  const TemporaryFolder folder;
+  write_text(folder / "data.log", text);
+  const auto reader = open_event_file(folder / "data.log", options);
+  ReadLog log;
+  log.events = read_all(*reader, 7);
+  log.counters = reader->counters();
+  log.warnings = reader->warnings();
+  reader->rewind();
+  CHECK(read_all(*reader, 1000) == log.events);
+  CHECK(reader->counters() == log.counters);
+  return log;
+}
+
+}  // namespace
+
+TEST_CASE("lists and stamped records of a YARP log give the events that were written") {
+  const std::vector<PlainEvent> events = random_events(50);
+  for (const YarpEncoding encoding : {YarpEncoding::kList, YarpEncoding::kStamped}) {
+    CAPTURE(static_cast<int>(encoding));
+    const ReadLog log = read_log(encoded(events, encoding));
+    CHECK(log.events == events);
+    CHECK(log.warnings.empty());
+  }
+}
+
+TEST_CASE("a counter of stamps that wraps after 31 bits, or begins at 0, loses nothing") {
+  const std::vector<PlainEvent> events = random_events(50);
+  for (const YarpEncoding encoding : {YarpEncoding::kList, YarpEncoding::kStamped}) {
+    for (const std::uint32_t first : {0x7fffffffU - 20'000, 0U}) {
+      CHECK(read_log(encoded(events, encoding, first)).events == events);
+    }
+  }
+}
+
+TEST_CASE("records without stamps are spread evenly over their packet's duration") {
+  const std::vector<PlainEvent> events = random_events(50);
+  const ReadLog log = read_log(encoded(events, YarpEncoding::kPlain));
+  REQUIRE(log.events.size() == events.size());
+  CHECK(log.warnings.empty());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    CHECK(log.events[i].x == events[i].x);
+    CHECK(log.events[i].y == events[i].y);
+    CHECK(log.events[i].polarity == events[i].polarity);
+    CHECK(std::abs(log.events[i].t_us - events[i].t_us) <= 50);
+  }
+}
+
+TEST_CASE("a pause longer than the counter's turn is as long as the host's clock says") {
+  // 80 ns in 31 bits are 171.8 s.
+  std::vector<PlainEvent> events = random_events(2);
+  for (std::size_t i = kEventsInPacket; i < events.size(); ++i) events[i].t_us += 600'000'000;
+  const ReadLog log = read_log(encoded(events, YarpEncoding::kList));
+  CHECK(log.events == events);
+  CHECK(log.warnings.empty());
+}
+
+TEST_CASE("one eye's events are read, the other's and samples of other sensors are counted") {
+  const std::vector<PlainEvent> events = random_events(4);
+  YarpLogEncoder encoder(YarpEncoding::kList, {0});
+  bool right = true;
+  for (const auto& packet : packets_of(events)) {
+    encoder.add(packet_of(packet), kPacketUs, right);
+    encoder.add_other({packet.back().t_us}, "IMUS (1 2 3) SKE (4 (5 6))");
+    right = !right;
+  }
+  const ReadLog first = read_log(encoder.text());
+  CHECK(first.events.size() == 40);
+  CHECK(first.events.front() == events.front());
+  CHECK(first.counters.other_data == 40 + 8);
+  REQUIRE(first.warnings.size() == 1);
+  CHECK(contains(first.warnings[0], "48 records are of other sensors or another camera"));
+
+  const ReadLog left = read_log(encoder.text(), {.sensor = kAtis, .yarp_eye = "left"});
+  REQUIRE(left.events.size() == 40);
+  CHECK(left.events.front().x == events[20].x);
+  CHECK(left.events.front().t_us == 0);
+}
+
+TEST_CASE("a second time in each line is that of receipt and changes nothing") {
+  const std::vector<PlainEvent> events = random_events(3);
+  std::string text = encoded(events, YarpEncoding::kList);
+  for (std::size_t at = 0; (at = text.find(" AE", at)) != std::string::npos; at += 20) {
+    text.insert(at, " 1569859399.5");
+  }
+  CHECK(read_log(text).events == events);
+}
+
+TEST_CASE("a log that is cut anywhere keeps all whole events before the cut, and says so") {
+  const std::vector<PlainEvent> events = random_events(3);
+  for (const YarpEncoding encoding : {YarpEncoding::kList, YarpEncoding::kStamped}) {
+    const std::string text = encoded(events, encoding);
+    const std::size_t first_line = text.find('\n') + 1;
+    std::size_t before = 0;
+    for (std::size_t length = first_line; length < text.size(); ++length) {
+      const ReadLog log = read_log(text.substr(0, length));
+      REQUIRE(log.events.size() >= kEventsInPacket);
+      REQUIRE(log.events.size() >= before);
+      REQUIRE(std::equal(log.events.begin(), log.events.end(), events.begin()));
+      before = log.events.size();
+    }
+    CHECK(before == events.size());
+    const ReadLog cut = read_log(text.substr(0, text.size() - 10));
+    CHECK(cut.events.size() == events.size() - 1);
+    REQUIRE(cut.warnings.size() == 1);
+    CHECK(contains(cut.warnings[0], "cut off in the middle"));
+  }
+}
+
+TEST_CASE("a stamp that goes back or leaps ahead costs its event, and none of the others") {
+  const std::vector<PlainEvent> events = random_events(20);
+  for (const std::uint32_t wrong : {5U, 0x60000000U}) {
+    // The stamp of the first event in the tenth packet.
+    std::string text = encoded(events, YarpEncoding::kList);
+    std::size_t at = 0;
+    for (int packet = 0; packet < 10; ++packet) at = text.find("AE (", at + 1);
+    const std::size_t end = text.find(' ', at + 4);
+    text.replace(at + 4, end - at - 4, std::to_string(wrong));
+    const ReadLog log = read_log(text);
+    CHECK(log.events.size() == events.size() - 1);
+    CHECK(log.events.back() == events.back());
+    CHECK(log.counters.time_glitches == 1);
+  }
+  // A packet that comes late: its events are older than those before it.
+  YarpLogEncoder encoder(YarpEncoding::kList, {0});
+  const auto packets = packets_of(events);
+  for (const std::size_t i : {0, 1, 3, 2, 4}) encoder.add(packet_of(packets[i]), kPacketUs);
+  const ReadLog late = read_log(encoder.text());
+  CHECK(late.events.size() == 80);
+  CHECK(late.counters.backwards == 20);
+  CHECK(late.events.back() == packets[4].back());
+}
+
+TEST_CASE("after a counter was set anew time goes on") {
+  const std::vector<PlainEvent> events = random_events(40);
+  YarpLogEncoder encoder(YarpEncoding::kList, {0});
+  YarpLogEncoder again(YarpEncoding::kList, {0}, 100);
+  const auto packets = packets_of(events);
+  for (std::size_t i = 0; i < packets.size(); ++i) {
+    (i < 20 ? encoder : again).add(packet_of(packets[i]), kPacketUs);
+  }
+  const ReadLog log = read_log(encoder.text() + again.text());
+  // The first 63 of the new count are doubted.
+  CHECK(log.counters.time_glitches == 63);
+  REQUIRE(log.events.size() == events.size() - 63);
+  CHECK(std::abs(log.events.back().t_us - events.back().t_us) <= 1000);
+}
+
+TEST_CASE("addresses beyond the sensor, broken lines and odd values are counted") {
+  const std::vector<PlainEvent> events = random_events(3);
+  const std::string text = encoded(events, YarpEncoding::kList);
+  const ReadLog small = read_log(text, {.sensor = {200, 100}});
+  CHECK(small.counters.outside_sensor > 0);
+  CHECK(small.counters.outside_sensor + small.counters.events == 60);
+
+  const ReadLog broken = read_log(text + "19900 AE (1 2)\n\nnonsense\n" +
+                                  "19901 1569859363.2 AE (383150000)\n"
+                                  "19902 1569859363.2 AE (383150000 x 383150100 4194308)\n"
+                                  "19903 1569859363.2 AE 10\n");
+  CHECK(broken.events.size() == 61);
+  CHECK(broken.counters.malformed_words == 5);
+}
+
+TEST_CASE("a line longer than a buffer is read, and one beyond any packet is passed over") {
+  const std::vector<PlainEvent> events = random_events(500);
+  YarpLogEncoder encoder(YarpEncoding::kStamped, {0});
+  encoder.add(packet_of(events), 500'000);
+  const std::string text = encoder.text();
+  REQUIRE(text.size() > 66'000);
+  CHECK(read_log(text).events == events);
+  const ReadLog log = read_log(text + std::string(17 << 20, '7') + "\n" + text);
+  CHECK(log.counters.malformed_words == 1);
+  CHECK(log.counters.events + log.counters.backwards == 2 * 10'000);
+}
+
+TEST_CASE("a YARP log must be told its sensor's size, and one with a damaged start its format") {
+  const TemporaryFolder folder;
+  const std::string text = encoded(random_events(3), YarpEncoding::kStamped);
+  write_text(folder / "data.log", text);
+  CHECK(contains(message_of<EventFileError>([&] { open_event_file(folder / "data.log"); }),
+                 "a YARP log does not say how large the sensor is"));
+  CHECK(
+      read_log("2 rubbish\n3 more\n4\n" + text, {.from = "yarp", .sensor = kAtis}).events.size() ==
+      60);
+}
+
+TEST_CASE("the real ball's log has the events that its manifest says") {
+  const auto recordings = recordings_folder();
+  if (!recordings) return;
+  const auto reader = open_event_file(
+      *recordings / "real_ball" / "bouncing_ball_atis_304x240.yarp.log", {.sensor = kAtis});
+  const std::vector<PlainEvent> events = read_all(*reader);
+  REQUIRE(events.size() == 24112);
+  CHECK(events.front() == PlainEvent{0, 12, 178, 0});
+  CHECK(events.back().t_us == 7'299'670);
+  CHECK(reader->warnings().empty());
+}
+
+}  // namespace puck

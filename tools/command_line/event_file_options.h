@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/io/event_file_kind.h"
+#include "common/io/event_reader.h"
+
+namespace puck {
+
+/// What a recording may not say of itself. `file` must outlive the parsing.
+inline void add_event_file_options(CLI::App& app, EventFileOptions& file) {
+  const std::vector<std::string> formats(kEventFormats.begin() + 1, kEventFormats.end());
+  app.add_option("--from", file.from, "format of the recording, where its header does not name it")
+      ->check(CLI::IsMember(formats));
+  app.add_option("--width", file.sensor.width,
+                 "of the sensor, px, where the recording does not say");
+  app.add_option("--height", file.sensor.height,
+                 "of the sensor, px, where the recording does not say");
+  app.add_option("--columns", file.text_columns, "text: order of the columns")
+      ->capture_default_str();
+  app.add_option("--unit", file.text_unit, "text: unit of the times")
+      ->check(CLI::IsMember({"auto", "s", "us"}))
+      ->capture_default_str();
+  app.add_option("--eye", file.yarp_eye, "YARP log of two cameras: whose events are read")
+      ->check(CLI::IsMember({"first", "left", "right"}))
+      ->capture_default_str();
+}
+
+}  // namespace puck
