@@ -2,13 +2,14 @@
 # The paper's experiment and more in one command: makes sequences of the simulated game, runs all
 # presets and the baselines over them, and writes tables, JSON and the paper's figures.
 #
-#   tools/compare.sh [--sequences N] [--seconds S] [--only NAME[,NAME...]] [--output DIR] [--jobs J]
-#                    [--keep]
+#   tools/compare.sh [--sequences N] [--seconds S] [--only NAME[,NAME...]] [--scoring ours|paper]
+#                    [--output DIR] [--jobs J] [--keep]
 #
 # --sequences N  with the still and with the moving camera each, 1 to 20 (default 10), and half as many
 #                of each hard scene in tools/compare/scenes
 # --seconds S    length of each (default 30); the hard ones are a third as long, 2 to 10 s
 # --only NAMES   these presets and baselines alone, and without the ablation of default
+# --scoring R    by our rules (default) or by those of the paper's authors: see puck-evaluate --help
 # --output DIR   where everything goes (default build/compare): comparison.txt, comparison.md,
 #                comparison.json and the figures as PNG. DIR/results holds what has been run already,
 #                so that another run does only what has changed

@@ -4,19 +4,19 @@
 #include <cmath>
 #include <utility>
 
-#include "common/evaluation/quantile.h"
-
 namespace puck {
 namespace {
 
 constexpr double kNoPositionPx = 100;
 constexpr double kLostPx = 20;
 constexpr double kLeastVisible = 0.5;
-constexpr std::int64_t kSettlingUs = 200'000;
+constexpr std::int64_t kUsualSettleUs = 200'000;
+constexpr std::int64_t kShortTruthUs = 1'000'000;
+constexpr std::int64_t kLongestCoastUs = 50'000;
 
 double error_of(const PuckEstimate& estimate, Pixel truth) {
   if (!estimate.position) return kNoPositionPx;
-  return std::hypot(estimate.position->x - truth.x, estimate.position->y - truth.y);
+  return distance_px(*estimate.position, truth);
 }
 
 bool in_image(Pixel centre, SensorSize sensor) {
@@ -24,20 +24,24 @@ bool in_image(Pixel centre, SensorSize sensor) {
          centre.y <= sensor.height - 1;
 }
 
-double percent_within(const std::vector<double>& sorted, double limit_px) {
-  const auto beyond = std::upper_bound(sorted.begin(), sorted.end(), limit_px);
-  return 100 * static_cast<double>(beyond - sorted.begin()) / static_cast<double>(sorted.size());
-}
-
 }  // namespace
 
-AccuracyScore::AccuracyScore(TruthTrack truth, SensorSize sensor)
+AccuracyScore::AccuracyScore(TruthTrack truth, SensorSize sensor, const AccuracyParams& params)
     : truth_(std::move(truth)),
       sensor_(sensor),
-      motion_(truth_.first_motion().value_or(truth_.first())) {}
+      truth_gap_us_(params.truth_gap_us),
+      motion_(truth_.first_motion().value_or(truth_.first())),
+      settle_us_(
+          params.settle_us.value_or(truth_.last() - motion_ < kShortTruthUs ? 0 : kUsualSettleUs)) {
+}
 
 void AccuracyScore::add(Timestamp tick, const PuckEstimate& estimate) {
-  const std::optional<TruthRow> truth = truth_.at(tick);
+  const std::optional<TruthRow> truth = truth_.at(tick, truth_gap_us_);
+  if (truth) {
+    judge_what_is_said(tick, *truth, estimate);
+  } else if (tick >= truth_.first() && tick <= truth_.last()) {
+    ++gap_ticks_;
+  }
   if (!truth || !in_image(truth->centre, sensor_) || truth->visible < kLeastVisible) {
     lost_since_.reset();
     return;
@@ -45,7 +49,7 @@ void AccuracyScore::add(Timestamp tick, const PuckEstimate& estimate) {
   const double error_px = error_of(estimate, truth->centre);
   const bool lost = error_px > kLostPx || estimate.state != TrackState::kTracking;
   if (!lost && !first_track_) first_track_ = tick;
-  if (tick - motion_ < kSettlingUs) return;
+  if (tick - motion_ < settle_us_) return;
 
   samples_.push_back(
       {tick, error_px, estimate.score, normalised_error_squared(estimate, truth->centre)});
@@ -60,38 +64,38 @@ void AccuracyScore::add(Timestamp tick, const PuckEstimate& estimate) {
   }
 }
 
+void AccuracyScore::judge_what_is_said(Timestamp tick, const TruthRow& truth,
+                                       const PuckEstimate& estimate) {
+  ++known_ticks_;
+  if (truth.visible >= kLeastVisible) {
+    hidden_since_.reset();
+  } else if (!hidden_since_) {
+    hidden_since_ = tick;
+  }
+  if (estimate.state != TrackState::kTracking) return;
+  const bool coasts_too_long = hidden_since_ && tick - *hidden_since_ > kLongestCoastUs;
+  if (coasts_too_long || error_of(estimate, truth.centre) > kLostPx) ++wrong_ticks_;
+}
+
 AccuracyReport AccuracyScore::report() const {
-  AccuracyReport report;
-  report.estimates = static_cast<std::int64_t>(samples_.size());
+  AccuracyReport report{error_statistics(samples_)};
+  report.settle_ms = static_cast<double>(settle_us_) / 1000;
   if (first_track_) {
     report.time_to_first_track_ms =
         static_cast<double>(std::max<std::int64_t>(*first_track_ - motion_, 0)) / 1000;
   }
+  const auto percent = [](std::int64_t part, std::int64_t whole) {
+    return 100 * static_cast<double>(part) / static_cast<double>(whole);
+  };
+  if (known_ticks_ > 0) report.said_and_wrong_percent = percent(wrong_ticks_, known_ticks_);
+  if (gap_ticks_ > 0) report.truth_gap_percent = percent(gap_ticks_, gap_ticks_ + known_ticks_);
   if (samples_.empty()) return report;
-
-  std::vector<double> sorted;
-  std::vector<double> normalised;
-  double sum = 0;
-  for (const Sample& sample : samples_) {
-    sorted.push_back(sample.error_px);
-    sum += sample.error_px;
-    if (sample.nees) normalised.push_back(*sample.nees);
-    report.score_curve.add(sample.score, sample.error_px);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  const auto count = static_cast<double>(sorted.size());
-  report.mean_px = sum / count;
-  report.median_px = quantile(sorted, 0.5);
-  report.p5_px = quantile(sorted, 0.05);
-  report.p25_px = quantile(sorted, 0.25);
-  report.p75_px = quantile(sorted, 0.75);
-  report.p95_px = quantile(sorted, 0.95);
-  report.max_px = sorted.back();
-  report.within_2px_percent = percent_within(sorted, 2);
-  report.within_3p5px_percent = percent_within(sorted, 3.5);
-  report.within_4px_percent = percent_within(sorted, 4);
-  report.lost_percent = 100 * static_cast<double>(lost_ticks_) / count;
+  report.lost_percent = percent(lost_ticks_, report.estimates);
   report.longest_loss_ms = static_cast<double>(longest_loss_us_) / 1000;
+  std::vector<double> normalised;
+  for (const ScoredEstimate& sample : samples_) {
+    if (sample.nees) normalised.push_back(*sample.nees);
+  }
   report.covariance = covariance_report(std::move(normalised));
   return report;
 }

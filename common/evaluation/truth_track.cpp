@@ -22,7 +22,7 @@ TruthTrack::TruthTrack(std::vector<TruthRow> rows) : rows_(std::move(rows)) {
   if (disorder != rows_.end()) throw std::invalid_argument("the truth's times do not grow");
 }
 
-std::optional<TruthRow> TruthTrack::at(Timestamp time) const {
+std::optional<TruthRow> TruthTrack::at(Timestamp time, std::int64_t longest_gap_us) const {
   if (time < rows_.front().time || time > rows_.back().time) return std::nullopt;
   const auto after =
       std::lower_bound(rows_.begin(), rows_.end(), time,
@@ -30,6 +30,7 @@ std::optional<TruthRow> TruthTrack::at(Timestamp time) const {
   if (after->time == time) return *after;
   const TruthRow& a = *(after - 1);
   const TruthRow& b = *after;
+  if (b.time - a.time > longest_gap_us) return std::nullopt;
   const double f = static_cast<double>(time - a.time) / static_cast<double>(b.time - a.time);
   return TruthRow{
       time,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,8 +17,12 @@ class TruthTrack {
   /// times do not grow.
   explicit TruthTrack(std::vector<TruthRow> rows);
 
-  /// Nothing before the first and after the last row.
-  std::optional<TruthRow> at(Timestamp time) const;
+  /// Nothing before the first and after the last row, and between rows more than `longest_gap_us`
+  /// apart.
+  std::optional<TruthRow> at(
+      Timestamp time, std::int64_t longest_gap_us = std::numeric_limits<std::int64_t>::max()) const;
+
+  const std::vector<TruthRow>& rows() const { return rows_; }
 
   Timestamp first() const { return rows_.front().time; }
   Timestamp last() const { return rows_.back().time; }

@@ -10,6 +10,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tools/compare/program.h"
 #include "tools/compare/report_json.h"
+#include "tools/compare/sequence_plan.h"
 
 namespace puck {
 namespace {
@@ -67,6 +68,27 @@ TEST_CASE("a summary weighs its sequences by their ticks and keeps the worst") {
   CHECK(*summary.time_to_first_track_ms == 5);
   CHECK_FALSE(summary.nees_mean.has_value());
   CHECK(runs.comparison().runs({"still"}, "default").front()->result().seed == 1001);
+}
+
+TEST_CASE("by the paper's rules the deviation is over all rows, and nothing is lost") {
+  Runs runs;
+  Json one{{"estimates", 100}, {"mean_px", 1}, {"std_px", 0}, {"lost_percent", nullptr}};
+  Json other{{"estimates", 100}, {"mean_px", 3}, {"std_px", 0}, {"lost_percent", nullptr}};
+  runs.add("still", 1001, "default", one);
+  runs.add("still", 1002, "default", other);
+  const Summary summary = runs.comparison().summary("still", "default");
+  CHECK(*summary.mean_px == doctest::Approx(2));
+  CHECK(*summary.std_px == doctest::Approx(1));
+  CHECK_FALSE(summary.lost_percent.has_value());
+  CHECK_FALSE(summary.said_and_wrong_percent.has_value());
+  PlanOptions plan;
+  plan.scoring = "paper";
+  for (const Sequence& sequence : plan_sequences(plan, {})) {
+    for (const Contestant& contestant : sequence.contestants) {
+      REQUIRE(contestant.options.size() >= 2);
+      CHECK(contestant.options.back() == "paper");
+    }
+  }
 }
 
 TEST_CASE("how far a mean may be off is told by how its sequences differ, and not by one alone") {
@@ -161,7 +183,7 @@ TEST_CASE("beside mean and lost the report has how far these may be off") {
   CHECK(still.at("mean_px_standard_error") == 0.25);
   CHECK(still.at("lost_percent_standard_error") == 1);
   const std::string markdown = read_text(folder / "comparison.md");
-  CHECK(markdown.find("|  | mean px | +- | median seq. |") != std::string::npos);
+  CHECK(markdown.find("|  | mean px | +- | std px | median seq. |") != std::string::npos);
   CHECK(markdown.find("| lost % | +- |") != std::string::npos);
   CHECK(markdown.find("| default | 0.500 | 0.250 |") != std::string::npos);
   CHECK(markdown.find("| 2.00 | 1.00 |") != std::string::npos);

@@ -1,8 +1,12 @@
 #include "common/evaluation/accuracy_score.h"
 
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include <doctest/doctest.h>
+
+#include "common/evaluation/paper_score.h"
 
 namespace puck {
 namespace {
@@ -89,7 +93,7 @@ TEST_CASE("a hidden puck and one outside the image do not count") {
                              {{2'000'000}, {300, 10}, {30, 20}, 0.4},
                              {{2'000'001}, {-1, 10}, {30, 20}, 1},
                              {{3'000'000}, {-1, 10}, {30, 20}, 1}};
-  AccuracyScore score(TruthTrack(rows), kSensor);
+  AccuracyScore score(TruthTrack(rows), kSensor, {.truth_gap_us = 1'000'000});
   score.add({900'000}, estimate_at(271, 10));
   score.add({1'500'000}, estimate_at(0, 0));
   score.add({2'500'000}, estimate_at(0, 0));
@@ -129,6 +133,88 @@ TEST_CASE("a report tells the spread of the errors") {
   CHECK(report.max_px == doctest::Approx(1));
   CHECK_FALSE(report.covariance.has_value());
   CHECK(report.score_curve.ticks() == 100);
+}
+
+TEST_CASE("between rows that are too far apart nothing counts, and the share is told") {
+  std::vector<TruthRow> rows;
+  for (int ms = 0; ms <= 1200; ms += ms == 600 ? 100 : 10) {
+    rows.push_back({{ms * 1000}, {10.0 + ms / 10.0, 100}, {30, 20}, 1});
+  }
+  const auto counted = [&](const AccuracyParams& params) {
+    AccuracyScore score(TruthTrack(rows), kSensor, params);
+    for (int ms = 500; ms < 800; ++ms) score.add({ms * 1000}, estimate_at(10 + ms / 10.0, 100));
+    return score.report();
+  };
+  // 601 to 699 ms.
+  CHECK(counted({}).estimates == 201);
+  CHECK(counted({}).truth_gap_percent == doctest::Approx(33));
+  CHECK(counted({.truth_gap_us = 99'000}).estimates == 201);
+  CHECK(counted({.truth_gap_us = 100'000}).estimates == 300);
+  CHECK(counted({.truth_gap_us = 100'000}).truth_gap_percent == 0);
+}
+
+TEST_CASE("the settling time is as given, else 200 ms, and none where there is little truth") {
+  const auto first_counted = [](std::int64_t truth_us, std::optional<std::int64_t> settle_us) {
+    std::vector<TruthRow> rows;
+    for (std::int64_t t_us = 0; t_us <= truth_us; t_us += 10'000) {
+      rows.push_back({{t_us}, {10 + static_cast<double>(t_us) / 1000, 100}, {30, 20}, 1});
+    }
+    AccuracyScore score(TruthTrack(rows), kSensor, {.settle_us = settle_us});
+    for (int ms = 0; ms <= 400; ++ms) score.add({ms * 1000}, estimate_at(10 + ms, 100));
+    return score.samples().front().tick.us;
+  };
+  // It has moved 5 px at 10 ms, the first row beyond.
+  CHECK(first_counted(1'200'000, std::nullopt) == 210'000);
+  CHECK(first_counted(900'000, std::nullopt) == 10'000);
+  CHECK(first_counted(900'000, 50'000) == 60'000);
+  CHECK(first_counted(1'200'000, 0) == 10'000);
+}
+
+TEST_CASE("said and wrong is tracking far off, or for more than 50 ms after the puck was hidden") {
+  std::vector<TruthRow> rows;
+  for (int ms = 0; ms <= 1000; ++ms) {
+    rows.push_back({{ms * 1000}, {100, 100}, {30, 20}, ms >= 500 && ms < 600 ? 0.0 : 1.0});
+  }
+  AccuracyScore score(TruthTrack(rows), kSensor);
+  for (int ms = 0; ms < 1000; ++ms) {
+    PuckEstimate estimate = estimate_at(ms < 10 ? 120.5 : 119.5, 100);
+    if (ms >= 700) estimate = estimate_at(300, 100);
+    if (ms >= 800) estimate.state = TrackState::kLost;
+    score.add({ms * 1000}, estimate);
+  }
+  // 0 to 9, 551 to 599 and 700 to 799 ms.
+  CHECK(score.report().said_and_wrong_percent.value() == doctest::Approx(15.9));
+}
+
+TEST_CASE("the paper's score takes the nearest estimate within 10 ms for each row of truth") {
+  const std::vector<TruthRow> rows{{{100'000}, {50, 50}, {30, 20}, 1},
+                                   {{200'000}, {60, 50}, {30, 20}, 1},
+                                   {{300'000}, {70, 50}, {30, 20}, 0.2},
+                                   {{400'000}, {80, 50}, {30, 20}, 1}};
+  PaperScore score{TruthTrack(rows)};
+  const auto add = [&](int ms, double x) {
+    PuckEstimate estimate = estimate_at(x, 50);
+    estimate.state = TrackState::kLost;
+    score.add({ms * 1000}, estimate);
+  };
+  add(88, 0);
+  add(96, 51);
+  add(103, 53);
+  score.add({100'000}, PuckEstimate{});
+  add(209, 65);
+  add(300, 0);
+  add(411, 80);
+  const PaperReport report = score.report();
+  CHECK(report.truth_rows == 3);
+  CHECK(report.estimates == 2);
+  CHECK(report.mean_px == doctest::Approx(4));
+  CHECK(report.std_px == doctest::Approx(1));
+  CHECK(report.below_percent[0] == 0);
+  CHECK(report.below_percent[3] == 0);
+  CHECK(report.below_percent[4] == 50);
+  CHECK(report.below_percent[5] == 50);
+  CHECK(report.below_percent[29] == 100);
+  CHECK(PaperScore{TruthTrack(rows)}.report().estimates == 0);
 }
 
 }  // namespace puck

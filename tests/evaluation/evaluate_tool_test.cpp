@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -11,9 +12,10 @@
 #include "common/messaging/log_file.h"
 #include "common/messaging/message_codec.h"
 #include "common/recording/event_log_reader.h"
+#include "tests/support/contains.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/evaluate/runs.h"
-#include "tools/evaluate/truth_cover.h"
+#include "tools/evaluate/scoring.h"
 
 namespace puck {
 namespace {
@@ -119,26 +121,79 @@ TEST_CASE("a log's events are those of its first session, and the others are tol
   CHECK(events->warnings()[0].find("1 packets of events left out") != std::string::npos);
 }
 
-TEST_CASE("truth that ends before the events, or has nothing to do with them, is told") {
-  const auto truth_until = [](std::int64_t last_us) {
-    return TruthTrack({{{0}, {10, 10}, {12, 10}, 1},
-                       {{100'000}, {20, 10}, {12, 10}, 1},
-                       {{last_us}, {40, 10}, {12, 10}, 1}});
-  };
+std::vector<TruthRow> truth_until(std::int64_t last_us) {
+  std::vector<TruthRow> rows;
+  for (std::int64_t t_us = 0; t_us <= last_us; t_us += 10'000) {
+    rows.push_back({{t_us}, {10 + static_cast<double>(t_us) * 1e-5, 10}, {12, 10}, 1});
+  }
+  return rows;
+}
+
+EvaluatedTick tick_at(std::int64_t t_us, bool is_mark = false) {
+  return {{t_us}, PuckEstimate{}, std::nullopt, is_mark};
+}
+
+TEST_CASE("truth that ends before the events, has gaps or nothing to do with them, is told") {
   RunSummary run;
   run.first = {0};
   run.last = {3'000'000};
-  AccuracyScore whole(truth_until(2'950'000), kRecordedSensor);
-  whole.add({2'900'000}, PuckEstimate{});
-  CHECK_FALSE(truth_warning(whole, run).has_value());
-  AccuracyScore half(truth_until(1'500'000), kRecordedSensor);
-  half.add({1'400'000}, PuckEstimate{});
-  CHECK(
-      truth_warning(half, run) ==
-      "the truth goes from 0.000 to 1.500 s, the events from 0.000 to 3.000 s: only the ticks that "
-      "the truth covers count");
-  const AccuracyScore nothing(truth_until(1'500'000), kRecordedSensor);
-  CHECK(truth_warning(nothing, run)->find("not one tick counts") != std::string::npos);
+  const auto warnings_after = [&](std::vector<TruthRow> truth, std::int64_t tick_us) {
+    Scoring scoring({}, std::move(truth), kRecordedSensor);
+    scoring.add(tick_at(tick_us));
+    return scoring.warnings(run);
+  };
+  CHECK(warnings_after(truth_until(2'950'000), 2'900'000).empty());
+  const auto half = warnings_after(truth_until(1'500'000), 1'400'000);
+  REQUIRE(half.size() == 1);
+  CHECK(half[0] ==
+        "the truth goes from 0.000 to 1.500 s, the events from 0.000 to 3.000 s: only the ticks "
+        "that the truth covers count");
+  const auto nothing = warnings_after(truth_until(1'500'000), 1'600'000);
+  REQUIRE(nothing.size() == 1);
+  CHECK(contains(nothing[0], "not one tick counts"));
+  std::vector<TruthRow> sparse = truth_until(3'000'000);
+  sparse.erase(sparse.begin() + 100, sparse.begin() + 200);
+  const auto gap = warnings_after(sparse, 1'500'000);
+  REQUIRE(gap.size() == 2);
+  CHECK(contains(gap[0], "100.0 % of the ticks within the truth do not count"));
+}
+
+TEST_CASE("at marks an estimate is asked for at each row's own time, and these alone are scored") {
+  const TemporaryFolder folder;
+  const auto events = open_event_file(recording_with_pause(folder, 1'000'000));
+  const std::vector<Timestamp> marks{{500}, {150'000}, {200'000}, {250'500}, {9'000'000}};
+  std::vector<std::pair<std::int64_t, bool>> ticks;
+  run_at_rate(
+      *events, setup(), 10,
+      [&](const EvaluatedTick& tick) {
+        if (tick.tick.us < 400'000) ticks.emplace_back(tick.tick.us, tick.is_mark);
+      },
+      marks);
+  CHECK(ticks ==
+        std::vector<std::pair<std::int64_t, bool>>{
+            {100'000, false}, {150'000, true}, {200'000, true}, {250'500, true}, {300'000, false}});
+  EvaluateOptions options;
+  options.score_at_marks = true;
+  Scoring scoring(options, truth_until(2'000'000), kRecordedSensor);
+  CHECK(scoring.marks().size() == 201);
+  scoring.add(tick_at(1'000'000, true));
+  scoring.add(tick_at(1'001'000, false));
+  CHECK(scoring.samples().size() == 1);
+  CHECK_THROWS_AS(Scoring(options, {}, kRecordedSensor), std::invalid_argument);
+}
+
+TEST_CASE("where there is no puck all that is tracked is said and wrong") {
+  EvaluateOptions options;
+  options.no_puck = true;
+  Scoring scoring(options, {}, kRecordedSensor);
+  EvaluatedTick tracked = tick_at(1000);
+  tracked.estimate.state = TrackState::kTracking;
+  scoring.add(tracked);
+  for (int ms = 2; ms <= 4; ++ms) scoring.add(tick_at(ms * 1000));
+  EvaluationReport report;
+  scoring.write_to(report);
+  CHECK(report.said_and_wrong_percent == 25);
+  CHECK_FALSE(report.errors.has_value());
 }
 
 TEST_CASE("at a rate the cost of the tracker is measured and the events are placed in time") {

@@ -1,4 +1,5 @@
 // From a simulated recording to figures: puck-simulate, puck-calibrate, puck-evaluate.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -9,8 +10,11 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include "common/io/event_reader.h"
+#include "common/io/event_writer.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/yarp_log_encoder.h"
 #include "tests/system/system_bench.h"
 
 namespace puck {
@@ -45,8 +49,8 @@ void check_all_keys(const Json& json) {
   for (const char* key :
        {"algorithm", "preset", "events", "duration_s", "estimates", "mean_px", "median_px",
         "p95_px", "within_2px_percent", "within_3p5px_percent", "within_4px_percent",
-        "lost_percent", "longest_loss_ms", "time_to_first_track_ms", "latency_p50_us",
-        "latency_p99_us", "throughput_mev_s"}) {
+        "lost_percent", "said_and_wrong_percent", "longest_loss_ms", "time_to_first_track_ms",
+        "latency_p50_us", "latency_p99_us", "throughput_mev_s"}) {
     CAPTURE(key);
     CHECK(json.contains(key));
   }
@@ -162,6 +166,36 @@ TEST_CASE("the same seed gives the same recording, another seed another") {
     CHECK(text_of("a") == text_of("b"));
     CHECK(text_of("a") != text_of("c"));
   }
+}
+
+TEST_CASE("a game as an IIT camera's YARP log is tracked as the same events from a text file") {
+  const ToolBench bench;
+  const auto game = open_event_file(bench.folder / "game.raw");
+  EventPacket packet;
+  REQUIRE(game->read(packet, 1));
+  const Timestamp zero = packet.start;
+  YarpLogEncoder log(YarpEncoding::kStamped, zero);
+  {
+    const auto text = make_event_writer(bench.folder / "game.txt", "text", game->sensor_size());
+    constexpr std::size_t kMostBytes = 50'000;
+    game->rewind();
+    while (log.text().size() < kMostBytes - 2000 && game->read(packet, 100)) {
+      log.add(packet, 1000);
+      packet.start = {packet.start - zero};
+      text->write(packet);
+    }
+    text->close();
+    CHECK(log.text().size() <= kMostBytes);
+  }
+  write_text(bench.folder / "data.log", log.text());
+  const std::string size = source_folder() / "config/calibration/simulated_size.toml";
+  for (const std::string name : {"game.txt", "data.log"}) {
+    bench.run("puck-evaluate", {name, "--size-model", size, "--csv", name + ".csv", "--width",
+                                "640", "--height", "480"});
+  }
+  const std::string ticks = read_text(bench.folder / "data.log.csv");
+  CHECK(std::count(ticks.begin(), ticks.end(), '\n') > 10);
+  CHECK(ticks == read_text(bench.folder / "game.txt.csv"));
 }
 
 TEST_CASE(

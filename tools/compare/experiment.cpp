@@ -12,6 +12,7 @@
 #include "common/runtime/parallel.h"
 #include "tools/compare/content_hash.h"
 #include "tools/compare/program.h"
+#include "tools/compare/text_table.h"
 
 namespace puck {
 namespace {
@@ -45,9 +46,12 @@ std::string told(const Sequence& sequence, const std::string& contestant,
     std::snprintf(text, sizeof text, "%s %d, %s: no tick counts", sequence.set.name.c_str(),
                   sequence.seed, contestant.c_str());
   } else {
-    std::snprintf(text, sizeof text, "%s %d, %s: %.2f px, lost %.2f %%", sequence.set.name.c_str(),
-                  sequence.seed, contestant.c_str(), figures["mean_px"].get<double>(),
-                  figures["lost_percent"].get<double>());
+    // By the paper's rules nothing is lost.
+    const Json& lost = figures["lost_percent"];
+    std::snprintf(
+        text, sizeof text, "%s %d, %s: %.2f px, lost %s %%", sequence.set.name.c_str(),
+        sequence.seed, contestant.c_str(), figures["mean_px"].get<double>(),
+        number_text(lost.is_null() ? std::nullopt : std::optional(lost.get<double>()), 2).c_str());
   }
   return text;
 }

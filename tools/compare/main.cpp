@@ -68,6 +68,10 @@ int main(int argc, char** argv) {
                  "these trackers alone, and nothing left out of default")
       ->check(CLI::IsMember(names))
       ->delimiter(',');
+  app.add_option("--scoring", options.plan.scoring,
+                 "ours, or paper: as the paper's authors score (see puck-evaluate)")
+      ->check(CLI::IsMember({"ours", "paper"}))
+      ->capture_default_str();
   app.add_option("--output", options.experiment.output, "folder")
       ->take_last()
       ->capture_default_str();

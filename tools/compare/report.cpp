@@ -51,20 +51,22 @@ TextTable set_table(const SequenceSet& set, const ComparisonReport& report) {
   std::string title = title_of(set, report.options);
   if (!set.published.empty())
     title += " (the paper, on recordings of its own: " + set.published + ")";
-  TextTable table(title, {"", "mean px", "+-", "median seq.", "worst seq.", "in 3.5 px %",
-                          "in 4 px %", "lost %", "+-", "longest ms", "first track ms", "NEES mean",
-                          "median", "in 95 % bound", "CPU us/ms", "Mev/s"});
+  TextTable table(title,
+                  {"", "mean px", "+-", "std px", "median seq.", "worst seq.", "in 3.5 px %",
+                   "in 4 px %", "lost %", "+-", "said and wrong %", "longest ms", "first track ms",
+                   "NEES mean", "median", "in 95 % bound", "CPU us/ms", "Mev/s"});
   for (const Contestant& contestant : contestants()) {
     const Summary s = report.comparison.summary(set.name, contestant.name);
     if (s.sequences == 0) continue;
     table.add({contestant.name, number_text(s.mean_px, 3), number_text(s.mean_px_standard_error, 3),
-               number_text(s.median_mean_px, 3), number_text(s.worst_mean_px, 3),
-               number_text(s.within_3p5px_percent, 2), number_text(s.within_4px_percent, 2),
-               number_text(s.lost_percent, 2), number_text(s.lost_percent_standard_error, 2),
-               number_text(s.longest_loss_ms, 0), number_text(s.time_to_first_track_ms, 0),
-               nees_text(s.nees_mean), nees_text(s.nees_median),
-               number_text(s.nees_within_95_percent, 1), number_text(s.cpu_us_per_ms, 0),
-               number_text(s.mev_s, 2)});
+               number_text(s.std_px, 3), number_text(s.median_mean_px, 3),
+               number_text(s.worst_mean_px, 3), number_text(s.within_3p5px_percent, 2),
+               number_text(s.within_4px_percent, 2), number_text(s.lost_percent, 2),
+               number_text(s.lost_percent_standard_error, 2),
+               number_text(s.said_and_wrong_percent, 2), number_text(s.longest_loss_ms, 0),
+               number_text(s.time_to_first_track_ms, 0), nees_text(s.nees_mean),
+               nees_text(s.nees_median), number_text(s.nees_within_95_percent, 1),
+               number_text(s.cpu_us_per_ms, 0), number_text(s.mev_s, 2)});
   }
   return table;
 }

@@ -21,8 +21,10 @@ Json summary_json(const Summary& s) {
   json["worst_sequence_mean_px"] = or_null(s.worst_mean_px);
   json["within_3p5px_percent"] = or_null(s.within_3p5px_percent);
   json["within_4px_percent"] = or_null(s.within_4px_percent);
+  json["std_px"] = or_null(s.std_px);
   json["lost_percent"] = or_null(s.lost_percent);
   json["lost_percent_standard_error"] = or_null(s.lost_percent_standard_error);
+  json["said_and_wrong_percent"] = or_null(s.said_and_wrong_percent);
   json["longest_loss_ms"] = or_null(s.longest_loss_ms);
   json["time_to_first_track_ms"] = or_null(s.time_to_first_track_ms);
   json["nees_mean"] = or_null(s.nees_mean);

@@ -129,6 +129,13 @@ std::vector<Sequence> plan_sequences(const PlanOptions& options,
       sequences.push_back(sequence);
     }
   }
+  if (options.scoring != "ours") {
+    for (Sequence& sequence : sequences) {
+      for (Contestant& contestant : sequence.contestants) {
+        contestant.options.insert(contestant.options.end(), {"--scoring", options.scoring});
+      }
+    }
+  }
   std::stable_sort(sequences.begin(), sequences.end(),
                    [](const Sequence& a, const Sequence& b) { return cost_s(a) > cost_s(b); });
   return sequences;

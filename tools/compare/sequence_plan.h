@@ -45,6 +45,9 @@ struct PlanOptions {
   /// Names of contestants: these alone, without the ablation; empty: all of them, and the ablation.
   std::vector<std::string> only;
 
+  /// `ours` or `paper`: how puck-evaluate scores.
+  std::string scoring = "ours";
+
   bool includes(const Contestant& contestant) const;
 };
 /// How many sequences of a set there are, and how long they are. The hard ones are half as many and

@@ -42,6 +42,21 @@ std::optional<double> mean_by_time(const std::vector<const RunFigures*>& runs, c
   return mean.value();
 }
 
+// Standard deviation over all ticks, from the means and deviations of the sequences.
+std::optional<double> pooled_deviation(const std::vector<const RunFigures*>& runs) {
+  WeightedMean mean;
+  WeightedMean square;
+  for (const RunFigures* run : runs) {
+    const auto mean_px = run->number("mean_px");
+    const auto std_px = run->number("std_px");
+    if (!mean_px || !std_px) continue;
+    mean.add(mean_px, run->ticks());
+    square.add(*std_px * *std_px + *mean_px * *mean_px, run->ticks());
+  }
+  if (!mean.value()) return std::nullopt;
+  return std::sqrt(std::max(*square.value() - *mean.value() * *mean.value(), 0.0));
+}
+
 std::vector<double> sorted_values(const std::vector<const RunFigures*>& runs, const char* key) {
   std::vector<double> values;
   for (const RunFigures* run : runs) {
@@ -67,9 +82,11 @@ Summary summarise(const std::vector<const RunFigures*>& runs) {
   summary.sequences = static_cast<int>(runs.size());
   for (const RunFigures* run : runs) summary.ticks += static_cast<std::int64_t>(run->ticks());
   summary.mean_px = mean_by_ticks(runs, "mean_px");
+  summary.std_px = pooled_deviation(runs);
   summary.within_3p5px_percent = mean_by_ticks(runs, "within_3p5px_percent");
   summary.within_4px_percent = mean_by_ticks(runs, "within_4px_percent");
   summary.lost_percent = mean_by_ticks(runs, "lost_percent");
+  summary.said_and_wrong_percent = mean_by_ticks(runs, "said_and_wrong_percent");
   summary.nees_mean = mean_by_ticks(runs, "nees_mean");
   summary.nees_median = mean_by_ticks(runs, "nees_median");
   summary.nees_within_95_percent = mean_by_ticks(runs, "nees_within_95_percent");

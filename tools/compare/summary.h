@@ -15,9 +15,11 @@ struct Summary {
   std::int64_t ticks = 0;  ///< That count; without any, nothing of the next lines is known.
   // Over all ticks.
   std::optional<double> mean_px;
+  std::optional<double> std_px;  ///< Of the errors from that mean.
   std::optional<double> within_3p5px_percent;
   std::optional<double> within_4px_percent;
-  std::optional<double> lost_percent;
+  std::optional<double> lost_percent;            ///< Nothing by the paper's rules.
+  std::optional<double> said_and_wrong_percent;  ///< Nothing by the paper's rules.
   std::optional<double> nees_mean;
   std::optional<double> nees_median;  ///< Mean of the sequences' medians.
   std::optional<double> nees_within_95_percent;

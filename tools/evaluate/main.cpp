@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -10,7 +11,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/evaluation/accuracy_score.h"
 #include "common/io/contour_calibration_file.h"
 #include "common/io/event_reader.h"
 #include "common/io/masked_reader.h"
@@ -27,16 +27,16 @@
 #include "tools/evaluate/replay.h"
 #include "tools/evaluate/report.h"
 #include "tools/evaluate/runs.h"
+#include "tools/evaluate/scoring.h"
 #include "tools/evaluate/tick_file.h"
 #include "tools/evaluate/tracker_setup.h"
-#include "tools/evaluate/truth_cover.h"
 
 namespace puck {
 namespace {
 
 // The run, and what a replay found, which goes into the report.
 RunSummary run(EventReader& events, const TrackerSetup& setup, const EvaluateOptions& options,
-               EvaluationReport& report, const OnTick& on_tick) {
+               EvaluationReport& report, const OnTick& on_tick, std::span<const Timestamp> marks) {
   if (options.replay) {
     ReplayResult result = run_replay(events, options.events, options.prefix, setup, on_tick);
     report.replay = std::move(result.comparison);
@@ -44,7 +44,7 @@ RunSummary run(EventReader& events, const TrackerSetup& setup, const EvaluateOpt
   }
   if (options.real_time) return run_in_real_time(events, setup, on_tick);
   if (options.as_fast_as_possible) return run_as_fast_as_possible(events, setup);
-  return run_at_rate(events, setup, options.rate_hz, on_tick);
+  return run_at_rate(events, setup, options.rate_hz, on_tick, marks);
 }
 
 void make_output_folder(const std::filesystem::path& folder) {
@@ -55,11 +55,15 @@ void make_output_folder(const std::filesystem::path& folder) {
   }
 }
 
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::fprintf(stderr, "puck-evaluate: %s\n", warning.c_str());
+  }
+}
+
 // Whether a replay is as close as it was to be; what stands against it goes to stderr.
 bool is_close_enough(const ReplayComparison& replay, const EvaluateOptions& options) {
-  for (const std::string& note : replay.notes) {
-    std::fprintf(stderr, "puck-evaluate: %s\n", note.c_str());
-  }
+  warn(replay.notes);
   if (options.exact && replay.equal < replay.estimates) {
     std::fprintf(stderr,
                  "puck-evaluate: %lld of %lld estimates are not equal to the bit; those of a "
@@ -111,19 +115,15 @@ bool evaluate(const EvaluateOptions& options) {
   if (options.replay && setup.algorithm != Algorithm::kPuck) {
     throw std::invalid_argument("--replay needs algorithm puck: the tracker runs no other");
   }
-  for (const std::string& doubt :
-       doubts_about(setup.pipeline_params().sizes_of(setup.size_model), events->sensor_size())) {
-    std::fprintf(stderr, "puck-evaluate: %s\n", doubt.c_str());
-  }
+  warn(doubts_about(setup.pipeline_params().sizes_of(setup.size_model), events->sensor_size()));
   if (!options.detection_region.empty()) {
     setup.detection_region = parse_region(options.detection_region);
   }
-  std::optional<AccuracyScore> score;
+  std::vector<TruthRow> truth;
   if (!options.as_fast_as_possible) {
-    std::vector<TruthRow> truth;
     if (!options.truth.empty()) {
       truth = read_truth_file(options.truth);
-    } else if (is_log) {
+    } else if (is_log && !options.no_puck) {
       truth = read_truth_log(options.events, options.prefix);
     }
     // What moved before the part began did so unseen.
@@ -131,12 +131,12 @@ bool evaluate(const EvaluateOptions& options) {
       std::erase_if(truth, [&](const TruthRow& row) { return row.time < *begin; });
       if (truth.empty()) throw std::invalid_argument("the truth ends before --start");
     }
-    if (!truth.empty()) score.emplace(TruthTrack(std::move(truth)), events->sensor_size());
   }
-  if (!options.plots.empty() && !score) {
+  Scoring scoring(options, std::move(truth), events->sensor_size());
+  if (!options.plots.empty() && !scoring.has_truth()) {
     throw std::invalid_argument("--plots needs --truth, and ticks: not --as-fast-as-possible");
   }
-  // Before the run: who waited for it shall not lose it to a folder that can't be.
+  // Before the run, so that a folder that cannot be made costs no result.
   if (!options.plots.empty()) make_output_folder(options.plots);
   std::optional<TickFile> ticks;
   if (!options.csv.empty()) ticks.emplace(options.csv);
@@ -144,24 +144,22 @@ bool evaluate(const EvaluateOptions& options) {
   EvaluationReport report;
   report.algorithm = options.algorithm;
   if (setup.algorithm == Algorithm::kPuck) report.preset = options.preset;
-  report.run = run(*events, setup, options, report, [&](const EvaluatedTick& tick) {
-    if (score) score->add(tick.tick, tick.estimate);
-    if (ticks) ticks->add(tick);
-  });
-  for (const std::string& warning : events->warnings()) {
-    std::fprintf(stderr, "puck-evaluate: %s\n", warning.c_str());
-  }
-  if (score) {
-    report.accuracy = score->report();
-    if (const auto warning = truth_warning(*score, report.run)) {
-      std::fprintf(stderr, "puck-evaluate: %s\n", warning->c_str());
-    }
-  }
+  report.run = run(
+      *events, setup, options, report,
+      [&](const EvaluatedTick& tick) {
+        scoring.add(tick);
+        if (ticks) ticks->add(tick);
+      },
+      scoring.marks());
+  warn(events->warnings());
+  warn(scoring.warnings(report.run));
+  scoring.write_to(report);
   if (ticks) ticks->close();
   print(report);
   if (!options.json.empty()) write_json(report, options.json);
   // Where not one tick counts there is nothing to plot, which has been told.
-  if (!options.plots.empty() && !score->samples().empty()) write_plots(*score, options.plots);
+  const std::vector<ScoredEstimate> samples = scoring.samples();
+  if (!options.plots.empty() && !samples.empty()) write_plots(samples, options.plots);
   return !report.replay || is_close_enough(*report.replay, options);
 }
 

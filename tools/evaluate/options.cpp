@@ -6,17 +6,53 @@
 
 #include "common/messaging/event_packing.h"
 #include "common/vision/contour_params.h"
+#include "tools/command_line/event_file_options.h"
 #include "tools/command_line/number_range.h"
 
 namespace puck {
+namespace {
+
+void add_scoring_options(CLI::App& app, EvaluateOptions& options) {
+  constexpr double kLongest_ms = 1e6;
+  const auto milliseconds_into = [](auto& time_us) {
+    return [&time_us](double milliseconds) { time_us = std::llround(milliseconds * 1e3); };
+  };
+  app.add_option_function<double>(
+         "--truth-gap-ms", milliseconds_into(options.accuracy.truth_gap_us),
+         "ticks between rows of the truth that are farther apart do not count (default 10)")
+      ->check(number_range(0, kLongest_ms));
+  app.add_option_function<double>(
+         "--settle-ms", milliseconds_into(options.accuracy.settle_us),
+         "ticks up to so long after the puck's first motion do not count (default 200; 0 where "
+         "less than 1 s of truth follows that motion)")
+      ->check(number_range(0, kLongest_ms));
+  auto* marks = app.add_flag("--score-at-marks", options.score_at_marks,
+                             "for sparse truth: ask for an estimate at each row's own time as "
+                             "well, and score these estimates alone");
+  app.add_flag("--no-puck", options.no_puck,
+               "the recording has no puck: all that is tracked is said and wrong")
+      ->excludes("--truth")
+      ->excludes(marks);
+  app.add_option("--scoring", options.scoring,
+                 "ours, or paper: as the paper's authors score, where each row of truth takes the "
+                 "nearest estimate within 10 ms and a missing one costs nothing")
+      ->check(CLI::IsMember({"ours", "paper"}))
+      ->capture_default_str();
+  for (const char* other : {"--real-time", "--as-fast-as-possible", "--replay"}) {
+    marks->excludes(other);
+  }
+}
+
+}  // namespace
 
 void add_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("EVENTS", options.events,
-                 "recording: Prophesee RAW (EVT2, EVT3), text, or a log of LCM")
+                 "recording: Prophesee RAW (EVT2, EVT3), text, YARP log, or LCM log")
       ->required();
   app.add_option(
       "--truth", options.truth,
-      "where the puck truly was: t_us,x,y,width,height; a log of a simulated game has its own");
+      "where the puck truly was: t_us,x,y,width,height[,visible], or boxes as lines `t y0 y1 x0 "
+      "x1`; a log of a simulated game has its own");
   app.add_option("--algorithm", options.algorithm)
       ->check(CLI::IsMember({"puck", "cluster", "particle-filter", "particle-filter-eros"}))
       ->capture_default_str();
@@ -102,19 +138,12 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
       ->check(number_range(EventPackerParams::kMinBytes, EventPackerParams::kMaxBytes))
       ->capture_default_str()
       ->needs(drop);
+  add_scoring_options(app, options);
   app.add_option("--json", options.json, "write the figures here");
   app.add_option("--csv", options.csv, "write a row a tick here");
   app.add_option("--plots", options.plots, "write plots into this folder");
   app.add_option("--prefix", options.prefix, "of the channels in a log");
-  app.add_option("--from", options.file.from, "format of EVENTS, where it does not say so itself")
-      ->check(CLI::IsMember({"evt2", "evt3", "text"}));
-  app.add_option("--width", options.file.sensor.width, "sensor, px, where EVENTS does not say");
-  app.add_option("--height", options.file.sensor.height, "sensor, px, where EVENTS does not say");
-  app.add_option("--columns", options.file.text_columns, "text: order of the columns")
-      ->capture_default_str();
-  app.add_option("--unit", options.file.text_unit, "text: unit of the times")
-      ->check(CLI::IsMember({"auto", "s", "us"}))
-      ->capture_default_str();
+  add_event_file_options(app, options.file);
 }
 
 }  // namespace puck

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/evaluation/accuracy_score.h"
 #include "common/io/event_reader.h"
 #include "tools/evaluate/lossy_reader.h"
 #include "tools/evaluate/part_reader.h"
@@ -33,6 +34,10 @@ struct EvaluateOptions {
   bool replay = false;
   bool exact = false;
   double max_difference_px = 0.5;
+  AccuracyParams accuracy;
+  bool score_at_marks = false;
+  bool no_puck = false;
+  std::string scoring = "ours";
   std::string prefix;
   RecordingPart part;
   bool drops_packets = false;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -25,16 +26,16 @@ void write_table(const std::filesystem::path& path,
   if (!file) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-std::vector<double> sorted_errors(const AccuracyScore& score) {
+std::vector<double> sorted_errors(std::span<const ScoredEstimate> estimates) {
   std::vector<double> sorted;
-  for (const auto& sample : score.samples()) sorted.push_back(sample.error_px);
+  for (const auto& sample : estimates) sorted.push_back(sample.error_px);
   std::sort(sorted.begin(), sorted.end());
   return sorted;
 }
 
-void plot_error(const AccuracyScore& score, const std::filesystem::path& folder) {
+void plot_error(std::span<const ScoredEstimate> estimates, const std::filesystem::path& folder) {
   std::vector<Chart::Point> over_time;
-  for (const auto& sample : score.samples()) {
+  for (const auto& sample : estimates) {
     over_time.push_back({static_cast<double>(sample.tick.us) * 1e-6, sample.error_px});
   }
   const double begin_s = over_time.front().x;
@@ -94,12 +95,12 @@ void plot_score(const ScoreCurve& curve, const std::filesystem::path& folder) {
 
 }  // namespace
 
-void write_plots(const AccuracyScore& score, const std::filesystem::path& folder) {
-  if (score.samples().empty()) throw std::runtime_error("nothing to plot: no tick counts");
+void write_plots(std::span<const ScoredEstimate> estimates, const std::filesystem::path& folder) {
+  if (estimates.empty()) throw std::runtime_error("nothing to plot: no tick counts");
   std::filesystem::create_directories(folder);
-  plot_error(score, folder);
-  plot_within(sorted_errors(score), folder);
-  plot_score(score.report().score_curve, folder);
+  plot_error(estimates, folder);
+  plot_within(sorted_errors(estimates), folder);
+  plot_score(error_statistics(estimates).score_curve, folder);
 }
 
 }  // namespace puck

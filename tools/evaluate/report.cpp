@@ -45,20 +45,22 @@ Json to_json(const EvaluationReport& report) {
   json["preset"] = or_null(report.preset);
   json["events"] = report.run.events;
   json["duration_s"] = report.run.duration_s;
+  const auto& errors = report.errors;
+  json["estimates"] = errors ? Json(errors->estimates) : Json(nullptr);
+  const auto measured = [&](const char* key, double ErrorStatistics::*value) {
+    json[key] = errors && errors->estimates > 0 ? Json((*errors).*value) : Json(nullptr);
+  };
+  measured("mean_px", &ErrorStatistics::mean_px);
+  measured("median_px", &ErrorStatistics::median_px);
+  measured("p95_px", &ErrorStatistics::p95_px);
+  measured("within_2px_percent", &ErrorStatistics::within_2px_percent);
+  measured("within_3p5px_percent", &ErrorStatistics::within_3p5px_percent);
+  measured("within_4px_percent", &ErrorStatistics::within_4px_percent);
   const auto& accuracy = report.accuracy;
   const bool scored = accuracy && accuracy->estimates > 0;
-  json["estimates"] = accuracy ? Json(accuracy->estimates) : Json(nullptr);
-  const auto measured = [&](const char* key, double AccuracyReport::*value) {
-    json[key] = scored ? Json((*accuracy).*value) : Json(nullptr);
-  };
-  measured("mean_px", &AccuracyReport::mean_px);
-  measured("median_px", &AccuracyReport::median_px);
-  measured("p95_px", &AccuracyReport::p95_px);
-  measured("within_2px_percent", &AccuracyReport::within_2px_percent);
-  measured("within_3p5px_percent", &AccuracyReport::within_3p5px_percent);
-  measured("within_4px_percent", &AccuracyReport::within_4px_percent);
-  measured("lost_percent", &AccuracyReport::lost_percent);
-  measured("longest_loss_ms", &AccuracyReport::longest_loss_ms);
+  json["lost_percent"] = scored ? Json(accuracy->lost_percent) : Json(nullptr);
+  json["said_and_wrong_percent"] = or_null(report.said_and_wrong_percent);
+  json["longest_loss_ms"] = scored ? Json(accuracy->longest_loss_ms) : Json(nullptr);
   json["time_to_first_track_ms"] =
       accuracy ? or_null(accuracy->time_to_first_track_ms) : Json(nullptr);
   const auto& latency = report.run.latency;
@@ -69,12 +71,19 @@ Json to_json(const EvaluationReport& report) {
   json["mev_s"] = report.run.duration_s > 0
                       ? Json(static_cast<double>(report.run.events) * 1e-6 / report.run.duration_s)
                       : Json(nullptr);
-  measured("p5_px", &AccuracyReport::p5_px);
-  measured("p25_px", &AccuracyReport::p25_px);
-  measured("p75_px", &AccuracyReport::p75_px);
-  measured("max_px", &AccuracyReport::max_px);
+  measured("p5_px", &ErrorStatistics::p5_px);
+  measured("p25_px", &ErrorStatistics::p25_px);
+  measured("p75_px", &ErrorStatistics::p75_px);
+  measured("max_px", &ErrorStatistics::max_px);
+  measured("std_px", &ErrorStatistics::std_px);
+  json["truth_gap_percent"] = accuracy ? Json(accuracy->truth_gap_percent) : Json(nullptr);
+  json["settle_ms"] = accuracy ? Json(accuracy->settle_ms) : Json(nullptr);
   add_covariance(json, scored ? accuracy->covariance : std::nullopt);
-  add_score_curve(json, scored ? &accuracy->score_curve : nullptr);
+  add_score_curve(json, errors && errors->estimates > 0 ? &errors->score_curve : nullptr);
+  if (report.paper) {
+    json["truth_rows"] = report.paper->truth_rows;
+    json["below_0_to_29px_percent"] = report.paper->below_percent;
+  }
   if (report.replay) add_replay(json, *report.replay);
   return json;
 }

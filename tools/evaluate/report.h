@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/evaluation/accuracy_score.h"
+#include "common/evaluation/paper_score.h"
 #include "tools/evaluate/replay.h"
 #include "tools/evaluate/runs.h"
 
@@ -15,7 +16,11 @@ struct EvaluationReport {
   std::string algorithm;
   std::optional<std::string> preset;  ///< Of the algorithm puck only.
   RunSummary run;
-  std::optional<AccuracyReport> accuracy;  ///< With truth only.
+  std::optional<ErrorStatistics> errors;   ///< With truth only: by our rules or the paper's.
+  std::optional<AccuracyReport> accuracy;  ///< By our rules only.
+  std::optional<PaperReport> paper;        ///< By the paper's rules only.
+  /// With truth, by our rules, or of a recording without a puck.
+  std::optional<double> said_and_wrong_percent;
   std::optional<ReplayComparison> replay;  ///< Of a replay only; no keys of it without one.
 };
 

@@ -110,7 +110,7 @@ void play(EventReader& events, Span& span, const TakePacket& take) {
 }  // namespace
 
 RunSummary run_at_rate(EventReader& events, const TrackerSetup& setup, double rate_hz,
-                       const OnTick& on_tick) {
+                       const OnTick& on_tick, std::span<const Timestamp> marks) {
   const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(events.sensor_size());
   const double period_us = 1e6 / rate_hz;
   PacketCutter cutter(events);
@@ -122,18 +122,24 @@ RunSummary run_at_rate(EventReader& events, const TrackerSetup& setup, double ra
     return Timestamp{std::llround(static_cast<double>(n) * period_us)};
   };
   auto next = cutter.next_time();
-  if (next)
+  auto mark = marks.begin();
+  if (next) {
     number = static_cast<std::int64_t>(std::ceil(static_cast<double>(next->us) / period_us));
+    mark = std::lower_bound(marks.begin(), marks.end(), *next);
+  }
   while (next) {
-    const Timestamp tick = tick_of(number);
+    const Timestamp regular = tick_of(number);
+    const bool is_mark = mark != marks.end() && *mark <= regular;
+    const Timestamp tick = is_mark ? *mark : regular;
     while (next && *next <= tick) {
       cutter.take_until(tick, piece);
       cpu.of([&] { tracker->update(piece); });
       span.add(piece);
       next = cutter.next_time();
     }
-    on_tick({tick, cpu.of([&] { return tracker->estimate(); }), std::nullopt});
-    ++number;
+    on_tick({tick, cpu.of([&] { return tracker->estimate(); }), std::nullopt, is_mark});
+    if (is_mark) ++mark;
+    if (tick == regular) ++number;
   }
   RunSummary summary;
   span.write_to(summary);

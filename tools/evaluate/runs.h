@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "common/io/event_reader.h"
 #include "common/runtime/latency_histogram.h"
@@ -16,6 +17,7 @@ struct EvaluatedTick {
   Timestamp tick;  ///< The time that the answer is for.
   PuckEstimate estimate;
   std::optional<std::int64_t> latency_us;
+  bool is_mark = false;  ///< The time is one of the `marks` of run_at_rate.
 };
 using OnTick = std::function<void(const EvaluatedTick&)>;
 
@@ -31,10 +33,11 @@ struct RunSummary {
   std::optional<double> cpu_us_per_ms;
 };
 
-/// Feeds the events up to each multiple of 1/rate of sensor time and asks for an estimate there.
-/// Deterministic to the bit. Throws std::runtime_error at a pause of more than an hour.
+/// Feeds the events up to each multiple of 1/rate of sensor time, and up to each of the `marks`
+/// (which grow), and asks for an estimate there. Deterministic to the bit. Throws
+/// std::runtime_error at a pause of more than an hour.
 RunSummary run_at_rate(EventReader& events, const TrackerSetup& setup, double rate_hz,
-                       const OnTick& on_tick);
+                       const OnTick& on_tick, std::span<const Timestamp> marks = {});
 
 /// Plays the events at the pace at which they were recorded and measures how long after its receipt
 /// a packet's newest event is in an estimate. PUCK runs in its two threads, the other algorithms in

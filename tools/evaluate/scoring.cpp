@@ -1,0 +1,95 @@
+#include "tools/evaluate/scoring.h"
+
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+namespace puck {
+namespace {
+
+constexpr std::int64_t kSlackUs = 100'000;
+
+std::string span_text(Timestamp first, Timestamp last) {
+  char text[80];
+  std::snprintf(text, sizeof text, "from %.3f to %.3f s", static_cast<double>(first.us) * 1e-6,
+                static_cast<double>(last.us) * 1e-6);
+  return text;
+}
+
+}  // namespace
+
+Scoring::Scoring(const EvaluateOptions& options, std::vector<TruthRow> truth, SensorSize sensor)
+    : at_marks_alone_(options.score_at_marks), no_puck_(options.no_puck) {
+  if (truth.empty()) {
+    if (at_marks_alone_) throw std::invalid_argument("--score-at-marks needs --truth");
+    if (options.scoring == "paper") throw std::invalid_argument("--scoring paper needs --truth");
+    return;
+  }
+  TruthTrack track(std::move(truth));
+  first_truth_ = track.first();
+  last_truth_ = track.last();
+  if (at_marks_alone_) {
+    for (const TruthRow& row : track.rows()) marks_.push_back(row.time);
+  }
+  if (options.scoring == "paper") {
+    paper_.emplace(std::move(track));
+  } else {
+    ours_.emplace(std::move(track), sensor, options.accuracy);
+  }
+}
+
+void Scoring::add(const EvaluatedTick& tick) {
+  ++ticks_;
+  if (tick.estimate.state == TrackState::kTracking) ++tracking_;
+  if (at_marks_alone_ && !tick.is_mark) return;
+  if (ours_) ours_->add(tick.tick, tick.estimate);
+  if (paper_) paper_->add(tick.tick, tick.estimate);
+}
+
+void Scoring::write_to(EvaluationReport& report) const {
+  if (ours_) {
+    report.accuracy = ours_->report();
+    report.errors = report.accuracy;
+    report.said_and_wrong_percent = report.accuracy->said_and_wrong_percent;
+  }
+  if (paper_) {
+    report.paper = paper_->report();
+    report.errors = report.paper;
+  }
+  if (no_puck_ && ticks_ > 0) {
+    report.said_and_wrong_percent =
+        100 * static_cast<double>(tracking_) / static_cast<double>(ticks_);
+  }
+}
+
+std::vector<ScoredEstimate> Scoring::samples() const {
+  if (paper_) return paper_->samples();
+  return ours_ ? ours_->samples() : std::vector<ScoredEstimate>{};
+}
+
+std::vector<std::string> Scoring::warnings(const RunSummary& run) const {
+  std::vector<std::string> lines;
+  if (!has_truth()) return lines;
+  const std::string spans = "the truth goes " + span_text(*first_truth_, *last_truth_) +
+                            ", the events " + span_text(run.first, run.last);
+  if (ours_) {
+    const AccuracyReport report = ours_->report();
+    if (report.truth_gap_percent > 0) {
+      char text[160];
+      std::snprintf(text, sizeof text,
+                    "%.1f %% of the ticks within the truth do not count: its rows are farther "
+                    "apart than --truth-gap-ms",
+                    report.truth_gap_percent);
+      lines.emplace_back(text);
+    }
+  }
+  if (samples().empty()) {
+    lines.push_back(spans + ": not one tick counts; is the puck ever seen, and is it the right " +
+                    "truth?");
+  } else if (*first_truth_ - run.first > kSlackUs || run.last - *last_truth_ > kSlackUs) {
+    lines.push_back(spans + ": only the ticks that the truth covers count");
+  }
+  return lines;
+}
+
+}  // namespace puck

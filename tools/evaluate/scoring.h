@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/evaluation/accuracy_score.h"
+#include "common/evaluation/paper_score.h"
+#include "common/events/sensor_size.h"
+#include "tools/evaluate/options.h"
+#include "tools/evaluate/report.h"
+#include "tools/evaluate/runs.h"
+
+namespace puck {
+
+/// Scores the ticks of a run as the command line says: by our rules or the paper's, at every tick
+/// or at the rows of the truth alone; or, of a recording without a puck, counts what is tracked.
+class Scoring {
+ public:
+  /// Without rows of truth nothing is scored, unless the options say that there is no puck.
+  Scoring(const EvaluateOptions& options, std::vector<TruthRow> truth, SensorSize sensor);
+
+  bool has_truth() const { return ours_.has_value() || paper_.has_value(); }
+  /// Times at which an estimate is to be asked for besides the usual ticks.
+  const std::vector<Timestamp>& marks() const { return marks_; }
+
+  /// Ticks in the order of their times.
+  void add(const EvaluatedTick& tick);
+
+  void write_to(EvaluationReport& report) const;
+  /// The estimates that count, for plots.
+  std::vector<ScoredEstimate> samples() const;
+  /// What a person must know to read the figures right: truth that does not cover the events, or
+  /// has gaps, or ticks of which none counts. Less than 100 ms at the ends do not matter.
+  std::vector<std::string> warnings(const RunSummary& run) const;
+
+ private:
+  bool at_marks_alone_;
+  std::vector<Timestamp> marks_;
+  std::optional<AccuracyScore> ours_;
+  std::optional<PaperScore> paper_;
+  std::optional<Timestamp> first_truth_;
+  std::optional<Timestamp> last_truth_;
+  bool no_puck_;
+  std::int64_t ticks_ = 0;
+  std::int64_t tracking_ = 0;
+};
+
+}  // namespace puck
