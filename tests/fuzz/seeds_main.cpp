@@ -14,6 +14,7 @@
 #include "common/messaging/message_codec.h"
 #include "tests/support/random_message.h"
 #include "tests/support/test_board_bytes.h"
+#include "tests/support/yarp_log_encoder.h"
 
 namespace puck {
 namespace {
@@ -165,6 +166,13 @@ void add_recordings(Seeds& seeds) {
   seeds.add("fuzz_event_files", 0x41, evt2);
   seeds.add("fuzz_event_stream", header + evt2 + std::string(4, '\0'));
   seeds.add("fuzz_event_files", 0x40, "0.001 5 6 1\n0.002 6 7 0\n");
+  for (const YarpEncoding encoding :
+       {YarpEncoding::kList, YarpEncoding::kStamped, YarpEncoding::kPlain}) {
+    YarpLogEncoder log(encoding, packet.start);
+    log.add(packet, 500);
+    log.add_other(packet.newest(), "IMUS (1 2)");
+    seeds.add("fuzz_event_files", 0x40, log.text());
+  }
 }
 
 void add_data_files(Seeds& seeds, const fs::path& source) {
@@ -172,6 +180,7 @@ void add_data_files(Seeds& seeds, const fs::path& source) {
   const std::vector<std::string> kinds{
       "t_us,x,y,width,height,visible\n0,10,20,30,40,1\n1000,11,21,30.5,40.5,0.25\n",
       "t_us,x,y,w,h\n1000,11,21,30.5,40.5\n0,1,2,3,4\n",
+      "0.5 10 20 30 44\n1 11 21 31 45.5\n",
       text_of(calibration / "simulated_table.csv"),
       text_of(calibration / "simulated_size.toml"),
       text_of(calibration / "simulated_table.toml"),
