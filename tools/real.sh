@@ -17,13 +17,15 @@
 # all where there are fewer than 1,000. The ellipse's size and lean are given by hand, and the ball is
 # tracked once more with a size of 14 px everywhere. On a recording without a disc the tracker looks for
 # pucks of 16, 32 and 48 px and of the simulated table's sizes, and a row is the mean of these four runs.
-# Exit code 1: a run failed; it has no row.
+# Exit code 1: a run failed; it has no row, nor has a row of four runs of which one failed.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 # shellcheck source=tools/games.sh
 . "$root/tools/games.sh"
 
-contestants=(default correlation paper reference cluster particle-filter particle-filter-eros)
+all="default correlation paper reference cluster particle-filter particle-filter-eros"
+read -ra contestants <<<"$all"
+only=
 json=
 recordings=${PUCK_RECORDINGS:-$root/../shared/recordings}
 output=$root/build/real
@@ -31,31 +33,36 @@ jobs=$(nproc)
 programs=
 while [ $# -gt 0 ]; do
   case "$1" in
-    --json) json=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
-    --only) IFS=, read -ra contestants <<<"${2-}" && shift 2 || usage 2 ;;
-    --recordings) recordings=${2-} && shift 2 || usage 2 ;;
-    --output) output=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
-    --jobs) jobs=${2-} && shift 2 || usage 2 ;;
-    --programs) programs=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
+    --json | --only | --recordings | --output | --jobs | --programs)
+      [ -n "${2-}" ] || refuse "$1 takes a value; --help says which"
+      case "$1" in
+        --json) json=$(realpath -m "$2") ;;
+        --only) only=$2 ;;
+        --recordings) recordings=$2 ;;
+        --output) output=$(realpath -m "$2") ;;
+        --jobs) jobs=$2 ;;
+        --programs) programs=$(realpath -m "$2") ;;
+      esac
+      shift 2
+      ;;
     -h | --help) usage 0 ;;
     *) refuse "unknown option $1; --help lists them" ;;
   esac
 done
-for name in "${contestants[@]}"; do
-  case "$name" in
-    default | correlation | paper | reference | cluster | particle-filter | particle-filter-eros) ;;
-    *) refuse "--only takes names of presets and algorithms, got '$name'" ;;
-  esac
-done
+if [ -n "$only" ]; then
+  mapfile -t contestants < <(tr , '\n' <<<"$only" | awk '!seen[$0]++')
+  for name in "${contestants[@]}"; do
+    case " $all " in *" $name "*) ;; *) refuse "--only takes some of: $all; got '$name'" ;; esac
+  done
+fi
 require_jobs "$jobs"
 [ -d "$recordings" ] ||
   refuse "no folder $recordings; name that of the recordings with --recordings or PUCK_RECORDINGS"
 recordings=$(realpath "$recordings")
 require_programs puck-calibrate puck-evaluate
 [ -z "$json" ] || : >>"$json" || refuse "$json cannot be written"
-mkdir -p "$output"
-rm -rf "${output:?}"/runs "${output:?}"/sizes
 mkdir -p "$output"/runs "$output"/sizes
+rm -f "$output"/runs/*.{json,part,log} "$output"/sizes/*.{toml,csv,log}
 
 size_file() { # NAME WIDTH HEIGHT [LEAN_DEG]: a puck as large everywhere; prints the file's path
   local file=$output/sizes/$1.toml
@@ -111,9 +118,9 @@ fi
 for sequence in still_faint_6_m_s moving_faint_5_m_s moving_round_logos still_shots_15_m_s; do
   base=second_simulator/$sequence
   if is_there $base.raw && is_there $base.truth.csv; then
+    size=$(calibrated $sequence "$recordings/$base.truth.csv" 640 480)
     add "second simulator: $sequence" $sequence "$recordings/$base.raw" \
-      --truth "$recordings/$base.truth.csv" \
-      --size-model "$(calibrated $sequence "$recordings/$base.truth.csv" 640 480)"
+      --truth "$recordings/$base.truth.csv" --size-model "$size"
   fi
 done
 
@@ -167,17 +174,18 @@ done | xargs -0 -n 2 -P "$jobs" bash -c 'run_logged "$@"' run_logged || failed=1
 
 # The rows in the order of the plan; of several runs in a row, the mean of what is known.
 print_rows() {
-  local seen=$'\n' line title run contestant
+  local seen=$'\n' line title run contestant runs
   for line in "${plan[@]}"; do
     title=$(cut -f 1 <<<"$line")
     case "$seen" in *$'\n'"$title"$'\n'*) continue ;; esac
     seen+=$title$'\n'
     for contestant in "${contestants[@]}"; do
+      runs=()
       for run in "${plan[@]}"; do
-        if [ "$(cut -f 1 <<<"$run")" = "$title" ]; then
-          cat "$output/runs/$(cut -f 2 <<<"$run")-$contestant.json" 2>/dev/null || true
-        fi
-      done | title=$title contestant=$contestant awk -F '[:,]' '
+        [ "$(cut -f 1 <<<"$run")" != "$title" ] ||
+          runs+=("$output/runs/$(cut -f 2 <<<"$run")-$contestant.json")
+      done
+      { cat "${runs[@]}" 2>/dev/null || true; } | runs=${#runs[@]} title=$title contestant=$contestant awk -F '[:,]' '
         { gsub(/[ "]/, "", $1) }
         $2 ~ /^ *-?[0-9.]/ { sum[$1] += $2; count[$1]++ }
         /^{/ { runs++ }
@@ -185,7 +193,7 @@ print_rows() {
           return count[key] ? sprintf("%." decimals "f", sum[key] / count[key]) : "–"
         }
         END {
-          if (!runs) exit
+          if (runs < ENVIRON["runs"]) exit
           printf "| %s | %s | %s | %s | %s | %s | %s | %s |\n", ENVIRON["title"],
             ENVIRON["contestant"], mean("mean_px", 2), mean("median_px", 2), mean("lost_percent", 2),
             mean("said_and_wrong_percent", 2), mean("time_to_first_track_ms", 0),
@@ -210,6 +218,7 @@ if [ -n "$json" ]; then
     echo '['
     first=yes
     for file in "$output"/runs/*.json; do
+      [ -f "$file" ] || continue
       [ -n "$first" ] || echo ','
       first=
       cat "$file"

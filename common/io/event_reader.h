@@ -36,8 +36,9 @@ struct EventFileOptions {
   /// Text: what stands between the columns, "auto" being any run of spaces, tabs, `,` and `;`.
   std::string text_separator = "auto";
 
-  /// YARP log: "left", "right", or "first": that of the first event.
-  std::string yarp_eye = "first";
+  /// YARP log: whose events are read, "left", "right", or "auto": those of the eye that has most at
+  /// the beginning.
+  std::string yarp_eye = "auto";
 };
 
 /// Events of a file, in the order of their times, which are as they stand in the file: no shift.
@@ -66,9 +67,9 @@ class EventReader {
   virtual std::vector<std::string> warnings() const = 0;
 };
 
-/// Opens Prophesee RAW files (EVT2, EVT3), text files and YARP text logs. Throws EventFileError for a file that is
-/// missing, empty, of another format, or does not say how large its sensor is when `options` does
-/// not either.
+/// Opens Prophesee RAW files (EVT2, EVT3), text files and YARP text logs. Throws EventFileError for
+/// a file that is missing, empty, of another format, or does not say how large its sensor is when
+/// `options` does not either.
 std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
                                              const EventFileOptions& options = {});
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "common/io/csv_file.h"
 #include "common/io/number_limits.h"
@@ -54,7 +55,8 @@ std::vector<double> numbers_in(const std::string& line) {
 std::vector<TruthRow> read_boxes(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::vector<TruthRow> rows;
-  std::optional<double> us_per_unit;
+  std::vector<std::pair<double, std::size_t>> times;  // As they stand there, and their lines.
+  bool is_seconds = false;
   std::size_t line_number = 0;
   for (std::string line; std::getline(file, line);) {
     ++line_number;
@@ -68,20 +70,22 @@ std::vector<TruthRow> read_boxes(const std::filesystem::path& path) {
                       "expected a box as five numbers t y0 y1 x0 x1, with t from 0 (in s with a "
                       "decimal point, or in µs), y0 <= y1 and x0 <= x1");
     }
-    if (!us_per_unit) {
-      const std::string_view time = content.substr(0, content.find_first_of(" \t"));
-      us_per_unit = time.find('.') != std::string_view::npos ? 1e6 : 1;
-    }
-    const double t_us = box[0] * *us_per_unit;
-    if (t_us > kLatestUs) throw_csv_error(path, line_number, "t is too large");
+    const std::string_view time = content.substr(0, content.find_first_of(" \t"));
+    is_seconds = is_seconds || time.find('.') != std::string_view::npos;
+    times.emplace_back(box[0], line_number);
     TruthRow row;
-    row.time = {std::llround(t_us)};
     row.centre = {(box[3] + box[4]) / 2, (box[1] + box[2]) / 2};
     row.size = {box[4] - box[3], box[2] - box[1]};
-    if (!rows.empty() && row.time <= rows.back().time) {
-      throw_csv_error(path, line_number, "t must be larger than in the box before");
-    }
     rows.push_back(row);
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& [time, line] = times[i];
+    const double t_us = is_seconds ? time * 1e6 : time;
+    if (t_us > kLatestUs) throw_csv_error(path, line, "t is too large");
+    rows[i].time = {std::llround(t_us)};
+    if (i > 0 && rows[i].time <= rows[i - 1].time) {
+      throw_csv_error(path, line, "t must be larger than in the box before");
+    }
   }
   return rows;
 }

@@ -2,48 +2,144 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "common/io/number_limits.h"
 
 namespace puck {
 namespace {
 
 constexpr std::int64_t kWrap = std::int64_t{1} << 31;
-// The host's clock is that of a packet's sending, which is late by less.
-constexpr double kSlackUs = 1e6;
-// So many doubtful events one after another are no damage: they are a counter that was set anew.
-constexpr int kMostDoubtful = 64;
-
-// From one stamp to another, the shorter way round.
-std::int64_t ticks_between(std::uint32_t from, std::uint32_t to) {
-  const std::int64_t forward = (std::int64_t{to} - std::int64_t{from}) & (kWrap - 1);
-  return forward < kWrap / 2 ? forward : forward - kWrap;
-}
+// Records of one packet may be out of turn by so much.
+constexpr double kDisorderUs = 10'000;
+// The host's times are those of sending: they and the stamps agree to better than that.
+constexpr double kHostSlackUs = 1e6;
+// A longer pause in which the counter wrapped is a damaged host time.
+constexpr double kLongestPauseUs = 24 * 3600e6;
+// So many records that go on from each other, far back, are a counter that was set anew.
+constexpr std::size_t kNewCount = 64;
+// So many tell whether the very first stamp is damaged.
+constexpr std::size_t kFirstRecords = 3;
 
 }  // namespace
 
-std::optional<Timestamp> YarpEventClock::at(std::uint32_t stamp, double host_s) {
-  if (!is_known_) {
-    is_known_ = true;
-    stamp_ = stamp;
-    host_s_ = host_s;
+// In ticks; the shorter way round, and as many turns more as the host's time shows.
+std::int64_t YarpEventClock::step_to(const StampedRecord& from, const StampedRecord& to) const {
+  const std::int64_t forward = (std::int64_t{to.stamp} - std::int64_t{from.stamp}) & (kWrap - 1);
+  const std::int64_t step = forward < kWrap / 2 ? forward : forward - kWrap;
+  const double waited_us = (to.host_time_s - from.host_time_s) * 1e6;
+  const double wrap_us = static_cast<double>(kWrap) * us_per_tick_;
+  if (waited_us < wrap_us / 2 || waited_us > kLongestPauseUs) return step;
+  const double turns = std::round((waited_us - static_cast<double>(step) * us_per_tick_) / wrap_us);
+  const std::int64_t whole = step + kWrap * std::max<std::int64_t>(std::llround(turns), 0);
+  const bool host_agrees =
+      std::abs(waited_us - static_cast<double>(whole) * us_per_tick_) < kHostSlackUs;
+  return host_agrees ? whole : step;
+}
+
+bool YarpEventClock::goes_on(const StampedRecord& from, const StampedRecord& to,
+                             double most_us) const {
+  const double step_us = static_cast<double>(step_to(from, to)) * us_per_tick_;
+  return step_us >= 0 && step_us <= most_us;
+}
+
+void YarpEventClock::add(const StampedRecord& record, std::vector<TimedRecord>& placed) {
+  if (newest_) {
+    advance(record, placed);
+    return;
   }
-  const double waited_us = std::max(host_s - host_s_, 0.0) * 1e6;
-  const double waited_ticks = waited_us / us_per_tick_;
-  std::int64_t step = ticks_between(stamp_, stamp);
-  const double wraps = (waited_ticks - static_cast<double>(step)) / static_cast<double>(kWrap);
-  step += kWrap * std::max<std::int64_t>(std::llround(wraps), 0);
+  first_.push_back(record);
+  if (first_.size() == kFirstRecords) begin(placed);
+}
+
+void YarpEventClock::finish(std::vector<TimedRecord>& placed) {
+  if (!newest_ && !first_.empty()) begin(placed);
+  if (ahead_) {
+    const StampedRecord last = *ahead_;
+    ahead_.reset();
+    believe(last, step_to(*newest_, last), placed);
+  }
+  doubtful_records_ += static_cast<std::int64_t>(back_.size());
+  back_.clear();
+}
+
+// With the first record that its successor does not contradict.
+void YarpEventClock::begin(std::vector<TimedRecord>& placed) {
+  const auto agree = [&](const StampedRecord& a, const StampedRecord& b) {
+    return goes_on(a, b, std::max(b.host_time_s - a.host_time_s, 0.0) * 1e6 + kHostSlackUs);
+  };
+  std::size_t start = 0;
+  if (first_.size() == kFirstRecords && !agree(first_[0], first_[1]) &&
+      agree(first_[1], first_[2])) {
+    start = 1;
+    ++doubtful_records_;
+  }
+  const std::vector<StampedRecord> records = std::move(first_);
+  first_.clear();
+  believe(records[start], 0, placed);
+  for (std::size_t i = start + 1; i < records.size(); ++i) advance(records[i], placed);
+}
+
+void YarpEventClock::advance(const StampedRecord& record, std::vector<TimedRecord>& placed) {
+  if (ahead_) settle_ahead(record, placed);
+  if (!back_.empty() && settle_back(record, placed)) return;
+  const std::int64_t step = step_to(*newest_, record);
   const double step_us = static_cast<double>(step) * us_per_tick_;
-  if (step_us > waited_us + kSlackUs || step_us < -kSlackUs) {
-    if (++doubtful_in_succession_ < kMostDoubtful) return std::nullopt;
-    step = std::llround(waited_ticks);
+  const bool is_late_packet = record.host_time_s < newest_->host_time_s;
+  if (step > 0) {
+    ahead_ = record;
+  } else if (step_us < -kDisorderUs && !is_late_packet) {
+    back_.push_back(record);
+  } else {
+    believe(record, step, placed);
   }
-  doubtful_in_succession_ = 0;
+}
+
+void YarpEventClock::believe(const StampedRecord& record, std::int64_t step,
+                             std::vector<TimedRecord>& placed) {
   const std::int64_t ticks = ticks_ + step;
-  if (step >= 0) {
-    ticks_ = ticks;
-    stamp_ = stamp;
-    host_s_ = host_s;
+  // Damaged host times may add up to any time.
+  if (static_cast<double>(ticks) * us_per_tick_ > kLatestUs) {
+    ++doubtful_records_;
+    return;
   }
-  return Timestamp{std::llround(static_cast<double>(ticks) * us_per_tick_)};
+  placed.push_back({{std::llround(static_cast<double>(ticks) * us_per_tick_)}, record.address});
+  if (newest_ && step < 0) return;
+  newest_ = record;
+  ticks_ = ticks;
+}
+
+// A record that leapt ahead of its successor was damaged.
+void YarpEventClock::settle_ahead(const StampedRecord& next, std::vector<TimedRecord>& placed) {
+  const StampedRecord waiting = *ahead_;
+  ahead_.reset();
+  const bool is_contradicted = step_to(waiting, next) < 0 && step_to(*newest_, next) >= 0;
+  if (is_contradicted) {
+    ++doubtful_records_;
+  } else {
+    believe(waiting, step_to(*newest_, waiting), placed);
+  }
+}
+
+// True when `next` belongs to those that wait, or they have become a new count with it.
+bool YarpEventClock::settle_back(const StampedRecord& next, std::vector<TimedRecord>& placed) {
+  const double waited_us = std::max(next.host_time_s - back_.back().host_time_s, 0.0) * 1e6;
+  const bool joins =
+      goes_on(back_.back(), next, waited_us + kHostSlackUs) && step_to(*newest_, next) < 0;
+  if (!joins) {
+    doubtful_records_ += static_cast<std::int64_t>(back_.size());
+    back_.clear();
+    return false;
+  }
+  back_.push_back(next);
+  if (back_.size() < kNewCount) return true;
+  const std::vector<StampedRecord> count = std::move(back_);
+  back_.clear();
+  const double pause_us =
+      std::clamp((count.front().host_time_s - newest_->host_time_s) * 1e6, 0.0, kLongestPauseUs);
+  believe(count.front(), std::llround(pause_us / us_per_tick_), placed);
+  for (std::size_t i = 1; i < count.size(); ++i) advance(count[i], placed);
+  return true;
 }
 
 }  // namespace puck

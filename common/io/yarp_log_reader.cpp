@@ -1,6 +1,7 @@
 #include "common/io/yarp_log_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,7 +14,12 @@ namespace {
 constexpr std::size_t kLongestLine = std::size_t{16} << 20;
 constexpr std::size_t kUsualLine = std::size_t{64} << 10;
 // So much of a file tells its encoding.
-constexpr int kSampleLines = 200;
+constexpr int kSamplePackets = 200;
+constexpr int kSampleLines = 100'000;
+// Packets without stamps follow one another: one may begin so long before the end of the one
+// before, and so long after it.
+constexpr double kMostOverlapUs = 50'000;
+constexpr double kUsualGapUs = 1e6;
 
 constexpr std::uint32_t kStampMask = 0x7fffffff;
 
@@ -24,38 +30,31 @@ std::uint32_t eye_of(std::uint32_t address) { return address >> 22 & 1; }
 // that an event lies on a corner.
 bool is_event(std::uint32_t address) { return (address & 0xfd800000) == 0; }
 
-// What the first lines of a log say about how it is to be read.
+// What the first packets of a log say about how it is to be read.
 class EncodingSample {
  public:
   explicit EncodingSample(SensorSize sensor) : sensor_(sensor) {}
 
   void add(const YarpPacket& packet) {
-    if (packet.words.empty()) return;
-    if (packet.is_bytes && packet.words.size() % 2 == 1) odd_packets_ = true;
-    for (std::size_t i = 0; i + 1 < packet.words.size(); i += 2) {
-      const std::uint32_t stamp = packet.words[i];
-      if (!is_event(stamp) || !sensor_.contains(x_of(stamp), y_of(stamp))) no_address_ = true;
-      if (i > 0) ++(stamp >= packet.words[i - 2] ? rises_ : falls_);
-    }
-    const std::uint32_t newest = packet.words[(packet.words.size() - 1) / 2 * 2] & kStampMask;
-    const double host_us = (packet.host_time_s - host_time_s_) * 1e6;
-    const double ticks = (newest - newest_) & kStampMask;
-    // In a longer pause the counter may wrap.
-    constexpr double kLongestPauseUs = 60e6;
-    if (has_packet_ && host_us > 0 && host_us < kLongestPauseUs && ticks > 0) {
-      ticks_per_us_.push_back(ticks / host_us);
-    }
-    has_packet_ = true;
+    if (packet.words.empty() || packet.is_cut) return;
+    ++packets_;
     is_bytes_ = packet.is_bytes;
-    host_time_s_ = packet.host_time_s;
-    newest_ = newest;
+    if (packet.words.size() % 2 == 1) ++odd_packets_;
+    for (std::size_t i = 0; i < packet.words.size(); ++i) {
+      if (is_on_sensor(packet.words[i])) ++on_sensor_[i % 2];
+      if (is_event(packet.words[i])) ++of_eye_[i % 2][eye_of(packet.words[i])];
+      if (i >= 2 && i % 2 == 0) ++(packet.words[i] >= packet.words[i - 2] ? rises_ : falls_);
+    }
+    add_pace(packet);
   }
+  int packets() const { return packets_; }
 
-  /// Whether every other word is a stamp: those grow, which addresses do not for long.
+  /// Whether every other word is a stamp: stamps rise, and are addresses on the sensor by chance
+  /// only.
   bool has_stamps() const {
-    constexpr int kMostRising = 16;
-    if (odd_packets_ || falls_ * 10 > rises_) return false;
-    return no_address_ || rises_ > kMostRising;
+    if (!is_bytes_) return true;
+    return 2 * odd_packets_ < packets_ && 10 * falls_ <= rises_ &&
+           10 * on_sensor_[0] < 9 * on_sensor_[1];
   }
 
   /// 0.08 or 1: whichever is nearer to what most of the packets' host times say.
@@ -67,14 +66,41 @@ class EncodingSample {
     return sorted[sorted.size() / 2] > kBetween ? 0.08 : 1;
   }
 
+  /// The eye that most events are of.
+  std::uint32_t eye() const {
+    std::array<std::int64_t, 2> events = of_eye_[1];
+    if (!has_stamps()) {
+      for (std::size_t i = 0; i < events.size(); ++i) events[i] += of_eye_[0][i];
+    }
+    return events[1] > events[0] ? 1 : 0;
+  }
+
  private:
+  bool is_on_sensor(std::uint32_t word) const {
+    return is_event(word) && sensor_.contains(x_of(word), y_of(word));
+  }
+  void add_pace(const YarpPacket& packet) {
+    // In a longer pause the counter may wrap.
+    constexpr double kLongestPauseUs = 60e6;
+    const std::uint32_t newest = packet.words[(packet.words.size() - 1) / 2 * 2] & kStampMask;
+    const double host_us = (packet.host_time_s - host_time_s_) * 1e6;
+    const double ticks = (newest - newest_) & kStampMask;
+    if (packets_ > 1 && host_us > 0 && host_us < kLongestPauseUs && ticks > 0) {
+      ticks_per_us_.push_back(ticks / host_us);
+    }
+    host_time_s_ = packet.host_time_s;
+    newest_ = newest;
+  }
+
   SensorSize sensor_;
-  bool odd_packets_ = false;
-  bool no_address_ = false;
-  int rises_ = 0;
-  int falls_ = 0;
-  bool has_packet_ = false;
+  int packets_ = 0;
   bool is_bytes_ = false;
+  // Of the words that would be stamps, and of those that would be addresses behind them.
+  std::array<std::int64_t, 2> on_sensor_{};
+  std::array<std::array<std::int64_t, 2>, 2> of_eye_{};
+  int odd_packets_ = 0;
+  std::int64_t rises_ = 0;
+  std::int64_t falls_ = 0;
   double host_time_s_ = 0;
   std::uint32_t newest_ = 0;
   std::vector<double> ticks_per_us_;  // From one packet to the next.
@@ -102,7 +128,13 @@ YarpLogReader::YarpLogReader(const std::filesystem::path& path, const EventFileO
 bool YarpLogReader::read(EventPacket& packet, std::size_t max_events) {
   packet.events.clear();
   sink_.begin(packet, max_events);
-  while (sink_.has_room() && next_line()) take_line();
+  while (sink_.has_room() && !is_finished_) {
+    if (next_line()) {
+      take_line();
+    } else {
+      finish();
+    }
+  }
   return !packet.empty();
 }
 
@@ -110,26 +142,27 @@ void YarpLogReader::rewind() {
   file_.clear();
   file_.seekg(0);
   is_at_end_ = false;
+  is_finished_ = false;
   clock_ = YarpEventClock(us_per_tick_);
-  first_plain_s_.reset();
-  newest_plain_ = {};
-  eye_.reset();
-  if (options_.yarp_eye == "left") eye_ = 0;
-  if (options_.yarp_eye == "right") eye_ = 1;
+  told_doubtful_ = 0;
+  held_.reset();
+  plain_zero_s_.reset();
+  newest_plain_us_ = 0;
   sink_ = EventSink(options_.sensor);
 }
 
 std::vector<std::string> YarpLogReader::warnings() const {
-  return reader_warnings(name_, counters(), is_at_end_ && !sink_.has_backlog());
+  return reader_warnings(name_, counters(), is_finished_ && !sink_.has_backlog());
 }
 
 void YarpLogReader::find_encoding() {
   EncodingSample sample(options_.sensor);
-  for (int i = 0; i < kSampleLines && next_line(); ++i) {
-    if (is_line_whole_ && parse_yarp_packet(line_, true, packet_)) sample.add(packet_);
+  for (int i = 0; i < kSampleLines && sample.packets() < kSamplePackets && next_line(); ++i) {
+    if (parse_yarp_packet(line_, packet_)) sample.add(packet_);
   }
   has_stamps_ = sample.has_stamps();
   us_per_tick_ = sample.us_per_tick();
+  eye_ = options_.yarp_eye == "auto" ? sample.eye() : options_.yarp_eye == "right" ? 1 : 0;
 }
 
 // Moves to the next line that is not too long to be a packet.
@@ -166,7 +199,7 @@ bool YarpLogReader::next_line() {
 
 void YarpLogReader::take_line() {
   EventCounters& counters = sink_.counters();
-  if (!parse_yarp_packet(line_, is_line_whole_, packet_)) {
+  if (!parse_yarp_packet(line_, packet_)) {
     if (!is_line_whole_) {
       counters.truncated_bytes += static_cast<std::int64_t>(line_.size());
     } else if (line_.find_first_not_of(" \t\r") != std::string_view::npos) {
@@ -176,60 +209,106 @@ void YarpLogReader::take_line() {
   }
   counters.other_data += packet_.other_records;
   counters.malformed_words += packet_.malformed_values;
-  counters.truncated_bytes += packet_.cut_bytes;
-  if (packet_.is_bytes && !has_stamps_) {
+  if (packet_.is_cut && is_line_whole_) ++counters.malformed_words;
+  if (packet_.is_cut && !is_line_whole_) counters.truncated_bytes += packet_.cut_bytes;
+  if (!packet_.is_bytes || has_stamps_) {
+    take_stamped();
+  } else if (!packet_.words.empty()) {
     take_plain();
-  } else {
-    take_stamped(!packet_.is_bytes);
   }
 }
 
-void YarpLogReader::take_stamped(bool is_off_one) {
+void YarpLogReader::finish() {
+  clock_.finish(placed_);
+  append_placed();
+  if (held_) {
+    place_plain(*held_, newest_plain_us_);
+    held_.reset();
+  }
+  is_finished_ = true;
+}
+
+void YarpLogReader::take_stamped() {
+  // In a list ON is 0.
+  const std::uint32_t turn = packet_.is_bytes ? 0 : 1;
   for (std::size_t i = 0; i + 1 < packet_.words.size(); i += 2) {
     const std::uint32_t address = packet_.words[i + 1];
     if (!is_of_this_eye(address)) continue;
-    if (const auto time = clock_.at(packet_.words[i] & kStampMask, packet_.host_time_s)) {
-      append(*time, address, is_off_one);
-    } else {
-      ++sink_.counters().time_glitches;
-    }
+    clock_.add({packet_.words[i] & kStampMask, packet_.host_time_s, address ^ turn}, placed_);
+    append_placed();
   }
   if (packet_.words.size() % 2 == 0) return;
-  if (is_line_whole_) {
-    ++sink_.counters().malformed_words;
-  } else {
+  if (packet_.is_cut && !is_line_whole_) {
     sink_.counters().truncated_bytes += 4;
+  } else {
+    ++sink_.counters().malformed_words;
   }
 }
 
+// A packet's events are spread evenly over its duration, which ends at its host time. A packet
+// whose host time contradicts the one before waits for the next: if that agrees with it, it was
+// right.
 void YarpLogReader::take_plain() {
-  const auto count = static_cast<double>(packet_.words.size());
   const double duration_us = static_cast<double>(packet_.duration_us);
-  if (!first_plain_s_) first_plain_s_ = packet_.host_time_s - duration_us * 1e-6;
-  const double end_us = (packet_.host_time_s - *first_plain_s_) * 1e6;
-  // Packets that overlap a little, since the host's clock is not the sensor's, lose nothing.
-  const double newest_us = static_cast<double>(newest_plain_.us);
-  const double from_us = std::max(end_us - duration_us, newest_us);
-  const double until_us = std::max(end_us, newest_us);
-  for (std::size_t i = 0; i < packet_.words.size(); ++i) {
-    const double share = static_cast<double>(i) / count;
-    newest_plain_ = {std::llround(from_us + share * (until_us - from_us))};
-    if (is_of_this_eye(packet_.words[i])) append(newest_plain_, packet_.words[i], false);
+  if (!plain_zero_s_) plain_zero_s_ = packet_.host_time_s - duration_us * 1e-6;
+  const auto start_us = [&](const YarpPacket& packet) {
+    return (packet.host_time_s - *plain_zero_s_) * 1e6 - static_cast<double>(packet.duration_us);
+  };
+  const auto agrees = [&](const YarpPacket& packet, double before_us) {
+    const double gap_us = start_us(packet) - before_us;
+    return gap_us > -kMostOverlapUs && gap_us < kUsualGapUs;
+  };
+  if (held_) {
+    const double held_end_us = (held_->host_time_s - *plain_zero_s_) * 1e6;
+    if (agrees(packet_, held_end_us)) {
+      // Ahead it was a pause, and back a host's clock that was set back, after which time goes on.
+      if (start_us(*held_) < newest_plain_us_) {
+        plain_zero_s_ = *plain_zero_s_ + (start_us(*held_) - newest_plain_us_) * 1e-6;
+      }
+      place_plain(*held_, start_us(*held_));
+    } else {
+      ++sink_.counters().time_glitches;
+      place_plain(*held_, newest_plain_us_);
+    }
+    held_.reset();
   }
+  if (agrees(packet_, newest_plain_us_)) {
+    place_plain(packet_, start_us(packet_));
+  } else {
+    held_ = packet_;
+  }
+}
+
+void YarpLogReader::place_plain(const YarpPacket& packet, double start_us) {
+  const double end_us =
+      std::max(start_us + static_cast<double>(packet.duration_us), newest_plain_us_);
+  // Packets overlap a little, as the host's clock is not the sensor's, which must cost no event.
+  const double from_us = std::max(start_us, newest_plain_us_);
+  const double step_us = (end_us - from_us) / static_cast<double>(packet.words.size());
+  for (std::size_t i = 0; i < packet.words.size(); ++i) {
+    if (!is_of_this_eye(packet.words[i])) continue;
+    append({std::llround(from_us + static_cast<double>(i) * step_us)}, packet.words[i]);
+  }
+  newest_plain_us_ = end_us;
 }
 
 // Counts what is not.
 bool YarpLogReader::is_of_this_eye(std::uint32_t address) {
-  if (is_event(address)) {
-    if (!eye_) eye_ = eye_of(address);
-    if (eye_of(address) == *eye_) return true;
-  }
+  if (is_event(address) && eye_of(address) == eye_) return true;
   ++sink_.counters().other_data;
   return false;
 }
 
-void YarpLogReader::append(Timestamp time, std::uint32_t address, bool is_off_one) {
-  sink_.append(time, x_of(address), y_of(address), ((address & 1) == 1) != is_off_one);
+void YarpLogReader::append_placed() {
+  for (const TimedRecord& record : placed_) append(record.time, record.address);
+  placed_.clear();
+  const std::int64_t doubtful = clock_.doubtful_records();
+  sink_.counters().time_glitches += doubtful - told_doubtful_;
+  told_doubtful_ = doubtful;
+}
+
+void YarpLogReader::append(Timestamp time, std::uint32_t address) {
+  sink_.append(time, x_of(address), y_of(address), (address & 1) == 1);
 }
 
 }  // namespace puck

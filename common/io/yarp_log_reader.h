@@ -27,8 +27,8 @@ namespace puck {
 ///
 /// Stamps count ticks of 80 ns, or of 1 µs where the packets' times say so, and wrap after 31 bits.
 /// An address holds x in bits 1 to 11, y in bits 12 to 21 and the eye (0: left, 1: right) in bit
-/// 22; one eye's events are read. Times are µs since the log's first event, as none of its clocks
-/// has a zero that means anything. A log does not say how large the sensor is.
+/// 22; the events of one eye are read. Times are µs since the log's first event, as none of its
+/// clocks has a zero that means anything. A log does not say how large the sensor is.
 class YarpLogReader final : public EventReader {
  public:
   /// Reads enough of the file to tell its encoding. Throws EventFileError.
@@ -44,10 +44,13 @@ class YarpLogReader final : public EventReader {
   void find_encoding();
   bool next_line();
   void take_line();
-  void take_stamped(bool is_off_one);
+  void take_stamped();
   void take_plain();
+  void place_plain(const YarpPacket& packet, double start_us);
+  void finish();
   bool is_of_this_eye(std::uint32_t address);
-  void append(Timestamp time, std::uint32_t address, bool is_off_one);
+  void append_placed();
+  void append(Timestamp time, std::uint32_t address);
 
   std::string name_;
   EventFileOptions options_;
@@ -56,13 +59,17 @@ class YarpLogReader final : public EventReader {
   std::string_view line_;
   bool is_line_whole_ = true;  // Ended by a line end, not by the end of the file.
   bool is_at_end_ = false;
+  bool is_finished_ = false;  // At the end, with all that waited handed out.
   YarpPacket packet_;
-  bool has_stamps_ = false;  // Before the records of packets that are bytes.
+  bool has_stamps_ = true;  // Before each record.
   double us_per_tick_ = 1;
+  std::uint32_t eye_ = 0;  // Whose events are read.
   YarpEventClock clock_;
-  std::optional<double> first_plain_s_;  // When the log's first packet without stamps began.
-  Timestamp newest_plain_;
-  std::optional<std::uint32_t> eye_;  // Whose events are read, once known.
+  std::vector<TimedRecord> placed_;
+  std::int64_t told_doubtful_ = 0;      // Of the clock's doubtful records.
+  std::optional<YarpPacket> held_;      // Without stamps, and with a doubtful host time.
+  std::optional<double> plain_zero_s_;  // Host time at which the log's first plain packet began.
+  double newest_plain_us_ = 0;          // Up to here plain packets reach.
   EventSink sink_;
 };
 

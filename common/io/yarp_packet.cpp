@@ -220,23 +220,28 @@ void skip_record(ValueCursor& cursor) {
 }  // namespace
 
 bool is_yarp_log(std::string_view head) {
-  // The first line may be the end of one that was cut.
-  for (int line = 0; line < 2 && !head.empty(); ++line) {
+  // The first lines may be damaged.
+  while (!head.empty()) {
     const std::size_t end = std::min(head.find('\n'), head.size() - 1);
     ValueCursor cursor(head.substr(0, end));
     double host_time_s = 0;
     std::string_view tag;
-    if (take_envelope(cursor, host_time_s, tag)) return true;
+    if (take_envelope(cursor, host_time_s, tag)) {
+      double number = 0;
+      if (cursor.next() == '(' || cursor.next() == '"') return true;
+      if (parse_number(cursor.take_word(), number) && cursor.next() == '"') return true;
+    }
     head.remove_prefix(end + 1);
   }
   return false;
 }
 
-bool parse_yarp_packet(std::string_view line, bool is_whole, YarpPacket& packet) {
+bool parse_yarp_packet(std::string_view line, YarpPacket& packet) {
   packet.duration_us = 0;
   packet.is_bytes = false;
   packet.words.clear();
   packet.other_records = 0;
+  packet.is_cut = false;
   packet.cut_bytes = 0;
   packet.malformed_values = 0;
   ValueCursor cursor(line);
@@ -250,7 +255,7 @@ bool parse_yarp_packet(std::string_view line, bool is_whole, YarpPacket& packet)
       continue;
     }
     has_events = true;
-    if (!read_events(cursor, packet) && is_whole) ++packet.malformed_values;
+    packet.is_cut = !read_events(cursor, packet);
   }
   return true;
 }

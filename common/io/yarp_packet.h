@@ -17,17 +17,18 @@ struct YarpPacket {
   /// 32 bits each: addresses, or pairs of a stamp and an address.
   std::vector<std::uint32_t> words;
   std::int64_t other_records = 0;     ///< Passed over: values in the line that are no events.
-  std::int64_t cut_bytes = 0;         ///< Of the line, left at the end of one that was cut.
+  bool is_cut = false;                ///< The line ends before its list or string does.
+  std::int64_t cut_bytes = 0;         ///< Left over at the end of such a list or string.
   std::int64_t malformed_values = 0;  ///< Passed over.
 };
 
-/// Whether a file that begins with `head` is a YARP text log: `sequence time [time] TAG …`, with a
-/// tag of capital letters.
+/// Whether a file that begins with `head` is a YARP text log: one of its lines is `sequence time
+/// [time] TAG …`, with a tag of capital letters and a list or a string behind it.
 bool is_yarp_log(std::string_view head);
 
-/// Reads a line without its line end; `is_whole` is false for one that the end of the file may have
-/// cut: its last record is then left out unless it is complete. Reuses the memory of `packet`.
-/// False where the line is not of the form `sequence time [time] TAG …`.
-bool parse_yarp_packet(std::string_view line, bool is_whole, YarpPacket& packet);
+/// Reads a line without its line end. Where it was cut, its last record is left out unless that is
+/// complete. Reuses the memory of `packet`. False where the line is not of the form `sequence time
+/// [time] TAG …`.
+bool parse_yarp_packet(std::string_view line, YarpPacket& packet);
 
 }  // namespace puck

@@ -42,7 +42,7 @@ void read_scene(Config& config, SimulationParams& simulation) {
 
 void read_file_settings(Config& config, FileSourceParams& file) {
   constexpr std::array<std::string_view, 3> kUnits{"auto", "s", "us"};
-  constexpr std::array<std::string_view, 3> kEyes{"first", "left", "right"};
+  constexpr std::array<std::string_view, 3> kEyes{"auto", "left", "right"};
   constexpr double kHighestRate = 1000;
   std::string path;
   config.read("camera.file", path);

@@ -11,11 +11,11 @@ namespace puck {
 namespace {
 
 EventFileOptions options_of(std::uint8_t choice) {
-  constexpr std::array<const char*, 4> kFormats{"", "evt2", "yarp", "text"};
+  constexpr std::array<const char*, 5> kFormats{"", "evt2", "evt3", "text", "yarp"};
   constexpr std::array<const char*, 4> kColumns{"t x y p", "x y p t", "t,x,y,p", "p y x t"};
   constexpr std::array<const char*, 4> kUnits{"auto", "s", "us", "auto"};
   EventFileOptions options;
-  options.from = kFormats[choice & 3];
+  options.from = kFormats[choice % kFormats.size()];
   options.text_columns = kColumns[choice >> 2 & 3];
   options.text_unit = kUnits[choice >> 4 & 3];
   if ((choice & 0x40) != 0) options.sensor = {640, 480};

@@ -1,8 +1,13 @@
 // The text log of an IIT camera, in its three encodings; and what may be wrong with one.
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -113,25 +118,25 @@ TEST_CASE("a pause longer than the counter's turn is as long as the host's clock
 }
 
 TEST_CASE("one eye's events are read, the other's and samples of other sensors are counted") {
-  const std::vector<PlainEvent> events = random_events(4);
+  const std::vector<PlainEvent> events = random_events(5);
   YarpLogEncoder encoder(YarpEncoding::kList, {0});
-  bool right = true;
+  bool right = false;
   for (const auto& packet : packets_of(events)) {
     encoder.add(packet_of(packet), kPacketUs, right);
     encoder.add_other({packet.back().t_us}, "IMUS (1 2 3) SKE (4 (5 6))");
     right = !right;
   }
-  const ReadLog first = read_log(encoder.text());
-  CHECK(first.events.size() == 40);
-  CHECK(first.events.front() == events.front());
-  CHECK(first.counters.other_data == 40 + 8);
-  REQUIRE(first.warnings.size() == 1);
-  CHECK(contains(first.warnings[0], "48 records are of other sensors or another camera"));
+  const ReadLog most = read_log(encoder.text());
+  CHECK(most.events.size() == 60);
+  CHECK(most.events.front() == events.front());
+  CHECK(most.counters.other_data == 40 + 10);
+  REQUIRE(most.warnings.size() == 1);
+  CHECK(contains(most.warnings[0], "50 records are of other sensors or of the other eye"));
 
-  const ReadLog left = read_log(encoder.text(), {.sensor = kAtis, .yarp_eye = "left"});
-  REQUIRE(left.events.size() == 40);
-  CHECK(left.events.front().x == events[20].x);
-  CHECK(left.events.front().t_us == 0);
+  const ReadLog rest = read_log(encoder.text(), {.sensor = kAtis, .yarp_eye = "right"});
+  REQUIRE(rest.events.size() == 40);
+  CHECK(rest.events.front().x == events[20].x);
+  CHECK(rest.events.front().t_us == 0);
 }
 
 TEST_CASE("a second time in each line is that of receipt and changes nothing") {
@@ -164,21 +169,40 @@ TEST_CASE("a log that is cut anywhere keeps all whole events before the cut, and
   }
 }
 
-TEST_CASE("a stamp that goes back or leaps ahead costs its event, and none of the others") {
+// Of the first event in that packet of a list.
+std::string with_stamp(std::string text, int packet, std::int64_t stamp) {
+  std::size_t at = 0;
+  for (int i = 0; i <= packet; ++i) at = text.find("AE (", at + 1);
+  const std::size_t end = text.find(' ', at + 4);
+  return text.replace(at + 4, end - at - 4, std::to_string(stamp));
+}
+
+TEST_CASE("a damaged stamp costs its own event alone, wherever it stands") {
   const std::vector<PlainEvent> events = random_events(20);
-  for (const std::uint32_t wrong : {5U, 0x60000000U}) {
-    // The stamp of the first event in the tenth packet.
-    std::string text = encoded(events, YarpEncoding::kList);
-    std::size_t at = 0;
-    for (int packet = 0; packet < 10; ++packet) at = text.find("AE (", at + 1);
-    const std::size_t end = text.find(' ', at + 4);
-    text.replace(at + 4, end - at - 4, std::to_string(wrong));
-    const ReadLog log = read_log(text);
-    CHECK(log.events.size() == events.size() - 1);
-    CHECK(log.events.back() == events.back());
+  const std::string text = encoded(events, YarpEncoding::kList);
+  constexpr std::int64_t kFirst = 383'033'170;
+  // Far back and far ahead; 0.9 s and 5 ms ahead.
+  for (const std::int64_t wrong : {std::int64_t{5}, std::int64_t{0x60000000}, kFirst + 11'250'000,
+                                   kFirst + 9 * 12'500 + 62'500}) {
+    CAPTURE(wrong);
+    std::vector<PlainEvent> rest = events;
+    rest.erase(rest.begin() + 9 * static_cast<int>(kEventsInPacket));
+    const ReadLog log = read_log(with_stamp(text, 9, wrong));
+    CHECK(log.events == rest);
     CHECK(log.counters.time_glitches == 1);
+    REQUIRE(log.warnings.size() == 1);
   }
-  // A packet that comes late: its events are older than those before it.
+  for (const std::int64_t wrong : {std::int64_t{5}, std::int64_t{0x60000000}}) {
+    const ReadLog log = read_log(with_stamp(text, 0, wrong));
+    CHECK(log.counters.time_glitches == 1);
+    REQUIRE(log.events.size() == events.size() - 1);
+    CHECK(log.events.front() == PlainEvent{0, events[1].x, events[1].y, events[1].polarity});
+    CHECK(log.events.back().t_us == events.back().t_us - 50);
+  }
+}
+
+TEST_CASE("a packet that comes late is left out, and counted") {
+  const std::vector<PlainEvent> events = random_events(20);
   YarpLogEncoder encoder(YarpEncoding::kList, {0});
   const auto packets = packets_of(events);
   for (const std::size_t i : {0, 1, 3, 2, 4}) encoder.add(packet_of(packets[i]), kPacketUs);
@@ -188,7 +212,7 @@ TEST_CASE("a stamp that goes back or leaps ahead costs its event, and none of th
   CHECK(late.events.back() == packets[4].back());
 }
 
-TEST_CASE("after a counter was set anew time goes on") {
+TEST_CASE("after a counter was set anew time goes on, and nothing is lost") {
   const std::vector<PlainEvent> events = random_events(40);
   YarpLogEncoder encoder(YarpEncoding::kList, {0});
   YarpLogEncoder again(YarpEncoding::kList, {0}, 100);
@@ -196,11 +220,90 @@ TEST_CASE("after a counter was set anew time goes on") {
   for (std::size_t i = 0; i < packets.size(); ++i) {
     (i < 20 ? encoder : again).add(packet_of(packets[i]), kPacketUs);
   }
+  // The second count begins 20 ms after its own zero; its host times are those of the log.
   const ReadLog log = read_log(encoder.text() + again.text());
-  // The first 63 of the new count are doubted.
-  CHECK(log.counters.time_glitches == 63);
-  REQUIRE(log.events.size() == events.size() - 63);
+  CHECK(log.counters.time_glitches == 0);
+  REQUIRE(log.events.size() == events.size());
   CHECK(std::abs(log.events.back().t_us - events.back().t_us) <= 1000);
+}
+
+// The time of one line of the log, counted from 0, moved by so many seconds.
+std::string with_host_time_moved(const std::string& text, int line, double by_s) {
+  std::istringstream lines(text);
+  std::string moved;
+  int number = 0;
+  for (std::string one; std::getline(lines, one); ++number) {
+    if (number == line) {
+      const std::size_t at = one.find(' ') + 1;
+      const std::size_t end = one.find(' ', at);
+      char time[40];
+      std::snprintf(time, sizeof time, "%.6f", std::stod(one.substr(at, end - at)) + by_s);
+      one.replace(at, end - at, time);
+    }
+    moved += one + '\n';
+  }
+  return moved;
+}
+
+TEST_CASE("a damaged host time moves no event") {
+  const std::vector<PlainEvent> events = random_events(20);
+  for (const double by_s : {600.0, 90.0, -600.0, 9e10, -5e8}) {
+    for (const int line : {0, 9, 19}) {
+      CAPTURE(by_s);
+      CAPTURE(line);
+      const std::string stamped = encoded(events, YarpEncoding::kList);
+      CHECK(read_log(with_host_time_moved(stamped, line, by_s)).events == events);
+      if (line == 0) continue;
+      const ReadLog plain =
+          read_log(with_host_time_moved(encoded(events, YarpEncoding::kPlain), line, by_s));
+      REQUIRE(plain.events.size() == events.size());
+      for (std::size_t i = 0; i < events.size(); ++i) {
+        REQUIRE(std::abs(plain.events[i].t_us - events[i].t_us) <= 1100);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "without stamps a pause is as long as the host's clock says, and one set back moves none") {
+  std::vector<PlainEvent> events = random_events(20);
+  for (std::size_t i = 10 * kEventsInPacket; i < events.size(); ++i) events[i].t_us += 30'000'000;
+  const ReadLog pause = read_log(encoded(events, YarpEncoding::kPlain));
+  REQUIRE(pause.events.size() == events.size());
+  CHECK(std::abs(pause.events.back().t_us - events.back().t_us) <= 50);
+  CHECK(pause.warnings.empty());
+  for (std::size_t i = 10 * kEventsInPacket; i < events.size(); ++i) events[i].t_us -= 60'000'000;
+  const ReadLog back = read_log(encoded(events, YarpEncoding::kPlain));
+  REQUIRE(back.events.size() == events.size());
+  CHECK(std::abs(back.events.back().t_us - (events.back().t_us + 30'000'000)) <= 100);
+}
+
+TEST_CASE("lines that are cut, of other sensors or few do not change the encoding") {
+  const std::vector<PlainEvent> events = random_events(50);
+  for (const std::uint32_t first : {383'033'170U, 1000U}) {
+    const std::string text = encoded(events, YarpEncoding::kStamped, first);
+    const std::size_t third = text.find('\n', text.find('\n') + 1) + 1;
+    const std::size_t fourth = text.find('\n', third) + 1;
+    // 8 whole bytes at least, and some of them escaped.
+    const std::string cut = text.substr(0, third + 60) + '\n' + text.substr(fourth);
+    const ReadLog log = read_log(cut);
+    CHECK(log.events.size() > events.size() - kEventsInPacket);
+    CHECK(log.events.back() == events.back());
+    CHECK(log.counters.malformed_words >= 1);
+    CHECK(log.counters.truncated_bytes == 0);
+    std::string samples;
+    for (int i = 0; i < 300; ++i) samples += "1 1569859362.0 IMUS (1 2 3)\n";
+    CHECK(read_log(samples + text).events == events);
+    CHECK(read_log(text.substr(0, text.find('\n'))).events.size() == kEventsInPacket);
+  }
+  // Sorted as a sensor that is read out row by row sorts them.
+  std::vector<PlainEvent> sorted = events;
+  std::sort(sorted.begin(), sorted.end(), [](const PlainEvent& a, const PlainEvent& b) {
+    return std::pair(a.y, a.x) < std::pair(b.y, b.x);
+  });
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    sorted[i].t_us = static_cast<std::int64_t>(50 * i);
+  CHECK(read_log(encoded(sorted, YarpEncoding::kPlain)).events.size() == sorted.size());
 }
 
 TEST_CASE("addresses beyond the sensor, broken lines and odd values are counted") {

@@ -188,10 +188,22 @@ TEST_CASE("a game as an IIT camera's YARP log is tracked as the same events from
     CHECK(log.text().size() <= kMostBytes);
   }
   write_text(bench.folder / "data.log", log.text());
+  const auto written = open_event_file(bench.folder / "game.txt");
+  const auto logged = open_event_file(bench.folder / "data.log", {.sensor = {640, 480}});
+  EventPacket logged_packet;
+  std::size_t events = 0;
+  while (written->read(packet, 1000)) {
+    REQUIRE(logged->read(logged_packet, packet.events.size()));
+    REQUIRE(logged_packet.start == packet.start);
+    REQUIRE(logged_packet.events == packet.events);
+    events += packet.events.size();
+  }
+  CHECK(events > 2000);
+  CHECK_FALSE(logged->read(logged_packet, 1));
   const std::string size = source_folder() / "config/calibration/simulated_size.toml";
   for (const std::string name : {"game.txt", "data.log"}) {
-    bench.run("puck-evaluate", {name, "--size-model", size, "--csv", name + ".csv", "--width",
-                                "640", "--height", "480"});
+    bench.run("puck-evaluate", {name, "--algorithm", "cluster", "--size-model", size, "--csv",
+                                name + ".csv", "--width", "640", "--height", "480"});
   }
   const std::string ticks = read_text(bench.folder / "data.log.csv");
   CHECK(std::count(ticks.begin(), ticks.end(), '\n') > 10);

@@ -24,8 +24,8 @@ inline void add_event_file_options(CLI::App& app, EventFileOptions& file) {
   app.add_option("--unit", file.text_unit, "text: unit of the times")
       ->check(CLI::IsMember({"auto", "s", "us"}))
       ->capture_default_str();
-  app.add_option("--eye", file.yarp_eye, "YARP log of two cameras: whose events are read")
-      ->check(CLI::IsMember({"first", "left", "right"}))
+  app.add_option("--eye", file.yarp_eye, "YARP log with two cameras: the eye whose events are read")
+      ->check(CLI::IsMember({"auto", "left", "right"}))
       ->capture_default_str();
 }
 

@@ -141,8 +141,8 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 }  // namespace
 
 std::string seeds_text(const PlanOptions& options) {
-  std::string text =
-      "development: seeds 1 to 99; parameters are chosen on them. calibration: seed 1\n";
+  std::string text = options.scoring == "paper" ? "scored by the paper's rules\n" : "";
+  text += "development: seeds 1 to 99; parameters are chosen on them. calibration: seed 1\n";
   for (const SequenceSet& set : sequence_sets()) text += "test: " + title_of(set, options) + '\n';
   return text;
 }

@@ -85,6 +85,7 @@ Json report_json(const ComparisonReport& report) {
   Json json;
   json["sequences"] = report.options.sequences;
   json["seconds"] = report.options.seconds;
+  json["scoring"] = report.options.scoring;
   json["goals"] = Json::array();
   for (const GoalResult& goal : check_goals(report.comparison)) {
     json["goals"].push_back(goal_json(goal));

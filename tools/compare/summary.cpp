@@ -86,7 +86,7 @@ Summary summarise(const std::vector<const RunFigures*>& runs) {
   summary.within_3p5px_percent = mean_by_ticks(runs, "within_3p5px_percent");
   summary.within_4px_percent = mean_by_ticks(runs, "within_4px_percent");
   summary.lost_percent = mean_by_ticks(runs, "lost_percent");
-  summary.said_and_wrong_percent = mean_by_ticks(runs, "said_and_wrong_percent");
+  summary.said_and_wrong_percent = mean_by_time(runs, "said_and_wrong_percent");
   summary.nees_mean = mean_by_ticks(runs, "nees_mean");
   summary.nees_median = mean_by_ticks(runs, "nees_median");
   summary.nees_within_95_percent = mean_by_ticks(runs, "nees_within_95_percent");

@@ -14,21 +14,25 @@ namespace {
 
 void add_scoring_options(CLI::App& app, EvaluateOptions& options) {
   constexpr double kLongest_ms = 1e6;
-  const auto milliseconds_into = [](auto& time_us) {
-    return [&time_us](double milliseconds) { time_us = std::llround(milliseconds * 1e3); };
-  };
   app.add_option_function<double>(
-         "--truth-gap-ms", milliseconds_into(options.accuracy.truth_gap_us),
+         "--truth-gap-ms",
+         [&](double milliseconds) {
+           options.has_truth_gap = true;
+           options.accuracy.truth_gap_us = std::llround(milliseconds * 1e3);
+         },
          "ticks between rows of the truth that are farther apart do not count (default 10)")
       ->check(number_range(0, kLongest_ms));
   app.add_option_function<double>(
-         "--settle-ms", milliseconds_into(options.accuracy.settle_us),
+         "--settle-ms",
+         [&](double milliseconds) {
+           options.accuracy.settle_us = std::llround(milliseconds * 1e3);
+         },
          "ticks up to so long after the puck's first motion do not count (default 200; 0 where "
          "less than 1 s of truth follows that motion)")
       ->check(number_range(0, kLongest_ms));
   auto* marks = app.add_flag("--score-at-marks", options.score_at_marks,
-                             "for sparse truth: ask for an estimate at each row's own time as "
-                             "well, and score these estimates alone");
+                             "for sparse truth: ask the tracker at each row's own time as well, "
+                             "and score these estimates alone");
   app.add_flag("--no-puck", options.no_puck,
                "the recording has no puck: all that is tracked is said and wrong")
       ->excludes("--truth")

@@ -35,6 +35,7 @@ struct EvaluateOptions {
   bool exact = false;
   double max_difference_px = 0.5;
   AccuracyParams accuracy;
+  bool has_truth_gap = false;  ///< It was given.
   bool score_at_marks = false;
   bool no_puck = false;
   std::string scoring = "ours";

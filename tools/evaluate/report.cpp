@@ -75,6 +75,7 @@ Json to_json(const EvaluationReport& report) {
   measured("p25_px", &ErrorStatistics::p25_px);
   measured("p75_px", &ErrorStatistics::p75_px);
   measured("max_px", &ErrorStatistics::max_px);
+  json["scoring"] = errors ? Json(report.scoring) : Json(nullptr);
   measured("std_px", &ErrorStatistics::std_px);
   json["truth_gap_percent"] = accuracy ? Json(accuracy->truth_gap_percent) : Json(nullptr);
   json["settle_ms"] = accuracy ? Json(accuracy->settle_ms) : Json(nullptr);

@@ -16,6 +16,7 @@ struct EvaluationReport {
   std::string algorithm;
   std::optional<std::string> preset;  ///< Of the algorithm puck only.
   RunSummary run;
+  std::string scoring;                     ///< `ours` or `paper`.
   std::optional<ErrorStatistics> errors;   ///< With truth only: by our rules or the paper's.
   std::optional<AccuracyReport> accuracy;  ///< By our rules only.
   std::optional<PaperReport> paper;        ///< By the paper's rules only.

@@ -20,6 +20,16 @@ std::string span_text(Timestamp first, Timestamp last) {
 
 Scoring::Scoring(const EvaluateOptions& options, std::vector<TruthRow> truth, SensorSize sensor)
     : at_marks_alone_(options.score_at_marks), no_puck_(options.no_puck) {
+  if (options.scoring == "paper" && options.as_fast_as_possible) {
+    throw std::invalid_argument("--scoring paper needs ticks: not --as-fast-as-possible");
+  }
+  if (options.scoring == "paper" && (options.accuracy.settle_us || options.has_truth_gap)) {
+    throw std::invalid_argument(
+        "--settle-ms and --truth-gap-ms belong to --scoring ours: the paper's rules have neither");
+  }
+  if (no_puck_ && options.as_fast_as_possible) {
+    throw std::invalid_argument("--no-puck needs ticks: not --as-fast-as-possible");
+  }
   if (truth.empty()) {
     if (at_marks_alone_) throw std::invalid_argument("--score-at-marks needs --truth");
     if (options.scoring == "paper") throw std::invalid_argument("--scoring paper needs --truth");
@@ -50,11 +60,13 @@ void Scoring::write_to(EvaluationReport& report) const {
   if (ours_) {
     report.accuracy = ours_->report();
     report.errors = report.accuracy;
+    report.scoring = "ours";
     report.said_and_wrong_percent = report.accuracy->said_and_wrong_percent;
   }
   if (paper_) {
     report.paper = paper_->report();
     report.errors = report.paper;
+    report.scoring = "paper";
   }
   if (no_puck_ && ticks_ > 0) {
     report.said_and_wrong_percent =
