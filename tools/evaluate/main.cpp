@@ -23,6 +23,7 @@
 #include "tools/evaluate/lossy_reader.h"
 #include "tools/evaluate/options.h"
 #include "tools/evaluate/part_reader.h"
+#include "tools/evaluate/picture_taker.h"
 #include "tools/evaluate/plots.h"
 #include "tools/evaluate/replay.h"
 #include "tools/evaluate/report.h"
@@ -140,6 +141,8 @@ bool evaluate(const EvaluateOptions& options) {
   if (!options.plots.empty()) make_output_folder(options.plots);
   std::optional<TickFile> ticks;
   if (!options.csv.empty()) ticks.emplace(options.csv);
+  std::optional<PictureTaker> picture;
+  if (!options.picture.empty()) picture.emplace(options.picture, options.picture_at_s, *events);
 
   EvaluationReport report;
   report.algorithm = options.algorithm;
@@ -147,6 +150,7 @@ bool evaluate(const EvaluateOptions& options) {
   report.run = run(*events, setup, options, report, [&](const EvaluatedTick& tick) {
     if (score) score->add(tick.tick, tick.estimate);
     if (ticks) ticks->add(tick);
+    if (picture) picture->add(tick);
   });
   for (const std::string& warning : events->warnings()) {
     std::fprintf(stderr, "puck-evaluate: %s\n", warning.c_str());
@@ -162,6 +166,7 @@ bool evaluate(const EvaluateOptions& options) {
   if (!options.json.empty()) write_json(report, options.json);
   // Where not one tick counts there is nothing to plot, which has been told.
   if (!options.plots.empty() && !score->samples().empty()) write_plots(*score, options.plots);
+  if (picture) picture->save(*events, report.run, score ? &score->truth() : nullptr);
   return !report.replay || is_close_enough(*report.replay, options);
 }
 

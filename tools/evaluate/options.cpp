@@ -105,6 +105,13 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--json", options.json, "write the figures here");
   app.add_option("--csv", options.csv, "write a row a tick here");
   app.add_option("--plots", options.plots, "write plots into this folder");
+  auto* picture =
+      app.add_option("--picture", options.picture, "write a picture of the tracked puck here: PNG");
+  app.add_option("--picture-at", options.picture_at_s,
+                 "seconds after the first event (default: when the tracked puck is fastest)")
+      ->check(number_range(0, kLongest_s))
+      ->needs(picture);
+  picture->excludes(fast);
   app.add_option("--prefix", options.prefix, "of the channels in a log");
   app.add_option("--from", options.file.from, "format of EVENTS, where it does not say so itself")
       ->check(CLI::IsMember({"evt2", "evt3", "text"}));
