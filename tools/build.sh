@@ -35,6 +35,8 @@ configure() {
   require_tools
   local is_new=true log
   [ ! -e "$folder" ] || is_new=false
+  mkdir -p "$folder" 2>/dev/null && [ -w "$folder" ] ||
+    fail "$PWD/$folder cannot be written: build in a copy that is yours"
   if ! log=$(cmake --preset release 2>&1); then
     # With the cache of a failure the next attempt would take over what was wrong.
     ! $is_new || rm -rf "$folder"

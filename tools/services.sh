@@ -10,6 +10,10 @@ pids=()
 names=()
 line_is_open=false # Whether the cursor is in a line that is being rewritten.
 
+end_line() {
+  ! $line_is_open || echo
+  line_is_open=false
+}
 kill_all() {
   local pid
   for pid in "${pids[@]}"; do kill -TERM "$pid" 2>/dev/null || true; done
@@ -25,17 +29,15 @@ kill_all() {
   pids=()
   names=()
 }
-trap 'kill_all; rm -rf ${work:+"$work"}' EXIT
+trap 'kill_all; end_line; rm -rf ${work:+"$work"}' EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM
 
 die() { # MESSAGE [LOG]
-  ! $line_is_open || echo
+  end_line
   echo "$me: $1" >&2
-  if [ -n "${2-}" ] && [ -s "$2" ]; then
-    echo "the end of its log:" >&2
-    tail -n 15 "$2" >&2
-  fi
+  # The log begins with every setting; what went wrong is a warning or an error.
+  if [ -n "${2-}" ]; then grep -v ' info: ' "$2" | tail -n 15 >&2 || true; fi
   exit 1
 }
 
@@ -70,6 +72,9 @@ await() { # NAME URL
     grep -q waiting "$work/check" && return
     check_alive
   done
+  if grep -q multicast "$work/check"; then
+    die "this machine has no multicast route: make one with 'ip route add 224.0.0.0/4 dev lo' as root"
+  fi
   die "$name did not start: $(cat "$work/check")" "$work/$name.log"
 }
 check_alive() {
@@ -90,7 +95,7 @@ stop() { # NAME
 
 # Runs a program to its end while the services run; a service that dies meanwhile ends the script.
 run_beside() { # NAME COMMAND...
-  local name=$1 first code=0 i
+  local name=$1 first='' code=0 i
   shift
   "$@" 2>"$work/$name.log" &
   pids+=($!)
@@ -98,16 +103,27 @@ run_beside() { # NAME COMMAND...
   wait -n -p first "${pids[@]}" || code=$?
   for i in "${!pids[@]}"; do
     [ "${pids[$i]}" = "$first" ] || continue
-    [ "${names[$i]}" = "$name" ] || die "${names[$i]} died" "$work/${names[$i]}.log"
+    [ "${names[$i]}" = "$name" ] || die "${names[$i]} died with exit code $code" \
+      "$work/${names[$i]}.log"
     unset "pids[$i]" "names[$i]"
   done
   [ "$code" -eq 0 ] || die "$name ended with exit code $code" "$work/$name.log"
+}
+
+# The logs of a game and of its replay take up to 8 MB for each second; the logger leaves 64 MB free.
+require_space() { # SECONDS
+  local needed_mb=$((100 + 8 * $1)) free_mb
+  free_mb=$(df -BM --output=avail "$work" | tr -dc 0-9)
+  [ "$free_mb" -ge "$needed_mb" ] ||
+    die "$(dirname "$work") has $free_mb MB free, a game of $1 s needs $needed_mb MB: free some, or set \
+TMPDIR to another folder"
 }
 
 # Plays a game that is logged in $work/game.lcm.
 play_game() { # URL SECONDS [CAMERA_OPTION...]
   local url=$1 seconds=$2 name
   shift 2
+  require_space "$seconds"
   echo "starting the services"
   start puck-logger "$url" --config config/logger.toml --set "logger.path=$work/game.lcm"
   start puck-tracker "$url" --config config/tracker.toml
