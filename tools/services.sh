@@ -121,7 +121,7 @@ TMPDIR to another folder"
 
 # Plays a game that is logged in $work/game.lcm.
 play_game() { # URL SECONDS [CAMERA_OPTION...]
-  local url=$1 seconds=$2 name
+  local url=$1 seconds=$2 name late
   shift 2
   require_space "$seconds"
   echo "starting the services"
@@ -139,6 +139,6 @@ play_game() { # URL SECONDS [CAMERA_OPTION...]
   line_is_open=false
   # The camera first, so that everything it sent arrives; the logger last.
   for name in puck-camera puck-bridge puck-arm puck-tracker puck-logger; do stop "$name"; done
-  # Without the time of day.
-  grep "cannot keep up" "$work/puck-camera.log" | tail -n 1 | cut -d ' ' -f 2- || true
+  late=$(grep "cannot keep up" "$work/puck-camera.log" | tail -n 1 | sed 's/^.* warning: //' || true)
+  [ -z "$late" ] || echo "the machine was too busy to simulate in real time: $late"
 }

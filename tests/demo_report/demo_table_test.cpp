@@ -46,6 +46,7 @@ TEST_CASE("the sentence says what went wrong, and leaves out what is not known")
   figures.estimates = 1;
   figures.events_lost = 12;
   CHECK(contains(demo_table(figures), "\nThe tracker made 1 estimate; 12 events were lost.\n"));
+  CHECK(contains(demo_table(game_of(0, 0, 0)), "\nThere was no shot at the robot's goal; the "));
   CHECK(contains(demo_table(figures), "mean distance to the recorded estimates          -\n"));
 }
 

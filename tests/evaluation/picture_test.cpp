@@ -195,7 +195,7 @@ TEST_CASE("a picture that cannot be taken is refused in one line, and nothing is
   RunSummary run;
   run.last = {30'000};
   run.duration_s = 0.03;
-  PictureTaker late(folder / "late.png", 0.031, events);
+  PictureTaker late(folder / "late.png", 0.032, events);
   late.add(tick_at(1'000, 100));
   CHECK(refusal(late, events, run) ==
         "--picture-at: the recording ends before, after 0.030 s: give a time within it");

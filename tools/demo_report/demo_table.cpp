@@ -81,7 +81,9 @@ void add_game(const DemoFigures& f, Table& table) {
 
 std::string what_happened(const DemoFigures& f) {
   std::string text;
-  if (f.shots && f.saves) {
+  if (f.shots == 0) {
+    text = "There was no shot at the robot's goal; the tracker ";
+  } else if (f.shots && f.saves) {
     text = "The robot saved " + std::to_string(*f.saves) + " of " +
            count_of(*f.shots, "shot", "shots") + "; the tracker ";
   } else {

@@ -23,8 +23,19 @@ struct Options {
   int seconds = 20;
 };
 
-// 0 when the puck was tracked, 1 when it never was.
-int report(const Options& options) {
+// Whether the puck was ever tracked; otherwise says so.
+bool is_tracked(const puck::GameLog& log, const std::filesystem::path& path) {
+  const bool tracked = std::any_of(
+      log.estimates.begin(), log.estimates.end(),
+      [](const auto& estimate) { return estimate.state == puck::puck_estimate_t::STATE_TRACKING; });
+  if (!tracked) {
+    std::fprintf(stderr, "puck-demo-report: %s: the puck was never tracked\n", path.c_str());
+  }
+  return tracked;
+}
+
+// False when the puck was never tracked, in the game or its replay.
+bool report(const Options& options) {
   const puck::GameLog game = puck::read_game_log(options.game);
   std::optional<puck::GameLog> replay;
   if (!options.replay.empty()) replay = puck::read_game_log(options.replay);
@@ -33,14 +44,10 @@ int report(const Options& options) {
   puck::flush_stdout();
   if (!options.json.empty()) puck::write_json(figures, options.json);
   if (game.rejected > 0) {
-    std::fprintf(stderr, "puck-demo-report: %lld malformed messages in %s\n",
-                 static_cast<long long>(game.rejected), options.game.c_str());
+    std::fprintf(stderr, "puck-demo-report: %s: %lld malformed messages\n", options.game.c_str(),
+                 static_cast<long long>(game.rejected));
   }
-  const bool tracked = std::any_of(
-      game.estimates.begin(), game.estimates.end(),
-      [](const auto& estimate) { return estimate.state == puck::puck_estimate_t::STATE_TRACKING; });
-  if (!tracked) std::fprintf(stderr, "puck-demo-report: the puck was never tracked\n");
-  return tracked ? 0 : 1;
+  return is_tracked(game, options.game) && (!replay || is_tracked(*replay, options.replay));
 }
 
 }  // namespace
@@ -63,7 +70,7 @@ int main(int argc, char** argv) {
     if (log->count() + live->count() == 0) throw CLI::RequiredError("LOG or --live");
   });
   return puck::run_tool(app, argc, argv, "puck-demo-report", [&] {
-    if (options.live_url.empty()) return report(options);
+    if (options.live_url.empty()) return report(options) ? 0 : 1;
     puck::watch_game(options.live_url, options.seconds);
     return 0;
   });

@@ -107,7 +107,8 @@ void PictureTaker::add(const EvaluatedTick& tick) {
 }
 
 void PictureTaker::save(EventReader& events, const RunSummary& run, const TruthTrack* truth) {
-  if (at_ && *at_ > run.last) {
+  // The end that is told is rounded to ms.
+  if (at_ && *at_ - run.last > 1000) {
     char end[32];
     std::snprintf(end, sizeof end, "%.3f", run.duration_s);
     throw std::invalid_argument(std::string("--picture-at: the recording ends before, after ") +
