@@ -1,22 +1,29 @@
 #!/usr/bin/env bash
-# Plays a game of air hockey on the simulated table through all the services, each a process of its
-# own, and says what happened; then replays the recorded events with LCM's own player into a second
-# tracker and compares the two.
+# Plays a game of air hockey on the simulated table, each service in a process of its own, and prints
+# what happened. Then LCM's own player replays the recorded events, twice as fast, into a second tracker,
+# whose estimates are compared with the recorded ones.
 #
 #   tools/demo.sh [--seconds N] [--moving] [--json FILE]
 #
 # --seconds N   length of the game (default 20)
-# --moving      the camera's head moves; slower than real time where the machine cannot keep up
-# --json FILE   write the figures there
+# --moving      the camera's head turns; where the machine is too slow for that, so is the game
+# --json FILE   write the figures to this file
 #
-# Exits with 1 when a service died or nothing was tracked. Uses LCM ports of its own on this machine
-# only, so that it never meets another demo or a robot.
+# The first run installs the packages that are missing and builds. The services use LCM ports that
+# nothing else uses, on this machine only: no other demo and no robot hears them. Exits with 1 when a
+# service died or the puck was never tracked.
 set -euo pipefail
-CDPATH='' cd "$(dirname "$0")/.."
 
 usage() { # EXIT_CODE
   sed -n '2,/^set /s/^# \{0,1\}//p' "$0" | sed '/^set /d'
   exit "$1"
+}
+can_write() { # FILE
+  if [ -e "$1" ]; then
+    [ -w "$1" ] && ! [ -d "$1" ]
+  else
+    [ -w "$(dirname -- "$1")" ]
+  fi
 }
 
 seconds=20
@@ -25,7 +32,7 @@ json=
 while [ $# -gt 0 ]; do
   case "$1" in
     --seconds) seconds=${2-} && shift 2 || usage 2 ;;
-    --json) json=${2-} && shift 2 || usage 2 ;;
+    --json) json=$(realpath -m -- "${2-}" 2>/dev/null) && shift 2 || usage 2 ;;
     --moving) moving=true && shift ;;
     -h | --help) usage 0 ;;
     *)
@@ -39,7 +46,13 @@ if ! [[ "$seconds" =~ ^[1-9][0-9]{0,4}$ ]]; then
   exit 2
 fi
 
-tools/build.sh puck_programs
+if [ -n "$json" ] && ! can_write "$json"; then
+  echo "demo.sh: $json cannot be written: name a file in a folder that exists and is yours" >&2
+  exit 1
+fi
+
+CDPATH='' cd "$(dirname "$0")/.."
+tools/build.sh puck-{camera,tracker,bridge,arm,logger,demo-report}
 bin=build/release/bin
 
 # shellcheck source=tools/services.sh
@@ -49,18 +62,12 @@ replay_url=$(url_of "$(free_port)")
 
 play_game "$game_url" "$seconds" --set "simulation.world.moving_camera=$moving"
 
-echo "replaying the log"
+echo "replaying the events"
 start puck-logger "$replay_url" --config config/logger.toml --set "logger.path=$work/replay.lcm"
 start puck-tracker "$replay_url" --config config/tracker.toml
 for name in puck-logger puck-tracker; do await "$name" "$replay_url"; done
-lcm-logplayer --lcm-url="$replay_url" --regexp='^PUCK_EVENTS$' "$work/game.lcm" \
-  >"$work/player.log" 2>&1 &
-player=$!
-pids+=("$player")
-names+=(lcm-logplayer)
-wait "$player" || die "lcm-logplayer ended with exit code $?" "$work/player.log"
-unset 'pids[-1]' 'names[-1]'
-check_alive
+run_beside lcm-logplayer \
+  lcm-logplayer --speed=2 --lcm-url="$replay_url" --regexp='^PUCK_EVENTS$' "$work/game.lcm" >/dev/null
 sleep 0.2
 for name in puck-tracker puck-logger; do stop "$name"; done
 

@@ -1,18 +1,24 @@
-# Runs the services for a script that wants to see a game: to be sourced, with `bin` set to where the
-# programs are and the working folder at the project's root. Each service is a process of its own, on
-# LCM ports of this machine only that nobody else uses. `work` is a folder that vanishes with the
-# script; NAME.log in it is what a service said.
+# Runs the services for a script that plays a game. To be sourced, in the project's root, with `bin` set
+# to the folder of the programs. Each service is a process of its own, on an LCM port of this machine
+# that nothing else uses. `work` is a temporary folder that is removed when the script ends; NAME.log in
+# it is what service NAME wrote to stderr.
 me=$(basename "$0")
 
-work=$(mktemp -d)
+# Before `work` exists: what is interrupted in between removes nothing.
+work=
 pids=()
 names=()
+line_is_open=false # Whether the cursor is in a line that is being rewritten.
 
+end_line() {
+  ! $line_is_open || echo
+  line_is_open=false
+}
 kill_all() {
   local pid
   for pid in "${pids[@]}"; do kill -TERM "$pid" 2>/dev/null || true; done
   for pid in "${pids[@]}"; do
-    # A service ends within 200 ms; what has not ended after 3 s is made to.
+    # A service ends within 200 ms. After 3 s it is killed.
     for _ in $(seq 30); do
       kill -0 "$pid" 2>/dev/null || break
       sleep 0.1
@@ -23,20 +29,22 @@ kill_all() {
   pids=()
   names=()
 }
-trap 'kill_all; rm -rf "$work"' EXIT
+trap 'kill_all; end_line; rm -rf ${work:+"$work"}' EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM
 
 die() { # MESSAGE [LOG]
+  end_line
   echo "$me: $1" >&2
-  if [ -n "${2-}" ] && [ -s "$2" ]; then
-    echo "the end of its log:" >&2
-    tail -n 15 "$2" >&2
-  fi
+  # The log begins with every setting; what went wrong is a warning or an error.
+  if [ -n "${2-}" ]; then grep -v ' info: ' "$2" | tail -n 15 >&2 || true; fi
   exit 1
 }
 
-# That nobody uses.
+work=$(mktemp -d 2>/dev/null) ||
+  die "no temporary folder can be made in ${TMPDIR:-/tmp}: free some space there, or set TMPDIR"
+
+# A UDP port that no socket uses.
 free_port() {
   local port
   while :; do
@@ -56,13 +64,17 @@ start() { # NAME URL [OPTION...]
   pids+=($!)
   names+=("$name")
 }
-# Does not wait for the service to have work to do, only for it to speak.
+# Waits until a service publishes STATUS, be it that it still waits for its input.
 await() { # NAME URL
-  local name=$1 url=$2 i
-  for i in $(seq 10); do
+  local name=$1 url=$2
+  for _ in $(seq 10); do
     "$bin/$name" --lcm-url "$url" --check >"$work/check" 2>&1 && return
     grep -q waiting "$work/check" && return
+    check_alive
   done
+  if grep -q multicast "$work/check"; then
+    die "this machine has no multicast route: make one with 'ip route add 224.0.0.0/4 dev lo' as root"
+  fi
   die "$name did not start: $(cat "$work/check")" "$work/$name.log"
 }
 check_alive() {
@@ -81,10 +93,37 @@ stop() { # NAME
   done
 }
 
+# Runs a program to its end while the services run; a service that dies meanwhile ends the script.
+run_beside() { # NAME COMMAND...
+  local name=$1 first='' code=0 i
+  shift
+  "$@" 2>"$work/$name.log" &
+  pids+=($!)
+  names+=("$name")
+  wait -n -p first "${pids[@]}" || code=$?
+  for i in "${!pids[@]}"; do
+    [ "${pids[$i]}" = "$first" ] || continue
+    [ "${names[$i]}" = "$name" ] || die "${names[$i]} died with exit code $code" \
+      "$work/${names[$i]}.log"
+    unset "pids[$i]" "names[$i]"
+  done
+  [ "$code" -eq 0 ] || die "$name ended with exit code $code" "$work/$name.log"
+}
+
+# The logs of a game and of its replay take up to 8 MB for each second; the logger leaves 64 MB free.
+require_space() { # SECONDS
+  local needed_mb=$((100 + 8 * $1)) free_mb
+  free_mb=$(df -BM --output=avail "$work" | tr -dc 0-9)
+  [ "$free_mb" -ge "$needed_mb" ] ||
+    die "$(dirname "$work") has $free_mb MB free, a game of $1 s needs $needed_mb MB: free some, or set \
+TMPDIR to another folder"
+}
+
 # Plays a game that is logged in $work/game.lcm.
 play_game() { # URL SECONDS [CAMERA_OPTION...]
-  local url=$1 seconds=$2 name second
+  local url=$1 seconds=$2 name late
   shift 2
+  require_space "$seconds"
   echo "starting the services"
   start puck-logger "$url" --config config/logger.toml --set "logger.path=$work/game.lcm"
   start puck-tracker "$url" --config config/tracker.toml
@@ -95,12 +134,11 @@ play_game() { # URL SECONDS [CAMERA_OPTION...]
   await puck-camera "$url"
 
   echo "playing for $seconds s"
-  for ((second = 1; second <= seconds; ++second)); do
-    sleep 1
-    check_alive
-    if ((second % 5 == 0 || second == seconds)); then echo "  $second s"; fi
-  done
+  ! [ -t 1 ] || line_is_open=true
+  run_beside puck-demo-report "$bin/puck-demo-report" --live "$url" --seconds "$seconds"
+  line_is_open=false
   # The camera first, so that everything it sent arrives; the logger last.
   for name in puck-camera puck-bridge puck-arm puck-tracker puck-logger; do stop "$name"; done
-  grep -h "warning: .*cannot keep up" "$work/puck-camera.log" | tail -n 1 || true
+  late=$(grep "cannot keep up" "$work/puck-camera.log" | tail -n 1 | sed 's/^.* warning: //' || true)
+  [ -z "$late" ] || echo "the machine was too busy to simulate in real time: $late"
 }

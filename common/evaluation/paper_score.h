@@ -31,6 +31,7 @@ class PaperScore {
   /// The estimate at a tick. Ticks in the order of their times.
   void add(Timestamp tick, const PuckEstimate& estimate);
 
+  const TruthTrack& truth() const { return truth_; }
   PaperReport report() const;
   /// An estimate for each row of truth that has one.
   std::vector<ScoredEstimate> samples() const;

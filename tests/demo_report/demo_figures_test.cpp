@@ -1,93 +1,39 @@
 #include "tools/demo_report/demo_figures.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-#include <string>
+#include <stdexcept>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "tests/support/temporary_folder.h"
 
 namespace puck {
-namespace {
 
-/// What is printed meanwhile goes to a file.
-class CapturedOutput {
- public:
-  explicit CapturedOutput(const std::filesystem::path& file) : file_(file) {
-    std::fflush(stdout);
-    before_ = dup(STDOUT_FILENO);
-    REQUIRE(before_ >= 0);
-    REQUIRE(std::freopen(file.c_str(), "w", stdout) != nullptr);
-  }
-  CapturedOutput(const CapturedOutput&) = delete;
-  CapturedOutput& operator=(const CapturedOutput&) = delete;
-  ~CapturedOutput() {
-    std::fflush(stdout);
-    dup2(before_, STDOUT_FILENO);
-    close(before_);
-  }
-
-  std::string text() const {
-    std::fflush(stdout);
-    std::ostringstream text;
-    text << std::ifstream(file_).rdbuf();
-    return text.str();
-  }
-
- private:
-  std::filesystem::path file_;
-  int before_ = -1;
-};
-
-struct Printed {
-  std::string text;
-  nlohmann::json json;
-};
-
-Printed printed(const GameLog& game) {
+TEST_CASE("the figures of all services are summed, and what no log has is null") {
   const TemporaryFolder folder;
-  const DemoFigures figures = demo_figures(game, nullptr);
-  write_json(figures, folder / "figures.json");
-  const CapturedOutput output(folder / "printed");
-  print(figures);
-  return {output.text(), nlohmann::json::parse(std::ifstream(folder / "figures.json"))};
-}
-
-}  // namespace
-
-TEST_CASE("a report says when a counter that it takes for 0 may have had no room in STATUS") {
   GameLog game;
-  game.counters["puck-arm"] = {{"messages_received", 7}};
-  Printed report = printed(game);
-  CHECK(report.text.find("had no room") == std::string::npos);
-  CHECK(report.json["counters_left_out"] == 0);
-  game.counters["puck-arm"]["counters_left_out"] = 3;
-  game.counters["puck-tracker"]["counters_left_out"] = 2;
-  report = printed(game);
-  CHECK(report.text.find("5 counters had no room in STATUS: what is 0 here may be more") !=
-        std::string::npos);
-  CHECK(report.json["counters_left_out"] == 5);
-  CHECK(report.json["messages_received"] == 7);
+  game.counters["puck-arm"] = {{"messages_received", 7}, {"counters_left_out", 3}};
+  game.counters["puck-tracker"] = {{"messages_received", 5}, {"counters_left_out", 2}};
+  write_json(demo_figures(game, nullptr), folder / "figures.json");
+  const auto json = nlohmann::json::parse(std::ifstream(folder / "figures.json"));
+  CHECK(json["messages_received"] == 12);
+  CHECK(json["counters_left_out"] == 5);
+  CHECK(json["shots"].is_null());
+  CHECK(json["packet_to_estimate_p50_us"].is_null());
 }
 
-TEST_CASE("a report says what became of shots that were neither saved nor went in") {
-  const auto told = [](int shots, int saves, int goals_against) {
-    GameLog game;
-    game.last_truth.emplace();
-    game.last_truth->shots = shots;
-    game.last_truth->saves = saves;
-    game.last_truth->goals_against = goals_against;
-    return printed(game).text;
-  };
-  CHECK(told(9, 6, 1).find("neither saved nor in: 2, under way at the end") != std::string::npos);
-  CHECK(told(8, 7, 1).find("neither saved") == std::string::npos);
-  // Saved, and in by a rail.
-  CHECK(told(1, 1, 1).find("neither saved") == std::string::npos);
+TEST_CASE("a file of figures is replaced as a whole, and where it cannot be nothing is left") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "figures.json") << "old";
+  write_json({}, folder / "figures.json");
+  CHECK(nlohmann::json::parse(std::ifstream(folder / "figures.json"))["estimates"] == 0);
+  std::filesystem::create_directory(folder / "a_folder");
+  CHECK_THROWS_AS(write_json({}, folder / "a_folder"), std::runtime_error);
+  CHECK_THROWS_AS(write_json({}, folder / "nowhere" / "figures.json"), std::runtime_error);
+  const auto entries = std::filesystem::directory_iterator(folder.path());
+  CHECK(std::distance(begin(entries), end(entries)) == 2);
 }
 
 }  // namespace puck

@@ -129,7 +129,7 @@ std::vector<TruthRow> truth_until(std::int64_t last_us) {
   return rows;
 }
 
-EvaluatedTick tick_at(std::int64_t t_us, bool is_mark = false) {
+EvaluatedTick silent_tick_at(std::int64_t t_us, bool is_mark = false) {
   return {{t_us}, PuckEstimate{}, std::nullopt, is_mark};
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("truth that ends before the events, has gaps or nothing to do with the
   run.last = {3'000'000};
   const auto warnings_after = [&](std::vector<TruthRow> truth, std::int64_t tick_us) {
     Scoring scoring({}, std::move(truth), kRecordedSensor);
-    scoring.add(tick_at(tick_us));
+    scoring.add(silent_tick_at(tick_us));
     return scoring.warnings(run);
   };
   CHECK(warnings_after(truth_until(2'950'000), 2'900'000).empty());
@@ -176,8 +176,8 @@ TEST_CASE("at marks an estimate is asked for at each row's own time, and these a
   options.score_at_marks = true;
   Scoring scoring(options, truth_until(2'000'000), kRecordedSensor);
   CHECK(scoring.marks().size() == 201);
-  scoring.add(tick_at(1'000'000, true));
-  scoring.add(tick_at(1'001'000, false));
+  scoring.add(silent_tick_at(1'000'000, true));
+  scoring.add(silent_tick_at(1'001'000, false));
   CHECK(scoring.samples().size() == 1);
   CHECK_THROWS_AS(Scoring(options, {}, kRecordedSensor), std::invalid_argument);
 }
@@ -186,10 +186,10 @@ TEST_CASE("where there is no puck all that is tracked is said and wrong") {
   EvaluateOptions options;
   options.no_puck = true;
   Scoring scoring(options, {}, kRecordedSensor);
-  EvaluatedTick tracked = tick_at(1000);
+  EvaluatedTick tracked = silent_tick_at(1000);
   tracked.estimate.state = TrackState::kTracking;
   scoring.add(tracked);
-  for (int ms = 2; ms <= 4; ++ms) scoring.add(tick_at(ms * 1000));
+  for (int ms = 2; ms <= 4; ++ms) scoring.add(silent_tick_at(ms * 1000));
   EvaluationReport report;
   scoring.write_to(report);
   CHECK(report.said_and_wrong_percent == 25);

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
+#include <system_error>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -20,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The first estimate of each newest event: the others only repeat it.
+// Of several estimates with the same newest event, the first.
 std::vector<puck_estimate_t> with_news(const std::vector<puck_estimate_t>& estimates) {
   std::vector<puck_estimate_t> result;
   for (const puck_estimate_t& estimate : estimates) {
@@ -49,7 +48,7 @@ bool has_position(const puck_estimate_t& estimate) {
   return (estimate.flags & puck_estimate_t::FLAG_POSITION) != 0;
 }
 
-// Where the recorded estimates put the puck at a sensor time, if they do on both sides of it.
+// The recorded position at a sensor time, linear between the estimates on both sides of it.
 std::optional<Pixel> recorded_at(const std::vector<puck_estimate_t>& recorded,
                                  std::int64_t sensor_us) {
   const auto after = std::lower_bound(
@@ -136,43 +135,6 @@ Json to_json(const DemoFigures& f) {
   return json;
 }
 
-// One line of the table: a value or a dash.
-template <typename T>
-void print_row(const char* what, const std::optional<T>& value, const char* unit) {
-  if (!value) {
-    std::printf("  %-38s %10s\n", what, "-");
-  } else if constexpr (std::is_floating_point_v<T>) {
-    std::printf("  %-38s %10.2f %s\n", what, *value, unit);
-  } else {
-    std::printf("  %-38s %10lld %s\n", what, static_cast<long long>(*value), unit);
-  }
-}
-
-void print_row(const char* what, const std::optional<LoggedLatency>& latency) {
-  if (!latency) {
-    std::printf("  %-38s %10s\n", what, "-");
-  } else {
-    std::printf("  %-38s %10lld %10lld %10lld us\n", what, static_cast<long long>(latency->p50_us),
-                static_cast<long long>(latency->p99_us), static_cast<long long>(latency->max_us));
-  }
-}
-
-void tell_disagreement(const char* what, const std::optional<std::int64_t>& believed,
-                       const std::optional<std::int64_t>& truth) {
-  if (!believed || !truth || *believed == *truth) return;
-  std::printf("  the bridge believes in %lld %s, the simulated table counted %lld\n",
-              static_cast<long long>(*believed), what, static_cast<long long>(*truth));
-}
-
-// A saved puck that goes in by a rail is a save and a goal, so that there may be more of them.
-void tell_open_shots(const DemoFigures& f) {
-  if (!f.shots || !f.saves || !f.goals_against) return;
-  const std::int64_t open = *f.shots - *f.saves - *f.goals_against;
-  if (open <= 0) return;
-  std::printf("  neither saved nor in: %lld, under way at the end or turned away by the opponent\n",
-              static_cast<long long>(open));
-}
-
 }  // namespace
 
 DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
@@ -209,51 +171,19 @@ DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
   return figures;
 }
 
-void print(const DemoFigures& f) {
-  std::printf("Events\n");
-  print_row("sent by the camera", f.events_sent, "");
-  print_row("received by the tracker", f.events_received, "");
-  print_row("lost on the way", f.events_lost, "");
-  std::printf("Estimates\n");
-  print_row("published", std::optional(f.estimates), "");
-  print_row("a second, with new events", f.estimate_rate_hz, "Hz");
-  print_row("error against truth, mean", f.mean_px, "px");
-  print_row("error against truth, median", f.median_px, "px");
-  print_row("error against truth, 95 %", f.p95_px, "px");
-  print_row("puck lost", f.lost_percent, "%");
-  std::printf("%-40s %10s %10s %10s\n", "Latency", "median", "99 %", "longest");
-  print_row("packet received to estimate", f.packet_to_estimate);
-  print_row("event at the sensor to estimate", f.sensor_to_estimate);
-  print_row("received but not on the surface yet", f.backlog);
-  print_row("estimate received to command sent", f.estimate_to_command);
-  std::printf("Messages to all services\n");
-  print_row("received", std::optional(f.bus.received), "");
-  print_row("lost", std::optional(f.bus.lost), "");
-  print_row("late or twice", std::optional(f.bus.late + f.bus.duplicate), "");
-  print_row("malformed", std::optional(f.bus.rejected), "");
-  print_row("of strangers on the port", std::optional(f.bus.foreign), "");
-  if (f.bus.left_out > 0) {
-    std::printf("  %lld counters had no room in STATUS: what is 0 here may be more\n",
-                static_cast<long long>(f.bus.left_out));
-  }
-  std::printf("Game\n");
-  print_row("shots at the robot's goal", f.shots, "");
-  print_row("saves", f.saves, "");
-  print_row("goals against", f.goals_against, "");
-  tell_open_shots(f);
-  tell_disagreement("shots", f.believed_shots, f.shots);
-  tell_disagreement("saves", f.believed_saves, f.saves);
-  tell_disagreement("goals against", f.believed_goals_against, f.goals_against);
-  std::printf("Replay of the log into a second tracker\n");
-  print_row("estimates", f.replay_estimates, "");
-  print_row("mean difference to the recorded ones", f.replay_mean_difference_px, "px");
-}
-
 void write_json(const DemoFigures& figures, const std::filesystem::path& path) {
-  std::ofstream file(path);
+  // Whoever is interrupted leaves the old file or the new one; a pipe cannot be replaced.
+  const bool replaces = !std::filesystem::exists(path) || std::filesystem::is_regular_file(path);
+  std::filesystem::path written = path;
+  if (replaces) written += ".part";
+  std::ofstream file(written);
   file << to_json(figures).dump(2) << '\n';
   file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+  std::error_code error;
+  if (file && replaces) std::filesystem::rename(written, path, error);
+  if (file && !error) return;
+  if (replaces) std::filesystem::remove(written, error);
+  throw std::runtime_error(path.string() + ": cannot be written");
 }
 
 }  // namespace puck

@@ -8,19 +8,19 @@
 
 namespace puck {
 
-/// What came to all services together, on all channels, and what of it was not as it should be.
+/// Messages that arrived at all services together, on all channels, and what was wrong with them.
 struct BusFigures {
   std::int64_t received = 0;
   std::int64_t lost = 0;
   std::int64_t late = 0;
   std::int64_t duplicate = 0;
-  std::int64_t rejected = 0;  ///< Malformed; those that are too large among them.
-  std::int64_t foreign = 0;   ///< Datagrams of somebody else at the same group and port.
-  /// Counters that their STATUS had no room for: one that is missing may be one of these, not 0.
+  std::int64_t rejected = 0;  ///< Malformed, or too large.
+  std::int64_t foreign = 0;   ///< Foreign datagrams on the same group and port.
+  /// Counters that did not fit into a STATUS. A counter that is missing may be one of them, not 0.
   std::int64_t left_out = 0;
 };
 
-/// The figures of tools/demo.sh; what the logs do not say is missing.
+/// The figures of tools/demo.sh; empty where the logs do not have them.
 struct DemoFigures {
   std::optional<std::int64_t> events_sent;
   std::optional<std::int64_t> events_received;
@@ -31,8 +31,8 @@ struct DemoFigures {
   std::optional<double> median_px;
   std::optional<double> p95_px;
   std::optional<double> lost_percent;
-  // As the tracker measures them; its STATUS says more exactly what each is. sensor_to_estimate is
-  // corrected for the offset of the camera's clock.
+  // As the tracker measures them; sensor_to_estimate is corrected for the offset of the camera's
+  // clock.
   std::optional<LoggedLatency> packet_to_estimate;
   std::optional<LoggedLatency> sensor_to_estimate;
   std::optional<LoggedLatency> backlog;
@@ -45,18 +45,17 @@ struct DemoFigures {
 
   BusFigures bus;
 
-  // What the bridge believes; the truth stands above.
+  // The counts of the bridge, which sees estimates only.
   std::optional<std::int64_t> believed_shots;
   std::optional<std::int64_t> believed_saves;
   std::optional<std::int64_t> believed_goals_against;
 };
 
-/// `replay` is the log of a second tracker that was fed with the events of `game`.
+/// `replay`: the log of a second tracker that was fed with the events of `game`; may be null.
 DemoFigures demo_figures(const GameLog& game, const GameLog* replay);
 
-void print(const DemoFigures& figures);
-
-/// One flat object; what is missing is null. Throws std::runtime_error when it cannot be written.
+/// One flat object; what is missing is null. An interrupted call leaves no half-written file.
+/// Throws std::runtime_error when it cannot be written.
 void write_json(const DemoFigures& figures, const std::filesystem::path& path);
 
 }  // namespace puck

@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// Decodes a record and hands it on; false when it is malformed.
+// False when the record is malformed.
 template <typename Message, typename Take>
 bool take_as(const LogRecord& record, const Take& take) {
   Message message;

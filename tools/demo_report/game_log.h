@@ -14,22 +14,22 @@
 
 namespace puck {
 
-/// As a service summed it up over its whole run.
+/// Over the whole run of a service.
 struct LoggedLatency {
   std::int64_t p50_us = 0;
   std::int64_t p99_us = 0;
   std::int64_t max_us = 0;
 };
 
-/// What a log of a game says that a report needs.
+/// The part of a game's log that a report needs.
 struct GameLog {
   std::vector<puck_estimate_t> estimates;
   std::vector<TruthRow> truth;
   std::optional<ground_truth_t> last_truth;
   std::optional<game_state_t> last_game;
-  /// The newest counters of each service, by its name and theirs.
+  /// Newest counters, by service and name.
   std::map<std::string, std::map<std::string, std::int64_t>> counters;
-  /// The same of latencies that have samples.
+  /// Newest latencies that have samples, by service and name.
   std::map<std::string, std::map<std::string, LoggedLatency>> latencies;
   std::int64_t rejected = 0;  ///< Messages on our channels that are malformed.
 
@@ -37,7 +37,7 @@ struct GameLog {
   std::optional<LoggedLatency> latency(const std::string& service, const std::string& name) const;
 };
 
-/// Of the channels under a prefix. Throws LogFileError when there is no such log or it is no log.
+/// Reads the channels under a prefix. Throws LogFileError when the file is missing or no LCM log.
 GameLog read_game_log(const std::filesystem::path& path, const std::string& prefix = "");
 
 }  // namespace puck

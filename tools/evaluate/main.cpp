@@ -23,6 +23,7 @@
 #include "tools/evaluate/lossy_reader.h"
 #include "tools/evaluate/options.h"
 #include "tools/evaluate/part_reader.h"
+#include "tools/evaluate/picture_taker.h"
 #include "tools/evaluate/plots.h"
 #include "tools/evaluate/replay.h"
 #include "tools/evaluate/report.h"
@@ -133,13 +134,15 @@ bool evaluate(const EvaluateOptions& options) {
     }
   }
   Scoring scoring(options, std::move(truth), events->sensor_size());
-  if (!options.plots.empty() && !scoring.has_truth()) {
+  if (!options.plots.empty() && scoring.truth() == nullptr) {
     throw std::invalid_argument("--plots needs --truth, and ticks: not --as-fast-as-possible");
   }
   // Before the run, so that a folder that cannot be made costs no result.
   if (!options.plots.empty()) make_output_folder(options.plots);
   std::optional<TickFile> ticks;
   if (!options.csv.empty()) ticks.emplace(options.csv);
+  std::optional<PictureTaker> picture;
+  if (!options.picture.empty()) picture.emplace(options.picture, options.picture_at_s, *events);
 
   EvaluationReport report;
   report.algorithm = options.algorithm;
@@ -149,6 +152,7 @@ bool evaluate(const EvaluateOptions& options) {
       [&](const EvaluatedTick& tick) {
         scoring.add(tick);
         if (ticks) ticks->add(tick);
+        if (picture) picture->add(tick);
       },
       scoring.marks());
   warn(events->warnings());
@@ -160,6 +164,7 @@ bool evaluate(const EvaluateOptions& options) {
   // Where not one tick counts there is nothing to plot, which has been told.
   const std::vector<ScoredEstimate> samples = scoring.samples();
   if (!options.plots.empty() && !samples.empty()) write_plots(samples, options.plots);
+  if (picture) picture->save(*events, report.run, scoring.truth());
   return !report.replay || is_close_enough(*report.replay, options);
 }
 

@@ -146,6 +146,13 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--json", options.json, "write the figures here");
   app.add_option("--csv", options.csv, "write a row a tick here");
   app.add_option("--plots", options.plots, "write plots into this folder");
+  auto* picture =
+      app.add_option("--picture", options.picture, "write a picture of the tracked puck here: PNG");
+  app.add_option("--picture-at", options.picture_at_s,
+                 "seconds after the first event (default: when the tracked puck is fastest)")
+      ->check(number_range(0, kLongest_s))
+      ->needs(picture);
+  picture->excludes(fast);
   app.add_option("--prefix", options.prefix, "of the channels in a log");
   add_event_file_options(app, options.file);
 }

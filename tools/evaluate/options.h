@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct EvaluateOptions {
   std::filesystem::path json;
   std::filesystem::path csv;
   std::filesystem::path plots;
+  std::filesystem::path picture;
+  std::optional<double> picture_at_s;
   std::string algorithm = "puck";
   std::string preset = "default";
   std::string detection_region;

@@ -36,8 +36,6 @@ Scoring::Scoring(const EvaluateOptions& options, std::vector<TruthRow> truth, Se
     return;
   }
   TruthTrack track(std::move(truth));
-  first_truth_ = track.first();
-  last_truth_ = track.last();
   if (at_marks_alone_) {
     for (const TruthRow& row : track.rows()) marks_.push_back(row.time);
   }
@@ -81,8 +79,8 @@ std::vector<ScoredEstimate> Scoring::samples() const {
 
 std::vector<std::string> Scoring::warnings(const RunSummary& run) const {
   std::vector<std::string> lines;
-  if (!has_truth()) return lines;
-  const std::string spans = "the truth goes " + span_text(*first_truth_, *last_truth_) +
+  if (truth() == nullptr) return lines;
+  const std::string spans = "the truth goes " + span_text(truth()->first(), truth()->last()) +
                             ", the events " + span_text(run.first, run.last);
   if (ours_) {
     const AccuracyReport report = ours_->report();
@@ -98,7 +96,7 @@ std::vector<std::string> Scoring::warnings(const RunSummary& run) const {
   if (samples().empty()) {
     lines.push_back(spans + ": not one tick counts; is the puck ever seen, and is it the right " +
                     "truth?");
-  } else if (*first_truth_ - run.first > kSlackUs || run.last - *last_truth_ > kSlackUs) {
+  } else if (truth()->first() - run.first > kSlackUs || run.last - truth()->last() > kSlackUs) {
     lines.push_back(spans + ": only the ticks that the truth covers count");
   }
   return lines;

@@ -21,7 +21,10 @@ class Scoring {
   /// Without rows of truth nothing is scored, unless the options say that there is no puck.
   Scoring(const EvaluateOptions& options, std::vector<TruthRow> truth, SensorSize sensor);
 
-  bool has_truth() const { return ours_.has_value() || paper_.has_value(); }
+  /// Null where there is none.
+  const TruthTrack* truth() const {
+    return ours_ ? &ours_->truth() : paper_ ? &paper_->truth() : nullptr;
+  }
   /// Times at which an estimate is to be asked for besides the usual ticks.
   const std::vector<Timestamp>& marks() const { return marks_; }
 
@@ -40,8 +43,6 @@ class Scoring {
   std::vector<Timestamp> marks_;
   std::optional<AccuracyScore> ours_;
   std::optional<PaperScore> paper_;
-  std::optional<Timestamp> first_truth_;
-  std::optional<Timestamp> last_truth_;
   bool no_puck_;
   std::int64_t ticks_ = 0;
   std::int64_t tracking_ = 0;

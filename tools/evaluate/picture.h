@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "common/events/event_packet.h"
+#include "common/events/sensor_size.h"
+#include "common/vision/puck_estimate.h"
+#include "common/vision/truth_row.h"
+
+namespace puck {
+
+/// One moment of a tracked puck: what a picture of it shows.
+struct TrackedMoment {
+  /// How far back a picture shows events and the trail.
+  static constexpr std::int64_t kEventsUs = 20'000;
+  static constexpr std::int64_t kTrailUs = 500'000;
+
+  struct TrailPoint {
+    Timestamp time;
+    std::optional<Pixel> position;  ///< Nothing: lost at that time; the trail is interrupted.
+  };
+
+  SensorSize sensor;
+  Timestamp time;
+  double seconds = 0;  ///< The time that is written on the picture.
+  EventPacket events;  ///< In the order of their times; those outside of kEventsUs are left out.
+  PuckEstimate estimate;
+  std::vector<TrailPoint> trail;  ///< Oldest first.
+  std::optional<TruthRow> truth;
+};
+
+/// Draws a moment: events by polarity, older ones fainter; the trail; the estimate's ellipse and
+/// velocity; the true ellipse, thin; above them time, state, speed and error, below them a legend.
+/// 8-bit BGR, a whole multiple of the sensor's size and at least kPictureWidthPx wide.
+cv::Mat draw_picture(const TrackedMoment& moment);
+
+inline constexpr int kPictureWidthPx = 1200;
+/// Rows above the image of the sensor: place (x, y) of the sensor is drawn at the scale times
+/// (x + 0.5, y + 0.5), so many rows down.
+inline constexpr int kPictureHeaderPx = 48;
+
+/// Canvas pixels per sensor pixel.
+constexpr int picture_scale(SensorSize sensor) {
+  return (kPictureWidthPx + sensor.width - 1) / sensor.width;
+}
+
+}  // namespace puck
