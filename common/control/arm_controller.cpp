@@ -38,7 +38,7 @@ ArmController::ArmController(const ArmControllerParams& params, std::int64_t ses
     back_end_ = std::make_unique<SimulatedBackEnd>(params.simulated, motion_.table(),
                                                    joints_at(motion_.table(), 0));
   }
-  order_.reason = "nothing asked yet";
+  order_.reason = "no command yet";
 }
 
 void ArmController::hear(const puck_estimate_t& estimate, const HostNow& now,
@@ -62,7 +62,7 @@ ArmController::Order ArmController::decide_as_commanded(const HostNow& now,
   Order order;
   const CommandGuard::Current* current = guard_.current(now.monotonic_us);
   if (current == nullptr) {
-    order.reason = guard_.was_ever_commanded() ? "no command in time" : "nothing asked yet";
+    order.reason = guard_.was_ever_commanded() ? "no fresh command" : "no command yet";
     return order;
   }
   const arm_command_t& command = current->command;
@@ -75,7 +75,7 @@ ArmController::Order ArmController::decide_as_commanded(const HostNow& now,
   } else if (track == nullptr) {
     order.reason = "no live track";
   } else if (track->session != command.estimate_session) {
-    order.reason = "the command rests on another tracker";
+    order.reason = "the command is based on another tracker than the one heard here";
   } else {
     order.target_m = current->target_m;
   }
@@ -116,7 +116,7 @@ ArmController::Order ArmController::decide(const HostNow& now, const puck_estima
   const bool is_latched = guard_.latch() != CommandGuard::Latch::kNone;
   if (is_latched || is_ending_) {
     Order order;
-    order.reason = is_latched ? kLatched : "it ends";
+    order.reason = is_latched ? kLatched : "shutting down";
     return order;
   }
   return params_.mode == ArmMode::kFollow ? decide_to_follow(track, now)

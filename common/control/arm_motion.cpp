@@ -29,7 +29,7 @@ ArmMotionParams checked(const ArmMotionParams& params, double line_half_m) {
   constexpr double kSameM = 1e-9;
   require(
       params.joints.from_m <= -line_half_m + kSameM && params.joints.to_m >= line_half_m - kSameM,
-      "arm.line_half_m goes beyond arm.joint_table, which is known from " +
+      "arm.line_half_m exceeds the range of arm.joint_table, " +
           std::to_string(params.joints.from_m) + " to " + std::to_string(params.joints.to_m) +
           " m");
   return params;
@@ -69,10 +69,10 @@ JerkLimitedMotion ArmMotion::approach_over(double distance_deg) const {
 std::string ArmMotion::note() const {
   switch (phase_) {
     case Phase::kWaiting:
-      if (encoders_.has_reading()) return "waiting for the encoders to agree";
+      if (encoders_.has_reading()) return "waiting for stable encoder readings";
       return "waiting for the encoders" + (awaited_.empty() ? "" : ": " + awaited_);
     case Phase::kApproach:
-      return "on its way to the line";
+      return "moving to the line";
     case Phase::kOnLine:
       break;
   }
@@ -115,8 +115,8 @@ std::string ArmMotion::trouble(ArmBackEnd& back_end, std::int64_t monotonic_us, 
   }
   for (std::size_t k = 0; k < set_point_.size(); ++k) {
     if (std::abs(encoders_.deg()[k] - set_point_[k]) <= params_.max_tracking_error_deg) continue;
-    return "joint " + std::to_string(k) + " does not follow: it is at " +
-           std::to_string(encoders_.deg()[k]) + " deg, and was sent to " +
+    return "joint " + std::to_string(k) + " does not follow its set-point: the encoder reads " +
+           std::to_string(encoders_.deg()[k]) + " deg, the set-point is " +
            std::to_string(set_point_[k]);
   }
   return {};

@@ -22,7 +22,7 @@ const char* EncoderWatch::look(const std::optional<JointReading>& reading) {
   }
   const auto can_be = [](double angle) { return std::abs(angle) <= kMostTurnedDeg; };
   if (!std::all_of(deg.deg().begin(), deg.deg().end(), can_be)) {
-    return "an encoder's angle cannot be";
+    return "the angle of an encoder is out of the possible range";
   }
   if (!newest_) {
     newest_ = reading;

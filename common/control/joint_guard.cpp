@@ -26,8 +26,12 @@ bool JointGuard::refuse(std::size_t joint, const char* what) {
 }
 
 bool JointGuard::allows(const JointAngles& deg, double dt_s) {
-  if (deg.size() != limits_.size()) return refuse(deg.size(), "missing or one too many");
-  if (!(dt_s > 0) || !std::isfinite(dt_s)) return refuse(0, "at the same time as another");
+  if (deg.size() != limits_.size()) {
+    return refuse(deg.size(), "unexpected (the joint table has another number of joints)");
+  }
+  if (!(dt_s > 0) || !std::isfinite(dt_s)) {
+    return refuse(0, "not later than the set-point before it");
+  }
   // Divided differences, times 1, 2 and 6, are at most the derivatives' bounds, however uneven the
   // times are. A joint that rested did so at this pace.
   const double one_s = last_dt_s_ > 0 ? last_dt_s_ : dt_s;

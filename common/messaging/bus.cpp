@@ -45,7 +45,7 @@ class Bus::Impl {
         allow_fragments_(params.allow_fragments) {
     check_prefix(prefix_);
     if (!params.key_file.empty()) security_.emplace(params.key_file);
-    unknown_channels_.channel = "channels that are none of ours";
+    unknown_channels_.channel = "unknown PUCK channels";
     for (const Channel channel : kAllChannels) {
       Line& line = line_of(channel);
       line.channel = channel;

@@ -158,15 +158,15 @@ std::vector<std::string> EventLog::problems() const {
                          what);
     }
   };
-  tell(counters_.packets_malformed, "left out that are malformed");
-  tell(counters_.packets_late, "left out that come late, or twice");
+  tell(counters_.packets_malformed, "left out: malformed");
+  tell(counters_.packets_late, "left out: late or duplicate");
   tell(counters_.packets_of_others,
        sessions_ == Sessions::kFirst
-           ? "left out, of another camera or of one that was started again: only the first session "
-             "is read"
-           : "left out, of another camera");
-  tell(counters_.packets_missing,
-       "missing; with late ones, " + std::to_string(counters_.events_missing) + " events");
+           ? "left out: published by another camera or after a restart of this one; only the "
+             "first session is read"
+           : "left out: published by another camera");
+  tell(counters_.packets_missing, "missing; together with late packets, " +
+                                      std::to_string(counters_.events_missing) + " events");
   if (log_->damage()) {
     problems.push_back(path_.string() + ": " + *log_->damage() + "; " +
                        std::to_string(log_->bytes_skipped()) + " bytes skipped");

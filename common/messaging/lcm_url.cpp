@@ -59,7 +59,7 @@ void parse_option(const std::string& url, std::string_view option, LcmUrl& parse
     parsed.recv_buf_size =
         parse_number(url, name, value, 2048, std::numeric_limits<int>::max() / 2);
   } else {
-    fail(url, "unknown option \"" + std::string(name) + "\"; there are ttl and recv_buf_size");
+    fail(url, "unknown option \"" + std::string(name) + "\"; expected ttl or recv_buf_size");
   }
 }
 

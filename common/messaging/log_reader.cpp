@@ -79,13 +79,13 @@ std::optional<std::string> LogReader::find_problem(const LogHeader& header) {
     inside = bytes_.find_mark(inside, end);
     if (inside == end) break;
     if (follows(inside) && message_begins(inside)) {
-      return "a message is longer than the place to the next one";
+      return "the length of a message points past the start of the next one";
     }
   }
   if (end == bytes_.size() || message_may_begin(end)) return std::nullopt;
   const std::int64_t next = next_message_from(end, behind_end_);
   if (next < bytes_.size() && follows(next)) {
-    return "a message is shorter than the place to the next one";
+    return "bytes between the end of a message and the start of the next one";
   }
   return std::nullopt;
 }

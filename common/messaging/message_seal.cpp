@@ -65,11 +65,11 @@ std::optional<std::span<const std::uint8_t>> SealOpener::open(std::string_view c
   const SharedKey::Hash expected = key_.hash(channel, plain, sender, number);
   // In constant time, so that nobody learns how much of a guess was right.
   if (sodium_memcmp(hash.data(), expected.data(), expected.size()) != 0) {
-    problem = "is sealed with another key, or was changed";
+    problem = "is sealed with a different key, or was modified on its way";
     return std::nullopt;
   }
   if (!is_first_time(sender, number)) {
-    problem = "was here before: somebody plays it back, or the network doubled it";
+    problem = "was received before: it is a replay, or the network duplicated it";
     return std::nullopt;
   }
   return plain;

@@ -18,8 +18,8 @@ namespace {
 constexpr int kTimeoutMs = 100;
 
 std::string problem(const LcmUrl& url, const std::string& what) {
-  return "no way to the multicast group " + url.group + " yet (" + what +
-         "); a default route or \"ip route add 224.0.0.0/4 dev DEVICE\" makes one";
+  return "no route to the multicast group " + url.group + " yet (" + what +
+         "); add a default route, or run \"ip route add 224.0.0.0/4 dev DEVICE\"";
 }
 
 std::string error_text() { return std::strerror(errno); }
@@ -66,7 +66,7 @@ std::optional<std::string> find_route_problem(const LcmUrl& url) {
     return problem(url, error_text());
   }
   if (!comes_back(probe.number(), token)) {
-    return problem(url, "what is sent there does not come back");
+    return problem(url, "multicast sent from this host does not loop back to it");
   }
   return std::nullopt;
 }

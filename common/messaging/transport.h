@@ -42,7 +42,7 @@ struct Listening {
 
 /// Somebody else at our group and port, who did not mean us.
 struct ForeignTraffic {
-  std::string what;  ///< `channel "RIGHT_PUCK_EVENTS"`, `no datagrams of LCM`, …
+  std::string what;  ///< `channel "RIGHT_PUCK_EVENTS"`, `not LCM datagrams`, …
   Sender sender;     ///< The first that was seen with it.
   std::int64_t datagrams = 0;
 };

@@ -40,10 +40,12 @@ std::string describe_foreign(std::span<const std::uint8_t> bytes) {
   if (const auto* whole = std::get_if<WholeMessage>(&datagram)) {
     return "channel \"" + printable(whole->channel) + "\"";
   }
-  if (std::holds_alternative<MessageFragment>(datagram)) return "fragments, which are refused";
+  if (std::holds_alternative<MessageFragment>(datagram)) {
+    return "message fragments (refused: lcm.allow_fragments is false)";
+  }
   const auto& bad = std::get<BadDatagram>(datagram);
   // What reaches us is cut off, and so may be the name of a channel.
-  return bad.has_magic ? "broken datagrams of LCM" : "no datagrams of LCM";
+  return bad.has_magic ? "broken LCM datagrams" : "not LCM datagrams";
 }
 
 }  // namespace

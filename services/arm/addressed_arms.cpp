@@ -53,7 +53,7 @@ std::string AddressedArms::why_not(const HostNow& now) const {
            (is_certain(arm) ? "" : ", whose clock is not known,") + " says: " + says;
   }
   if (is_there_one) return {};
-  return arms_.empty() ? "no ARM_STATE heard" : "no ARM_STATE that is of now";
+  return arms_.empty() ? "no ARM_STATE heard" : "no current ARM_STATE";
 }
 
 }  // namespace puck

@@ -99,7 +99,7 @@ void ArmService::brake() {
   do {
     turn();
   } while (!controller_.rests() && host_monotonic_us() < end_us);
-  if (!controller_.rests()) context_.log.warn("ends before the arm has come to rest");
+  if (!controller_.rests()) context_.log.warn("the service ends before the arm has come to rest");
 }
 
 // Nothing that comes changes the motion before the step, and the kernel notes when it came. So the

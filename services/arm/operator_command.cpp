@@ -44,10 +44,11 @@ bool publish_to_all(Bus& bus, std::int8_t mode, const AddressedArms& arms) {
 }  // namespace
 
 void OperatorCommand::add_options(CLI::App& app) {
-  CLI::Option* stop = app.add_flag(
-      "--stop", stop_, "Stop the arms on the bus until a reset; exit code 0: confirmed");
-  CLI::Option* reset =
-      app.add_flag("--reset", reset_, "Release a stopped or faulty arm; exit code 0: confirmed");
+  CLI::Option* stop =
+      app.add_flag("--stop", stop_,
+                   "Stop every arm on the bus until --reset; exit code 0: all arms confirmed it");
+  CLI::Option* reset = app.add_flag(
+      "--reset", reset_, "Release every stopped or faulty arm; exit code 0: all arms confirmed it");
   stop->excludes(reset);
 }
 

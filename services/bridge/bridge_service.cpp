@@ -149,18 +149,21 @@ BridgeService::Standing BridgeService::standing() const {
     return {ServiceState::kWaiting, "no ESTIMATE"};
   }
   if (bridge_.is_blind_to_head()) {
-    return {ServiceState::kDegraded, "where the head looks is not known, nor where the table is"};
+    return {ServiceState::kDegraded,
+            "the head pose is unknown, so the place of the table in the image is unknown"};
   }
-  if (!bridge_.hears_arm(now)) return {ServiceState::kWaiting, "no ARM_STATE that is of now"};
+  if (!bridge_.hears_arm(now)) return {ServiceState::kWaiting, "no current ARM_STATE"};
   if (const std::int64_t other = bridge_.other_commander(context_.bus.session(), now)) {
-    return {ServiceState::kDegraded, "the arm obeys another run, session " + std::to_string(other)};
+    return {ServiceState::kDegraded,
+            "the arm obeys another bridge, session " + std::to_string(other)};
   }
   switch (bridge_.probation().doubt()) {
     case TrackProbation::Doubt::kContradicts:
       return {ServiceState::kDegraded,
-              "the track is not trusted: its velocity is not that of its positions"};
+              "the track is not trusted: its velocity does not match its positions"};
     case TrackProbation::Doubt::kScattered:
-      return {ServiceState::kDegraded, "the track is not trusted: it leaps to and fro"};
+      return {ServiceState::kDegraded,
+              "the track is not trusted: its position jumps back and forth"};
     case TrackProbation::Doubt::kNew:
     case TrackProbation::Doubt::kNone:
       break;

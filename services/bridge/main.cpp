@@ -4,7 +4,7 @@
 int main(int argc, char** argv) {
   return puck::run_service<puck::BridgeService>(
       {.name = "puck-bridge",
-       .description = "From the tracker's estimates to the puck's motion on the table, the game, "
-                      "and commands for the arm."},
+       .description = "Predicts the puck's motion on the table from the tracker's estimates, "
+                      "and commands the arm."},
       argc, argv);
 }

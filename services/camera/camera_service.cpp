@@ -199,7 +199,7 @@ bool CameraService::wait_until(Timestamp time, std::stop_token stop) {
     const Clock::time_point due = pacer_.due(time);
     const Clock::time_point now = Clock::now();
     if (now >= due) break;
-    if (due - now > kSilent) say_waiting("the end of a gap in the sensor's time");
+    if (due - now > kSilent) say_waiting("the end of a gap in the recording's time stamps");
     std::this_thread::sleep_until(std::min(std::max(due, now + kShortestSleep), bus_due_));
   }
   note_pace(time);
@@ -243,8 +243,9 @@ void CameraService::note_pace(Timestamp time) {
   pacer_zero_utime_ += pacer_.slipped_us() - slipped_before_us;
   if (has_slipped || pacer_.lateness_us() > kLateUs) {
     context_.limited_log.warn(
-        "pace", "cannot keep up: " + std::to_string(pacer_.lateness_us() / 1000) + " ms late, " +
-                    std::to_string(pacer_.slipped_us() / 1000) + " ms given up so far");
+        "pace", "cannot keep up: " + std::to_string(pacer_.lateness_us() / 1000) + " ms late; " +
+                    std::to_string(pacer_.slipped_us() / 1000) +
+                    " ms of delay accepted so far (the time mapping has moved)");
     note_trouble("cannot keep up with the sensor's clock");
   } else {
     note_recovery();
@@ -314,7 +315,7 @@ void CameraService::watch_overflow() {
   if (is_paced_) return;
   const std::int64_t overflowed = source_->events_overflowed();
   if (std::exchange(overflow_seen_, overflowed) != overflowed) {
-    note_trouble("drops events: more come than can be published");
+    note_trouble("drops events: more arrive than can be published");
   } else {
     note_recovery();
   }

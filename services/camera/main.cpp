@@ -5,6 +5,7 @@ int main(int argc, char** argv) {
   return puck::run_service<puck::CameraService>(
       {.name = "puck-camera",
        .description =
-           "Publishes events: of the simulated table, a recording, a log, stdin or TCP."},
+           "Publishes the events of a simulated table, a recording, a log, stdin or a TCP "
+           "server."},
       argc, argv);
 }

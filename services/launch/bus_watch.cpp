@@ -29,8 +29,8 @@ void BusWatch::look_at(const ChannelCounters& now, ChannelCounters& before) {
   warn(now.unauthenticated - before.unauthenticated, "messages without our key dropped, the last",
        now.last_rejection);
   warn(now.arrivals.lost - before.arrivals.lost, "messages lost", "");
-  warn(now.handler_failures - before.handler_failures, "messages not dealt with, the last",
-       now.last_handler_failure);
+  warn(now.handler_failures - before.handler_failures,
+       "messages dropped because of an error in this service, the last", now.last_handler_failure);
   warn(now.publish_failures - before.publish_failures, "messages not sent, the last",
        now.last_publish_failure);
   before = now;
@@ -39,14 +39,14 @@ void BusWatch::look_at(const ChannelCounters& now, ChannelCounters& before) {
 void BusWatch::look_at_network() {
   TransportCounters now = bus_.network_counters();
   if (const auto malformed = now.malformed - network_seen_.malformed; malformed > 0) {
-    log_.warn(fmt::format("{} datagrams on our channels are no messages, the last: {}", malformed,
-                          now.last_malformed));
+    log_.warn(fmt::format("{} malformed datagrams on PUCK channels dropped, the last: {}",
+                          malformed, now.last_malformed));
   }
-  if (now.rejoined > network_seen_.rejoined) log_.warn("the network was away, and is heard again");
+  if (now.rejoined > network_seen_.rejoined) log_.warn("the network is back: receiving again");
   // A stranger is named once; how much it sends is in STATUS.
   for (std::size_t i = network_seen_.foreign_traffic.size(); i < now.foreign_traffic.size(); ++i) {
     const ForeignTraffic& stranger = now.foreign_traffic[i];
-    log_.warn(fmt::format("somebody else at this group and port: {} from {}", stranger.what,
+    log_.warn(fmt::format("foreign datagrams on this group and port: {} from {}", stranger.what,
                           to_string(stranger.sender)));
   }
   network_seen_ = std::move(now);

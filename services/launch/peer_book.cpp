@@ -113,21 +113,21 @@ void PeerBook::look_for_twice(std::int64_t now_us, std::vector<PeerNews>& news) 
     Peer& a = peers_[i];
     if (!is_only_one(a.service) || !speaks(a, now_us)) continue;
     if (a.service == own_service_ && a.heard_us - a.first_heard_us > kOverlapUs) {
-      find("there is another " + name_of_peer(a), a.told_twice);
+      find("a second service of this kind is running: " + name_of_peer(a), a.told_twice);
       told.push_back(&a);
     }
     for (std::size_t j = i + 1; j < peers_.size(); ++j) {
       Peer& b = peers_[j];
       if (b.service != a.service || !speaks(b, now_us)) continue;
       if (heard_together_us(a, b) <= kOverlapUs) continue;
-      find("there are two: " + name_of_peer(a) + ", and " + name_of_peer(b),
+      find("two services of one kind: " + name_of_peer(a) + ", and " + name_of_peer(b),
            a.told_twice && b.told_twice);
       told.insert(told.end(), {&a, &b});
     }
   }
   for (Peer* peer : told) peer->told_twice = true;
   if (was_twice && trouble_.twice.empty()) {
-    news.push_back({"no service is there twice any more", false});
+    news.push_back({"every service is unique again", false});
   }
 }
 

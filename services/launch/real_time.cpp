@@ -16,7 +16,9 @@ std::string run_in_real_time(int priority) {
   }
   // As it is touched: a stack is 8 MB of which little is ever used.
   if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
-    return std::string("runs in real time, but its memory may be paged out: ") +
+    return std::string(
+               "runs under SCHED_FIFO, but its memory is not locked and may be paged "
+               "out: ") +
            std::strerror(errno);
   }
   return {};
@@ -27,7 +29,9 @@ void run_in_real_time_and_tell(int priority, spdlog::logger& log) {
   const std::string why_not = run_in_real_time(priority);
   log.info(why_not.empty()
                ? "runs in real time"
-               : "not wholly in real time, so it may be late on a busy machine: " + why_not);
+               : "real-time scheduling is incomplete, so this service may be late on a busy "
+                 "machine: " +
+                     why_not);
 }
 
 }  // namespace puck

@@ -89,7 +89,8 @@ void LoggerService::receive(std::string_view channel, std::span<const std::uint8
 void LoggerService::account_for_events(std::span<const std::uint8_t> bytes) {
   if (const auto rejection = check_message(Channel::kEvents, bytes)) {
     ++packets_rejected_;
-    context_.limited_log.warn(events_channel_, "malformed, logged all the same: " + *rejection);
+    context_.limited_log.warn(events_channel_,
+                              "malformed message, written unchanged: " + *rejection);
     return;
   }
   const MessageHeader header = read_header(bytes);
@@ -105,16 +106,17 @@ void LoggerService::account_for_events(std::span<const std::uint8_t> bytes) {
 /// What is wrong with the log as it is now.
 std::optional<std::string> LoggerService::find_trouble() const {
   const LogProgress progress = files_.progress();
-  if (progress.problem) return "nothing is written: " + *progress.problem;
+  if (progress.problem) return "cannot write: " + *progress.problem;
   if (Clock::now() < queue_was_full_until_) {
-    return "the disk is too slow: logger.queue_bytes were full, and messages are missing";
+    return "the disk is too slow: the queue (logger.queue_bytes) was full, and messages were "
+           "dropped";
   }
   if (const std::string problem = sync_.problem(); !problem.empty()) return problem;
   if (sync_.lag() > kLongestLag) {
-    return "the disk is slow: what was written 1 s ago is not on it yet";
+    return "the disk is slow: data written 1 s ago is not synced yet";
   }
   if (!progress.quota_problem.empty()) {
-    return "logger.quota_bytes is not kept: " + progress.quota_problem;
+    return "logger.quota_bytes is exceeded: " + progress.quota_problem;
   }
   return std::nullopt;
 }
@@ -132,7 +134,7 @@ void LoggerService::tell_of_progress() {
     context_.log.error(*trouble_);
     context_.status.set_state(ServiceState::kDegraded, *trouble_);
   } else {
-    context_.log.info("all is written again");
+    context_.log.info("writing again");
     context_.status.set_state(ServiceState::kRunning);
   }
 }

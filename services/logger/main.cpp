@@ -3,5 +3,5 @@
 
 int main(int argc, char** argv) {
   return puck::run_service<puck::LoggerService>(
-      {.name = "puck-logger", .description = "Writes every channel to a log of LCM."}, argc, argv);
+      {.name = "puck-logger", .description = "Writes every channel to an LCM log."}, argc, argv);
 }

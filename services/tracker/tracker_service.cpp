@@ -73,7 +73,7 @@ void TrackerService::receive(const EventPacketView& packet, const Receipt& recei
   switch (publisher_.hear(packet.session, packet.seq, receipt.monotonic_us)) {
     case SinglePublisher::Verdict::kOtherPublisher:
       ++others_packets_;
-      context_.limited_log.warn("events", "a second publisher of events is not followed: " +
+      context_.limited_log.warn("events", "ignores a second publisher of events: " +
                                               context_.peers.name_of(packet.session) + ", at " +
                                               to_string(receipt.sender));
       return;
@@ -100,8 +100,8 @@ void TrackerService::receive(const EventPacketView& packet, const Receipt& recei
       packet.first_event_us < newest_event_.us) {
     ++dropped_packets_;
     context_.limited_log.warn("events",
-                              "a packet of another sensor, or from before the newest event, is "
-                              "dropped");
+                              "dropped a packet: other sensor size, or older than the newest "
+                              "event");
     return;
   }
   heard_us_ = receipt.monotonic_us;
@@ -147,8 +147,7 @@ void TrackerService::skip_held() {
   ++packets_skipped_;
   skipped_us_ = host_monotonic_us();
   context_.limited_log.warn("events",
-                            "more come than can be taken; packets are skipped to keep to the "
-                            "newest");
+                            "overload: packets are skipped to keep up with the newest events");
 }
 
 void TrackerService::take_held() {
@@ -201,7 +200,7 @@ void TrackerService::check_calibration() {
     params_.hot_pixels.check_sensor(sensor_, "tracker.hot_pixel_mask");
   } catch (const std::invalid_argument& error) {
     masks_hot_pixels_ = false;
-    context_.log.error(std::string(error.what()) + ": it is not used");
+    context_.log.error(std::string(error.what()) + ": the mask is ignored");
   }
 }
 
@@ -274,9 +273,10 @@ void TrackerService::watch_input() {
   if (heard_us_ == 0) {
     context_.status.set_state(ServiceState::kWaiting, "for events");
   } else if (host_monotonic_us() - heard_us_ > kSilentUs) {
-    context_.status.set_state(ServiceState::kWaiting, "for events, which have stopped coming");
+    context_.status.set_state(ServiceState::kWaiting, "for events: none for 500 ms");
   } else if (skipped_us_ != 0 && host_monotonic_us() - skipped_us_ < kFloodToldUs) {
-    context_.status.set_state(ServiceState::kDegraded, "more events come than can be taken");
+    context_.status.set_state(ServiceState::kDegraded,
+                              "overload: more events arrive than can be processed");
   } else {
     context_.status.set_state(ServiceState::kRunning);
   }

@@ -177,7 +177,7 @@ TEST_CASE("The arm service stands still when the bus falls silent") {
   CHECK(arm.moves_to(0.1));
   const auto stands = [&] {
     const auto now = arm.state();
-    return now->state == arm_state_t::STATE_HOLDING && now->reason == "no command in time";
+    return now->state == arm_state_t::STATE_HOLDING && now->reason == "no fresh command";
   };
   CHECK(ServiceBench::until(stands, [] {}));
 }
@@ -205,7 +205,7 @@ TEST_CASE("The arm service brakes before it ends, commands or not") {
   std::optional<arm_state_t> last;
   for (int attempt = 0; attempt < 30 && !last; ++attempt) last = last_of_a_fast_arm();
   REQUIRE(last.has_value());
-  CHECK(last->reason == "it ends");
+  CHECK(last->reason == "shutting down");
   // The joints follow the set-points, which rest.
   CHECK(std::abs(last->velocity_m_s) < 0.3);
   CHECK(last->faults == 0);

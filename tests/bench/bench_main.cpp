@@ -1,4 +1,4 @@
-// All benchmarks of this folder; see README.md for the names and run.sh for the flags.
+// All benchmarks of this folder; see docs/speed.md for the names and run.sh for the flags.
 
 #include <fstream>
 #include <string>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures how fast everything is, each figure beside the plain form of the same work in the same
-# run, and says which bars are met. tests/bench/README.md explains every key.
+# run, and says which bars are met. docs/speed.md explains every key.
 #
 #   tests/bench/run.sh [--quick] [--json FILE]
 #

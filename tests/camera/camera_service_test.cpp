@@ -184,7 +184,7 @@ TEST_CASE("a camera that waits for a gap in a recording to pass says so") {
   CHECK(run.events_.size() == 2);
   const auto says_so = [](const service_status_t& status) {
     return status.state == service_status_t::STATE_WAITING &&
-           status.state_text == "for the end of a gap in the sensor's time";
+           status.state_text == "for the end of a gap in the recording's time stamps";
   };
   CHECK(std::any_of(run.statuses_.begin(), run.statuses_.end(), says_so));
 }

@@ -47,7 +47,7 @@ TEST_CASE("The arm stands still within its limits when the commands end") {
     bench.run(1);
   }
   CHECK(bench.stands());
-  CHECK(bench.arm.state().reason == "no command in time");
+  CHECK(bench.arm.state().reason == "no fresh command");
   // The joints follow the set-point.
   bench.run(60);
   CHECK(bench.arm.state().state == arm_state_t::STATE_HOLDING);
@@ -62,7 +62,7 @@ TEST_CASE("An arm that ends comes to rest within its limits, whatever it is told
   // At most 1.5/20 + 3 * 20/2000 s to rest from any state.
   bench.play(106, 0.3);
   CHECK(bench.arm.rests());
-  CHECK(bench.arm.state().reason == "it ends");
+  CHECK(bench.arm.state().reason == "shutting down");
   CHECK(bench.arm.state().faults == 0);
 }
 
@@ -131,7 +131,9 @@ TEST_CASE("Estimates that are replayed, malformed or another tracker's give no l
   command.estimate_session = 4;
   bench.arm.hear(command, bench.now, bench.sender);
   bench.run(1);
-  CHECK(bench.arm.state().reason == "the command rests on another tracker");
+  CHECK(bench.arm.state().reason ==
+        "the command is based on another tracker than the one "
+        "heard here");
   puck_estimate_t other = bench.estimate();
   other.session = 4;
   bench.arm.hear(other, bench.now, bench.sender);
@@ -205,7 +207,7 @@ TEST_CASE("Between a reset and the next step the arm says what is so, and nothin
   bench.operate(arm_command_t::MODE_RESET);
   CHECK(bench.arm.state().reason == "not reset yet");
   bench.run(1);
-  CHECK(bench.arm.state().reason == "nothing asked yet");
+  CHECK(bench.arm.state().reason == "no command yet");
 }
 
 TEST_CASE("The time from an estimate's publication to the set-point it led to is measured") {

@@ -210,7 +210,7 @@ TEST_CASE("A reading said again and again is one reading, and encoders that neve
   arm.script.stamp_us = arm.bench.now.monotonic_us;
   arm.bench.play(50, 0.1);
   CHECK(arm.script.sent.empty());
-  CHECK(arm.reason() == "waiting for the encoders to agree");
+  CHECK(arm.reason() == "waiting for stable encoder readings");
   arm.script.stamp_us.reset();
   for (int i = 0; i < 50; ++i) {
     arm.script.at = joints_at(i % 2 == 0 ? 0.1 : 0.12);
@@ -227,7 +227,7 @@ TEST_CASE("An arm off the line moves to it slowly, only while it is asked to, an
   arm.bench.run(100);
   CHECK((*arm.script.at)[1] == from);
   arm.bench.play(300, 0.25);
-  CHECK(arm.reason() == "on its way to the line");
+  CHECK(arm.reason() == "moving to the line");
   CHECK(arm.bench.arm.state().state == arm_state_t::STATE_MOVING);
   const double on_the_way = (*arm.script.at)[1];
   CHECK(on_the_way < from);
@@ -327,7 +327,8 @@ TEST_CASE("Encoders that are no numbers, or of other joints, are a fault and mov
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [bad, why] :
        {std::pair{JointAngles(std::array<double, 7>{0, 0, nan, 0, 0, 0, 0}), "not finite"},
-        std::pair{JointAngles(std::array<double, 7>{1e308, -1e308, 0, 0, 0, 0, 0}), "cannot be"},
+        std::pair{JointAngles(std::array<double, 7>{1e308, -1e308, 0, 0, 0, 0, 0}),
+                  "out of the possible range"},
         std::pair{JointAngles(std::array<double, 3>{0, 0, 0}), "not those of the joint table"}}) {
     ScriptedArm arm(0);
     arm.bench.play(200, 0.05);
@@ -400,8 +401,8 @@ TEST_CASE("A line that the joint table does not know is refused, as are limits t
   ArmControllerParams params;
   params.guard.line_half_m = 0.31;
   CHECK_THROWS_WITH_AS(ArmController(params, 1),
-                       "arm.line_half_m goes beyond arm.joint_table, which is known from "
-                       "-0.300000 to 0.300000 m",
+                       "arm.line_half_m exceeds the range of arm.joint_table, -0.300000 to "
+                       "0.300000 m",
                        std::invalid_argument);
   params = {};
   params.arm.max_jerk_m_s3 = 0;

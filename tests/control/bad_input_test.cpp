@@ -182,7 +182,9 @@ TEST_CASE("While a tracker starts anew the arm stands, until bridge and arm foll
   CHECK(bench.arm.state().reason == "no live track");
   const double stands_m = bench.arm.motion().line().state().position;
   for (int i = 0; i < 50; ++i) say(4001, ArmBench::kTrackerSession, 0.3);
-  CHECK(bench.arm.state().reason == "the command rests on another tracker");
+  CHECK(bench.arm.state().reason ==
+        "the command is based on another tracker than the one "
+        "heard here");
   CHECK(bench.arm.motion().line().state().position == stands_m);
   for (int i = 0; i < 400; ++i) say(4001, 4001, -0.1);
   CHECK(bench.arm.position_m() == doctest::Approx(-0.1));

@@ -220,7 +220,7 @@ TEST_CASE("what another machine sends with ttl 0 does not come, with ttl 1 it do
   in_network_of_its_own([] {
     join_network();
     BackgroundWork silent(on_other_machine("far_end", service("puck-arm", kUrlThisHost)));
-    CHECK(diagnose().text("services").find("no service speaks") != std::string::npos);
+    CHECK(diagnose().text("services").find("no STATUS of any service") != std::string::npos);
     REQUIRE(ip("link delete cable"));
     silent.stop();
 
@@ -267,7 +267,7 @@ TEST_CASE("two services of a kind are told, and neither is disturbed by the doct
     }));
     const Diagnosis broken = diagnose();
     check_only_wrong(broken, {"services"});
-    CHECK(broken.text("services").find("two of a kind") != std::string::npos);
+    CHECK(broken.text("services").find("two services of one kind") != std::string::npos);
     CHECK(broken.mend("services").find("kill " + std::to_string(getpid())) != std::string::npos);
     here.stop();
     CHECK(statuses.arrivals.received > 0);

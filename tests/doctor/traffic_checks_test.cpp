@@ -70,7 +70,7 @@ TEST_CASE("a host with services of ours on it is never shut out") {
 TEST_CASE("every kind of bad datagram is told apart") {
   Facts facts = healthy_facts();
   hear(facts.traffic, kOtherHost, kCrash);
-  CHECK(says(the_wrong_one(check_senders(facts)), "can crash what uses liblcm"));
+  CHECK(says(the_wrong_one(check_senders(facts)), "can crash programs that use liblcm"));
 
   facts = healthy_facts();
   hear(facts.traffic, kOtherHost, kFragment);

@@ -61,8 +61,9 @@ TEST_CASE("troubles on the bus are logged once, and summed up for the status") {
   watch.look();
   watch.look();
   CHECK(readable.text.str() ==
-        "PUCK_ARM_COMMAND: 2 messages not sent, the last: arm_command_t.mode must be 0 to 3, got "
-        "9\nPUCK_HEAD: 1 messages not dealt with, the last: no head\n");
+        "PUCK_ARM_COMMAND: 2 messages not sent, the last: arm_command_t.mode must be 0 to 3, "
+        "got 9\nPUCK_HEAD: 1 messages dropped because of an error in this service, the last: "
+        "no head\n");
   StatusReport report;
   watch.report_totals(report);
   watch.report_channels(report);
@@ -114,7 +115,7 @@ TEST_CASE("a stranger on the port is named once, and counted") {
   watch.look();
   watch.look();
   CHECK(readable.text.str().starts_with(
-      "somebody else at this group and port: channel \"RIGHT_PUCK_HEAD\" from "));
+      "foreign datagrams on this group and port: channel \"RIGHT_PUCK_HEAD\" from "));
   CHECK(readable.text.str().find('\n') == readable.text.str().size() - 1);
   StatusReport report;
   watch.report_totals(report);
@@ -122,7 +123,7 @@ TEST_CASE("a stranger on the port is named once, and counted") {
   CHECK(counter(report, "messages_foreign") == 2);
 }
 
-TEST_CASE("messages without our key are counted on channels that are none of ours, too") {
+TEST_CASE("messages without our key are counted on unknown PUCK channels, too") {
   const TemporaryFolder folder;
   const auto key = folder / "key";
   std::ofstream(key) << std::string(32, 'k');
@@ -142,7 +143,7 @@ TEST_CASE("messages without our key are counted on channels that are none of our
   watch.look();
   watch.look();
   CHECK(
-      readable.text.str().starts_with("channels that are none of ours: 1 messages without our key "
+      readable.text.str().starts_with("unknown PUCK channels: 1 messages without our key "
                                       "dropped, the last: is not sealed"));
   CHECK(readable.text.str().find('\n') == readable.text.str().size() - 1);
   StatusReport report;

@@ -118,7 +118,7 @@ TEST_CASE("two of a kind are told once, by host and pid, as long as both speak")
   bench.speakers.push_back({3, "puck-camera", "lab", 13});
   bench.pass(500'000);
   const std::string both =
-      "there are two: puck-camera on eye, pid 11, and puck-camera on lab, pid 13";
+      "two services of one kind: puck-camera on eye, pid 11, and puck-camera on lab, pid 13";
   CHECK(bench.news == Texts{both});
   CHECK(bench.book.trouble().twice == both);
   CHECK(bench.book.name_of(3) == "puck-camera on lab, pid 13");
@@ -129,7 +129,7 @@ TEST_CASE("two of a kind are told once, by host and pid, as long as both speak")
   bench.pass(1'000'000);
   CHECK(bench.book.trouble().twice.empty());
   CHECK(bench.book.trouble().silent.empty());
-  CHECK(bench.news == Texts{both, "no service is there twice any more"});
+  CHECK(bench.news == Texts{both, "every service is unique again"});
 }
 
 TEST_CASE("another of this service's own kind is told; two loggers do not quarrel") {
@@ -137,7 +137,8 @@ TEST_CASE("another of this service's own kind is told; two loggers do not quarre
                    {2, "puck-logger", "lab", 12},
                    {3, "puck-logger", "eye", 13}});
   bench.pass(1'000'000);
-  CHECK(bench.news == Texts{"there is another puck-tracker on lab, pid 11"});
+  CHECK(bench.news == Texts{"a second service of this kind is running: puck-tracker on lab, "
+                            "pid 11"});
 }
 
 TEST_CASE("whoever does not answer us is nobody: a log that is played has no services") {

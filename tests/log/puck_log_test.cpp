@@ -127,7 +127,7 @@ TEST_CASE("info tells what is in a log") {
   CHECK(table.exit_code == 0);
   CHECK(table.output.find("PUCK_EVENTS: 100000 events, 0.100 Mev/s, 1000 events lost") !=
         std::string::npos);
-  CHECK(table.output.find("all of it is fine") != std::string::npos);
+  CHECK(table.output.find("the log is valid") != std::string::npos);
 }
 
 TEST_CASE("verify finds nothing wrong with a whole log of every type") {
@@ -135,7 +135,7 @@ TEST_CASE("verify finds nothing wrong with a whole log of every type") {
   write_all_types(folder / "a.lcm");
   const Finished finished = puck_log({"verify", folder / "a.lcm"});
   CHECK(finished.exit_code == 0);
-  CHECK(finished.output == "27 messages: all of it is fine\n");
+  CHECK(finished.output == "27 messages: the log is valid\n");
 }
 
 TEST_CASE("a report that cannot be written is not said to be fine") {
@@ -169,7 +169,7 @@ TEST_CASE("verify names the byte of what is malformed, corrupt or cut off") {
   CHECK(lines[2].starts_with("byte " + std::to_string(offsets[26]) + ": "));
   CHECK(lines[2].ends_with("bytes are no message: the log ends within a message"));
   CHECK(lines[3].starts_with("25 messages: "));
-  CHECK(lines[3].ends_with("at 2 places are no message, 1 messages are malformed"));
+  CHECK(lines[3].ends_with("at 2 places belong to no message, 1 messages are malformed"));
 }
 
 TEST_CASE("verify tells what was sealed with a key that the logger did not have") {
@@ -204,7 +204,7 @@ TEST_CASE("repair makes a log that is fine from one that is not, and says what i
   CHECK(read_text(path) == before);
   const Finished verified = puck_log({"verify", folder / "b.lcm"});
   CHECK(verified.exit_code == 0);
-  CHECK(verified.output == "24 messages: all of it is fine\n");
+  CHECK(verified.output == "24 messages: the log is valid\n");
 
   const Finished again = puck_log({"repair", path, folder / "b.lcm"});
   CHECK(again.exit_code == 1);

@@ -347,7 +347,9 @@ TEST_CASE("a message of several datagrams is refused unless it is allowed") {
   CHECK(heard_generous == 200'000);
   CHECK(heard_strict == 0);
   REQUIRE_FALSE(strict.network_counters().foreign_traffic.empty());
-  CHECK(strict.network_counters().foreign_traffic[0].what == "fragments, which are refused");
+  CHECK(strict.network_counters().foreign_traffic[0].what ==
+        "message fragments (refused: "
+        "lcm.allow_fragments is false)");
 }
 
 TEST_CASE("lost packets and events are counted from what the packets say") {

@@ -99,8 +99,8 @@ TEST_CASE("what is missing, late, twice or malformed in a log is counted, and th
   // The last packet has the number that the one from before had taken.
   CHECK(log.counters().packets_late == 4);
   CHECK(log.counters().packets_malformed == 1);
-  CHECK(tells(log, "1 packets of events missing; with late ones, 20 events"));
-  CHECK(tells(log, "1 packets of events left out that are malformed"));
+  CHECK(tells(log, "1 packets of events missing; together with late packets, 20 events"));
+  CHECK(tells(log, "1 packets of events left out: malformed"));
 }
 
 TEST_CASE("a camera that was started again goes on from where it ended, as much later as it was") {

@@ -67,7 +67,7 @@ TEST_CASE("a malformed LCM URL is refused with one line that says what was expec
   CHECK(problem_with("udpm://:7667?recv_buf_size=1").find("recv_buf_size must be 2048") !=
         std::string::npos);
   CHECK(problem_with("udpm://:7667?tll=1") ==
-        "lcm.url \"udpm://:7667?tll=1\": unknown option \"tll\"; there are ttl and recv_buf_size");
+        "lcm.url \"udpm://:7667?tll=1\": unknown option \"tll\"; expected ttl or recv_buf_size");
   CHECK(problem_with("udpm://239.255.76.67:7667\n").find("the port must be") != std::string::npos);
 }
 

@@ -44,8 +44,10 @@ std::string opened(SealOpener& opener, const Bytes& message,
   return plain ? std::string(plain->begin(), plain->end()) : problem;
 }
 
-constexpr const char* kChanged = "is sealed with another key, or was changed";
-constexpr const char* kAgain = "was here before: somebody plays it back, or the network doubled it";
+constexpr const char* kChanged = "is sealed with a different key, or was modified on its way";
+constexpr const char* kAgain =
+    "was received before: it is a replay, or the network duplicated "
+    "it";
 
 }  // namespace
 

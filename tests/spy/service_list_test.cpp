@@ -23,7 +23,7 @@ TEST_CASE("a service is what it last said of itself") {
   service_status_t status = status_of("puck-tracker", "eye", 17);
   status.session = 7;
   status.state = service_status_t::STATE_DEGRADED;
-  status.state_text = "more events come than can be taken";
+  status.state_text = "overload: more events arrive than can be processed";
   status.counter_name = {"events_lost", "estimates"};
   status.counter_value = {3, 500};
   status.latency_name = {"packet_to_estimate"};
@@ -43,7 +43,7 @@ TEST_CASE("a service is what it last said of itself") {
   CHECK(row.pid == 17);
   CHECK(row.version == "0.1.0");
   CHECK(row.state == ServiceState::kDegraded);
-  CHECK(row.state_text == "more events come than can be taken");
+  CHECK(row.state_text == "overload: more events arrive than can be processed");
   CHECK(row.uptime_us == 5'000'000);
   CHECK(row.status_age_us == 298'000);
   CHECK_FALSE(row.silent);

@@ -112,7 +112,7 @@ TEST_CASE("a large screen shows all channels, all services and all columns") {
   for (const Channel channel : kAllChannels) CHECK(has(screen, std::string(base_name(channel))));
   for (const char* title :
        {"MSG/S", "EV/S", "RECVD", "LATE", "DUP", "BAD", "RUNS", "AGE", "FROM", "SERVICE", "STATE",
-        "UP", "PID", "HOST", "VERSION", "LAST WORDS", "us p50/p99/max", "COUNTERS"}) {
+        "UP", "PID", "HOST", "VERSION", "STATE TEXT", "us p50/p99/max", "COUNTERS"}) {
     CHECK_MESSAGE(has(screen, title), title);
   }
   CHECK(has(screen, "5 services"));
@@ -307,18 +307,18 @@ TEST_CASE("two publishers at once and a silent service are marked, and drawn as 
 TEST_CASE("while nothing comes it says so, and what it waits for") {
   SpyView view = view_on({});
   view.set_notice("no multicast route");
-  CHECK(has(view.draw({60, 15}), "nothing has come yet"));
+  CHECK(has(view.draw({60, 15}), "no message received yet"));
   CHECK(has(view.draw({60, 15}), "no multicast route"));
   view.press(SpyKey::kShow);
   view.press(SpyKey::kDown);
-  CHECK(has(view.draw({60, 15}), "nothing has come yet"));
+  CHECK(has(view.draw({60, 15}), "no message received yet"));
 }
 
 TEST_CASE("what comes without our key is shown where nothing else does") {
   SpyBench spy;
   spy.model.set_unauthenticated(Channel::kGame, 5, "is not sealed, from 10.9.8.2:40000", 1'000'000);
   SpyView view = view_on(spy.model.snapshot(1'000'000));
-  CHECK_FALSE(has(view.draw({160, 24}), "nothing has come yet"));
+  CHECK_FALSE(has(view.draw({160, 24}), "no message received yet"));
   CHECK(has(view.draw({160, 24}), "PUCK_GAME"));
   view.press(SpyKey::kShow);
   CHECK(has(view.draw({160, 24}), "is not sealed, from 10.9.8.2:40000"));
@@ -331,7 +331,7 @@ TEST_CASE("what others send at the port is counted in a line, and shown on a pag
                                       {"a fragment", {}, 1}};
   SpyView view = view_on(snapshot);
   for (const ScreenSize size : {ScreenSize{60, 15}, ScreenSize{80, 24}, ScreenSize{160, 50}}) {
-    CHECK(has(view.draw(size), "12 datagrams of others (o shows them)"));
+    CHECK(has(view.draw(size), "12 foreign datagrams (press o)"));
     CHECK(has(view.draw(size), "puck-camera"));
   }
   view.press(SpyKey::kOthers);
@@ -344,7 +344,7 @@ TEST_CASE("what others send at the port is counted in a line, and shown on a pag
 
   Snapshot silent;
   silent.network = snapshot.network;
-  CHECK(has(view_on(silent).draw({80, 24}), "12 datagrams of others"));
+  CHECK(has(view_on(silent).draw({80, 24}), "12 foreign datagrams"));
 }
 
 TEST_CASE("the first line counts the rows that are marked, for not all may be in sight") {

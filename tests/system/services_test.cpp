@@ -135,7 +135,7 @@ TEST_CASE("An arm whose log nobody reads plays, and comes to rest when SIGTERM e
     REQUIRE(game.until([&] { return game.is_stopping("puck-arm"); }));
     was_held_up = game.counter("puck-arm", "pauses") != pauses;
     if (was_held_up) continue;
-    CHECK(game.arm()->reason == "it ends");
+    CHECK(game.arm()->reason == "shutting down");
     // The joints follow the set-points, which rest.
     CHECK(std::abs(game.arm()->velocity_m_s) < 0.3);
   }

@@ -146,14 +146,15 @@ TEST_CASE("a second camera is named by host and pid, and the tracker keeps to th
   for (const char* other : {"puck-tracker", "puck-bridge", "puck-arm", "puck-logger"}) {
     CAPTURE(other);
     CHECK(game.until([&] {
-      return says(game, other, "there are two: puck-camera on ") && says(game, other, place);
+      return says(game, other, "two services of one kind: puck-camera on ") &&
+             says(game, other, place);
     }));
   }
   CHECK(game.until([&] { return game.counter("puck-tracker", "packets_of_others") > 50; }));
   CHECK(game.estimate()->events_session == first);
   second.send(SIGTERM);
   CHECK(second.wait_for(std::chrono::seconds(10)) == 0);
-  CHECK(game.until([&] { return !says(game, "puck-tracker", "there are two"); }));
+  CHECK(game.until([&] { return !says(game, "puck-tracker", "two services of one kind"); }));
   check_all_run(game);
 }
 

@@ -230,7 +230,7 @@ TEST_CASE(
   CHECK(counter(tracker, "packets_received") == 100);
   CAPTURE(log.str());
   CHECK(log.str().find("following events of session 4711,") != std::string::npos);
-  CHECK(log.str().find("a second publisher of events is not followed: session 4712, at ") !=
+  CHECK(log.str().find("ignores a second publisher of events: session 4712, at ") !=
         std::string::npos);
 }
 

@@ -38,64 +38,71 @@ void add_arm_options(CLI::App& command, ArmCommand& arm) {
   const auto add = [&](const char* name, double& value, const char* what) {
     command.add_option(name, value, what)->check(CLI::Range(1e-3, 1e9))->capture_default_str();
   };
-  add("--max-velocity", limits.velocity, "of every joint, deg/s; the file has one for each");
+  add("--max-velocity", limits.velocity,
+      "limit of every joint, deg/s; the output file has one value a joint");
   add("--max-acceleration", limits.acceleration, "deg/s^2");
   add("--max-jerk", limits.jerk, "deg/s^3");
   command
       .add_option("--margin", arm.fit.margin_deg,
-                  "a joint may go so far beyond what was measured, deg")
+                  "range of a joint beyond its measured angles, deg")
       ->check(CLI::Range(0.0, 90.0))
       ->capture_default_str();
-  command.add_option("--intervals", arm.fit.intervals, "of the spline; 0: chosen by the pairs")
+  command
+      .add_option("--intervals", arm.fit.intervals,
+                  "intervals of the spline; 0: chosen from the number of pairs")
       ->check(CLI::Range(0, 900));
-  command.add_option("--centre", arm.centre_m, "y of the pairs at the middle of the line, m")
+  command.add_option("--centre", arm.centre_m, "y in the pairs that is the middle of the line, m")
       ->check(CLI::Range(-10.0, 10.0));
-  command.add_flag("--mirror", arm.mirror, "y of the pairs grows to the other side");
-  command.add_option("--part", arm.part, "of the authors' table")
+  command.add_flag("--mirror", arm.mirror,
+                   "y in the pairs grows to the robot's right instead of its left");
+  command.add_option("--part", arm.part, "part of the robot to read from the authors' table")
       ->check(CLI::IsMember({"torso", "arm", "head"}))
       ->capture_default_str();
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Fits what must be known of a camera, its table and an arm.", "puck-calibrate");
+  CLI::App app("Calibrates a camera, a table and a robot arm from measurements.", "puck-calibrate");
   app.set_version_flag("--version", PUCK_VERSION);
   app.require_subcommand(1);
   std::filesystem::path input;
   std::filesystem::path output;
 
   SizeCommand size;
-  CLI::App* size_app = app.add_subcommand("size", "The puck's size as a function of where it is");
+  CLI::App* size_app =
+      app.add_subcommand("size", "Fits the puck's size as a function of its position in the image");
   size_app->add_option("annotations", input, "CSV: t_us,x,y,width,height")->required();
-  size_app->add_option("--width", size.sensor.width, "of the sensor, px: tells the coverage");
+  size_app->add_option("--width", size.sensor.width,
+                       "width of the sensor, px; needed to report the coverage");
   size_app->add_option("--height", size.sensor.height, "of the sensor, px");
 
   TableCommand table;
-  CLI::App* table_app = app.add_subcommand("table", "The homography from the image to the table");
+  CLI::App* table_app =
+      app.add_subcommand("table", "Fits the homography from the image to the table");
   table_app->add_option("correspondences", input, "CSV: x_px,y_px,x_m,y_m")->required();
   table_app
       ->add_option("--puck-height", table.puck_height_m,
-                   "m, where the places lie on the playing surface: the puck's thickness")
+                   "thickness of the puck, m, if the correspondences lie on the playing surface")
       ->check(CLI::Range(0.0, 0.1));
   table_app
       ->add_option("--width", table.sensor.width,
-                   "of the sensor, px: the optical axis meets its middle")
+                   "width of the sensor, px; its centre is taken as the principal point")
       ->check(CLI::Range(1, 10'000));
   table_app->add_option("--height", table.sensor.height, "of the sensor, px")
       ->check(CLI::Range(1, 10'000));
   table_app
       ->add_option("--principal-point", table.principal_point,
-                   "X,Y where the optical axis meets the sensor, if not in its middle, px")
+                   "X,Y of the principal point, px, if it is not the centre of the sensor")
       ->delimiter(',');
-  table_app->add_option("--focal", table.focal_px, "focal length, px; else it is fitted");
+  table_app->add_option("--focal", table.focal_px, "focal length, px; fitted if not given");
   table_app
       ->add_option("--pivot", table.pivot_m,
-                   "X,Y,Z where the head's axes meet, from the camera at home: right, down, "
-                   "forwards, m")
+                   "X,Y,Z of the point where the head's axes meet, m, in the frame of the "
+                   "camera at its home pose: right, down, forwards")
       ->delimiter(',');
 
   LagCommand lag;
   CLI::App* lag_app = app.add_subcommand(
-      "lag", "The sensor's lag, and how the puck's contour lies to its annotated size");
+      "lag", "Fits the sensor's lag and the offset of the event contour from the annotated size");
   lag_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3), text or YARP log")
       ->required();
   lag_app->add_option("--truth", lag.truth, "CSV: t_us,x,y,width,height[,visible]")->required();
@@ -105,13 +112,14 @@ int run(int argc, char** argv) {
 
   HotPixelsCommand hot;
   CLI::App* hot_app =
-      app.add_subcommand("hot-pixels", "A mask of the pixels that fire all the time");
+      app.add_subcommand("hot-pixels", "Finds hot pixels and writes a mask of them");
   hot_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3), text or YARP log")
       ->required();
   add_event_file_options(*hot_app, hot.file);
 
   ArmCommand arm;
-  CLI::App* arm_app = app.add_subcommand("arm", "The arm's joints along the robot's line");
+  CLI::App* arm_app =
+      app.add_subcommand("arm", "Fits the arm's joint angles along the robot's line");
   add_arm_options(*arm_app, arm);
   arm_app
       ->add_option("pairs", input,
@@ -120,11 +128,12 @@ int run(int argc, char** argv) {
       ->required();
 
   MotionCommand motion;
-  CLI::App* motion_app = app.add_subcommand("motion", "How the puck glides and bounces on a table");
+  CLI::App* motion_app =
+      app.add_subcommand("motion", "Fits the puck's damping and its bounces on a table");
   motion_app
       ->add_option("track", input,
-                   "log of a game; or, when it ends in .csv: t_us,x_m,y_m on the table, or "
-                   "t_us,x,y in the image")
+                   "log of a game; or a .csv file: t_us,x_m,y_m on the table, or t_us,x,y in "
+                   "the image")
       ->required();
   motion_app->add_option("--table", motion.table, "TOML made by puck-calibrate table")->required();
 

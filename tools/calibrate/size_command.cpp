@@ -17,7 +17,7 @@ void print_residuals(const char* model, const SizeResiduals& width, const SizeRe
 
 void print_disc(const DiscModel& disc) {
   if (!disc.has_perspective()) {
-    std::printf("the sizes grow too little towards the camera to tell how it is tilted\n");
+    std::printf("the sizes grow too little towards the camera to estimate its tilt\n");
     return;
   }
   std::printf(
@@ -31,7 +31,7 @@ void print_coverage(const SizeCalibration& calibration, SensorSize sensor) {
   const Pixel to = calibration.to;
   std::printf("centres lie in x %.0f to %.0f, y %.0f to %.0f", from.x, to.x, from.y, to.y);
   if (sensor == SensorSize{}) {
-    std::printf(" (give --width and --height to hear how much of the image that is)\n");
+    std::printf(" (give --width and --height for the share of the image)\n");
   } else {
     std::printf(": %.0f %% of the image's width, %.0f %% of its height\n",
                 100 * (to.x - from.x) / sensor.width, 100 * (to.y - from.y) / sensor.height);
@@ -47,8 +47,8 @@ void print(const SizeCalibration& calibration, std::size_t rows, SensorSize sens
   for (const SizeOutlier& outlier : calibration.outliers) {
     const Annotation& a = outlier.annotation;
     std::printf(
-        "  row %zu (t %lld us, at %.1f, %.1f): %.1f x %.1f px, where the others imply "
-        "%.1f x %.1f\n",
+        "  row %zu (t %lld us, at %.1f, %.1f): %.1f x %.1f px; the other rows imply %.1f x "
+        "%.1f\n",
         outlier.row, static_cast<long long>(a.time.us), a.centre.x, a.centre.y, a.size.width,
         a.size.height, outlier.expected.width, outlier.expected.height);
   }

@@ -13,8 +13,9 @@ Findings without_key(const Facts& facts) {
   if (sealed == 0) return {{Verdict::kOk, kKey, "no key is set, and nothing is sealed with one"}};
   return {{Verdict::kWrong, kKey,
            std::to_string(sealed) +
-               " messages are sealed with a key; a service without it hears none of them and is "
-               "heard by nobody. Give it the file that the others have",
+               " messages are sealed with a key, and none is set here. Without the key a "
+               "service can neither receive nor be received. Copy the key file of the other "
+               "services",
            key_option("FILE")}};
 }
 

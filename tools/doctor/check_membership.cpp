@@ -41,7 +41,7 @@ Findings check_membership(const Facts& facts) {
     }
   }
   if (facts.sockets_at_port == 0) {
-    return {{Verdict::kOk, kMembership, "nobody else on this host listens at the port"}};
+    return {{Verdict::kOk, kMembership, "no other program on this host listens on the port"}};
   }
   // The kernel counts those who joined on whatever port, so that fewer than listen at ours is
   // certain to be too few, and more says nothing.
@@ -49,7 +49,7 @@ Findings check_membership(const Facts& facts) {
                              " sockets listen at the port, " + std::to_string(here) +
                              " joined the group on " + interface->name;
   if (here >= facts.sockets_at_port) return {{Verdict::kOk, kMembership, counts}};
-  const std::string mend_text = "; what stays deaf must be started again: " + names_of(facts);
+  const std::string mend_text = "; restart the programs that stay deaf: " + names_of(facts);
   if (!elsewhere.empty()) {
     return {{Verdict::kWrong, kMembership, counts + " and others on " + elsewhere + mend_text,
              end_all(facts)}};

@@ -61,7 +61,8 @@ void add_strangers(const Facts& facts, Findings& findings) {
     if (sender.broken > 0) {
       findings.push_back({Verdict::kWrong, kSenders,
                           name + " sent " + std::to_string(sender.broken) +
-                              " broken datagrams, such as can crash what uses liblcm; the last " +
+                              " broken datagrams, which can crash programs that use liblcm; "
+                              "the last " +
                               sender.last_broken,
                           keep_out(facts, source)});
     }

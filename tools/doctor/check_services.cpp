@@ -35,14 +35,15 @@ Findings silence(const Facts& facts) {
       others += (others.empty() ? "" : ", ") + (prefix.empty() ? "none" : prefix);
     }
     return {{Verdict::kWrong, kServices,
-             "no service speaks " + under + ", but some do under other prefixes: " + others,
+             "no STATUS of any service " + under +
+                 ", but there are services under other prefixes: " + others,
              "--prefix \"" + *prefixes.begin() + "\""}};
   }
-  return {
-      {Verdict::kNote, kServices,
-       "no service speaks " + under + ". If some run on other hosts, ask there with the same bus",
-       std::string(kDoctorName) + " " + lcm_url_option(facts.url) +
-           (facts.prefix.empty() ? "" : " --prefix " + facts.prefix)}};
+  return {{Verdict::kNote, kServices,
+           "no STATUS of any service " + under +
+               ". If services run on other hosts, run the doctor there with the same bus",
+           std::string(kDoctorName) + " " + lcm_url_option(facts.url) +
+               (facts.prefix.empty() ? "" : " --prefix " + facts.prefix)}};
 }
 
 /// The one that came later is the one too many.
@@ -66,8 +67,8 @@ Findings check_services(const Facts& facts) {
     const auto [known, is_new] = by_name.emplace(service->status.service, service);
     if (is_new) continue;
     findings.push_back({Verdict::kWrong, kServices,
-                        "two of a kind under one prefix: " + service->status.service + " on " +
-                            known->second->status.host + " (pid " +
+                        "two services of one kind under one prefix: " + service->status.service +
+                            " on " + known->second->status.host + " (pid " +
                             std::to_string(known->second->status.pid) + ") and on " +
                             service->status.host + " (pid " + std::to_string(service->status.pid) +
                             "); stop one, or give it a --prefix of its own",

@@ -19,7 +19,8 @@ Findings check_versions(const Facts& facts) {
   }
   if (findings.empty()) {
     findings.push_back({Verdict::kOk, kVersions,
-                        services.empty() ? "no service speaks, so there is nothing to compare"
+                        services.empty() ? "no service sends STATUS, so there is no version to "
+                                           "compare"
                                          : "all are version " + facts.version});
   }
   return findings;

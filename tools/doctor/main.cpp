@@ -15,21 +15,22 @@ namespace {
 constexpr int kUsageError = 2;
 
 void add_options(CLI::App& app, puck::DoctorOptions& options) {
-  app.add_option("--lcm-url", options.lcm_url, "The bus, as LCM writes it; the setting lcm.url")
+  app.add_option("--lcm-url", options.lcm_url, "LCM URL of the bus; overrides the setting lcm.url")
       ->type_name("URL");
   app.add_option("--prefix", options.prefix,
-                 "P makes every channel P_PUCK_...; the setting lcm.prefix")
+                 "Channel prefix: every channel is called P_PUCK_...; overrides lcm.prefix")
       ->type_name("P");
   app.add_option("--config", options.config_file,
-                 "Settings of a service, TOML: [lcm] and camera.packet_bytes count")
+                 "TOML file of a service; its [lcm] section and camera.packet_bytes are used")
       ->type_name("FILE");
-  app.add_option("--set", options.settings, "One of these settings; may be repeated")
+  app.add_option("--set", options.settings,
+                 "One setting of these; overrides the file; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--seconds", options.seconds, "How long to listen")
+  app.add_option("--seconds", options.seconds, "Time to listen, s")
       ->check(puck::number_range(0.2, 3600))
       ->capture_default_str();
-  app.add_flag("--json", options.json, "For scripts");
+  app.add_flag("--json", options.json, "Print JSON for scripts");
   app.set_version_flag("--version", std::string(puck::kDoctorName) + " " + PUCK_VERSION);
 }
 
@@ -37,9 +38,9 @@ void add_options(CLI::App& app, puck::DoctorOptions& options) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Says why nothing arrives: looks at this host's network, listens on the bus, and for what is "
-      "wrong says the command that mends it. Exit code 0: nothing is wrong, 1: something is, "
-      "2: usage, or no report could be made.",
+      "Finds out why messages do not arrive: checks this host's network, listens on the bus, "
+      "and prints a command that mends each fault. Exit code 0: no fault, 1: at least one "
+      "fault, 2: usage, or no report could be made.",
       puck::kDoctorName);
   puck::DoctorOptions options;
   add_options(app, options);

@@ -42,11 +42,11 @@ std::string for_terminal(std::string_view text) {
 }
 
 std::string in_words(const LogTally& tally) {
-  if (tally.is_fine()) return "all of it is fine";
+  if (tally.is_fine()) return "the log is valid";
   std::string text;
   if (tally.damaged_places > 0) {
     text = std::to_string(tally.damaged_bytes) + " bytes at " +
-           std::to_string(tally.damaged_places) + " places are no message";
+           std::to_string(tally.damaged_places) + " places belong to no message";
   }
   if (tally.malformed > 0) {
     if (!text.empty()) text += ", ";

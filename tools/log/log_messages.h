@@ -39,7 +39,7 @@ LogTally read_log(const std::filesystem::path& path,
 /// For a terminal: whatever is not printable becomes a question mark.
 std::string for_terminal(std::string_view text);
 
-/// `3 places, 120 bytes, are damaged; …` or `all of it is fine`.
+/// `3 places, 120 bytes, are damaged; …` or `the log is valid`.
 std::string in_words(const LogTally& tally);
 
 }  // namespace puck

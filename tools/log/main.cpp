@@ -15,8 +15,8 @@ namespace {
 
 int run(int argc, char** argv) {
   CLI::App app(
-      "Looks into logs of LCM, of any size. Exit codes: 0 the log is fine, 1 something is wrong "
-      "with it or with a file, 2 usage.",
+      "Examines, exports and repairs LCM logs of any size. Exit code 0: the log is valid, 1: "
+      "the log is damaged or a file cannot be used, 2: usage.",
       "puck-log");
   app.set_version_flag("--version", PUCK_VERSION);
   app.require_subcommand(1);
@@ -26,25 +26,28 @@ int run(int argc, char** argv) {
   ExportOptions exported;
 
   CLI::App* info = app.add_subcommand(
-      "info", "What is in a log: channels, rates, gaps, sessions, losses, events");
-  info->add_flag("--json", as_json, "For scripts");
-  CLI::App* verify = app.add_subcommand(
-      "verify", "Checks every message as a receiver does; says what is wrong, and at which byte");
+      "info", "Lists the channels of a log: rates, gaps, sessions, losses, events");
+  info->add_flag("--json", as_json, "Print JSON for scripts");
+  CLI::App* verify =
+      app.add_subcommand("verify",
+                         "Checks every message as a receiver does; names each defect and its byte "
+                         "position");
   CLI::App* export_app = app.add_subcommand(
-      "export", "CSV, a line a message: every channel into a folder, or one to stdout");
+      "export", "Writes CSV, one line a message: all channels into a folder, or one to stdout");
   export_app->add_option("--output", exported.folder,
-                         "Folder for a CHANNEL.csv each; made if need be (default: game-csv beside "
-                         "game.lcm)");
+                         "Folder for CHANNEL.csv files, created if missing (default: game-csv "
+                         "beside game.lcm)");
   export_app->add_option("--channel", exported.channel,
-                         "Only this one, as PUCK_ESTIMATE; to stdout without --output");
+                         "Export this channel only, for example PUCK_ESTIMATE; to stdout "
+                         "without --output");
   CLI::App* repair = app.add_subcommand(
       "repair",
-      "Copies all whole messages into a new log and says what it left out, and where. "
-      "Exit code 0 when the new log is fine");
+      "Copies all whole messages into a new log and lists what it left out, with byte "
+      "positions. Exit code 0: the new log is valid");
   for (CLI::App* command : {info, verify, export_app, repair}) {
-    command->add_option("log", log, "Log of LCM")->required();
+    command->add_option("log", log, "LCM log")->required();
   }
-  repair->add_option("output", output, "The new log; must not exist")->required();
+  repair->add_option("output", output, "The new log; the file must not exist yet")->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -38,17 +38,19 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", PUCK_VERSION);
   app.add_option(
       "--output", settings.output,
-      "BASE: writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv, BASE.toml");
+      "base name: writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv, BASE.toml");
   app.add_option("--sensor-checks", settings.sensor_checks,
-                 "DIR: measures the scene's sensor as a real one would be, and writes plots");
-  app.add_option("--scene", settings.scene, "TOML with the scene; see config/scene.toml");
+                 "folder: measures the simulated sensor as one measures a real sensor, and "
+                 "writes plots there");
+  app.add_option("--scene", settings.scene,
+                 "TOML file of the scene; config/scene.toml has every key");
   app.add_option("--seed", settings.seed, "The same seed gives the same game and events")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000}));
   app.add_option("--seconds", settings.seconds, "Length of the recording")
       ->check(number_range(0.001, 3600))
       ->capture_default_str();
-  app.add_flag("--moving", settings.moving, "The camera turns, as on a robot that plays");
-  app.add_option("--format", settings.format, "Of the events")
+  app.add_flag("--moving", settings.moving, "The camera's head turns, as on a robot that plays");
+  app.add_option("--format", settings.format, "Format of the event file")
       ->check(CLI::IsMember({"evt3", "text"}))
       ->capture_default_str();
   try {

@@ -123,7 +123,7 @@ Screen service_details(const ServiceRow& service, std::size_t width) {
   add_field(who, "version", service.version, width);
   add_field(who, "session", std::to_string(service.session), width);
   add_field(who, "state", state_of(service), width);
-  add_field(who, "last words", service.state_text, width);
+  add_field(who, "state text", service.state_text, width);
   add(screen, who);
   if (!service.latencies.empty()) add_latencies(screen, service, width);
   if (service.counters.empty()) return screen;

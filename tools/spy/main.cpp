@@ -72,8 +72,8 @@ std::string reason_of(const Heard& heard) {
   const TransportCounters& network = heard.snapshot.network;
   if (network.foreign_traffic.empty()) return {};
   const ForeignTraffic& first = network.foreign_traffic.front();
-  return "; but " + std::to_string(network.foreign) +
-         " datagrams that are not for us: " + first.what + " from " + to_string(first.sender);
+  return "; but " + std::to_string(network.foreign) + " foreign datagrams: " + first.what +
+         " from " + to_string(first.sender);
 }
 
 int report_once(const Options& options, const BusParams& params, StopSignal& stop) {
@@ -85,32 +85,36 @@ int report_once(const Options& options, const BusParams& params, StopSignal& sto
   }
   flush_stdout();
   if (heard.snapshot.messages > 0) return 0;
-  std::fprintf(stderr, "puck-spy: nothing was heard on %s%s\n", params.url.c_str(),
+  std::fprintf(stderr, "puck-spy: no message was received on %s%s\n", params.url.c_str(),
                reason_of(heard).c_str());
   return 1;
 }
 
 int run(int argc, char** argv) {
   Options options;
-  CLI::App app("Shows every channel and every service on the bus. Keys: h.", "puck-spy");
+  CLI::App app("Shows every channel and every service on the bus. Press h for the keys.",
+               "puck-spy");
   app.set_version_flag("--version", PUCK_VERSION);
-  app.add_option("--lcm-url", options.lcm_url, "The bus, as LCM writes it; the setting lcm.url")
+  app.add_option("--lcm-url", options.lcm_url, "LCM URL of the bus; overrides the setting lcm.url")
       ->type_name("URL");
-  app.add_option("--prefix", options.prefix, "P listens to P_PUCK_... only; the setting lcm.prefix")
+  app.add_option("--prefix", options.prefix,
+                 "Channel prefix: shows P_PUCK_... only; overrides lcm.prefix")
       ->type_name("P");
   app.add_option("--config", options.config_file,
-                 "The [lcm] settings of any service's TOML file; the rest of it is not heeded")
+                 "TOML file of any service; only its [lcm] section is used")
       ->type_name("FILE");
-  app.add_option("--set", options.settings, "One of these settings; may be repeated")
+  app.add_option("--set", options.settings,
+                 "One setting of these; overrides the file; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  CLI::Option* once = app.add_flag(
-      "--once", options.once, "Listen for a while and print it; exit code 1: nothing was heard");
-  app.add_option("--seconds", options.seconds, "How long to listen with --once")
+  CLI::Option* once =
+      app.add_flag("--once", options.once,
+                   "Listen, print one report and exit; exit code 1: no message was received");
+  app.add_option("--seconds", options.seconds, "Time to listen with --once, s")
       ->check(number_range(0.1, 86'400))
       ->capture_default_str()
       ->needs(once);
-  app.add_flag("--json", options.json, "With --once: print JSON")->needs(once);
+  app.add_flag("--json", options.json, "Print JSON instead of tables")->needs(once);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -13,14 +13,14 @@ Screen help_page() {
   // No longer than the smallest screen is wide, nor more than a usual one is high.
   for (const char* line : {
            "up, down, k, j  select a row; page keys, home, end",
-           "enter           show it, the newest message decoded",
+           "enter           show the row: its newest message, decoded",
            "esc             back",
            "s, r            sort by the next column; reverse",
            "p, space        pause what is shown; goes on listening",
-           "o               others at this group and port",
+           "o               foreign traffic on this group and port",
            "h, q            this page; quit",
            "",
-           "CHANNELS        counts of all time, rates of the last second",
+           "CHANNELS        counts since the start, rates of the last second",
            "MSG/S, B/S      messages and bytes, valid or not",
            "EV/S            events in PUCK_EVENTS",
            "RECVD           valid messages",
@@ -28,7 +28,7 @@ Screen help_page() {
            "BAD             malformed, too large or without our key",
            "RUNS            runs of publishers that were heard",
            "AGE             since the newest message",
-           "AT ONCE         several publish where one should",
+           "AT ONCE         several publishers where one is expected",
            "SERVICES        from PUCK_STATUS",
            "AGE             since the last; silent after 0.5 s",
            "us p50/p99/max  latencies, microseconds",
@@ -50,21 +50,20 @@ Screen others_page(const Snapshot& snapshot, std::size_t width) {
   const auto add = [&](const char* what, std::int64_t count) {
     screen.push_back({std::string(what) + ": " + std::to_string(count)});
   };
-  add("datagrams of others in all", network.foreign);
-  add("for us, but no messages", network.malformed);
-  add("without our key on channels that are none of ours", snapshot.unknown_unauthenticated);
-  add("came back to a network that had gone", network.rejoined);
+  add("foreign datagrams, total", network.foreign);
+  add("malformed datagrams on PUCK channels", network.malformed);
+  add("without our key on unknown PUCK channels", snapshot.unknown_unauthenticated);
+  add("times the network came back", network.rejoined);
   return screen;
 }
 
 ScreenLine others_line(const TransportCounters& network) {
-  return {short_count(network.foreign) + " datagrams of others (o shows them)",
-          LineStyle::kWarning};
+  return {short_count(network.foreign) + " foreign datagrams (press o)", LineStyle::kWarning};
 }
 
 Screen silence_page(const std::string& waiting_for, const TransportCounters& network,
                     std::size_t width) {
-  std::vector<std::string> lines{"", "nothing has come yet; puck-doctor says why"};
+  std::vector<std::string> lines{"", "no message received yet; puck-doctor finds the cause"};
   if (!waiting_for.empty()) add_field(lines, "waiting", waiting_for, width);
   Screen screen;
   for (std::string& line : lines) screen.push_back({std::move(line), LineStyle::kWarning});

@@ -154,7 +154,7 @@ std::vector<std::string> foreign_table(const std::vector<ForeignTraffic>& foreig
   using Row = ForeignTraffic;
   return lay_out(
       {
-          make({"OTHERS AT THIS PORT", false, 0, 30}, [](const Row& row) { return row.what; }),
+          make({"FOREIGN TRAFFIC", false, 0, 30}, [](const Row& row) { return row.what; }),
           make({"DATAGRAMS", true, 2, 9},
                [](const Row& row) { return short_count(row.datagrams); }),
           make({"FROM", false, 1, 16}, [](const Row& row) { return to_string(row.sender); }),
@@ -176,7 +176,7 @@ std::vector<std::string> service_table(const std::vector<ServiceRow>& services, 
           make({"PID", true, 6, 7}, [](const Row& row) { return std::to_string(row.pid); }),
           make({"HOST", false, 7, 8}, [](const Row& row) { return row.host; }),
           make({"VERSION", false, 9, 7}, [](const Row& row) { return row.version; }),
-          make({"LAST WORDS", false, 3, 10}, [](const Row& row) { return row.state_text; }),
+          make({"STATE TEXT", false, 3, 10}, [](const Row& row) { return row.state_text; }),
           make({"us p50/p99/max", false, 4, 18}, latencies_of),
           make({"COUNTERS", false, 8, 20}, counters_of),
       },

@@ -18,7 +18,7 @@ struct BenchFigures {
   std::optional<double> find(const std::string& key) const;
 };
 
-/// The keys that follow from the benchmarks' names; tests/bench/README.md lists the rules.
+/// The keys that follow from the benchmarks' names; docs/speed.md lists the rules.
 BenchFigures figures_of(const BenchmarkOutput& output);
 
 /// Adds the keys of a flat JSON object, such as puck-bench-live writes; null is nothing. Throws
