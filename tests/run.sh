@@ -1,100 +1,144 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs the tests.
+# Installs missing packages, builds, and runs the tests.
 #
-#   tests/run.sh [unit|system|containers|all]
+#   tests/run.sh [unit|system|containers|deep|all]
 #
-# unit: every library and service, optimised; again under AddressSanitizer with
-# UndefinedBehaviorSanitizer; those that run threads under ThreadSanitizer; and a minute of fuzzing.
-# system: the real programs together, over LCM on this machine. containers: the services as machines,
-# where there is Docker. all, the default: everything.
+# Default: unit and system in one optimised build; at most 10 minutes on two cores, from nothing.
+# unit        every library and service
+# system      the real programs together, over LCM on this machine
+# containers  the services in a container each; needs Docker
+# deep        what takes longer: long games and benchmarks, AddressSanitizer with
+#             UndefinedBehaviorSanitizer, ThreadSanitizer, a minute of fuzzing, containers
+# all         the default and deep
+#
+# Prints a line a suite and a table of times; exits with 1 when a suite failed.
 set -euo pipefail
 CDPATH='' cd "$(dirname "$0")/.."
 
-what=${1:-all}
+what=${1:-default}
 case "$what" in
-  unit | system | containers | all) ;;
-  *)
-    echo "usage: tests/run.sh [unit|system|containers|all]" >&2
-    exit 2
-    ;;
+  default | unit | system | containers | deep | all) ;;
+  *) what= ;;
 esac
-jobs=$(nproc)
-
-wants() { # PART
-  [ "$what" = "$1" ] || [ "$what" = all ]
+if [ -z "$what" ] || [ $# -gt 1 ]; then
+  echo "usage: tests/run.sh [unit|system|containers|deep|all]" >&2
+  exit 2
+fi
+wants() { # PART...: whether the command line asks for one of them
+  [[ " $* " = *" $what "* ]]
 }
 
-build() { # PRESET [TARGET...]
+if wants containers && ! docker info >/dev/null 2>&1; then
+  echo "tests/run.sh: no Docker daemon answers; install docker.io and start it, or leave out 'containers'" >&2
+  exit 1
+fi
+tools/install-deps.sh
+mkdir -p build 2>/dev/null || {
+  echo "tests/run.sh: cannot make $PWD/build; check its permissions and the space on the disk" >&2
+  exit 1
+}
+needed_mb=700
+if wants deep all; then needed_mb=4000; fi
+free_mb=$(df -Pm build | awk 'NR == 2 { print $4 }')
+[ "$free_mb" -ge "$needed_mb" ] || {
+  echo "tests/run.sh: $free_mb MB are free in $PWD/build, and $needed_mb are needed; free some" >&2
+  exit 1
+}
+
+jobs=$(nproc)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
+failed=0
+
+# A step of the run: tells its name, result and time, and keeps the line for the table.
+step() { # NAME COMMAND...
+  local name=$1 begin=$EPOCHREALTIME code=0 seconds
+  shift
+  "$@" || code=$?
+  seconds=$(awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')
+  printf '%8s s  %s%s\n' "$seconds" "$name" "$([ $code = 0 ] || echo ', FAILED')" >>"$work/times"
+  [ "$code" = 0 ] || failed=1
+  return "$code"
+}
+
+# Ninja's lines, as one that moves in a terminal, else ten in all; and what the compilers say.
+progress() { # NAME
+  awk -v name="$1" -v terminal="$([ -t 1 ] && echo 1)" '
+    match($0, /^\[[0-9]+\/[0-9]+\]/) {
+      split(substr($0, 2, RLENGTH - 2), n, "/")
+      if (terminal) printf "\rbuilding %s: %d of %d ", name, n[1], n[2]
+      else if (int(10 * n[1] / n[2]) > told || n[1] == 1) printf "building %s: %d of %d\n", name, n[1], n[2]
+      told = int(10 * n[1] / n[2])
+      fflush(); next
+    }
+    { print }
+    END { if (terminal) print "" }'
+}
+
+build() { # PRESET TARGET...
   local preset=$1
   shift
-  echo "== building $preset"
-  cmake --preset "$preset" >/dev/null
-  cmake --build --preset "$preset" -j "$jobs" ${1:+--target "$@"} -- --quiet
+  step "build $preset" build_targets "$preset" "$@" || {
+    echo "tests/run.sh: the build of $preset failed" >&2
+    exit 1
+  }
 }
-
-run() { # PRESET LABEL
-  echo "== testing $1: $2"
-  ctest --preset "$1" -L "^$2\$" -j "$jobs" --progress
-}
-
-# The containers' base image waits for network and disk more than for a processor, so it is made
-# beside the builds. As for tests/containers/run.sh: one that was not there before is not there
-# afterwards.
-base=$(docker/base-image.sh --name)
-base_log=build/base-image.log
-base_maker=
-begin_base_image() {
-  if docker image inspect "$base" >/dev/null 2>&1; then return; fi
-  mkdir -p "$(dirname "$base_log")"
-  trap remove_base_image EXIT
-  trap 'exit 130' INT
-  trap 'exit 143' TERM
-  # A process group of its own, to be ended as a whole.
-  setsid nice docker/base-image.sh >"$base_log" 2>&1 &
-  base_maker=$!
-}
-await_base_image() {
-  [ -n "$base_maker" ] || return 0
-  # What did not work beside the builds, tests/containers/run.sh tries again.
-  wait "$base_maker" || true
-  base_maker=
-  cat "$base_log"
-}
-remove_base_image() {
-  if [ -n "$base_maker" ]; then
-    kill -- "-$base_maker" 2>/dev/null || true
-    wait "$base_maker" || true
+build_targets() { # PRESET TARGET...
+  local preset=$1
+  shift
+  if ! cmake --preset "$preset" >"$work/cmake" 2>&1; then
+    cat "$work/cmake" >&2
+    return 1
   fi
-  docker image rm "$base" >/dev/null 2>&1 || true
+  cmake --build --preset "$preset" -j "$jobs" --target "$@" | progress "$preset"
 }
 
-tools/install-deps.sh
+# A line a suite while they run; what a failed one printed comes with it.
+suites() { # PRESET LABEL
+  local preset=$1 label=$2 code=0
+  echo "testing $preset, $label"
+  ctest --preset "$preset" -L "^$label\$" -j "$jobs" --output-junit "$work/junit.xml" |
+    sed -nE -e 's/^ *([0-9]+\/[0-9]+) +Test +#[0-9]+: +(\S+) [ .]*(\**)(Passed|Failed|Timeout|\S.*\S) +([0-9.]+) sec.*/\1 \2 \4 \5 s/p' \
+      -e t -e '/^ +Start |^Test project|^Label Time|^$|^(unit|system|deep|threads) +=/d' -e p || code=1
+  sed -nE 's/.*<testcase name="([^"]*)".* time="([^"]*)" status="([^"]*)".*/\2 \1 \3/p' "$work/junit.xml" |
+    while read -r seconds name status; do
+      [ "$preset" = release ] || name="$name, $preset"
+      printf '%8.1f s  %s%s\n' "$seconds" "$name" "$([ "$status" = run ] || echo ', FAILED')"
+    done | sort -rn >>"$work/times"
+  [ "$code" = 0 ] || failed=1
+}
 
-containers=false
-if wants containers; then
-  if docker info >/dev/null 2>&1; then
-    containers=true
-    begin_base_image
-  fi
-fi
-
-build release
-if wants unit; then
-  run release unit
+release_targets=()
+if wants default all unit; then release_targets+=(puck_unit_tests); fi
+if wants default all system; then release_targets+=(puck_system_tests); fi
+if wants all deep; then release_targets+=(puck_deep_tests); fi
+if wants all deep containers; then release_targets+=(puck_programs puck-container-verdict puck-intruder); fi
+build release "${release_targets[@]}"
+if wants default all unit; then suites release unit; fi
+if wants default all system; then suites release system; fi
+if wants all deep; then
+  suites release deep
   build asan puck_unit_tests puck_fuzzers
-  run asan unit
+  suites asan unit
   build tsan puck_thread_tests
-  run tsan threads
-  echo "== fuzzing"
-  tests/fuzz/run.sh
+  suites tsan threads
+  step fuzzing tests/fuzz/run.sh || true
 fi
-if wants system; then
-  run release system
+if wants all deep containers; then
+  if docker info >/dev/null 2>&1; then
+    step containers tests/containers/run.sh || true
+  else
+    echo "containers: skipped, no Docker daemon answers"
+  fi
 fi
-if $containers; then
-  echo "== testing containers"
-  await_base_image
-  tests/containers/run.sh
-elif wants containers; then
-  echo "== containers: skipped, as there is no Docker that runs here"
+
+echo
+cat "$work/times"
+printf '%8d s  in all\n' "$SECONDS"
+if [ "$failed" != 0 ]; then
+  echo "tests/run.sh: FAILED: $(sed -n 's/^.* s  \(.*\), FAILED$/\1/p' "$work/times" | paste -sd, | sed 's/,/, /g')" >&2
+  exit 1
 fi
+echo "all passed"

@@ -15,7 +15,7 @@
 namespace puck {
 namespace {
 
-using Points = Eigen::Matrix2Xd;
+using PointColumns = Eigen::Matrix2Xd;
 using Elements = Eigen::VectorXd;  // Eight; the ninth element is 1.
 
 constexpr std::size_t kMinCorrespondences = 4;
@@ -24,14 +24,14 @@ constexpr std::size_t kMinCorrespondences = 4;
 constexpr double kMinConditioning = 1e-3;
 
 struct Normalised {
-  Points points;
+  PointColumns points;
   Eigen::Matrix3d transform;  // normalised from original
 };
 
 // Moves the centroid to the origin and the mean distance from it to √2.
-Normalised normalised(const Points& points, const char* what) {
+Normalised normalised(const PointColumns& points, const char* what) {
   const Eigen::Vector2d mean = points.rowwise().mean();
-  const Points centred = points.colwise() - mean;
+  const PointColumns centred = points.colwise() - mean;
   const double distance = centred.colwise().norm().mean();
   if (!(distance > 0)) {
     throw std::invalid_argument(std::string("all ") + what + " points are the same");
@@ -43,7 +43,7 @@ Normalised normalised(const Points& points, const char* what) {
 }
 
 // The matrix whose null vector is the homography that carries `from` to `to`.
-Eigen::MatrixXd linear_system(const Points& from, const Points& to) {
+Eigen::MatrixXd linear_system(const PointColumns& from, const PointColumns& to) {
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(2 * from.cols(), 9);
   for (Eigen::Index i = 0; i < from.cols(); ++i) {
     const Eigen::RowVector3d p = from.col(i).homogeneous().transpose();
@@ -53,7 +53,7 @@ Eigen::MatrixXd linear_system(const Points& from, const Points& to) {
   return system;
 }
 
-Eigen::Matrix3d direct_linear_transform(const Points& from, const Points& to) {
+Eigen::Matrix3d direct_linear_transform(const PointColumns& from, const PointColumns& to) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(linear_system(from, to), Eigen::ComputeFullV);
   const auto& values = svd.singularValues();
   if (values(7) < kMinConditioning * values(0)) {
@@ -74,14 +74,14 @@ Eigen::Matrix3d to_matrix(const Elements& p) {
 }
 
 // Smallest squared distances between `to` and the carried `from`.
-Eigen::Matrix3d refined(const Eigen::Matrix3d& start, const Points& from, const Points& to) {
+Eigen::Matrix3d refined(const Eigen::Matrix3d& start, const PointColumns& from, const PointColumns& to) {
   const Eigen::Matrix3d scaled = start / start(2, 2);
   Elements parameters(8);
   parameters << scaled(0, 0), scaled(0, 1), scaled(0, 2), scaled(1, 0), scaled(1, 1), scaled(1, 2),
       scaled(2, 0), scaled(2, 1);
   return to_matrix(least_squares(
       parameters, to.size(), [&](const Eigen::VectorXd& p, Eigen::VectorXd& residuals) {
-        const Points carried =
+        const PointColumns carried =
             (to_matrix(p) * from.colwise().homogeneous()).colwise().hnormalized();
         residuals = (carried - to).reshaped();
       }));
@@ -128,8 +128,8 @@ HomographyFit fit_homography(std::span<const Correspondence> correspondences) {
                                 " correspondences, got " + std::to_string(correspondences.size()));
   }
   const auto count = static_cast<Eigen::Index>(correspondences.size());
-  Points image(2, count);
-  Points table(2, count);
+  PointColumns image(2, count);
+  PointColumns table(2, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Correspondence& c = correspondences[static_cast<std::size_t>(i)];
     image.col(i) << c.image.x, c.image.y;

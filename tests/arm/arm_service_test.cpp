@@ -22,6 +22,7 @@
 #include "tests/support/status_counter.h"
 #include "tests/support/test_url.h"
 #include "tests/support/thread_wake_ups.h"
+#include "tests/support/wait_until.h"
 
 namespace puck {
 namespace {
@@ -160,7 +161,7 @@ TEST_CASE("In a flood the arm handles messages between its steps, too, but rests
   puck_estimate_t estimate{};
   for (int i = 0; i < 20'000; ++i) bench.bus.publish(estimate);
   all_sent = true;
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  wait_until([&] { return tally.messages > 2'000; });
   bench.stop();
   StatusReport report;
   bench.service->report(report);

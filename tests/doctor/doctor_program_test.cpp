@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -14,6 +13,7 @@
 #include "tests/support/environment.h"
 #include "tests/support/network_namespace.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace puck {
 namespace {
@@ -72,10 +72,7 @@ bool shell(const std::string& command) { return std::system(command.c_str()) == 
 
 /// The kernel takes up to a second to notice that a cable was pulled or plugged in.
 void await_link(bool is_up) {
-  for (int i = 0; i < 300; ++i) {
-    if (shell("ip link show cable | grep -q 'state UP'") == is_up) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  REQUIRE(wait_until([&] { return shell("ip link show cable | grep -q 'state UP'") == is_up; }));
 }
 
 /// A cable to another machine, 10.9.8.1 to 10.9.8.2, but no route for the group yet.

@@ -15,6 +15,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_url.h"
 #include "tests/support/thread_wake_ups.h"
+#include "tests/support/wait_until.h"
 
 namespace puck {
 namespace {
@@ -67,12 +68,6 @@ std::map<std::string, int> channels_in(const std::filesystem::path& path) {
   while (reader.next(record)) ++channels[record.channel];
   CHECK_FALSE(reader.damage().has_value());
   return channels;
-}
-
-template <typename Done>
-void wait_until(const Done& done) {
-  const auto end = Clock::now() + std::chrono::seconds(10);
-  while (!done() && Clock::now() < end) std::this_thread::sleep_for(milliseconds(10));
 }
 
 }  // namespace

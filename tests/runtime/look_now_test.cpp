@@ -8,6 +8,7 @@
 #include "common/runtime/live_tracker.h"
 #include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
+#include "tests/support/wait_until.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -56,7 +57,7 @@ TEST_CASE("a packet behind which nothing waits is answered before its update ret
   Publishers publishers;
   LiveTracker tracker = tracker_for(publishers);
   int i = 0;
-  REQUIRE(eventually([&] {
+  REQUIRE(wait_until([&] {
     tracker.update(packet_at(++i), {}, false);
     return publishers.tracks.load();
   }));
@@ -66,7 +67,7 @@ TEST_CASE("a packet behind which nothing waits is answered before its update ret
     tracker.update(packet, {}, false);
     if (publishers.newest_us == packet.newest().us) ++answered;
     // So that the tracking thread is asleep again, if it was at work.
-    REQUIRE(eventually([&] { return publishers.newest_us == packet.newest().us; }));
+    REQUIRE(wait_until([&] { return publishers.newest_us == packet.newest().us; }));
     std::this_thread::sleep_for(milliseconds(1));
   }
   // But where the tracking thread happened to be at work.
@@ -80,7 +81,7 @@ TEST_CASE("while packets wait every step is the tracking thread's") {
   for (int i = 1; i <= kPackets; ++i) {
     const EventPacket packet = packet_at(i);
     tracker.update(packet, {}, true);
-    REQUIRE(eventually([&] { return publishers.newest_us == packet.newest().us; }));
+    REQUIRE(wait_until([&] { return publishers.newest_us == packet.newest().us; }));
   }
   CHECK(publishers.by_event_thread == 0);
   CHECK(publishers.by_tracking_thread > 0);

@@ -11,6 +11,7 @@
 
 #include "common/runtime/tracking_thread.h"
 #include "tests/runtime/tracking_fixtures.h"
+#include "tests/support/wait_until.h"
 
 namespace puck {
 namespace {
@@ -98,7 +99,7 @@ struct Threads {
   // Hands packets over until the event thread makes a step.
   bool comes_to_event_thread() {
     const int before = conduct.quick_by_event_thread;
-    return eventually([&] {
+    return wait_until([&] {
       hand_over();
       return conduct.quick_by_event_thread > before;
     });
@@ -120,7 +121,7 @@ TEST_CASE("a slow step holds the event thread up once, and quick ones come back 
   REQUIRE(threads.comes_to_event_thread());
   conduct.slow_steps = true;
   const int before = conduct.by_tracking_thread;
-  CHECK(eventually([&] {
+  CHECK(wait_until([&] {
     threads.hand_over();
     return conduct.slow_by_event_thread > 1 ||
            (conduct.by_tracking_thread >= before + 10 && conduct.packets_during_step >= 2);
@@ -135,7 +136,7 @@ TEST_CASE("without a track no step is the event thread's") {
     Conduct conduct;
     conduct.state = state;
     Threads threads(conduct, {.longest_on_event_thread = seconds(10)});
-    CHECK(eventually([&] {
+    CHECK(wait_until([&] {
       threads.hand_over();
       return conduct.by_tracking_thread >= 50;
     }));
@@ -156,7 +157,7 @@ TEST_CASE("the event thread takes a few of many events and leaves the others to 
     threads.hand_over(2000);
     most = std::max(most, conduct.pieces_by_event_thread - before);
     conduct.slow_takes = false;
-    CHECK(eventually([&] { return conduct.events_taken >= taken_before + 2000; }));
+    CHECK(wait_until([&] { return conduct.events_taken >= taken_before + 2000; }));
   }
   CHECK(most == 1);
 }
@@ -172,7 +173,7 @@ TEST_CASE("what comes too soon after an estimate is published when its time has 
     std::this_thread::sleep_for(milliseconds(1));
     threads.hand_over();
     const auto silent_since = Clock::now();
-    REQUIRE(eventually([&] { return threads.newest_us == threads.now_us; }));
+    REQUIRE(wait_until([&] { return threads.newest_us == threads.now_us; }));
     CHECK(Clock::now() - silent_since < seconds(1));
   }
   const auto begin = Clock::now();

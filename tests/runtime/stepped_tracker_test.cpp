@@ -7,6 +7,7 @@
 
 #include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
+#include "tests/support/wait_until.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -83,15 +84,13 @@ TEST_CASE("a stepped tracker answers the last packet when it may, and repeats it
     stepped.poll();
     return published.all().back().estimate.newest_event == packet_number(2).newest();
   };
-  for (int i = 0; i < 5000 && !answered(); ++i) std::this_thread::sleep_for(milliseconds(1));
-  REQUIRE(answered());
+  REQUIRE(wait_until(answered));
   const std::size_t count = published.count();
-  for (int i = 0; i < 5000 && published.count() < count + 3; ++i) {
+  REQUIRE(wait_until([&] {
     stepped.poll();
-    std::this_thread::sleep_for(milliseconds(1));
-  }
+    return published.count() >= count + 3;
+  }));
   const auto all = published.all();
-  REQUIRE(all.size() >= count + 3);
   CHECK(all.back().estimate.events_applied == all[count - 1].estimate.events_applied);
   CHECK(all.back().input_age > all[count - 1].input_age);
 }

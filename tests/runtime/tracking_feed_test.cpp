@@ -11,6 +11,7 @@
 #include "common/vision/presets.h"
 #include "common/vision/puck_search.h"
 #include "tests/runtime/tracking_fixtures.h"
+#include "tests/support/wait_until.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -84,7 +85,7 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
                                 [&](const TrackedEstimate& e) { published.add(e); });
     // Events are asked for with the first look, which something new has to bring about.
     surface.update({{0}, {{1, 1, 0, 0}}}, {});
-    REQUIRE(eventually([&] {
+    REQUIRE(wait_until([&] {
       const auto all = published.all();
       return !all.empty() && all.back().estimate.newest_event == Timestamp{0} &&
              all.back().tracking_started != std::chrono::system_clock::time_point{};
@@ -101,7 +102,7 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
     }
     surface.update({{101'000}, {{50, 50, 1, 0}}}, {});
     sent.push_back(101'000);
-    CHECK(eventually([&] {
+    CHECK(wait_until([&] {
       return published.all().back().estimate.newest_event == Timestamp{101'000};
     }));
   }
@@ -134,14 +135,14 @@ TEST_CASE("a tracking thread that falls behind gets fewer events, and the others
           published.add(e);
         });
     surface.update({{0}, {{1, 1, 0, 0}}}, {});
-    REQUIRE(eventually([&] { return steps > 0; }));
+    REQUIRE(wait_until([&] { return steps > 0; }));
     for (int i = 1; i <= kPackets; ++i) {
       EventPacket packet{{i * 1000}, {}};
       for (std::uint32_t k = 0; k < kEach; ++k) packet.events.push_back({5, 5, 1, k});
       surface.update(packet, {});
     }
     stuck = false;
-    CHECK(eventually([&] {
+    CHECK(wait_until([&] {
       const auto all = published.all();
       return !all.empty() && all.back().estimate.newest_event == Timestamp{kPackets * 1000 + 999};
     }));
@@ -192,7 +193,7 @@ TEST_CASE("a search that ends when there is nothing new is told all the same") {
         PuckSearch(sensor, params, kSizeModel), {},
         [&](const TrackedEstimate& e) { published.add(e); });
     surface.update({{1000}, test::contour_events(sensor, {60, 50}, kSizeModel.at({}), 150)}, {});
-    CHECK(eventually([&] {
+    CHECK(wait_until([&] {
       const auto all = published.all();
       return !all.empty() && all.back().estimate.state == TrackState::kTracking &&
              all.back().estimate.newest_event == Timestamp{1000};

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 #include "common/runtime/tracking_thread.h"
@@ -45,15 +44,6 @@ inline std::unique_ptr<TrackingPipeline> default_pipeline() {
 
 inline PuckSearch default_search() {
   return PuckSearch(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
-}
-
-template <typename Condition>
-bool eventually(const Condition& condition) {
-  for (int i = 0; i < 10'000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
 }
 
 }  // namespace puck::test

@@ -8,6 +8,7 @@
 
 #include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
+#include "tests/support/wait_until.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck {
@@ -39,7 +40,7 @@ TEST_CASE("the two threads follow the puck and stamp estimates with the packet t
     return last.estimate.newest_event == Timestamp{300'000} && last.backlog_events == 0 &&
            last.estimate.state == TrackState::kTracking;
   };
-  REQUIRE(eventually(tracks_newest));
+  REQUIRE(wait_until(tracks_newest));
   // … but it has followed the puck while it moved, too.
   const auto all = published.all();
   CHECK(std::any_of(all.begin(), all.end(), [](const TrackedEstimate& e) {
@@ -62,7 +63,7 @@ TEST_CASE("the tracking thread sleeps while nothing is new, but never falls sile
   const TrackingThread thread(surface, default_pipeline(), default_search(),
                               {.heartbeat = milliseconds(5)},
                               [&](const TrackedEstimate& e) { published.add(e); });
-  CHECK(eventually([&] { return published.count() >= 5; }));
+  CHECK(wait_until([&] { return published.count() >= 5; }));
   for (const TrackedEstimate& e : published.all()) {
     CHECK(e.estimate.state == TrackState::kSearching);
     // No step was made: a step would have said when it started.

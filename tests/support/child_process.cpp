@@ -1,7 +1,6 @@
 #include "tests/support/child_process.h"
 
 #include <cerrno>
-#include <thread>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -9,6 +8,7 @@
 #include <unistd.h>
 
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace puck {
 namespace {
@@ -103,10 +103,7 @@ bool ChildProcess::group_is_left() const {
 int ChildProcess::wait() { return reap(0).value_or(-1); }
 
 std::optional<int> ChildProcess::wait_for(std::chrono::milliseconds timeout) {
-  const auto end = std::chrono::steady_clock::now() + timeout;
-  while (is_running() && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
+  wait_until([this] { return !is_running(); }, timeout);
   return exit_code_;
 }
 

@@ -14,6 +14,7 @@
 #include "services/launch/bus_watch.h"
 #include "services/launch/rate_limited_log.h"
 #include "services/launch/service.h"
+#include "tests/support/wait_until.h"
 
 namespace puck {
 
@@ -39,14 +40,13 @@ class ServiceBench {
     thread_.join();
   }
 
-  /// Does `step` once a millisecond until `condition` holds; false after 10 s.
+  /// Does `step` once a millisecond until `condition` holds; false after 20 s.
   static bool until(const std::function<bool()>& condition, const std::function<void()>& step) {
-    for (int i = 0; i < 10'000; ++i) {
+    return wait_until([&] {
       if (condition()) return true;
       step();
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
+      return false;
+    });
   }
 
   Bus bus;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <thread>
 
@@ -21,7 +22,7 @@ inline long thread_wake_ups() {
 struct WakeUpTally {
   long first = -1;
   long last = -1;
-  int messages = 0;
+  std::atomic<int> messages = 0;  // Other threads may wait for them.
 
   void add() {
     last = thread_wake_ups();

@@ -1,12 +1,12 @@
 // The whole game, as a person plays it: tools/demo.sh, tools/play.sh.
 #include <filesystem>
 #include <string>
-#include <thread>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 #include "tests/system/system_bench.h"
 
 namespace puck {
@@ -84,10 +84,7 @@ TEST_CASE("Ctrl-C in the middle of a game ends the demo, and leaves nothing behi
   const auto is_playing = [&] {
     return read_text(folder / "output").find("playing for 60 s") != std::string::npos;
   };
-  REQUIRE(poll_until(
-      is_playing, [] { std::this_thread::sleep_for(std::chrono::milliseconds(50)); },
-      seconds(120)));
-  std::this_thread::sleep_for(seconds(1));
+  REQUIRE(wait_until(is_playing, seconds(120)));
   demo.send_to_group(SIGINT);
   CHECK(demo.wait_for(seconds(20)) == 130);
   check_nothing_is_left(demo, folder);

@@ -1,11 +1,11 @@
 // A service that starts before the network does, in a network namespace of its own.
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 #include "tests/system/system_bench.h"
 
 namespace puck {
@@ -26,8 +26,7 @@ ChildProcess start_without_network(const std::string& name, const std::string& u
 }
 
 bool says(const TemporaryFolder& folder, const std::string& part) {
-  return poll_until([&] { return read_text(folder / "errors").find(part) != std::string::npos; },
-                    [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); });
+  return wait_until([&] { return read_text(folder / "errors").find(part) != std::string::npos; });
 }
 
 Finished run_beside(const ChildProcess& service, const std::vector<std::string>& arguments) {

@@ -56,7 +56,7 @@ const std::vector<std::string> kGame{"simulation.world.autonomous_robot=true", "
 void record_game(const std::filesystem::path& log, const std::vector<std::string>& settings = {}) {
   RecordedTracker tracker(log, settings);
   ChildProcess camera = start_service("puck-camera", tracker.url(), kGame);
-  tracker.listen_until(3'000'000);
+  tracker.listen_until(2'000'000);
   camera.send(SIGTERM);
   REQUIRE(camera.wait_for(std::chrono::seconds(10)) == 0);
   tracker.stop();

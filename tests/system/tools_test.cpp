@@ -1,9 +1,6 @@
 // From a simulated recording to figures: puck-simulate, puck-calibrate, puck-evaluate.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -59,30 +56,6 @@ void check_all_keys(const Json& json) {
     CAPTURE(key);
     CHECK(json.contains(key));
   }
-}
-
-/// A row of an estimates' or of a truth's .csv.
-struct Place {
-  double time_us = std::numeric_limits<double>::infinity();
-  double x = 0;
-  double y = 0;
-};
-
-Place place_of(const std::string& row) {
-  Place place;
-  char comma = 0;
-  std::istringstream(row) >> place.time_us >> comma >> place.x >> comma >> place.y;
-  return place;
-}
-
-/// The first row that `fits`; without one, a place that is never reached.
-template <typename Fits>
-Place first_row(const std::string& csv, const Fits& fits) {
-  std::istringstream rows(csv);
-  for (std::string row; std::getline(rows, row);) {
-    if (fits(row)) return place_of(row);
-  }
-  return {};
 }
 
 /// Without what depends on the machine and not on the events.
@@ -208,30 +181,6 @@ TEST_CASE("a game as an IIT camera's YARP log is tracked as the same events from
   const std::string ticks = read_text(bench.folder / "data.log.csv");
   CHECK(std::count(ticks.begin(), ticks.end(), '\n') > 10);
   CHECK(ticks == read_text(bench.folder / "game.txt.csv"));
-}
-
-TEST_CASE(
-    "a printed puck that rests beneath a turning head is found soon, unless face-print is off") {
-  const TemporaryFolder folder;
-  const std::string scene = source_folder() / "tools/compare/other_scenes/puck_printed.toml";
-  run_tool("puck-simulate", folder,
-           {"--output", "game", "--scene", scene, "--moving", "--seed", "11", "--seconds", "0.3"});
-  const auto first_track = [&](const std::vector<std::string>& options) {
-    const std::string size = source_folder() / "config/calibration/simulated_size.toml";
-    std::vector<std::string> arguments{"game.raw", "--size-model", size, "--csv", "game.csv"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    run_tool("puck-evaluate", folder, arguments);
-    return first_row(read_text(folder / "game.csv"), [](const std::string& row) {
-      return row.find(",tracking,") != std::string::npos;
-    });
-  };
-  const Place found = first_track({});
-  REQUIRE(found.time_us < 150'000);
-  const Place truth = first_row(read_text(folder / "game.truth.csv"), [&](const std::string& row) {
-    return place_of(row).time_us == found.time_us;
-  });
-  CHECK(std::hypot(found.x - truth.x, found.y - truth.y) < 3);
-  CHECK(first_track({"--without", "face-print"}).time_us > 250'000);
 }
 
 }  // namespace puck

@@ -14,6 +14,7 @@
 #include "common/messaging/event_packing.h"
 #include "services/tracker/tracker_service.h"
 #include "tests/support/status_counter.h"
+#include "tests/support/wait_until.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck::test {
@@ -56,12 +57,10 @@ class RunningTracker {
 
   template <typename Condition>
   bool eventually(const Condition& condition) const {
-    for (int i = 0; i < 10'000; ++i) {
+    return wait_until([&] {
       const auto all = estimates();
-      if (!all.empty() && condition(all.back())) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
+      return !all.empty() && condition(all.back());
+    });
   }
 
   Bus& bus() { return bus_; }

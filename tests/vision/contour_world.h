@@ -1,15 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <iterator>
 #include <vector>
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
-#include "common/vision/challengers.h"
 #include "common/vision/contour_track.h"
 #include "common/vision/region.h"
-#include "common/vision/track_trust.h"
 #include "tests/vision/moving_contour.h"
 
 namespace puck::test {
@@ -21,19 +18,6 @@ inline constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
 /// All that is the same for contour tracks, of a sensor without lag.
 inline ContourContext contour_context() {
   return {PuckContour(kSensor, kSizeModel, {0, 0, 0}, true), {}, {}, {}};
-}
-inline const ContourContext kContext = contour_context();
-
-/// Trust in a track that has been sound for 50 ms.
-inline TrackTrust sound() {
-  TrackTrust trust;
-  trust.judge({.speed_px_s = 500, .quality = 0.9, .strength = 50, .near_events = 60}, 0, false,
-              50'000, 50'000);
-  return trust;
-}
-
-inline std::ptrdiff_t count(const Challengers& challengers) {
-  return std::distance(challengers.begin(), challengers.end());
 }
 
 /// Lets a track follow a puck for some milliseconds, with a decision each; the mean error of the

@@ -5,11 +5,11 @@
 namespace puck {
 namespace {
 
-constexpr SensorSize kSmallSensor{64, 48};
+constexpr SensorSize kTinySensor{64, 48};
 constexpr Event kOn{.x = 20, .y = 10, .polarity = 1};
 
 TEST_CASE("An event is the first of its pixel and sign for 3 ms") {
-  EventHistory history(kSmallSensor);
+  EventHistory history(kTinySensor);
   CHECK(history.is_first(kOn, 10'000));
   CHECK_FALSE(history.is_first(kOn, 12'000));
   CHECK_FALSE(history.is_first(kOn, 15'000));
@@ -20,7 +20,7 @@ TEST_CASE("An event is the first of its pixel and sign for 3 ms") {
 }
 
 TEST_CASE("What is late is not the first") {
-  EventHistory history(kSmallSensor);
+  EventHistory history(kTinySensor);
   CHECK(history.is_first(kOn, 10'000));
   CHECK_FALSE(history.is_first(kOn, 9'000));
   CHECK(history.is_first(kOn, 12'001));
@@ -29,7 +29,7 @@ TEST_CASE("What is late is not the first") {
 TEST_CASE("First events are told in a run of hours, and by clocks that count from elsewhere") {
   for (const std::int64_t start_us :
        {-5'000'000LL, 0LL, (1LL << 31) - 500'000, (1LL << 32) - 4'000, 1'700'000'000'000'000LL}) {
-    EventHistory history(kSmallSensor);
+    EventHistory history(kTinySensor);
     CHECK(history.is_first(kOn, start_us));
     CHECK_FALSE(history.is_first(kOn, start_us + 3'000));
     CHECK(history.is_first(kOn, start_us + 6'001));

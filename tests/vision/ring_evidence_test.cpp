@@ -50,32 +50,11 @@ TEST_CASE("A ring that is cut off by the image's border covers all that can be s
   CHECK(whole_ring(20).cover(cut) == 1);
 }
 
-TEST_CASE("More events in one direction are worth less and less, unless saturation is off") {
-  RingEvidence evidence;
-  double worth = 1;
-  for (int i = 0; i < 50; ++i) worth = evidence.add_ring(0, true);
-  CHECK(worth < 0.5);
-  CHECK(evidence.add_ring(0, false) == 1);
-}
-
 TEST_CASE("Events of the wrong sign count against the ring") {
   RingEvidence evidence = whole_ring(10);
   const double before = evidence.quality(kAreas);
   for (int i = 0; i < 60; ++i) evidence.add_wrong_sign();
   CHECK(evidence.quality(kAreas) < before - 0.4);
-}
-
-TEST_CASE("Few events that all lie on the ring agree, though their quality is poor") {
-  RingEvidence evidence;
-  CHECK(evidence.agreement(kAreas) == 1);
-  for (const int sector : {3, 4, 9}) evidence.add_ring(sector, true);
-  CHECK(evidence.agreement(kAreas) == doctest::Approx(1));
-  CHECK(evidence.quality(kAreas) < 0.5);
-  for (int i = 0; i < 9; ++i) evidence.add_inside(kAreas);
-  // 3 / 200 on the ring against (9 / 300) / 2 elsewhere.
-  CHECK(evidence.agreement(kAreas) == doctest::Approx(0));
-  evidence.fade(0.01);
-  CHECK(evidence.agreement(kAreas) == 1);
 }
 
 TEST_CASE(
@@ -92,50 +71,6 @@ TEST_CASE(
   CHECK(judged.quality(kAreas, 0.05) == doctest::Approx(0.035 / (0.035 + 0.02 + 0.05)));
   // More than there is: nothing is left, and not less than that.
   CHECK(evidence.quality(kAreas, 0.5) == 0);
-}
-
-TEST_CASE("What is inside a ring and not around it may be a print, which is no clutter") {
-  RingEvidence evidence = whole_ring(20);
-  for (int i = 0; i < 300; ++i) evidence.add_inside(kPrintedAreas);
-  CHECK(evidence.quality(kAreas) < 0.5);
-  CHECK(evidence.strength(kAreas) < 150);
-  CHECK(evidence.quality(kPrintedAreas) > 0.95);
-  CHECK(evidence.agreement(kPrintedAreas) == doctest::Approx(1));
-  CHECK(evidence.strength(kPrintedAreas) == doctest::Approx(240));
-  CHECK(evidence.add_inside(kAreas) == doctest::Approx(-0.5 * 200 / 300));
-  CHECK(evidence.add_inside(kPrintedAreas) == 0);
-  // What covers the puck is still counted.
-  CHECK(evidence.inside_events() == 302);
-}
-
-TEST_CASE("What is on the puck, while its ring makes hardly any events, is no print") {
-  RingEvidence evidence;
-  CHECK(evidence.add_inside(kPrintedAreas) < 0);
-  CHECK(evidence.agreement(kPrintedAreas) == doctest::Approx(-1));
-  for (const int sector : {3, 4, 9}) evidence.add_ring(sector, true);
-  for (int i = 0; i < 20; ++i) evidence.add_inside(kPrintedAreas);
-  CHECK(evidence.agreement(kPrintedAreas) == evidence.agreement(kAreas));
-  CHECK(evidence.agreement(kPrintedAreas) < 0);
-  CHECK_FALSE(evidence.shows_print(kPrintedAreas));
-}
-
-TEST_CASE("Of what is everywhere nothing passes for a print") {
-  RingEvidence evidence = whole_ring(20);
-  for (int i = 0; i < 720; ++i) CHECK(evidence.add_outside(kPrintedAreas) < 0);
-  for (int i = 0; i < 360; ++i) CHECK(evidence.add_inside(kPrintedAreas) < 0);
-  CHECK(evidence.quality(kPrintedAreas) == doctest::Approx(0).epsilon(0.01));
-  CHECK(evidence.quality(kPrintedAreas) == evidence.quality(kAreas));
-}
-
-TEST_CASE("A print shows when half as much lies inside as on the ring") {
-  RingEvidence evidence = whole_ring(10);
-  for (int i = 0; i < 90; ++i) evidence.add_inside(kPrintedAreas);
-  CHECK_FALSE(evidence.shows_print(kPrintedAreas));
-  evidence.add_inside(kPrintedAreas);
-  CHECK(evidence.shows_print(kPrintedAreas));
-  CHECK_FALSE(evidence.shows_print(kAreas));
-  for (int i = 0; i < 200; ++i) evidence.add_outside(kPrintedAreas);
-  CHECK_FALSE(evidence.shows_print(kPrintedAreas));
 }
 
 TEST_CASE("Evidence fades") {

@@ -17,6 +17,7 @@
 
 #include "common/yarp/text_connection.h"
 #include "tests/support/test_board.h"
+#include "tests/support/wait_until.h"
 
 namespace puck {
 namespace {
@@ -27,15 +28,6 @@ std::int64_t now_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
              std::chrono::steady_clock::now().time_since_epoch())
       .count();
-}
-
-// Until it holds; false: it did not within 20 s.
-bool until(const std::function<bool()>& condition) {
-  for (int i = 0; i < 20'000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
 }
 
 // Patient with the board, quick to try again.
@@ -66,7 +58,7 @@ class Loop {
   std::optional<JointReading> reading() { return back_end.reading(now_us()); }
   YarpCounters counters() const { return back_end.board_counters(now_us()); }
   bool is_connected() {
-    return until([&] { return reading().has_value(); });
+    return wait_until([&] { return reading().has_value(); });
   }
   void command(const JointAngles& set_point) {
     ++commands_;
@@ -74,7 +66,7 @@ class Loop {
   }
   // Until nothing is under way any more; not across a lost connection.
   bool settles() {
-    return until([&] {
+    return wait_until([&] {
       const YarpCounters now = counters();
       return now.set_points_sent + now.set_points_replaced + now.set_points_refused +
                  now.set_points_unheard + now.set_points_withdrawn + now.set_points_expired ==
@@ -83,7 +75,7 @@ class Loop {
   }
   // Goes there in steps, as fast as encoders come.
   bool moves_to(double deg) {
-    return until([&] {
+    return wait_until([&] {
       fault();
       const auto now = reading();
       if (!now) return false;
@@ -99,7 +91,7 @@ class Loop {
   }
   // As a loop that does not care whether it is heard.
   bool insists_until(const JointAngles& set_point, const std::function<bool()>& condition) {
-    return until([&] {
+    return wait_until([&] {
       command(set_point);
       return condition();
     });
@@ -107,7 +99,7 @@ class Loop {
   bool fails_with(
       const std::string& part_of_reason, const std::function<void()>& meanwhile = [] {}) {
     std::string last;
-    const bool fails = until([&] {
+    const bool fails = wait_until([&] {
       // Before the first connection it is no fault, but what is waited for.
       std::string reason = fault();
       if (reason.empty()) reason = back_end.awaited();
@@ -173,7 +165,7 @@ TEST_CASE("The back end finds the board, takes its joints and moves them") {
   const YarpCounters counters = loop.counters();
   CHECK(counters.connections == 1);
   CHECK(counters.failures == 0);
-  CHECK(until([&] { return board.set_points() == loop.counters().set_points_sent; }));
+  CHECK(wait_until([&] { return board.set_points() == loop.counters().set_points_sent; }));
   CHECK(counters.set_points_refused == 0);
   CHECK(counters.encoders_received > 5);
   CHECK(counters.round_trip_us > 0);
@@ -229,7 +221,7 @@ TEST_CASE("An arm that stands still is no fault") {
   REQUIRE(loop.is_connected());
   const auto enough = loop.counters().encoders_received + 100;
   std::string fault;
-  CHECK(until([&] {
+  CHECK(wait_until([&] {
     fault += loop.fault();
     return loop.counters().encoders_received > enough;
   }));
@@ -298,7 +290,7 @@ TEST_CASE("A board that fails in a game is a fault with its reason, and connecte
     board.set_trouble(each.trouble);
     loop.fails_with(each.reason);
     CHECK(board.encoders() == std::vector<double>(7, 5));
-    CHECK(until([&] { return !loop.reading() || loop.counters().connections > 1; }));
+    CHECK(wait_until([&] { return !loop.reading() || loop.counters().connections > 1; }));
     board.set_trouble(BoardTrouble::kNone);
     // The robot's own tools.
     if (each.trouble == BoardTrouble::kModeLost) board.put_into_mode("pos");
@@ -313,12 +305,12 @@ TEST_CASE("A connection only reads until the first set-point, and one refused ta
     Loop loop(params_for(board));
     REQUIRE(loop.is_connected());
     const auto enough = loop.counters().encoders_received + 5;
-    CHECK(until([&] { return loop.counters().encoders_received > enough; }));
+    CHECK(wait_until([&] { return loop.counters().encoders_received > enough; }));
     loop.is_refused(all(2.5),
                     "the set-point of joint 0, 2.5 deg, does not begin at its encoder, 0 deg");
     CHECK(loop.counters().failures == 0);
   }
-  CHECK(until([&] { return board.connections() == 0; }));
+  CHECK(wait_until([&] { return board.connections() == 0; }));
   CHECK(board.mode_requests() == 0);
 }
 
@@ -337,7 +329,7 @@ TEST_CASE("An emergency stop lasts until set-points are given again") {
     loop.fails_with("a hardware fault: bring it back into mode \"pos\"");
     loop.command(all(5));
     const auto enough = loop.counters().failures + 2;
-    CHECK(until([&] { return loop.counters().failures > enough; }));
+    CHECK(wait_until([&] { return loop.counters().failures > enough; }));
     CHECK(!loop.reading());
     CHECK(board.modes() == stopped);
     CHECK(board.mode_requests() == requests);
@@ -345,7 +337,7 @@ TEST_CASE("An emergency stop lasts until set-points are given again") {
     board.put_into_mode("pos");
     REQUIRE(loop.is_connected());
     const auto more = loop.counters().encoders_received + 5;
-    CHECK(until([&] { return loop.counters().encoders_received > more; }));
+    CHECK(wait_until([&] { return loop.counters().encoders_received > more; }));
     CHECK(board.modes() == std::vector<std::string>(7, "pos"));
     CHECK(board.mode_requests() == requests);
     // What a controller does after a reset.
@@ -355,7 +347,7 @@ TEST_CASE("An emergency stop lasts until set-points are given again") {
     board.set_trouble(BoardTrouble::kModeLost);
     loop.fails_with("is in mode \"hwf\", not in \"posd\"");
   }
-  CHECK(until([&] { return board.connections() == 0; }));
+  CHECK(wait_until([&] { return board.connections() == 0; }));
   CHECK(board.modes()[0] == "hwf");
   CHECK(board.mode_requests() == 14);
 }
@@ -407,7 +399,7 @@ TEST_CASE("A set-point does not outlive its loop's silence while joints are take
       was_in_time = !withdraws || loop.counters().set_points_expired == 0;
       if (!was_in_time) continue;
       const auto later = loop.counters().encoders_received + 30;
-      REQUIRE(until([&] { return loop.counters().encoders_received > later; }));
+      REQUIRE(wait_until([&] { return loop.counters().encoders_received > later; }));
       // Nobody wanted the last joints any more.
       CHECK(board.mode_requests() < 7);
       CHECK(board.set_points() == 0);
@@ -442,7 +434,7 @@ TEST_CASE(
   REQUIRE(loop.moves_to(5));
   board.set_trouble(BoardTrouble::kCommandDeaf);
   std::string reason;
-  CHECK(until([&] {
+  CHECK(wait_until([&] {
     loop.reading();
     for (int i = 0; i < 100; ++i) loop.command(all(5));
     reason = loop.fault();
@@ -471,7 +463,7 @@ TEST_CASE("Nothing is sent after a failure until the loop begins anew at the enc
   // While it was away a person pushed the arm.
   for (std::size_t i = 0; i < 7; ++i) board.move_joint(i, 40);
   board.revive();
-  REQUIRE(until([&] {
+  REQUIRE(wait_until([&] {
     loop.command(all(5));
     return loop.counters().connections == 2;
   }));
@@ -506,7 +498,7 @@ TEST_CASE("What is not finite, outside the limits or of other joints never leave
     CHECK(loop.counters().set_points_sent == before);
     CHECK(loop.moves_to(5 + static_cast<double>(refused)));
   }
-  CHECK(until([&] { return board.set_points() == loop.counters().set_points_sent; }));
+  CHECK(wait_until([&] { return board.set_points() == loop.counters().set_points_sent; }));
   CHECK(loop.counters().connections == 1);
 }
 
@@ -514,12 +506,12 @@ TEST_CASE("A board that comes up later, and then calibrates, is waited for and l
   TestBoard board;
   board.die();
   Loop loop(params_for(board));
-  CHECK(until([&] { return !loop.back_end.awaited().empty(); }));
+  CHECK(wait_until([&] { return !loop.back_end.awaited().empty(); }));
   CHECK(loop.fault().empty());
   CHECK(!loop.reading());
   board.revive();
   board.put_into_mode("cal");
-  CHECK(until([&] {
+  CHECK(wait_until([&] {
     return loop.back_end.awaited().find("is not ready yet: it is in mode \"cal\"") !=
            std::string::npos;
   }));
@@ -544,7 +536,7 @@ TEST_CASE("Joints that leave position mode before they are taken are waited for,
       REQUIRE(loop.is_connected());
       board.put_into_mode(mode);
       std::string faults;
-      CHECK(until([&] {
+      CHECK(wait_until([&] {
         faults += loop.fault();
         loop.reading();
         loop.command(all(0));
@@ -613,7 +605,7 @@ TEST_CASE("A hardware fault before the first set-point is a fault, and only a pe
         REQUIRE(loop.is_connected());
         board.put_into_mode(mode);
       }
-      CHECK(until([&] {
+      CHECK(wait_until([&] {
         loop.reading();
         loop.command(all(0));
         const std::string reason = loop.fault();
@@ -643,7 +635,7 @@ TEST_CASE("A board that will never fit is a fault before the first connection, a
     CAPTURE(reason);
     Loop loop(unfit.first);
     std::string fault;
-    CHECK(until([&] { return !(fault = loop.fault()).empty(); }));
+    CHECK(wait_until([&] { return !(fault = loop.fault()).empty(); }));
     CHECK(fault.find(reason) != std::string::npos);
     CHECK(loop.back_end.awaited().empty());
     CHECK(!loop.reading());
@@ -684,7 +676,7 @@ TEST_CASE("An arm that ends leaves its joints where they are, in position mode")
     const milliseconds took = time_to_end(loop);
     const std::vector<std::string> modes = board.modes();
     CHECK(board.encoders()[0] == 5);
-    CHECK(until([&] { return board.connections() == 0; }));
+    CHECK(wait_until([&] { return board.connections() == 0; }));
     return Leaving{modes == std::vector<std::string>(8, "pos"), took};
   }));
 }
@@ -717,7 +709,7 @@ TEST_CASE("A stop does not wait for a board, whatever it is asked for") {
       REQUIRE(loop->is_connected());
       REQUIRE(loop->insists_until(all(0), [&] { return board.mode_requests() == 7; }));
     } else {
-      REQUIRE(until([&] { return board.connections() > 0; }));
+      REQUIRE(wait_until([&] { return board.connections() > 0; }));
     }
     board.set_trouble(later);
     const auto begin = now_us();
@@ -767,7 +759,7 @@ TEST_CASE(
 
   TextConnection text(command, "test", waiter, in_a_while());
   text.send("dpos (1 2 3)", waiter, in_a_while());
-  CHECK(until([&] { return board.text_dropped() == 2; }));
+  CHECK(wait_until([&] { return board.text_dropped() == 2; }));
   CHECK(board.set_points() == 0);
 
   CHECK_THROWS(TextConnection(state, "test", waiter, in_a_while()));
