@@ -16,11 +16,11 @@ namespace puck {
 namespace {
 
 using Points = Eigen::Matrix2Xd;
-using Elements = Eigen::VectorXd;  // Eight; the ninth element is 1.
+using Elements = Eigen::VectorXd;  // Eight elements; the ninth is 1.
 
 constexpr std::size_t kMinCorrespondences = 4;
-// Of the second smallest singular value of the linear system to its largest. In normalised
-// coordinates a good layout reaches 0.1; points on one line stay near the noise of the marking.
+// Ratio of the second smallest singular value of the linear system to its largest. In normalised
+// coordinates a good layout reaches 0.1; collinear points stay near the noise of the marking.
 constexpr double kMinConditioning = 1e-3;
 
 struct Normalised {
@@ -28,7 +28,7 @@ struct Normalised {
   Eigen::Matrix3d transform;  // normalised from original
 };
 
-// Moves the centroid to the origin and the mean distance from it to √2.
+// Moves the centroid to the origin and scales the mean distance from it to √2.
 Normalised normalised(const Points& points, const char* what) {
   const Eigen::Vector2d mean = points.rowwise().mean();
   const Points centred = points.colwise() - mean;
@@ -42,7 +42,7 @@ Normalised normalised(const Points& points, const char* what) {
   return {centred * scale, transform};
 }
 
-// The matrix whose null vector is the homography that carries `from` to `to`.
+// The matrix whose null vector is the homography that maps `from` to `to`.
 Eigen::MatrixXd linear_system(const Points& from, const Points& to) {
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(2 * from.cols(), 9);
   for (Eigen::Index i = 0; i < from.cols(); ++i) {
@@ -73,7 +73,7 @@ Eigen::Matrix3d to_matrix(const Elements& p) {
   return matrix;
 }
 
-// Smallest squared distances between `to` and the carried `from`.
+// Least squares of the distances between `to` and the mapped `from`.
 Eigen::Matrix3d refined(const Eigen::Matrix3d& start, const Points& from, const Points& to) {
   const Eigen::Matrix3d scaled = start / start(2, 2);
   Elements parameters(8);
@@ -139,7 +139,7 @@ HomographyFit fit_homography(std::span<const Correspondence> correspondences) {
     throw std::invalid_argument("every coordinate of a correspondence must be finite");
   }
 
-  // Fitted as image from table, because the marking's error is made in the image.
+  // Fitted as image from table, because the marking's error is in the image.
   const Normalised to = normalised(image, "image");
   const Normalised from = normalised(table, "table");
   const Eigen::Matrix3d fitted =
