@@ -24,7 +24,8 @@ TruthMotion::TruthMotion(std::span<const TruthRow> rows) : rows_(rows.begin(), r
   const auto disorder =
       std::adjacent_find(rows_.begin(), rows_.end(),
                          [](const TruthRow& a, const TruthRow& b) { return a.time >= b.time; });
-  if (disorder != rows_.end()) throw std::invalid_argument("the truth's times do not grow");
+  if (disorder != rows_.end())
+    throw std::invalid_argument("the truth's times must increase from row to row");
   for (std::size_t i = 1; i + 1 < rows_.size(); ++i) {
     if (!is_steady(i)) uncertain_.push_back(rows_[i].time);
   }

@@ -20,7 +20,7 @@ class TruthMotion {
   };
 
   /// Rows in the order of their times. Throws std::invalid_argument when there are none or their
-  /// times do not grow.
+  /// times do not increase.
   explicit TruthMotion(std::span<const TruthRow> rows);
 
   /// `std::nullopt` where truth does not determine the motion.

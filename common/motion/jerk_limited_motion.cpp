@@ -64,7 +64,8 @@ JerkLimitedMotion::JerkLimitedMotion(const MotionLimits& limits, double start) :
       !(limits.lowest < limits.highest) || !is_positive(limits.velocity) ||
       !is_positive(limits.acceleration) || !is_positive(limits.jerk)) {
     throw std::invalid_argument(
-        "a motion needs finite ends in order, and a velocity, acceleration and jerk above 0");
+        "a motion needs finite limits with lowest < highest, and a velocity, acceleration and jerk "
+        "above 0");
   }
   rest_at(start);
 }

@@ -4,7 +4,7 @@
 
 namespace puck {
 
-/// What a flickering lamp adds to the photoreceptors' responses: ln(1 + modulation · sin) through
+/// A flickering lamp's part of the photoreceptors' responses: ln(1 + modulation · sin) through
 /// their low-pass, in its periodic steady state. It is the same for every pixel, since the low-pass
 /// is linear in ln(intensity).
 class Flicker {

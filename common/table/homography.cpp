@@ -27,7 +27,7 @@ bool can_be_inverted(const Matrix3& h) {
 Matrix3 checked_inverse(const Matrix3& h) {
   if (!is_finite(h)) throw std::invalid_argument("a homography needs nine finite coefficients");
   if (!can_be_inverted(h)) {
-    throw std::invalid_argument("a homography needs a matrix that can be inverted");
+    throw std::invalid_argument("a homography's matrix must be invertible");
   }
   return inverse(h);
 }

@@ -118,7 +118,7 @@ Homography TableCamera::raised(double height_m) const {
   const auto homography =
       Homography::of_view(product(projection_of(camera_), shifted(camera_from_table_, up)));
   if (!homography) {
-    throw std::invalid_argument("the camera lies at the height that is asked for");
+    throw std::invalid_argument("the camera must not lie at the requested height");
   }
   return *homography;
 }

@@ -90,7 +90,7 @@ bool JointHold::attend(bool wants) {
   return answer.has_value();
 }
 
-// The state tells the request: there is no other in between.
+// The state identifies the request: there is only one at a time.
 void JointHold::process_answer(const BoardAnswer& answer) {
   if (state_ == State::kTaking && joints_put_ < params_.joints.size()) {
     ++joints_put_;
