@@ -7,12 +7,12 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kWrap = std::int64_t{1} << 31;
-// The host's clock is that of a packet's sending, which is late by less.
+// The host's clock is the packet's sending time, which is late by less than this.
 constexpr double kSlackUs = 1e6;
-// So many doubtful events one after another are no damage: they are a counter that was set anew.
+// This many doubtful events in a row are not damage: the counter was reset.
 constexpr int kMostDoubtful = 64;
 
-// From one stamp to another, the shorter way round.
+// Signed difference of two stamps, the shorter way round.
 std::int64_t ticks_between(std::uint32_t from, std::uint32_t to) {
   const std::int64_t forward = (std::int64_t{to} - std::int64_t{from}) & (kWrap - 1);
   return forward < kWrap / 2 ? forward : forward - kWrap;

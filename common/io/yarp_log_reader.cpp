@@ -9,10 +9,10 @@
 namespace puck {
 namespace {
 
-// A longer line is no packet: the largest has some 100,000 events.
+// A longer line is not a packet: the largest packet has some 100,000 events.
 constexpr std::size_t kLongestLine = std::size_t{16} << 20;
 constexpr std::size_t kUsualLine = std::size_t{64} << 10;
-// So much of a file tells its encoding.
+// Number of lines from which the encoding is determined.
 constexpr int kSampleLines = 200;
 
 constexpr std::uint32_t kStampMask = 0x7fffffff;
@@ -20,11 +20,11 @@ constexpr std::uint32_t kStampMask = 0x7fffffff;
 int x_of(std::uint32_t address) { return static_cast<int>(address >> 1 & 0x7ff); }
 int y_of(std::uint32_t address) { return static_cast<int>(address >> 12 & 0x3ff); }
 std::uint32_t eye_of(std::uint32_t address) { return address >> 22 & 1; }
-// Samples of an inertial sensor, skin, sound: a bit of their own above the address. Bit 25 says
-// that an event lies on a corner.
+// Samples of an inertial sensor, skin or sound have a bit of their own above the address. Bit 25
+// marks an event on a corner.
 bool is_event(std::uint32_t address) { return (address & 0xfd800000) == 0; }
 
-// What the first lines of a log say about how it is to be read.
+// Determines a log's encoding from its first lines.
 class EncodingSample {
  public:
   explicit EncodingSample(SensorSize sensor) : sensor_(sensor) {}
@@ -51,14 +51,14 @@ class EncodingSample {
     newest_ = newest;
   }
 
-  /// Whether every other word is a stamp: those grow, which addresses do not for long.
+  /// Whether every other word is a stamp: stamps increase, addresses do not for long.
   bool has_stamps() const {
     constexpr int kMostRising = 16;
     if (odd_packets_ || falls_ * 10 > rises_) return false;
     return no_address_ || rises_ > kMostRising;
   }
 
-  /// 0.08 or 1: whichever is nearer to what most of the packets' host times say.
+  /// 0.08 or 1: the one closer to the host times of most packets.
   double us_per_tick() const {
     constexpr double kBetween = 3.5;  // Ticks a µs, of 12.5 and 1.
     if (ticks_per_us_.empty()) return is_bytes_ ? 1 : 0.08;
@@ -132,7 +132,7 @@ void YarpLogReader::find_encoding() {
   us_per_tick_ = sample.us_per_tick();
 }
 
-// Moves to the next line that is not too long to be a packet.
+// Moves to the next line that is short enough to be a packet.
 bool YarpLogReader::next_line() {
   while (!is_at_end_) {
     std::size_t length = 0;
@@ -142,7 +142,7 @@ bool YarpLogReader::next_line() {
       if (length > 0) buffer_.resize(2 * buffer_.size());
       file_.clear();
       file_.getline(buffer_.data() + length, static_cast<std::streamsize>(buffer_.size() - length));
-      if (file_.bad()) throw EventFileError(name_ + ": cannot be read on");
+      if (file_.bad()) throw EventFileError(name_ + ": cannot be read to its end");
       length += static_cast<std::size_t>(file_.gcount());
       is_too_long = length >= kLongestLine;
     } while (file_.fail() && !file_.eof() && !is_too_long);
@@ -207,7 +207,7 @@ void YarpLogReader::take_plain() {
   const double duration_us = static_cast<double>(packet_.duration_us);
   if (!first_plain_s_) first_plain_s_ = packet_.host_time_s - duration_us * 1e-6;
   const double end_us = (packet_.host_time_s - *first_plain_s_) * 1e6;
-  // Packets that overlap a little, since the host's clock is not the sensor's, lose nothing.
+  // Overlapping packets lose no events: the host's clock is not the sensor's.
   const double newest_us = static_cast<double>(newest_plain_.us);
   const double from_us = std::max(end_us - duration_us, newest_us);
   const double until_us = std::max(end_us, newest_us);
@@ -218,7 +218,7 @@ void YarpLogReader::take_plain() {
   }
 }
 
-// Counts what is not.
+// Counts other events.
 bool YarpLogReader::is_of_this_eye(std::uint32_t address) {
   if (is_event(address)) {
     if (!eye_) eye_ = eye_of(address);

@@ -15,23 +15,23 @@
 
 namespace puck {
 
-/// The text log that yarpdatadumper writes of an IIT event camera's port (`data.log`): one packet a
+/// The text log (`data.log`) of an IIT event camera's port, written by yarpdatadumper: one packet a
 /// line, `sequence time [time] AE …`, in any of three encodings:
 ///
 /// - `AE (stamp address stamp address …)`: the 24-bit addresses of an ATIS on an iCub, ON where bit
 ///   0 is 0;
-/// - `AE duration "bytes"`: the present records, ON where bit 0 is 1, 32 bits an event behind a
-///   stamp of as many,
+/// - `AE duration "bytes"`: the present records, ON where bit 0 is 1, 32 bits an event after a
+/// 32-bit stamp,
 /// - or without stamps: a packet's events are then spread evenly over its duration, which ends at
-///   the packet's time.
+/// the packet's time.
 ///
-/// Stamps count ticks of 80 ns, or of 1 µs where the packets' times say so, and wrap after 31 bits.
-/// An address holds x in bits 1 to 11, y in bits 12 to 21 and the eye (0: left, 1: right) in bit
-/// 22; one eye's events are read. Times are µs since the log's first event, as none of its clocks
-/// has a zero that means anything. A log does not say how large the sensor is.
+/// Stamps count ticks of 80 ns, or of 1 µs if the packets' times say so, and wrap after 31 bits. An
+/// address holds x in bits 1 to 11, y in bits 12 to 21 and the eye (0: left, 1: right) in bit 22;
+/// the events of one eye are read. Times are µs since the log's first event, as the zero of its
+/// clocks is arbitrary. A log does not state the sensor's size.
 class YarpLogReader final : public EventReader {
  public:
-  /// Reads enough of the file to tell its encoding. Throws EventFileError.
+  /// Reads enough of the file to determine its encoding. Throws EventFileError.
   YarpLogReader(const std::filesystem::path& path, const EventFileOptions& options);
 
   SensorSize sensor_size() const override { return options_.sensor; }
@@ -54,15 +54,15 @@ class YarpLogReader final : public EventReader {
   std::ifstream file_;
   std::vector<char> buffer_;
   std::string_view line_;
-  bool is_line_whole_ = true;  // Ended by a line end, not by the end of the file.
+  bool is_line_whole_ = true;  // The line had a line end; not cut by the end of the file.
   bool is_at_end_ = false;
   YarpPacket packet_;
-  bool has_stamps_ = false;  // Before the records of packets that are bytes.
+  bool has_stamps_ = false;  // Stamps before the records of byte packets.
   double us_per_tick_ = 1;
   YarpEventClock clock_;
-  std::optional<double> first_plain_s_;  // When the log's first packet without stamps began.
+  std::optional<double> first_plain_s_;  // Start of the log's first packet without stamps.
   Timestamp newest_plain_;
-  std::optional<std::uint32_t> eye_;  // Whose events are read, once known.
+  std::optional<std::uint32_t> eye_;  // The eye whose events are read, once known.
   EventSink sink_;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kEventTag = "AE";
 constexpr std::string_view kBlanks = " \t\r";
-// Host times beyond this, s, are no times: the year 5138.
+// Larger host times, s, are invalid: the year 5138.
 constexpr double kLatestHostTime_s = 1e11;
 
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
@@ -23,7 +23,7 @@ bool parse_number(std::string_view text, Number& value) {
   return result.ec == std::errc{} && result.ptr == text.data() + text.size();
 }
 
-// Steps through the values of a line: words, numbers, `( … )` and `" … "`.
+// Iterates over the values of a line: words, numbers, `( … )` and `" … "`.
 class ValueCursor {
  public:
   explicit ValueCursor(std::string_view text) : rest_(text) {}
@@ -44,8 +44,7 @@ class ValueCursor {
     return rest_.empty() ? '\0' : rest_.front();
   }
 
-  /// What stands between the parentheses of a list that is next. `is_closed` is false where the
-  /// line ends before it does.
+  /// The contents of a list that is next. `is_closed`: the list ends within the line.
   std::string_view take_list(bool& is_closed) {
     rest_.remove_prefix(1);
     int depth = 1;
@@ -60,7 +59,7 @@ class ValueCursor {
     return list;
   }
 
-  /// What stands between the quotes of a string that is next, its escapes as they are.
+  /// The contents of a string that is next, with its escapes.
   std::string_view take_string(bool& is_closed) {
     rest_.remove_prefix(1);
     std::size_t length = 0;
@@ -84,7 +83,7 @@ class ValueCursor {
   std::string_view rest_;
 };
 
-// `sequence time [time]`, up to the tag. A second time is that of receipt.
+// `sequence time [time]`, up to the tag. A second time is the time of receipt.
 bool take_envelope(ValueCursor& cursor, double& host_time_s, std::string_view& tag) {
   std::int64_t sequence = 0;
   if (!parse_number(cursor.take_word(), sequence)) return false;
@@ -109,16 +108,16 @@ bool parse_word(std::string_view text, std::uint32_t& word) {
   return true;
 }
 
-// The numbers of a list, in pairs; a pair with a malformed one is passed over.
+// The numbers of a list, in pairs; skips a pair with a malformed number.
 void read_list(std::string_view list, bool is_closed, YarpPacket& packet) {
   std::array<std::uint32_t, 2> pair{};
   std::size_t in_pair = 0;
   bool is_pair_good = true;
-  std::size_t complete = 0;  // Of the list, up to the end of a pair.
+  std::size_t complete = 0;  // End of the last complete pair in the list.
   std::size_t at = 0;
   while ((at = list.find_first_not_of(kBlanks, at)) != std::string_view::npos) {
     const std::size_t end = std::min(list.find_first_of(kBlanks, at), list.size());
-    // The last number of a list that was cut may have had more digits.
+    // The last number of a cut list may lack digits.
     if (end == list.size() && !is_closed) break;
     is_pair_good = parse_word(list.substr(at, end - at), pair[in_pair]) && is_pair_good;
     at = end;
@@ -178,7 +177,7 @@ void read_string(std::string_view text, bool is_closed, YarpPacket& packet) {
   }
 }
 
-// What follows the tag of events: a list, or a duration and a string.
+// The values after the tag of events: a list, or a duration and a string.
 bool read_events(ValueCursor& cursor, YarpPacket& packet) {
   bool is_closed = true;
   if (cursor.next() == '(') {
@@ -200,7 +199,7 @@ bool read_events(ValueCursor& cursor, YarpPacket& packet) {
   return is_closed;
 }
 
-// Values up to the next tag: all of them are one record of something else.
+// Skips the values up to the next tag: one record of another type.
 void skip_record(ValueCursor& cursor) {
   bool is_closed = true;
   while (true) {
@@ -220,7 +219,7 @@ void skip_record(ValueCursor& cursor) {
 }  // namespace
 
 bool is_yarp_log(std::string_view head) {
-  // The first line may be the end of one that was cut.
+  // The first line may be the rest of a cut one.
   for (int line = 0; line < 2 && !head.empty(); ++line) {
     const std::size_t end = std::min(head.find('\n'), head.size() - 1);
     ValueCursor cursor(head.substr(0, end));

@@ -8,26 +8,26 @@
 
 namespace puck {
 
-/// A packet of events of an IIT camera, as a line of a YARP text log holds it.
+/// A packet of an IIT camera's events, from a line of a YARP text log.
 struct YarpPacket {
-  double host_time_s = 0;        ///< When it was sent, s, on the sender's clock.
-  std::int64_t duration_us = 0;  ///< That it covers; 0 where the line does not say.
-  /// Whether the words stood there as the bytes of a string, and not as a list of numbers.
+  double host_time_s = 0;        ///< Sending time, s, on the sender's clock.
+  std::int64_t duration_us = 0;  ///< Duration covered; 0 if the line does not state it.
+  /// Whether the words were written as the bytes of a string, not as a list of numbers.
   bool is_bytes = false;
   /// 32 bits each: addresses, or pairs of a stamp and an address.
   std::vector<std::uint32_t> words;
-  std::int64_t other_records = 0;     ///< Passed over: values in the line that are no events.
-  std::int64_t cut_bytes = 0;         ///< Of the line, left at the end of one that was cut.
-  std::int64_t malformed_values = 0;  ///< Passed over.
+  std::int64_t other_records = 0;     ///< Skipped: values in the line that are not events.
+  std::int64_t cut_bytes = 0;         ///< Bytes left at the end of a cut line.
+  std::int64_t malformed_values = 0;  ///< Skipped values.
 };
 
 /// Whether a file that begins with `head` is a YARP text log: `sequence time [time] TAG …`, with a
 /// tag of capital letters.
 bool is_yarp_log(std::string_view head);
 
-/// Reads a line without its line end; `is_whole` is false for one that the end of the file may have
-/// cut: its last record is then left out unless it is complete. Reuses the memory of `packet`.
-/// False where the line is not of the form `sequence time [time] TAG …`.
+/// Parses a line without its line end. `is_whole` is false for a line that the end of the file may
+/// have cut: its last record is then left out unless it is complete. Reuses the memory of `packet`.
+/// Returns false if the line does not have the form `sequence time [time] TAG …`.
 bool parse_yarp_packet(std::string_view line, bool is_whole, YarpPacket& packet);
 
 }  // namespace puck
