@@ -12,49 +12,50 @@
 
 namespace puck {
 
-/// The defaults are those of the public port (event-driven v1.7). What belongs to its pool of
-/// trackers alone (choice of the likeliest tracker, freeing, repulsion, their thresholds) has no
-/// meaning for a single one and is left out.
+/// The defaults are those of the public port (event-driven v1.7). The parts that concern its pool
+/// of trackers (choice of the likeliest tracker, freeing, repulsion, their thresholds) do not apply
+/// to a single tracker and are left out.
 struct ClusterTrackerParams {
-  /// Share of the way to each event that the position goes. Larger follows faster pucks, and
-  /// trembles more.
+  /// Share of the distance to each event by which the position moves. Larger follows faster pucks,
+  /// with more jitter.
   double position_share = 0.1;
-  /// Share of each event in the shape.
+  /// Weight of each event in the shape.
   double shape_share = 0.01;
-  /// Share of each event's displacement in the velocity.
+  /// Weight of each event's displacement in the velocity.
   double velocity_share = 0.2;
-  /// Events as far away as this, or farther, are ignored. Less than half the puck's width, and the
-  /// tracker settles on a part of the contour.
+  /// Events this far away or farther are ignored. Below half the puck's width, the tracker settles
+  /// on a part of the contour.
   double max_distance_px = 10;
-  /// Above 0: the distance in widths of the puck where the tracker is, instead of in px.
+  /// Above 0: the maximum distance in widths of the puck at the tracker's place, instead of in px.
   double max_distance_widths = 0;
   /// The shape stays round and follows only the events' distance.
   bool round_shape = false;
-  /// Activity, in events, of a cluster that counts as active; the score is relative to it.
+  /// Activity, in events, from which a cluster is active; the score is relative to it.
   double active_from = 20;
-  /// Time in which the activity falls to 1/e without events.
+  /// Time constant of the activity's decay.
   double activity_decay_us = 10'000;
-  /// The activity decays once in so many events.
+  /// The activity decays once every this many events.
   int regulation_events = 50;
 };
 
-/// The port's defaults with a distance that goes with the puck's size, so that the whole contour
-/// counts: what a fair comparison runs. The port's 10 px are made for smaller things.
+/// The port's defaults with a distance in proportion to the puck's size, so that the whole contour
+/// counts: the parameters for a fair comparison. The port's 10 px are for smaller objects.
 ClusterTrackerParams puck_cluster_params();
 
 /// The cluster tracker of Lagorce et al. (TNNLS 2015) as the PUCK paper used it for comparison: a
-/// single Gaussian blob, seeded at PUCK's detection. An event too far away is ignored; each other
-/// one draws position and shape towards it. It never notices that it has lost the puck.
+/// single Gaussian blob, seeded at PUCK's detection. An event too far away is ignored; any other
+/// event attracts position and shape. It never detects that it has lost the puck.
 ///
 /// The seed's shape, and the size in the estimate, follow from the events lying on the contour: an
 /// ellipse's contour of width w has the variance w²/8 along x.
 ///
-/// The estimate's score is the activity relative to that of an active cluster, at most 1: it says
-/// how many events came lately, not whether they were the puck's. The velocity is as rough as the
-/// original's: each event's displacement divided by the time since the one before.
+/// The estimate's score is the activity relative to that of an active cluster, at most 1: it
+/// measures the recent number of events, whether or not they are the puck's. The velocity is as
+/// coarse as the original's: each event's displacement divided by the time since the previous
+/// event.
 class ClusterTracker final : public TrackingAlgorithm {
  public:
-  /// `detection` finds the puck in the beginning. Throws std::invalid_argument, naming the key,
+  /// `detection` configures the initial detection. Throws std::invalid_argument, naming the key,
   /// when a parameter is out of range.
   ClusterTracker(SensorSize sensor, const ClusterTrackerParams& params,
                  const PuckSizeModel& size_model,
@@ -64,7 +65,7 @@ class ClusterTracker final : public TrackingAlgorithm {
   PuckEstimate estimate() override;
 
  private:
-  // Of the events' distances from the position, px².
+  // Covariance of the events' offsets from the position, px².
   struct Covariance {
     double xx = 0;
     double xy = 0;

@@ -18,7 +18,7 @@ EventObservation observe(const EventWindow& window, const Particle& particle,
     score += *value;
     if (score >= best.likelihood) best = {score, age};
   }
-  // A large particle reaches more events than a small one: its area makes up for that.
+  // A large particle collects more events than a small one; its area normalises the sum.
   best.likelihood = std::clamp(best.likelihood * particle.scale * particle.scale, lowest, highest);
   return best;
 }

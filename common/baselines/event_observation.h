@@ -6,16 +6,16 @@
 
 namespace puck {
 
-/// What one particle makes of the newest events.
+/// One particle's observation of the newest events.
 struct EventObservation {
   double likelihood = 0;
-  /// Age of the oldest event among those that suit the particle best.
+  /// Number of newest events at which the particle's likelihood is highest.
   int used_events = 0;
 };
 
-/// Adds up the template's values at the events, newest first, and takes the highest sum on the way,
-/// so that each particle chooses how far back it looks. The likelihood lies between
-/// `lowest_likelihood` times the ring's pixels and the ring's pixels.
+/// Sums the template's values at the events, newest first, and takes the highest partial sum, so
+/// that each particle chooses its own window. The likelihood lies between `lowest_likelihood` times
+/// the ring's pixels and the ring's pixels.
 EventObservation observe(const EventWindow& window, const Particle& particle,
                          const ParticleTemplate& shape, double lowest_likelihood);
 

@@ -7,10 +7,10 @@
 
 namespace puck {
 
-/// The places of the newest events, as many as it has room for.
+/// A ring buffer with the places of the newest events.
 class EventWindow {
  public:
-  /// `capacity` is at least 1.
+  /// `capacity` must be at least 1.
   explicit EventWindow(int capacity) : places_(static_cast<std::size_t>(capacity)) {}
 
   int size() const { return size_; }

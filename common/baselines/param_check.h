@@ -5,8 +5,8 @@
 
 namespace puck {
 
-/// The checks of the baselines' parameters: each throws std::invalid_argument that names the key
-/// when the value is out of range, or no number at all.
+/// Checks of the baselines' parameters: each throws std::invalid_argument that names the key when
+/// the value is out of range or not a number.
 inline void require_at_least(const std::string& key, double value, double lowest) {
   if (value >= lowest) return;
   throw std::invalid_argument(key + " must be at least " + std::to_string(lowest) + ", got " +

@@ -10,14 +10,14 @@
 namespace puck {
 namespace {
 
-// Of the whole image's events enough that a few hundred of them are the puck's.
+// Enough events of the whole image to contain a few hundred of the puck's.
 constexpr int kHistoryEvents = 20'000;
 
 Pixel place_of(const Event& event) {
   return {static_cast<double>(event.x), static_cast<double>(event.y)};
 }
 
-// Checked here, because the window takes its room before the constructor's body runs.
+// Checked here, because the window allocates before the constructor's body runs.
 int checked_window_events(const ParticleFilterParams& params) {
   require_at_least("particle_filter.smallest_window_events", params.smallest_window_events, 1);
   require_at_least("particle_filter.largest_window_events", params.largest_window_events,

@@ -16,37 +16,38 @@
 
 namespace puck {
 
-/// The defaults are those of the variant that the PUCK paper was compared with, but for the shape.
+/// The defaults are those of the variant that the PUCK paper was compared with, except the shape.
 struct ParticleFilterParams {
   ParticleSetParams set;
   TemplateShape shape = TemplateShape::kEllipse;
-  /// Of the best possible likelihood: what a particle without any support counts.
+  /// Likelihood of a particle without support, as a share of the best possible one.
   double lowest_likelihood = 0.03;
-  /// Events farther than this beyond the mean radius, in x or y, are not seen.
+  /// Events farther than this beyond the mean radius, in x or y, are ignored.
   double region_margin_px = 20;
-  /// The window of newest events is never cut below this …
+  /// The window of newest events is never cut below this size.
   int smallest_window_events = 300;
-  /// … never grows beyond this …
+  /// The window never grows beyond this size.
   int largest_window_events = 2000;
-  /// … and is cut when it holds this many more than the particles used.
+  /// The window is cut when it holds this many more events than the particles used.
   int window_slack_events = 30;
 };
 
-/// How many events stay in a window of `held` when the particles used `used` of them, by weight.
+/// Number of events to keep in a window of `held` when the particles used `used` of them (weighted
+/// mean).
 int events_to_keep(int held, double used, const ParticleFilterParams& params);
 
 /// The particle filter of Glover and Bartolozzi (IROS 2017) in the variant that the PUCK paper was
 /// compared with. Each particle goes through the newest events, newest first, and keeps the number
-/// of them that suits it best, so that the window is estimated together with place and size. It is
-/// seeded at PUCK's detection and never notices that it has lost the puck.
+/// of events that fits it best, so that the window is estimated together with place and size. It is
+/// seeded at PUCK's detection and never detects that it has lost the puck.
 ///
 /// The particles are updated every π·R new events near the puck; the estimate, with its newest
-/// event and its count of events, is as of the last update. Its score is the likelihood of the best
-/// particle, 1 when every pixel of the ring fired and none inside; 0 before the first update. The
-/// velocity is not known.
+/// event and its count of events, is that of the last update. Its score is the likelihood of the
+/// best particle: 1 when every pixel of the ring fired and none inside; 0 before the first update.
+/// The velocity is not estimated.
 class ParticleFilter final : public TrackingAlgorithm {
  public:
-  /// `detection` finds the puck in the beginning. Throws std::invalid_argument, naming the key,
+  /// `detection` configures the initial detection. Throws std::invalid_argument, naming the key,
   /// when a parameter is out of range.
   ParticleFilter(SensorSize sensor, const ParticleFilterParams& params,
                  const PuckSizeModel& size_model,
@@ -56,7 +57,7 @@ class ParticleFilter final : public TrackingAlgorithm {
   PuckEstimate estimate() override;
 
  private:
-  // What is needed until the puck is detected. The events before the seed fill its window.
+  // State of the initial detection. The events before the seed fill its window.
   struct Search {
     SurfaceTracker detector;
     EventWindow history;

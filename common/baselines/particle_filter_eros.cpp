@@ -59,7 +59,7 @@ void ParticleFilterEros::step() {
   const double highest = template_.positive_pixels();
   std::size_t i = 0;
   for (const Particle& particle : set_.particles()) {
-    // Summed over image pixels; the scale's square makes template pixels of them.
+    // The sum is over image pixels; the squared scale converts it to template pixels.
     likelihoods_[i++] = std::clamp(likelihood_of(particle) * particle.scale * particle.scale,
                                    params_.lowest_likelihood * highest, highest);
   }

@@ -19,21 +19,21 @@ namespace puck {
 struct ParticleFilterErosParams {
   ParticleSetParams set;
   TemplateShape shape = TemplateShape::kEllipse;
-  /// Of the best possible likelihood: what a particle without any support counts.
+  /// Likelihood of a particle without support, as a share of the best possible one.
   double lowest_likelihood = 0.03;
 };
 
-/// The particles of ParticleFilter observing the blurred EROS surface instead of single events: a
-/// particle's likelihood is the sum of its template times the surface. There is no window to
-/// estimate, for the surface forgets by itself. One update for each estimate that is asked for with
+/// The particles of ParticleFilter on the blurred EROS surface instead of single events: a
+/// particle's likelihood is the sum of its template times the surface. It estimates no window,
+/// since the surface decays by itself. It updates once for each estimate that is requested after
 /// new events, as PUCK's own tracking thread does. Seeded at PUCK's detection on the same surface,
-/// it never notices that it has lost the puck.
+/// it never detects that it has lost the puck.
 ///
-/// The estimate's score is the likelihood of the best particle, 1 when the whole ring is fully lit
-/// and the inside dark; 0 before the first update. The velocity is not known.
+/// The estimate's score is the likelihood of the best particle: 1 when the whole ring is bright and
+/// the inside dark; 0 before the first update. The velocity is not estimated.
 class ParticleFilterEros final : public TrackingAlgorithm {
  public:
-  /// `detection` finds the puck in the beginning and says how the surface decays. Throws
+  /// `detection` configures the initial detection and the surface's decay. Throws
   /// std::invalid_argument, naming the key, when a parameter is out of range.
   ParticleFilterEros(SensorSize sensor, const ParticleFilterErosParams& params,
                      const PuckSizeModel& size_model,

@@ -17,47 +17,47 @@ struct ParticleSetParams {
   int particles = 100;
   /// A particle moves by up to this much in x and in y at each update.
   double position_spread_px = 3;
-  /// … and its scale, template px per image px, by up to this much.
+  /// Its scale, template px per image px, changes by up to this much at each update.
   double scale_spread = 0.1;
   double smallest_radius_px = 6;
   double largest_radius_px = 25.5;
   /// Resample only when few particles carry the weight; otherwise at each update.
   bool adaptive_resampling = false;
-  /// Of the random numbers; the same seed and events give the same track to the bit.
+  /// Seed of the random numbers; the same seed and events give the same track, to the bit.
   std::uint64_t seed = 1;
 };
 
-/// One guess of where the puck is and how large.
+/// A hypothesis of the puck's place and size.
 struct Particle {
   Pixel position;
   double scale = 1;  ///< Template px per image px: 15 / radius.
   double weight = 0;
 };
 
-/// The particles of a filter and what happens to them whatever they observe: weighing, resampling,
-/// prediction. One thread at a time.
+/// The particles of a filter and the steps that do not depend on their observations: weighting,
+/// resampling, prediction. One thread at a time.
 class ParticleSet {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
   ParticleSet(SensorSize sensor, const ParticleSetParams& params);
 
-  /// Puts every particle there, all with the same weight; a radius beyond the limits is clamped.
+  /// Places all particles at `position` with equal weights; a radius beyond the limits is clamped.
   void seed(Pixel position, double radius_px);
 
   std::span<const Particle> particles() const { return particles_; }
 
-  /// Multiplies each weight by its particle's likelihood, above 0, and makes their sum 1.
+  /// Multiplies each weight by its particle's likelihood (above 0) and normalises the sum to 1.
   void weigh(std::span<const double> likelihoods);
 
   /// Weighted means, as of the last `seed` or `weigh`.
   Pixel mean_position() const { return mean_position_; }
   double mean_radius_px() const { return mean_radius_px_; }
 
-  /// Draws as many particles as there are from the weighted ones, each as often as its weight says.
-  /// As in the authors' code a particle keeps its weight, so that weights go on multiplying.
+  /// Draws the same number of particles in proportion to their weights. As in the authors' code a
+  /// particle keeps its weight, so that weights go on multiplying.
   void resample();
 
-  /// Moves every particle at random, inside the image and the limits of the radius.
+  /// Moves all particles at random, within the image and the limits of the radius.
   void predict();
 
  private:

@@ -9,7 +9,7 @@ namespace {
 constexpr int kReferenceHalf = 15;
 constexpr double kReferenceSemiHeight = 7.5;
 constexpr double kFlattestAspect = 0.1;
-// A hundredth moves the contour by 0.14 template px at most.
+// A change of 0.01 moves the contour by 0.14 template px at most.
 constexpr double kVisibleChange = 0.01;
 
 }  // namespace
@@ -36,8 +36,8 @@ void ParticleTemplate::draw() {
     for (int column = 0; column < side(); ++column) {
       const double x = (column - half_) / kSemiWidth;
       const double y = (row - half_) / (kSemiWidth * aspect_);
-      // The authors' measure squares the squares once more, hence the squircle; both are 1 on the
-      // contour and have the ring's borders in the same places on the axes.
+      // The authors' measure squares the squares once more, hence the squircle; both measures are 1
+      // on the contour and have the ring's borders in the same places on the axes.
       const double measure = shape_ == TemplateShape::kReference
                                  ? std::sqrt(x * x * x * x + y * y * y * y)
                                  : x * x + y * y;

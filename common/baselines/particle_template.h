@@ -10,26 +10,26 @@
 namespace puck {
 
 enum class TemplateShape : std::uint8_t {
-  kEllipse,    ///< An upright ellipse with the puck's own aspect.
+  kEllipse,    ///< An upright ellipse with the puck's own aspect ratio.
   kReference,  ///< The authors': a squircle 1.9 times as wide as high, cut off left and right.
 };
 
-/// What a particle looks for, drawn on a grid around the puck's centre: +1 on a broad ring along
-/// the contour, −2 inside, 0 beyond. A particle of radius R px scales it by 15 / R; the radius is
-/// slightly more than half the puck's width, as in the authors' code.
+/// The weights of a particle's observation, drawn on a grid around the puck's centre: +1 on a broad
+/// ring along the contour, −2 inside, 0 outside. A particle of radius R px scales it by 15 / R; the
+/// radius is slightly more than half the puck's width, as in the authors' code.
 class ParticleTemplate {
  public:
   static constexpr double kBaseRadius = 15;
   static constexpr double kSemiWidth = 14.25;
 
-  /// The ellipse begins as a circle.
+  /// The ellipse starts as a circle.
   explicit ParticleTemplate(TemplateShape shape);
 
-  /// Redraws the ellipse when the puck's aspect has changed visibly; no wider than high is drawn as
-  /// a circle. The reference stays as it is.
+  /// Redraws the ellipse when the puck's aspect ratio has changed visibly; a puck no wider than
+  /// high is drawn as a circle. The reference shape stays as it is.
   void fit(PuckSize puck);
 
-  /// The value at an offset from the puck's centre, in template px; nothing beyond the grid.
+  /// The value at an offset from the puck's centre, in template px; `std::nullopt` beyond the grid.
   std::optional<int> at(double dx, double dy) const {
     const double column = dx + half_ + 0.5;
     const double row = dy + half_ + 0.5;
@@ -38,7 +38,7 @@ class ParticleTemplate {
                                             static_cast<int>(column))];
   }
 
-  /// Columns, and rows, from the centre to the border of the grid.
+  /// Columns (or rows) from the centre to the border of the grid.
   int half_side() const { return half_; }
   int positive_pixels() const { return positive_; }
   int negative_pixels() const { return negative_; }

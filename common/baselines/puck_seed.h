@@ -4,7 +4,7 @@
 
 namespace puck {
 
-/// What a baseline starts from: where PUCK detected the puck, and how large it must be there.
+/// Start of a baseline: the place where PUCK detected the puck, and the puck's size there.
 struct PuckSeed {
   Pixel position;
   PuckSize size;

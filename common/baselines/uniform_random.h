@@ -5,8 +5,8 @@
 
 namespace puck {
 
-/// Evenly distributed numbers that are the same on every machine: the standard fixes the generator,
-/// but not its distributions, so the mapping is our own.
+/// Uniformly distributed numbers that are the same on every machine: the standard fixes the
+/// generator, but not its distributions.
 class UniformRandom {
  public:
   explicit UniformRandom(std::uint64_t seed) : generator_(seed) {}

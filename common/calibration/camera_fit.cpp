@@ -11,18 +11,18 @@
 namespace puck {
 namespace {
 
-// Logarithm of the focal length, rotation vector, translation.
+// ln(focal length), rotation vector, translation.
 using CameraParameters = Eigen::Matrix<double, 7, 1>;
 
 constexpr double kLargestSigmaPerPx = 0.05;
 
 [[noreturn]] void refuse_focal_length(const std::string& why) {
   throw std::invalid_argument("the correspondences do not fix the focal length: " + why +
-                              "; mark places at more depths, or tell the focal length");
+                              "; mark places at more depths, or give the focal length");
 }
 
-// The table's axes are orthogonal and equally long. Seen through K, their images a and b are so
-// with respect to K⁻ᵀ K⁻¹: two equations that are linear in 1 / f².
+// The table's axes are orthogonal and of equal length. Their images a and b are so under the image
+// of the absolute conic, K⁻ᵀ K⁻¹: two equations that are linear in 1 / f².
 double focal_from_axes(const Eigen::Matrix3d& image_from_table) {
   const Eigen::Vector3d a = image_from_table.col(0);
   const Eigen::Vector3d b = image_from_table.col(1);
@@ -50,7 +50,7 @@ CameraParameters start_from(const Eigen::Matrix3d& image_from_table) {
   return parameters;
 }
 
-// Pixels from the principal point on.
+// Projection relative to the principal point, px.
 Eigen::Vector2d seen(const Eigen::VectorXd& p, const TablePoint& point) {
   const Eigen::Vector3d turn = p.segment<3>(1);
   const double angle = turn.norm();

@@ -10,17 +10,17 @@ namespace puck {
 
 struct FocalLengthFit {
   double focal_px = 0;
-  /// By how much of itself an error of 1 px in each marking moves it, as a standard deviation.
+  /// Relative standard deviation of the focal length for an error of 1 px in each marking.
   double sigma_per_px = 0;
-  /// Between the marked pixels and those of a camera without distortion and with square pixels,
-  /// whose principal point is the one that was given. Much larger than the homography's, it says
-  /// that the camera is not like that.
+  /// Residual in the image with a camera without distortion, with square pixels and the given
+  /// principal point. Much larger than the homography's, it shows that the camera does not fit this
+  /// model.
   double rms_px = 0;
 };
 
-/// The focal length with which a pinhole camera sees the correspondences best, sought from what the
-/// homography that was fitted to them says of it. Throws std::invalid_argument with the reason when
-/// they hardly depend on it, as where the camera looks straight down.
+/// Fits the focal length with which a pinhole camera sees the correspondences best, starting from
+/// the one that the fitted homography implies. Throws std::invalid_argument with the reason when
+/// the correspondences hardly depend on it, as for a camera that looks straight down.
 FocalLengthFit fit_focal_length(const Homography& homography, Pixel principal_point,
                                 std::span<const Correspondence> correspondences);
 

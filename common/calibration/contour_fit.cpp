@@ -22,15 +22,15 @@ constexpr double kGatePx = 4;
 constexpr int kIterations = 30;
 constexpr double kSmallestStep = 1e-5;
 constexpr int kParts = 20;
-// Cauchy's weight is a half there, in standard deviations: nearly as good as least squares where
-// the errors are normal.
+// Scale of Cauchy's weight, in standard deviations: the weight is 1/2 there. Nearly as efficient as
+// least squares for normal errors.
 constexpr double kCauchy = 2.385;
 constexpr double kSmallestSpreadPx = 0.05;
-// How far from the defaults values may lie; weighs as much as a single event.
-const Parameters kFree(1, 0.3, 2, 0.2);
-// With speeds that are all alike, lag and trail cannot be told apart.
-const Parameters kUsualTrail(1, 0.3, 2, 1e-9);
-// For slopes.
+// Prior standard deviation of each parameter around its default, with the weight of a single event.
+const Parameters kPriorSigma(1, 0.3, 2, 0.2);
+// With uniform speeds, lag and trail cannot be separated.
+const Parameters kPriorSigmaFixedTrail(1, 0.3, 2, 1e-9);
+// Step of the numerical derivatives.
 constexpr double kStep = 1e-3;
 
 ContourCalibration calibration_of(const Parameters& p) { return {1000 * p(0), p(1), p(2), p(3)}; }
@@ -40,12 +40,12 @@ Parameters parameters_of(const ContourCalibration& c) {
 }
 
 struct Residual {
-  double value_px = 0;  // Positive: outside of where the event was expected.
+  double value_px = 0;  // Positive: outside the expected ring.
   double normal_speed_px_s = 0;
   double normal_y = 0;
 };
 
-// Where events are expected with a calibration.
+// Residuals of the samples under a calibration.
 class Expectation {
  public:
   Expectation(const ContourSamples& samples, const Parameters& p)
@@ -80,7 +80,7 @@ double spread_of(const ContourSamples& samples, const Parameters& p) {
   return std::max(kSigmaOfMedian * median_of(sizes), kSmallestSpreadPx);
 }
 
-// Of the linearised, weighted problem: N step = g.
+// Normal equations N step = g of the linearised, weighted problem.
 struct NormalEquations {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
   Parameters side = Parameters::Zero();
@@ -103,7 +103,7 @@ NormalEquations prior_of(const Parameters& p, double spread_px, const Parameters
   return prior;
 }
 
-// Of some of the samples.
+// Normal equations of some of the samples.
 NormalEquations equations_of(const ContourSamples& samples, std::span<const ContourSample> some,
                              const Parameters& p, double spread_px) {
   const Expectation expectation(samples, p);
@@ -127,8 +127,8 @@ NormalEquations equations_of(const ContourSamples& samples, std::span<const Cont
   return sum;
 }
 
-// One more step of the fit without one part of the recording, for each part: their scatter tells
-// the error, however much the events of a part depend on each other.
+// Jackknife over the parts of the recording: the scatter of one more step without each part gives
+// the error, also when the events of a part are correlated.
 Parameters standard_error_of(const ContourSamples& samples, const Parameters& p, double spread_px,
                              const Parameters& freedom) {
   std::array<NormalEquations, kParts> parts;
@@ -204,11 +204,13 @@ ContourFit fit_contour(const ContourSamples& samples) {
                                 " events of the contour of a moving puck, at least " +
                                 std::to_string(kFewestEvents) + " are needed");
   }
-  ContourFit fit = fit_freely(samples, kFree);
-  if (!(fit.standard_error.lag_us < kLargestErrorUs)) fit = fit_freely(samples, kUsualTrail);
+  ContourFit fit = fit_freely(samples, kPriorSigma);
+  if (!(fit.standard_error.lag_us < kLargestErrorUs))
+    fit = fit_freely(samples, kPriorSigmaFixedTrail);
   if (!(fit.standard_error.lag_us < kLargestErrorUs)) {
     throw std::invalid_argument(
-        "the puck is too slow to tell the lag: nine tenths of its contour's events move at less "
+        "the puck is too slow to determine the lag: nine tenths of its contour's events move at "
+        "less "
         "than " +
         std::to_string(std::lround(fit.fast_px_s)) + " px/s, which leaves the lag open by " +
         std::to_string(std::lround(fit.standard_error.lag_us)) + " us");

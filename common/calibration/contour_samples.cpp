@@ -8,22 +8,22 @@ namespace {
 
 constexpr std::int64_t kWindowUs = 2'000;
 constexpr std::size_t kMostSamples = 400'000;
-// Slower contours tell little, and noise is a large part of their events.
+// Slower contours carry little information, and noise is a large share of their events.
 constexpr double kLeastSpeedPx_s = 60;
-// Where the contour moves along itself, its events come from somewhere else.
+// Where the contour moves along its tangent, its events have other causes.
 constexpr double kLeastNormalShare = 0.3;
 constexpr double kNearContourPx = 5;
 constexpr double kRingPx = 2;
 constexpr double kOutsideFromPx = 3;
 constexpr double kOutsideToPx = 7;
 constexpr int kFewestOnRing = 8;
-// Of the ring's events, in a band outside it of the same width.
+// Highest share of events, relative to the ring's, in a band of the same width outside it.
 constexpr double kMostOutside = 0.2;
-// Of all samples those of the other sign than most: fewer are noise, more say that the recording's
-// signs tell nothing.
+// Share of samples with the minority sign: below kFewestOfPrint they are noise, above kMostOfPrint
+// the signs carry no information.
 constexpr double kFewestOfPrint = 0.02;
 constexpr double kMostOfPrint = 0.3;
-// Near enough to tell which events belong to the ring.
+// Good enough to select the ring's events.
 constexpr ContourCalibration kRough{};
 
 }  // namespace
@@ -77,7 +77,7 @@ void ContourSamples::finish() {
   leave_out_print();
 }
 
-// A print's outer edge has the other sign than the contour, which is not far away.
+// A print's outer edge has the opposite sign of the contour nearby.
 void ContourSamples::leave_out_print() {
   const auto bright = std::count_if(samples_.begin(), samples_.end(),
                                     [](const ContourSample& sample) { return sample.is_bright; });

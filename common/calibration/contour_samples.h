@@ -14,41 +14,40 @@
 
 namespace puck {
 
-/// An event near the contour of a puck whose true place and velocity are known.
+/// An event near the contour of a puck of known position and velocity.
 struct ContourSample {
   double dx = 0;  ///< From the puck's true centre, px.
   double dy = 0;
-  Pixel centre;  ///< The true one.
+  Pixel centre;  ///< The puck's true centre.
   PixelVelocity velocity;
-  /// Of the sign that the contour has there if the puck is brighter than the table.
+  /// The event has the sign of a puck that is brighter than the table.
   bool is_bright = false;
 };
 
-/// Gathers the events that tell where the contour of a moving puck fires. Those of times when
-/// something else fires beside the puck are left out, and so are those of the other sign than most,
-/// where there are so many that they are of a print on the puck; with too many, they are thinned
-/// evenly.
+/// Collects the events that show where the contour of a moving puck fires. Leaves out times when
+/// other objects fire beside the puck, and the events of the minority sign where there are so many
+/// that they come from a print on the puck. Too many events are thinned evenly.
 class ContourSamples {
  public:
-  /// The truth must outlive it. `lean_deg`: ContourCalibration's, which is not fitted.
+  /// `truth` must outlive this object. `lean_deg` as in ContourCalibration; it is not fitted.
   ContourSamples(const TruthMotion& truth, SensorSize sensor, const PuckSizeModel& size_model,
                  double lean_deg = 0);
 
   /// Packets in the order of their times.
   void add(const EventPacket& packet);
-  /// After the last packet.
+  /// Call after the last packet.
   void finish();
 
   std::span<const ContourSample> samples() const { return samples_; }
   double lean_deg() const { return lean_deg_; }
-  /// The contour that the trackers would expect with this calibration, but for its lean, which is
-  /// the one given.
+  /// The contour that the trackers would expect with this calibration, except its lean, which is
+  /// the given one.
   PuckContour contour(ContourCalibration calibration) const {
     calibration.lean_deg = lean_deg_;
     return {sensor_, size_model_, calibration, true};
   }
-  /// Stretches of 2 ms in which truth told the motion of a puck that was fast enough, and those of
-  /// them in which its contour fired and nothing beside it did.
+  /// Windows of 2 ms in which truth gives the motion of a fast enough puck, and those of them in
+  /// which the contour fired and its surroundings did not.
   std::int64_t windows() const { return windows_; }
   std::int64_t clear_windows() const { return clear_windows_; }
 

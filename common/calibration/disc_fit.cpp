@@ -11,8 +11,8 @@
 namespace puck {
 namespace {
 
-// What annotations say little about is kept near what most cameras and pucks are. The weights suit
-// annotations that are good to half a pixel.
+// Priors keep parameters that the annotations hardly determine near those of most cameras and
+// pucks. The weights suit annotations good to half a pixel.
 constexpr double kAnnotationErrorPx = 0.5;
 constexpr double kColumnSpreadPx = 100;
 constexpr double kUsualThickness = 0.2;
@@ -20,7 +20,7 @@ constexpr double kThicknessSpread = 0.2;
 
 enum Parameter : Eigen::Index { kWidth, kGrowthX, kGrowthY, kFaceOn, kThickness, kColumn, kCount };
 
-// The width's plane goes through `middle`, where it is known best.
+// The width's plane goes through `middle`, where it is best determined.
 DiscModel model_of(const Eigen::VectorXd& parameters, Pixel middle) {
   DiscModel model;
   model.width_x = parameters(kGrowthX);
@@ -39,7 +39,7 @@ DiscFit fit_disc_model(std::span<const Annotation> annotations, Pixel middle) {
   const PuckSizeModel planes = fit_puck_size_model(annotations).model;
   const PuckSize typical = planes.extrapolated_at(middle);
   Eigen::VectorXd start(static_cast<Eigen::Index>(kCount));
-  // A fifth of the height is the wall's.
+  // The wall makes up a fifth of the height.
   start << typical.width, planes.width_x, planes.width_y,
       typical.width * typical.width / std::max(0.8 * typical.height, DiscModel::kSmallestWidth_px),
       kUsualThickness, middle.x;

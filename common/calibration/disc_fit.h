@@ -15,9 +15,9 @@ struct DiscFit {
   SizeResiduals height;
 };
 
-/// Least squares over widths and heights at once. `middle`: of the image; the principal point's row
-/// is taken from it, its column must not lie far from it unless the annotations say so. The
-/// annotations must suit `fit_puck_size_model`.
+/// Least squares over widths and heights jointly. `middle`: centre of the image; it gives the
+/// principal point's row, and a prior for its column. The annotations must suit
+/// `fit_puck_size_model`.
 DiscFit fit_disc_model(std::span<const Annotation> annotations, Pixel middle);
 
 }  // namespace puck

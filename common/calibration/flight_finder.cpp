@@ -10,13 +10,13 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kGapUs = 30'000;
-// The velocity is looked at so long before and after a moment.
+// The velocity is compared over this time before and after a moment.
 constexpr std::int64_t kLookUs = 25'000;
 constexpr std::size_t kFewestLooked = 3;
-// A smaller change of the velocity is noise: m/s, and as a part of the speed.
+// Smallest change of the velocity that is not noise: m/s, and as a share of the speed.
 constexpr double kChangeMS = 0.2;
 constexpr double kChangeOfSpeed = 0.05;
-// Nearer to a rail than this, and what the puck moves between two points, a change is a bounce.
+// A change nearer to a rail than this, plus the distance between two points, is a bounce.
 constexpr double kBesideRailM = 0.01;
 constexpr std::int64_t kLongestUs = 800'000;
 constexpr std::int64_t kShortestUs = 100'000;
@@ -32,7 +32,7 @@ double distance_m(const TablePoint& a, const TablePoint& b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
 }
 
-// Of a straight line through the points.
+// Slope of the regression line through the points.
 TableVelocity slope_of(Points points) {
   const auto n = static_cast<double>(points.size());
   double t = 0;
@@ -79,7 +79,7 @@ class Finder {
   }
 
  private:
-  // Where the goals' posts, or nothing at all, may be in the puck's way.
+  // Where goal posts or the open goal may be in the puck's way.
   bool is_in_mouth(const TablePoint& at) const {
     const double to_end_m = std::min(at.x_m, table_.length_m - at.x_m);
     return to_end_m < table_.puck_radius_m + kBesideRailM &&
@@ -131,7 +131,7 @@ class Finder {
 
   Points track_;
   const TableGeometry& table_;
-  std::size_t first_ = 0;  // of the points that are looked at
+  std::size_t first_ = 0;  // Index of the first point under consideration.
   std::size_t last_ = 0;
   std::vector<Flight> flights_;
 };

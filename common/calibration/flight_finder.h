@@ -8,19 +8,19 @@
 
 namespace puck {
 
-/// Where a puck was on the table, measured.
+/// A measured position of a puck on the table.
 struct TrackPoint {
   Timestamp t;
   TablePoint position;
 };
 
-/// Places at growing times, between which only gliding and bounces at the rails moved the puck.
+/// Positions at increasing times between which only gliding and rail bounces moved the puck.
 using Flight = std::vector<TrackPoint>;
 
-/// The flights in a track: it is cut at gaps, at times that go back, in and before the goals'
-/// mouths where the posts are, and wherever the velocity changes away from the rails, which is a
-/// mallet's doing. What a mallet does right beside a rail is not told from a bounce. Flights are at
-/// most 0.8 s long, move at 0.2 m/s or more on average, and have a point every 4 ms or less often.
+/// The flights in a track. It is cut at gaps, at times that go back, in and before the goals'
+/// mouths, and wherever the velocity changes away from the rails, which only a mallet causes. A
+/// mallet's hit right beside a rail is not distinguished from a bounce. Flights are at most 0.8 s
+/// long, have a mean speed of 0.2 m/s or more, and points at least 4 ms apart.
 std::vector<Flight> find_flights(const std::vector<TrackPoint>& track, const TableGeometry& table);
 
 }  // namespace puck

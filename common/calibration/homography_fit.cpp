@@ -16,11 +16,11 @@ namespace puck {
 namespace {
 
 using PointColumns = Eigen::Matrix2Xd;
-using Elements = Eigen::VectorXd;  // Eight; the ninth element is 1.
+using Elements = Eigen::VectorXd;  // Eight elements; the ninth is 1.
 
 constexpr std::size_t kMinCorrespondences = 4;
-// Of the second smallest singular value of the linear system to its largest. In normalised
-// coordinates a good layout reaches 0.1; points on one line stay near the noise of the marking.
+// Ratio of the second smallest singular value of the linear system to its largest. In normalised
+// coordinates a good layout reaches 0.1; collinear points stay near the noise of the marking.
 constexpr double kMinConditioning = 1e-3;
 
 struct Normalised {
@@ -28,7 +28,7 @@ struct Normalised {
   Eigen::Matrix3d transform;  // normalised from original
 };
 
-// Moves the centroid to the origin and the mean distance from it to √2.
+// Moves the centroid to the origin and scales the mean distance from it to √2.
 Normalised normalised(const PointColumns& points, const char* what) {
   const Eigen::Vector2d mean = points.rowwise().mean();
   const PointColumns centred = points.colwise() - mean;
@@ -42,7 +42,7 @@ Normalised normalised(const PointColumns& points, const char* what) {
   return {centred * scale, transform};
 }
 
-// The matrix whose null vector is the homography that carries `from` to `to`.
+// The matrix whose null vector is the homography that maps `from` to `to`.
 Eigen::MatrixXd linear_system(const PointColumns& from, const PointColumns& to) {
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(2 * from.cols(), 9);
   for (Eigen::Index i = 0; i < from.cols(); ++i) {
@@ -73,8 +73,9 @@ Eigen::Matrix3d to_matrix(const Elements& p) {
   return matrix;
 }
 
-// Smallest squared distances between `to` and the carried `from`.
-Eigen::Matrix3d refined(const Eigen::Matrix3d& start, const PointColumns& from, const PointColumns& to) {
+// Least squares of the distances between `to` and the mapped `from`.
+Eigen::Matrix3d refined(const Eigen::Matrix3d& start, const PointColumns& from,
+                        const PointColumns& to) {
   const Eigen::Matrix3d scaled = start / start(2, 2);
   Elements parameters(8);
   parameters << scaled(0, 0), scaled(0, 1), scaled(0, 2), scaled(1, 0), scaled(1, 1), scaled(1, 2),
@@ -139,7 +140,7 @@ HomographyFit fit_homography(std::span<const Correspondence> correspondences) {
     throw std::invalid_argument("every coordinate of a correspondence must be finite");
   }
 
-  // Fitted as image from table, because the marking's error is made in the image.
+  // Fitted as image from table, because the marking's error is in the image.
   const Normalised to = normalised(image, "image");
   const Normalised from = normalised(table, "table");
   const Eigen::Matrix3d fitted =

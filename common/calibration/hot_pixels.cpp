@@ -15,10 +15,11 @@ constexpr std::int64_t kShortestRecordingUs = 1'000'000;
 constexpr std::uint32_t kFewestEventsOfPixel = 20;
 constexpr std::uint32_t kTimesNeighbourhood = 5;
 constexpr int kReach = 2;
-// Of the slices in which as many events, spread at random, would fall; an edge's come in bursts.
+// Smallest share of active slices, relative to that of a random process of the same rate; an edge
+// fires in bursts.
 constexpr double kLeastSteadiness = 0.75;
 
-// An edge goes on beyond the image's border.
+// An edge continues beyond the image's border.
 int mirrored(int place, int size) {
   const int inside = place < 0 ? -place : (place >= size ? 2 * (size - 1) - place : place);
   return std::clamp(inside, 0, size - 1);
@@ -63,7 +64,7 @@ std::uint32_t HotPixelFinder::neighbourhood_explains(int x, int y) const {
 
 HotPixelReport HotPixelFinder::find() const {
   if (!first_ || last_ - *first_ < kShortestRecordingUs) {
-    throw std::invalid_argument("hot pixels need a second of events or more to be told, got " +
+    throw std::invalid_argument("hot pixels need a second of events or more, got " +
                                 std::to_string(first_ ? (last_ - *first_) / 1000 : 0) + " ms");
   }
   HotPixelReport report;

@@ -13,29 +13,29 @@ namespace puck {
 struct HotPixel {
   PixelPlace place;
   double rate_hz = 0;
-  double active_share = 0;  ///< Of the recording's slices of 100 ms, those in which it fired.
+  double active_share = 0;  ///< Share of the recording's slices of 100 ms in which it fired.
 };
 
 struct HotPixelReport {
-  std::vector<HotPixel> pixels;  ///< The noisiest first.
-  std::int64_t events = 0;       ///< Of all pixels.
+  std::vector<HotPixel> pixels;  ///< Noisiest first.
+  std::int64_t events = 0;       ///< Events of all pixels.
   std::int64_t hot_events = 0;
   double seconds = 0;
   double median_rate_hz = 0;  ///< Over all pixels.
 };
 
-/// Tells pixels that fire all by themselves from those that see something. A hot pixel fires at
-/// least 20 times, more than five times as often as its neighbourhood explains, and all the time:
-/// an edge sweeps over its neighbours too, and comes and goes. The neighbourhood explains what the
-/// third busiest of the 24 pixels around fires, so that up to three hot pixels may lie together.
+/// Detects pixels that fire without a change of light. A hot pixel fires at least 20 times, more
+/// than five times as often as its neighbourhood explains, and all the time: an edge also sweeps
+/// over the neighbours, and fires only while it passes. The neighbourhood explains the rate of the
+/// third busiest of the 24 pixels around, so that up to three hot pixels may be adjacent.
 class HotPixelFinder {
  public:
   explicit HotPixelFinder(SensorSize sensor);
 
-  /// Packets in the order of their times. Events outside the sensor are left out.
+  /// Packets in the order of their times. Ignores events outside the sensor.
   void add(const EventPacket& packet);
 
-  /// Throws std::invalid_argument when there was less than a second of events.
+  /// Throws std::invalid_argument for less than a second of events.
   HotPixelReport find() const;
 
  private:

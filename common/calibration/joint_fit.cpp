@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// Nearer ones are the same place, measured again.
+// Closer places are repeated measurements of one place.
 constexpr double kSamePlaceM = 1e-4;
 constexpr std::size_t kLeastPlaces = 4;
 constexpr double kShortestM = 0.02;
@@ -33,7 +33,7 @@ void check(std::span<const JointPair> pairs, const JointFitParams& params) {
   if (!(params.margin_deg >= 0)) refuse("the margin must not be negative");
 }
 
-// Sorted; what was measured several times at one place is averaged.
+// Sorted by place; repeated measurements of one place are averaged.
 std::vector<JointPair> places_of(std::span<const JointPair> pairs) {
   std::vector<JointPair> sorted(pairs.begin(), pairs.end());
   std::sort(sorted.begin(), sorted.end(),
@@ -60,7 +60,7 @@ std::array<double, 4> weights_at(double t) {
           t * t * t / 6};
 }
 
-// A row a pair, then rows that keep the spline smooth where there is nothing to fix it.
+// One row a pair, then rows that smooth the spline where no pair determines it.
 Eigen::MatrixXd design_of(std::span<const JointPair> pairs, double from_m, double to_m,
                           int intervals) {
   constexpr double kSmooth = 1e-4;
@@ -82,8 +82,8 @@ Eigen::MatrixXd design_of(std::span<const JointPair> pairs, double from_m, doubl
   return design;
 }
 
-// The nearest values that grow: neighbours that do not are pooled.
-void put_in_order(Eigen::Ref<Eigen::VectorXd> values) {
+// Isotonic regression: pools neighbours that are out of order.
+void make_increasing(Eigen::Ref<Eigen::VectorXd> values) {
   struct Pool {
     double mean = 0;
     Eigen::Index size = 0;
@@ -109,7 +109,7 @@ void put_in_order(Eigen::Ref<Eigen::VectorXd> values) {
   }
 }
 
-// 1: grows, −1: falls, 0: neither. Measured joints go back by their noise.
+// 1: increasing, −1: decreasing, 0: neither, with a tolerance for noise.
 int direction_of(const std::vector<JointPair>& places, std::size_t joint) {
   constexpr double kMostBack = 0.02;
   const double net = places.back().deg[joint] - places.front().deg[joint];
@@ -174,11 +174,11 @@ JointFit fit_joint_table(std::span<const JointPair> pairs, const JointFitParams&
       wanted(row) = pairs[static_cast<std::size_t>(row)].deg[k];
     }
     const int direction = direction_of(places, k);
-    // Of a falling joint the negative grows.
+    // Of a decreasing joint the negative increases.
     Eigen::VectorXd control = solver.solve(wanted);
     if (direction != 0) {
       control *= direction;
-      put_in_order(control);
+      make_increasing(control);
       control *= direction;
     }
     const Eigen::VectorXd off = (design * control - wanted).head(rows);

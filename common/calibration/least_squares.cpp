@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-// What Eigen's solver asks of a function, names included.
+// The interface that Eigen's solver requires, names included.
 struct Residuals {
   using Scalar = double;
   using InputType = Eigen::VectorXd;

@@ -6,13 +6,13 @@
 
 namespace puck {
 
-/// Fills the residuals that belong to the parameters; their number never changes.
+/// Computes the residuals for the parameters; their number is constant.
 using ResidualFunction =
     std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals)>;
 
-/// Where the sum of the squared residuals is smallest, sought from `start` on by Levenberg and
-/// Marquardt's method (MINPACK's, as it is in Eigen), with derivatives by differences. There must
-/// be as many residuals as parameters or more.
+/// Minimises the sum of the squared residuals from `start` by Levenberg and Marquardt's method
+/// (MINPACK's, as in Eigen), with numerical derivatives. There must be at least as many residuals
+/// as parameters.
 Eigen::VectorXd least_squares(const Eigen::VectorXd& start, Eigen::Index residual_count,
                               const ResidualFunction& residuals);
 

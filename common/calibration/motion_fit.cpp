@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::size_t kFewestBounced = 12;
 constexpr int kMostRounds = 60;
-// A flight that is off by so many times what flights like it are off by is none.
+// A flight with this many times the usual residual of its kind is rejected.
 constexpr double kFarOff = 4;
-// Places that are more exact than this are no reason to be choosier.
+// Lower bound of the usual residual: below it, rejection is no stricter.
 constexpr double kLeastUsualM = 5e-5;
-constexpr double kMostOpen = 0.05;
-constexpr double kMostOpenDamping = 0.1;
+constexpr double kMostError = 0.05;
+constexpr double kMostDampingError = 0.1;
 constexpr double kHighestDamping = 5;
 constexpr double kConverged = 1e-6;
 
@@ -30,8 +30,8 @@ using Start = Eigen::Vector4d;      // x, y, vx, vy
 
 MotionConstants constants_of(const Constants& values) { return {values[0], values[1], values[2]}; }
 
-/// One flight, and what is believed of it.
-struct Flown {
+/// One flight and its present fit.
+struct FittedFlight {
   const Flight* flight = nullptr;
   Start start = Start::Zero();
   int bounces = 0;
@@ -39,7 +39,7 @@ struct Flown {
   double weight = 1;
 };
 
-/// A flight's share in the normal equations of the constants, its start eliminated.
+/// A flight's contribution to the normal equations of the constants, with its start eliminated.
 struct Share {
   Eigen::Matrix3d information;
   Constants gradient;
@@ -49,7 +49,7 @@ struct Share {
 };
 
 Start first_guess(const Flight& flight) {
-  // Long enough for a velocity, short enough that no bounce spoils it for good.
+  // Long enough for a velocity, short enough to contain at most a late bounce.
   const std::size_t at = std::min<std::size_t>(6, flight.size() - 1);
   const double dt_s = static_cast<double>(flight[at].t - flight[0].t) * 1e-6;
   const TablePoint& from = flight[0].position;
@@ -57,7 +57,7 @@ Start first_guess(const Flight& flight) {
   return {from.x_m, from.y_m, (to.x_m - from.x_m) / dt_s, (to.y_m - from.y_m) / dt_s};
 }
 
-// Measured less flown places, x and y in turn.
+// Measured minus predicted positions, x and y in turn.
 Eigen::VectorXd residuals(const Flight& flight, const PuckMotion& motion, const Start& start,
                           int& bounces) {
   Eigen::VectorXd off(2 * static_cast<Eigen::Index>(flight.size()));
@@ -95,26 +95,26 @@ class Fitter {
     }
   }
 
-  /// Flights count less, the further they are off.
-  void weigh() {
+  /// Weights the flights by their residuals.
+  void weight_by_residual() {
     const std::array<double, 2> usual = usual_rms();
-    for (Flown& flown : flown_) {
+    for (FittedFlight& flown : flown_) {
       const double far = flown.rms_m / (kFarOff * usual[flown.bounces > 0 ? 1 : 0]);
       flown.weight = 1 / (1 + far * far);
     }
   }
-  /// Flights count, or they do not.
-  void decide() {
+  /// Accepts or rejects each flight by its residual.
+  void reject_outliers() {
     const std::array<double, 2> usual = usual_rms();
-    for (Flown& flown : flown_) {
+    for (FittedFlight& flown : flown_) {
       flown.weight = flown.rms_m <= kFarOff * usual[flown.bounces > 0 ? 1 : 0] ? 1 : 0;
     }
   }
 
   std::size_t bounced() const {
-    return static_cast<std::size_t>(
-        std::count_if(flown_.begin(), flown_.end(),
-                      [](const Flown& flown) { return flown.weight > 0 && flown.bounces > 0; }));
+    return static_cast<std::size_t>(std::count_if(
+        flown_.begin(), flown_.end(),
+        [](const FittedFlight& flown) { return flown.weight > 0 && flown.bounces > 0; }));
   }
 
   MotionFit result() const {
@@ -124,7 +124,7 @@ class Fitter {
     double points = 0;
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (const Flown& flown : flown_) {
+    for (const FittedFlight& flown : flown_) {
       if (flown.weight == 0) {
         ++fit.rejected;
         continue;
@@ -140,7 +140,7 @@ class Fitter {
     }
     fit.rms_m = std::sqrt(squares / points);
     const Eigen::FullPivLU<Eigen::Matrix3d> solver(information);
-    if (!solver.isInvertible()) refuse("the bounces leave the constants open");
+    if (!solver.isInvertible()) refuse("the bounces do not determine the constants");
     const Eigen::Matrix3d inverse = solver.inverse();
     const auto m = static_cast<double>(fit.flights);
     const Eigen::Matrix3d covariance = inverse * scatter * inverse * (m / (m - 3));
@@ -151,7 +151,7 @@ class Fitter {
  private:
   std::array<double, 2> usual_rms() const {
     std::array<std::vector<double>, 2> rms;
-    for (const Flown& flown : flown_) rms[flown.bounces > 0 ? 1 : 0].push_back(flown.rms_m);
+    for (const FittedFlight& flown : flown_) rms[flown.bounces > 0 ? 1 : 0].push_back(flown.rms_m);
     std::array<double, 2> usual{};
     for (std::size_t i = 0; i < rms.size(); ++i) {
       if (rms[i].empty()) continue;
@@ -162,7 +162,7 @@ class Fitter {
     return usual;
   }
 
-  Share share_of(const Flown& flown) const {
+  Share share_of(const FittedFlight& flown) const {
     constexpr double kConstantStep = 1e-5;
     constexpr std::array<double, 4> kStartSteps{1e-6, 1e-6, 1e-5, 1e-5};
     const Flight& flight = *flown.flight;
@@ -178,7 +178,7 @@ class Fitter {
     }
     Eigen::Matrix<double, Eigen::Dynamic, 3> by_constant(off.size(), 3);
     for (Eigen::Index k = 0; k < 3; ++k) {
-      // Towards the inside of what constants may be.
+      // One-sided step towards the inside of the constants' range.
       const double step = constants_[k] > 0.5 ? -kConstantStep : kConstantStep;
       Constants moved = constants_;
       moved[k] += step;
@@ -187,7 +187,7 @@ class Fitter {
     }
     Share share;
     share.start_information = by_start.transpose() * by_start;
-    // Where a post or a goal stops the puck, places do not tell its velocity.
+    // Where a post or a goal stops the puck, positions do not determine its velocity.
     share.start_information.diagonal() *= 1 + 1e-9;
     share.start_gradient = by_start.transpose() * off;
     share.coupling = by_start.transpose() * by_constant;
@@ -199,7 +199,7 @@ class Fitter {
     return share;
   }
 
-  // One step of Gauss and Newton; returns how far the constants went.
+  // One Gauss-Newton step; returns the change of the constants.
   double step() {
     Eigen::Matrix3d information = Eigen::Matrix3d::Identity() * 1e-12;
     Constants gradient = Constants::Zero();
@@ -218,7 +218,7 @@ class Fitter {
     const Constants gone = constants_ - before;
     const PuckMotion motion = motion_with(table_, constants_);
     for (std::size_t i = 0; i < flown_.size(); ++i) {
-      Flown& flown = flown_[i];
+      FittedFlight& flown = flown_[i];
       if (flown.weight == 0) continue;
       const Share& share = shares[i];
       flown.start +=
@@ -231,14 +231,14 @@ class Fitter {
   }
 
   void weigh_if_undecided() {
-    const bool is_decided = std::all_of(flown_.begin(), flown_.end(), [](const Flown& flown) {
-      return flown.weight == 0 || flown.weight == 1;
-    });
-    if (!is_decided) weigh();
+    const bool is_decided = std::all_of(
+        flown_.begin(), flown_.end(),
+        [](const FittedFlight& flown) { return flown.weight == 0 || flown.weight == 1; });
+    if (!is_decided) weight_by_residual();
   }
 
   const TableGeometry& table_;
-  std::vector<Flown> flown_;
+  std::vector<FittedFlight> flown_;
   Constants constants_;
 };
 
@@ -246,15 +246,15 @@ void check(const MotionFit& fit) {
   const auto require = [](double value, double error, double most, const char* name) {
     std::array<char, 160> text{};
     std::snprintf(text.data(), text.size(),
-                  "%s is %.3f +- %.3f: too few bounces, or too much alike, to tell it to %g", name,
-                  value, error, most);
+                  "%s is %.3f +- %.3f: too few bounces, or too similar ones, to determine it to %g",
+                  name, value, error, most);
     if (!(error <= most)) refuse(text.data());
   };
   const auto& [damping, restitution, grip] = fit.constants;
   const MotionConstants& error = fit.standard_error;
-  require(damping, error.damping_per_s, kMostOpenDamping, "damping_per_s");
-  require(restitution, error.rail_restitution, kMostOpen, "rail_restitution");
-  require(grip, error.rail_grip, kMostOpen, "rail_grip");
+  require(damping, error.damping_per_s, kMostDampingError, "damping_per_s");
+  require(restitution, error.rail_restitution, kMostError, "rail_restitution");
+  require(grip, error.rail_grip, kMostError, "rail_grip");
   if (damping >= kHighestDamping || restitution <= 0 || grip <= 0) {
     refuse("no table has such constants: is the track on the table, in metres, and of a puck?");
   }
@@ -268,9 +268,9 @@ MotionFit fit_motion(const std::vector<Flight>& flights, const TableGeometry& ta
   }
   Fitter fitter(flights, table);
   fitter.converge();
-  fitter.weigh();
+  fitter.weight_by_residual();
   fitter.converge();
-  fitter.decide();
+  fitter.reject_outliers();
   fitter.converge();
   if (fitter.bounced() < kFewestBounced) {
     refuse("only " + std::to_string(fitter.bounced()) +

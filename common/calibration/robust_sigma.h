@@ -2,7 +2,7 @@
 
 namespace puck {
 
-/// Of a normal distribution: standard deviation over median absolute deviation.
+/// Ratio of a normal distribution's standard deviation to its median absolute deviation.
 inline constexpr double kSigmaOfMedian = 1.4826;
 
 }  // namespace puck

@@ -14,16 +14,17 @@ namespace {
 
 constexpr double kOutlierPx = 1;
 constexpr double kOutlierSigmas = 3.5;
-// With fewer rows nothing tells which of them is wrong.
+// With fewer rows, the wrong one cannot be identified.
 constexpr std::size_t kFewestForOutliers = 8;
-// Of the image's width and height, below which the models are extrapolated over much of it.
+// Share of the image's width and height; below it the models are extrapolated over much of the
+// image.
 constexpr double kLeastCoverage = 0.5;
-// A disc that lies on a table is never much higher than wide.
+// The image of a disc on a table is never much higher than wide.
 constexpr double kHighestOfWidth = 1.2;
 
-// Of fewer, each has so much weight that the disc may be tilted by its error alone.
+// With fewer annotations, the error of one may tilt the disc.
 constexpr std::size_t kFewestForDisc = 8;
-// What no puck and no camera above a table exceeds.
+// Limits that no puck and no camera above a table exceeds.
 constexpr double kThickestOfWidth = 1;
 constexpr double kLeastTilt_deg = 1;
 constexpr double kMostTilt_deg = 89;
@@ -50,7 +51,7 @@ std::vector<Annotation> without_rows(const std::vector<NumberedAnnotation>& numb
   return annotations;
 }
 
-// Of each annotation: by how much it is farther off than it may be; 1: just as far.
+// Each annotation's largest error relative to the allowed one.
 template <typename SizeAt>
 std::vector<double> excesses_of(std::span<const Annotation> annotations, const SizeAt& size_at) {
   std::vector<double> excesses(annotations.size());
@@ -67,7 +68,7 @@ std::vector<double> excesses_of(std::span<const Annotation> annotations, const S
   return excesses;
 }
 
-// An error of one of the models is none of the annotation.
+// An outlier must be one in both models, so that a model's own error does not count.
 std::optional<std::size_t> worst_outlier(std::span<const Annotation> annotations,
                                          const Fits& fits) {
   const std::vector<double> by_planes =

@@ -17,27 +17,27 @@ namespace puck {
 struct SizeOutlier {
   std::size_t row = 0;  ///< From 1, in the order in which they were given.
   Annotation annotation;
-  PuckSize expected;  ///< By Equation (2) without it.
+  PuckSize expected;  ///< By Equation (2), fitted without it.
 };
 
-/// What annotations of the puck's size say, and how far they can be trusted.
+/// The fitted size models and the limits of their validity.
 struct SizeCalibration {
-  /// Equation (2), with the disc beside it where the annotations are enough for that and it
-  /// explains them no worse.
+  /// Equation (2), with the disc model where there are enough annotations and it explains them no
+  /// worse.
   PuckSizeModel model;
-  SizeFit planes;  ///< The paper's Equation (2), outliers left out.
-  DiscFit disc;    ///< The same annotations.
+  SizeFit planes;  ///< The paper's Equation (2), without outliers.
+  DiscFit disc;    ///< The disc model, from the same annotations.
   std::vector<SizeOutlier> outliers;
-  /// The box around all centres that were used.
+  /// Bounding box of all centres used.
   Pixel from;
   Pixel to;
-  /// What the annotations leave open, one line each.
+  /// Limits of the annotations, one line each.
   std::vector<std::string> warnings;
 };
 
-/// Fits both models. Row by row the worst annotation is left out for as long as its width or height
-/// is more than 1 px and more than 3.5 robust standard deviations (of the median absolute one) off
-/// in both models, and three quarters remain. `sensor`: {0, 0} when it is not known. Throws
+/// Fits both models. Removes the worst annotation repeatedly, as long as its width or height is off
+/// by more than 1 px and by more than 3.5 robust standard deviations (from the median absolute
+/// deviation) in both models, and three quarters remain. `sensor`: {0, 0} if unknown. Throws
 /// std::invalid_argument as `fit_puck_size_model` does, and for a centre outside the sensor.
 SizeCalibration calibrate_size(std::span<const Annotation> annotations, SensorSize sensor);
 

@@ -13,11 +13,11 @@ namespace puck {
 namespace {
 
 constexpr std::size_t kMinAnnotations = 3;
-// Standard deviation of the centres across their main direction, px.
+// Smallest standard deviation of the centres across their main direction, px.
 constexpr double kMinSpreadPx = 1.0;
 
-// Beyond the annotated sizes, so that places beyond the marked ones keep their own size, within
-// reason.
+// Factor of the limits beyond the annotated sizes, so that the model may extrapolate to unmarked
+// places.
 constexpr double kMargin = 2;
 
 void check_values(std::span<const Annotation> annotations) {
@@ -48,7 +48,7 @@ void check_columns(std::span<const Annotation> annotations) {
   }
 }
 
-// Sums over the annotations, about their means.
+// Sums over the annotations, centred on their means.
 struct Moments {
   Eigen::Vector2d mean_centre = Eigen::Vector2d::Zero();
   double mean_width = 0;
@@ -75,7 +75,7 @@ Moments moments_of(std::span<const Annotation> annotations) {
   return sums;
 }
 
-// `spread`: of so many centres.
+// `spread`: scatter matrix of `count` centres.
 void check_spread(const Eigen::Matrix2d& spread, std::size_t count) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
   const Eigen::Vector2d squares =
@@ -85,7 +85,7 @@ void check_spread(const Eigen::Matrix2d& spread, std::size_t count) {
     throw std::invalid_argument(
         "the annotated centres are all in one place; mark the puck all over the table");
   }
-  // Not a number either where they are too far apart for one.
+  // Also refuses NaN, from centres too far apart to square.
   if (!(squares(0) >= least)) {
     throw std::invalid_argument(
         "the annotated centres lie on one line; mark the puck all over the table");
@@ -107,7 +107,7 @@ void limit_sizes(std::span<const Annotation> annotations, PuckSizeModel& model) 
 SizeFit fit_puck_size_model(std::span<const Annotation> annotations) {
   check_values(annotations);
   check_columns(annotations);
-  // About the means the normal equations are well conditioned: the spread was checked.
+  // Centred, the normal equations are well conditioned: the spread was checked.
   const Moments sums = moments_of(annotations);
   check_spread(sums.spread, annotations.size());
 

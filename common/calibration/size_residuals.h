@@ -8,13 +8,13 @@
 
 namespace puck {
 
-/// How far fitted sizes lie from the annotated ones, px.
+/// Residuals of fitted to annotated sizes, px.
 struct SizeResiduals {
   double rms_px = 0;
   double max_px = 0;
 };
 
-/// Of `size_at(centre)` to the annotated sizes, in the direction that `side` names.
+/// Residuals of `size_at(centre)` in the direction `side`.
 template <typename SizeAt>
 SizeResiduals residuals_of(std::span<const Annotation> annotations, double PuckSize::*side,
                            const SizeAt& size_at) {

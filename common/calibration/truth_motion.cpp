@@ -8,13 +8,13 @@ namespace puck {
 namespace {
 
 constexpr double kWhole = 0.99;
-// Events come late, so a bounce is felt for longer after it than before.
+// Events are delayed, so a bounce affects a longer time after it than before.
 constexpr std::int64_t kBeforeUs = 2'000;
 constexpr std::int64_t kAfterUs = 8'000;
-// A change of velocity from row to row that hand-marked truth may show without a bounce.
+// Change of velocity from row to row that hand-annotated truth may show without a bounce.
 constexpr double kChangePx_s = 100;
 constexpr double kMarkedChangeOfSpeed = 0.2;
-// Between rows that are farther apart a puck may do anything.
+// Between rows farther apart the motion is unknown.
 constexpr std::int64_t kLongestGapUs = 50'000;
 
 }  // namespace
@@ -24,9 +24,10 @@ TruthMotion::TruthMotion(std::span<const TruthRow> rows) : rows_(rows.begin(), r
   const auto disorder =
       std::adjacent_find(rows_.begin(), rows_.end(),
                          [](const TruthRow& a, const TruthRow& b) { return a.time >= b.time; });
-  if (disorder != rows_.end()) throw std::invalid_argument("the truth's times do not grow");
+  if (disorder != rows_.end())
+    throw std::invalid_argument("the truth's times must increase from row to row");
   for (std::size_t i = 1; i + 1 < rows_.size(); ++i) {
-    if (!is_steady(i)) upsets_.push_back(rows_[i].time);
+    if (!is_steady(i)) uncertain_.push_back(rows_[i].time);
   }
 }
 
@@ -52,8 +53,8 @@ std::optional<TruthMotion::State> TruthMotion::at(Timestamp time) const {
                        [](Timestamp t, const TruthRow& row) { return t < row.time; });
   const auto next = static_cast<std::size_t>(after - rows_.begin());
   if (next < 2 || next + 1 >= rows_.size()) return std::nullopt;
-  const auto upset = std::lower_bound(upsets_.begin(), upsets_.end(), time - kAfterUs);
-  if (upset != upsets_.end() && *upset <= time + kBeforeUs) return std::nullopt;
+  const auto uncertain = std::lower_bound(uncertain_.begin(), uncertain_.end(), time - kAfterUs);
+  if (uncertain != uncertain_.end() && *uncertain <= time + kBeforeUs) return std::nullopt;
   const TruthRow& a = rows_[next - 1];
   const TruthRow& b = rows_[next];
   if (a.visible < kWhole || b.visible < kWhole || b.time - a.time > kLongestGapUs) {

@@ -10,8 +10,8 @@
 
 namespace puck {
 
-/// The true motion of the puck wherever truth tells it well: all of it to be seen, and neither a
-/// bounce nor a gap just before.
+/// The true motion of the puck where truth determines it: the whole puck is visible, with neither a
+/// bounce nor a gap nearby.
 class TruthMotion {
  public:
   struct State {
@@ -20,15 +20,15 @@ class TruthMotion {
   };
 
   /// Rows in the order of their times. Throws std::invalid_argument when there are none or their
-  /// times do not grow.
+  /// times do not increase.
   explicit TruthMotion(std::span<const TruthRow> rows);
 
-  /// Nothing where truth does not tell the motion well. Times mostly grow from call to call.
+  /// `std::nullopt` where truth does not determine the motion.
   std::optional<State> at(Timestamp time) const;
 
   Timestamp first() const { return rows_.front().time; }
   Timestamp last() const { return rows_.back().time; }
-  /// Whether all of the puck can be seen at all.
+  /// Whether the whole puck is visible in any row.
   bool ever_visible() const;
 
  private:
@@ -36,7 +36,7 @@ class TruthMotion {
   bool is_steady(std::size_t row) const;
 
   std::vector<TruthRow> rows_;
-  std::vector<Timestamp> upsets_;  // Times around which the motion is not known well.
+  std::vector<Timestamp> uncertain_;  // Times around which the motion is uncertain.
 };
 
 }  // namespace puck

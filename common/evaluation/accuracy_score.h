@@ -12,46 +12,47 @@
 
 namespace puck {
 
-/// How far off the estimates of a recording were, and how often the puck was lost.
+/// Position errors of a recording's estimates, and losses of the puck.
 struct AccuracyReport : ErrorStatistics {
   double lost_percent = 0;
-  /// From the first tick on which it is lost to the first on which it is not; time in which the
-  /// puck cannot be seen does not count.
+  /// From the first tick with a lost puck to the first without; time in which the puck is not
+  /// visible does not count.
   double longest_loss_ms = 0;
   /// From the puck's first motion to the first tick on which it was tracked within 20 px.
   std::optional<double> time_to_first_track_ms;
-  /// Of the ticks with known truth, those that are `tracking` and wrong. Nothing without any.
+  /// Share of the ticks with known truth that are `tracking` and wrong; `std::nullopt` without such
+  /// ticks.
   std::optional<double> said_and_wrong_percent;
-  /// Of the ticks from the truth's first row to its last, those whose truth is not known because
-  /// its rows are too far apart.
+  /// Share of the ticks, from the truth's first row to its last, without known truth because its
+  /// rows are too far apart.
   double truth_gap_percent = 0;
-  double settle_ms = 0;  ///< After the first motion: ticks up to there do not count.
-  std::optional<CovarianceReport> covariance;  ///< Where the estimates carry one.
+  double settle_ms = 0;  ///< Time after the puck's first motion whose ticks do not count.
+  std::optional<CovarianceReport> covariance;  ///< Only if the estimates carry one.
 };
 
-/// Which ticks count.
+/// Rules for the ticks that count.
 struct AccuracyParams {
-  /// Truth is known between two of its rows that are at most so far apart, µs, and at each row.
+  /// Truth is known at each row, and between two rows at most this far apart, µs.
   std::int64_t truth_gap_us = 10'000;
-  /// From the puck's first motion on, µs: a tracker may find it in this time. Nothing: 200 ms, or 0
-  /// where less than a second of truth follows the first motion.
+  /// Time after the puck's first motion in which a tracker may find it, µs. `std::nullopt`: 200 ms,
+  /// or 0 where less than a second of truth follows the first motion.
   std::optional<std::int64_t> settle_us;
 };
 
 /// Scores estimates against truth, which is linear between its rows. A tick counts when truth is
 /// known there, the puck's centre is in the image and at least half of it is visible, from
 /// `settle_us` after it has first moved 5 px; if it never moves so far, after the truth begins.
-/// Every such tick counts, whatever the tracker says of itself; one without a position counts as
-/// 100 px off. Lost is a tick more than 20 px off or whose state is not `tracking`.
+/// Every such tick counts, in any state of the tracker; one without a position counts as 100 px
+/// off. A tick is lost when it is more than 20 px off or its state is not `tracking`.
 ///
-/// Said and wrong is a tick with known truth, wherever the puck is and from the first one on, that
-/// is `tracking` and more than 20 px off, or `tracking` when the puck has been hidden (less than
-/// half of it visible) for more than 50 ms.
+/// A tick with known truth is "said and wrong", wherever the puck is and from the first tick on,
+/// when it is `tracking` and more than 20 px off, or `tracking` while the puck has been hidden
+/// (less than half of it visible) for more than 50 ms.
 class AccuracyScore {
  public:
   AccuracyScore(TruthTrack truth, SensorSize sensor, const AccuracyParams& params = {});
 
-  /// The estimate at a tick. Ticks in the order of their times.
+  /// Adds the estimate at a tick. Ticks in the order of their times.
   void add(Timestamp tick, const PuckEstimate& estimate);
 
   AccuracyReport report() const;
@@ -71,9 +72,9 @@ class AccuracyScore {
   std::int64_t settle_us_;
   std::vector<ScoredEstimate> samples_;
   std::int64_t lost_ticks_ = 0;
-  // The newest tick, if it counts and the puck is lost there.
+  // Time of the newest tick, if it counts and the puck is lost there.
   std::optional<Timestamp> lost_since_;
-  std::int64_t loss_us_ = 0;  // How long the present loss has lasted while the puck could be seen.
+  std::int64_t loss_us_ = 0;  // Duration of the present loss, while the puck was visible.
   std::int64_t longest_loss_us_ = 0;
   std::optional<Timestamp> first_track_;
   std::int64_t gap_ticks_ = 0;

@@ -10,13 +10,13 @@ namespace puck {
 
 std::optional<double> normalised_error_squared(const PuckEstimate& estimate, Pixel truth) {
   if (!estimate.position || estimate.state != TrackState::kTracking) return std::nullopt;
-  // The upper left 2 by 2 of the covariance of (x, y, vx, vy).
+  // Upper left 2 × 2 block of the covariance of (x, y, vx, vy).
   const double xx = estimate.covariance[0];
   const double xy = estimate.covariance[1];
   const double yy = estimate.covariance[5];
   if (xx == 0 && xy == 0 && yy == 0) return std::nullopt;
   const double determinant = xx * yy - xy * xy;
-  // Written so that a value that is not a number fails, too.
+  // NaN fails this test, too.
   if (!(xx > 0 && determinant > 0)) return std::numeric_limits<double>::infinity();
   const double dx = estimate.position->x - truth.x;
   const double dy = estimate.position->y - truth.y;

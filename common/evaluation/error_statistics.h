@@ -9,7 +9,7 @@
 
 namespace puck {
 
-/// An estimate that counts, and how far it was off.
+/// An estimate that counts, and its error.
 struct ScoredEstimate {
   Timestamp tick;
   double error_px = 0;
@@ -17,11 +17,11 @@ struct ScoredEstimate {
   std::optional<double> nees;  ///< As normalised_error_squared says.
 };
 
-/// Of the errors of all estimates that count. Percentages are of these estimates.
+/// Statistics of the errors of all estimates that count. Percentages are of these estimates.
 struct ErrorStatistics {
-  std::int64_t estimates = 0;  ///< Without any, nothing else is known.
+  std::int64_t estimates = 0;  ///< If 0, the other values are undefined.
   double mean_px = 0;
-  double std_px = 0;  ///< Standard deviation of the errors from their mean.
+  double std_px = 0;  ///< Standard deviation of the errors around their mean.
   double median_px = 0;
   double p5_px = 0;
   double p25_px = 0;

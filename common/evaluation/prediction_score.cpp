@@ -9,8 +9,8 @@ namespace puck {
 namespace {
 
 constexpr double kLongestS = static_cast<double>(PredictionReport::kBins) * PredictionReport::kBinS;
-// A crossing so much later than predicted is still the one that was meant.
-constexpr double kPatienceS = 0.1;
+// Largest delay of a crossing that still matches its prediction.
+constexpr double kMaxDelayS = 0.1;
 
 double seconds_between(Timestamp from, Timestamp to) {
   return static_cast<double>(to - from) * 1e-6;
@@ -50,7 +50,7 @@ void PredictionScore::interrupted(Timestamp t) {
   for (const auto& [made, intercept] : pending_) {
     if (!intercept) continue;
     ++alarms_;
-    if (intercept->in_s < kLongestS && intercept->in_s + kPatienceS < seconds_between(made, t)) {
+    if (intercept->in_s < kLongestS && intercept->in_s + kMaxDelayS < seconds_between(made, t)) {
       ++false_alarms_;
     }
   }

@@ -11,17 +11,17 @@
 
 namespace puck {
 
-/// How good the predictions were that were made so long before the crossing.
+/// Quality of the predictions made a given time before the crossing.
 struct PredictionBin {
   double from_s = 0;
   double to_s = 0;
-  std::int64_t predictions = 0;  ///< Where there are none, nothing else is known.
-  double median_m = 0;           ///< Of the distance between predicted and real place.
+  std::int64_t predictions = 0;  ///< If 0, the other values are undefined.
+  double median_m = 0;           ///< Median distance between predicted and true place.
   double p90_m = 0;
-  double median_s = 0;  ///< Of the difference between predicted and real time.
+  double median_s = 0;  ///< Median difference between predicted and true time.
   double p90_s = 0;
-  /// Share of the places that lie within one and two of the standard deviations that came with
-  /// them. Honest ones: 68 and 95 %.
+  /// Share of the places within one and two predicted standard deviations. Consistent ones: 68 and
+  /// 95 %.
   double within_1_sigma_percent = 0;
   double within_2_sigma_percent = 0;
   double time_within_1_sigma_percent = 0;
@@ -33,26 +33,25 @@ struct PredictionReport {
   static constexpr double kBinS = 0.1;
 
   std::int64_t crossings = 0;
-  std::array<PredictionBin, kBins> direct;   ///< Without bounces until the crossing, as predicted.
-  std::array<PredictionBin, kBins> bounced;  ///< With one or more.
+  std::array<PredictionBin, kBins> direct;   ///< Predicted without a bounce before the crossing.
+  std::array<PredictionBin, kBins> bounced;  ///< Predicted with bounces.
   std::array<double, kBins>
-      missing_percent{};  ///< Of the moments in the bin: without a prediction.
-  /// Moments at which a crossing was predicted within a second but none came, and all at which one
-  /// was.
+      missing_percent{};  ///< Share of the bin's moments without a prediction.
+  /// Moments with a predicted crossing within a second that did not come, and all moments with one.
   std::int64_t false_alarms = 0;
   std::int64_t alarms = 0;
 };
 
-/// Collects predictions of where the puck will cross the robot's line, and scores them when it has.
+/// Collects predictions of the puck's crossing of the robot's line, and scores them at the
+/// crossing.
 class PredictionScore {
  public:
-  /// What is predicted at `t`. Moments in the order of their times.
+  /// Adds the prediction at `t`. Moments in the order of their times.
   void add(Timestamp t, const std::optional<Intercept>& predicted);
-  /// The puck's centre has crossed the line towards the robot.
+  /// Reports that the puck's centre has crossed the line towards the robot.
   void crossed(Timestamp t, double y_m);
-  /// Something that nobody could know of has changed the puck's way, as a mallet's hit does: what
-  /// was predicted before will not be judged by a crossing after it. Predictions that should have
-  /// come true already are false alarms.
+  /// Reports an unpredictable change of the puck's path, such as a mallet's hit: a later crossing
+  /// does not score earlier predictions. Predictions whose time has passed are false alarms.
   void interrupted(Timestamp t);
 
   PredictionReport report() const;
@@ -63,7 +62,7 @@ class PredictionScore {
     std::optional<Intercept> intercept;
   };
   struct Sample {
-    double place_m = 0;  // errors and their standard deviations
+    double place_m = 0;  // Errors and their standard deviations.
     double sigma_m = 0;
     double time_s = 0;
     double sigma_s = 0;

@@ -7,8 +7,8 @@
 
 namespace puck {
 
-/// The smallest of the sorted values that at least this fraction of them does not exceed.
-/// `sorted` must not be empty; `fraction` from 0 to 1.
+/// The smallest of the sorted values that is at least as large as `fraction` of them. `sorted` must
+/// not be empty; `fraction` from 0 to 1.
 template <typename T>
 T quantile(const std::vector<T>& sorted, double fraction) {
   const auto rank =

@@ -6,7 +6,7 @@
 namespace puck {
 
 void ScoreCurve::add(double score, double error_px) {
-  // Something that is not a number is no evidence.
+  // NaN counts as the lowest score.
   const double clamped = std::isnan(score) ? 0 : std::clamp(score, 0.0, 1.0);
   add_counts(static_cast<int>(std::floor(clamped * kSteps)), 1, error_px <= kRightPx ? 1 : 0);
 }

@@ -19,7 +19,8 @@ TruthTrack::TruthTrack(std::vector<TruthRow> rows) : rows_(std::move(rows)) {
   const auto disorder =
       std::adjacent_find(rows_.begin(), rows_.end(),
                          [](const TruthRow& a, const TruthRow& b) { return a.time >= b.time; });
-  if (disorder != rows_.end()) throw std::invalid_argument("the truth's times do not grow");
+  if (disorder != rows_.end())
+    throw std::invalid_argument("the truth's times must increase from row to row");
 }
 
 std::optional<TruthRow> TruthTrack::at(Timestamp time, std::int64_t longest_gap_us) const {

@@ -10,15 +10,15 @@
 
 namespace puck {
 
-/// The truth of a recording at any time, linear between its rows.
+/// The truth of a recording at any time, by linear interpolation between its rows.
 class TruthTrack {
  public:
   /// Rows in the order of their times. Throws std::invalid_argument when there are none or their
-  /// times do not grow.
+  /// times do not increase.
   explicit TruthTrack(std::vector<TruthRow> rows);
 
-  /// Nothing before the first and after the last row, and between rows more than `longest_gap_us`
-  /// apart.
+  /// `std::nullopt` before the first and after the last row, and between rows more than
+  /// `longest_gap_us` apart.
   std::optional<TruthRow> at(
       Timestamp time, std::int64_t longest_gap_us = std::numeric_limits<std::int64_t>::max()) const;
 
@@ -27,7 +27,7 @@ class TruthTrack {
   Timestamp first() const { return rows_.front().time; }
   Timestamp last() const { return rows_.back().time; }
 
-  /// When the puck was first more than 5 px from where it began; nothing if it never was.
+  /// Time at which the puck was first more than 5 px from its start; `std::nullopt` if never.
   std::optional<Timestamp> first_motion() const;
 
  private:

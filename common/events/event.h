@@ -4,9 +4,8 @@
 
 namespace puck {
 
-/// One event: the light on pixel (x, y) became brighter (polarity 1) or darker (0), `offset_us`
-/// after the start of the packet that holds it. Eight bytes, because reading events is the first
-/// limit on how many a second can be handled.
+/// One event: pixel (x, y) became brighter (polarity 1) or darker (0), `offset_us` after the start
+/// of its packet. Eight bytes, because memory bandwidth limits the event rate first.
 struct Event {
   std::uint16_t x = 0;
   std::uint16_t y : 15 = 0;

@@ -7,9 +7,9 @@
 
 namespace puck {
 
-/// The eight bytes of an event as one number: compilers make far better loops of whole numbers than
-/// of bit fields. `std::bit_cast<Event>` turns it into the event. x and y below 2^11 + 2^11, so
-/// that adding the bits of another x to it moves the event to the right.
+/// The eight bytes of an event as one number, which compilers handle faster in loops than bit
+/// fields. `std::bit_cast<Event>` converts it to an event. x and y must be below 2^12, so that
+/// adding the bits of another x moves the event to the right.
 constexpr std::uint64_t event_bits(std::uint32_t x, std::uint32_t y, std::uint32_t polarity,
                                    std::uint32_t offset_us) {
   if constexpr (std::endian::native == std::endian::little) {
@@ -23,7 +23,7 @@ constexpr std::uint64_t event_bits(std::uint32_t x, std::uint32_t y, std::uint32
     return std::bit_cast<std::uint64_t>(event);
   }
 }
-#ifndef __clang__  // Its bit_cast of bit fields is no constant.
+#ifndef __clang__  // Clang's bit_cast of bit fields is not constexpr.
 static_assert(std::bit_cast<Event>(event_bits(2047, 2046, 1, 4'000'000'000)) ==
               Event{.x = 2047, .y = 2046, .polarity = 1, .offset_us = 4'000'000'000});
 #endif

@@ -18,30 +18,30 @@ struct PixelPlace {
   friend constexpr bool operator==(PixelPlace, PixelPlace) = default;
 };
 
-/// Pixels of a sensor whose events say nothing, because they fire all the time.
+/// Pixels whose events carry no information, because they fire all the time.
 class PixelMask {
  public:
-  /// Masks nothing, on any sensor.
+  /// An empty mask, valid for any sensor.
   PixelMask() = default;
-  /// Throws std::invalid_argument for an invalid sensor or a pixel outside it. A pixel may be there
-  /// twice.
+  /// Throws std::invalid_argument for an invalid sensor or a pixel outside it. Duplicate pixels are
+  /// allowed.
   PixelMask(SensorSize sensor, std::span<const PixelPlace> pixels);
 
-  /// {0, 0}: any.
+  /// {0, 0}: any sensor.
   SensorSize sensor() const { return sensor_; }
-  /// Row by row, each once.
+  /// Row by row, without duplicates.
   const std::vector<PixelPlace>& pixels() const { return pixels_; }
 
   bool covers(int x, int y) const {
     return sensor_.contains(x, y) && covered_[index_of(x, y)] != 0;
   }
 
-  /// Throws std::invalid_argument when the mask is of another sensor than the events. `name`: what
-  /// the message calls the mask.
+  /// Throws std::invalid_argument when the mask is for another sensor than the events. `name`: the
+  /// mask's name in the message.
   void check_sensor(SensorSize events, std::string_view name) const;
 
-  /// Takes the events of masked pixels out of the packet, which may leave it empty; says how many
-  /// those were.
+  /// Removes the events of masked pixels from the packet, which may become empty; returns their
+  /// number.
   std::int64_t remove_from(EventPacket& packet) const;
 
  private:

@@ -2,10 +2,10 @@
 
 namespace puck {
 
-/// Pixels of an event sensor. x runs right from 0 to width − 1, y down from 0 to height − 1; pixel
-/// centres lie at integers.
+/// Size of an event sensor in pixels. x runs right from 0 to width − 1, y down from 0 to height −
+/// 1; pixel centres lie at integers.
 struct SensorSize {
-  /// The largest sensor that any part of the project takes, in both directions.
+  /// Largest width and height that the project supports.
   static constexpr int kMax = 2048;
 
   int width = 0;

@@ -25,7 +25,7 @@ constexpr std::array<CsvColumn, 5> kAnnotationColumns{{
 std::vector<Annotation> read_annotation_file(const std::filesystem::path& path) {
   std::vector<Annotation> rows;
   for (const CsvRow& row : read_csv(path, kAnnotationColumns)) {
-    // A fraction of a µs is a sign of seconds, or of another column.
+    // A fraction of a µs indicates a time in seconds, or another column.
     if (row.values[0] != std::floor(row.values[0])) {
       throw_csv_error(path, row.line, "t_us must be a whole number of µs");
     }

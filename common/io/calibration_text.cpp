@@ -36,7 +36,7 @@ std::string without_table(std::string_view text, std::string_view table) {
   header += table;
   header += ']';
   std::string kept;
-  std::string comment;  // Above what comes next: goes with it.
+  std::string comment;  // Comment above the next line, which it belongs to.
   bool is_inside = false;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size() - 1);

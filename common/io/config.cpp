@@ -27,7 +27,7 @@ std::string toml_list(std::span<const double> values) {
   return text + "]";
 }
 
-// `an integer from 1 to 8`, leaving out ends that only the type gives.
+// `an integer from 1 to 8`; an end that is the type's own limit is left out.
 template <typename Number>
 std::string range_text(std::string kind, Number lowest, Number highest) {
   const auto number = [](Number value) {
@@ -48,7 +48,7 @@ std::string range_text(std::string kind, Number lowest, Number highest) {
   return kind;
 }
 
-// Letters to put in, take out or change to turn one key into another.
+// Levenshtein distance.
 std::size_t distance_between(std::string_view from, std::string_view to) {
   std::vector<std::size_t> row(to.size() + 1);
   for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
@@ -90,7 +90,7 @@ Config Config::from_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw ConfigError(path.string() + ": cannot be opened: " + std::strerror(errno));
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) throw ConfigError(path.string() + ": cannot be read on");
+  if (file.bad()) throw ConfigError(path.string() + ": cannot be read to its end");
   return from_text(text, path.string());
 }
 
@@ -121,7 +121,7 @@ void Config::read(std::string_view key, bool& value) {
     if (!set) fail_expected(key, *entry, "true or false");
     value = *set;
   }
-  know(key, value ? "true" : "false");
+  record_known(key, value ? "true" : "false");
 }
 
 void Config::read(std::string_view key, int& value, int lowest, int highest) {
@@ -135,7 +135,7 @@ void Config::read(std::string_view key, int& value, int lowest, int highest) {
     wide = *set;
   }
   value = static_cast<int>(wide);
-  know(key, std::to_string(value));
+  record_known(key, std::to_string(value));
 }
 
 void Config::read(std::string_view key, std::int64_t& value, std::int64_t lowest,
@@ -147,7 +147,7 @@ void Config::read(std::string_view key, std::int64_t& value, std::int64_t lowest
     }
     value = *set;
   }
-  know(key, std::to_string(value));
+  record_known(key, std::to_string(value));
 }
 
 void Config::read(std::string_view key, double& value, double lowest, double highest) {
@@ -162,7 +162,7 @@ void Config::read(std::string_view key, double& value, double lowest, double hig
     }
     value = set;
   }
-  know(key, toml_number(value));
+  record_known(key, toml_number(value));
 }
 
 void Config::read(std::string_view key, std::string& value) {
@@ -171,7 +171,7 @@ void Config::read(std::string_view key, std::string& value) {
     if (!set) fail_expected(key, *entry, "a text in quotes");
     value = *set;
   }
-  know(key, quoted_toml(value));
+  record_known(key, quoted_toml(value));
 }
 
 void Config::read_choice(std::string_view key, std::string& value,
@@ -188,7 +188,7 @@ void Config::read_choice(std::string_view key, std::string& value,
     }
     value = *set;
   }
-  know(key, quoted_toml(value));
+  record_known(key, quoted_toml(value));
 }
 
 void Config::read(std::string_view key, std::vector<double>& value, double lowest, double highest) {
@@ -202,7 +202,7 @@ void Config::read(std::string_view key, std::vector<double>& value, double lowes
     }
     value = *set;
   }
-  know(key, toml_list(value));
+  record_known(key, toml_list(value));
 }
 
 void Config::read_numbers(std::string_view key, std::span<double> value, double lowest,
@@ -240,7 +240,7 @@ void Config::reject_unknown_in(std::string_view table) const {
 
 void Config::reject_unless_read(const std::string& key, const ConfigEntry& entry) const {
   if (effective_.contains(key)) return;
-  // A table without keys is harmless where keys could stand in it.
+  // An empty table is harmless if it may have keys.
   const std::string prefix = key + ".";
   const auto below = effective_.lower_bound(prefix);
   if (entry.is_empty_table && below != effective_.end() && below->first.starts_with(prefix)) return;
@@ -264,7 +264,7 @@ const ConfigEntry* Config::find(std::string_view key) const {
   return entry == entries_.end() ? nullptr : &entry->second;
 }
 
-void Config::know(std::string_view key, std::string effective_value) {
+void Config::record_known(std::string_view key, std::string effective_value) {
   const auto [place, is_new] =
       effective_.insert_or_assign(std::string(key), std::move(effective_value));
   if (is_new) known_keys_.push_back(place->first);

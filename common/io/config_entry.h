@@ -7,11 +7,11 @@
 
 namespace puck {
 
-/// One setting as it was written.
+/// One setting as written.
 struct ConfigEntry {
-  /// monostate: of a type that no key has.
+  /// monostate: a type that no key accepts.
   std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>> value;
-  std::string text;   ///< As it was written, in one line, for messages.
+  std::string text;   ///< As written, in one line, for messages.
   std::string where;  ///< `file:line` or `--set assignment`.
   bool is_empty_table = false;
 };

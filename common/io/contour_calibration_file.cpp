@@ -30,11 +30,10 @@ std::optional<ContourCalibration> read_contour_calibration(const std::filesystem
 std::string contour_calibration_text(const ContourCalibration& calibration,
                                      std::string_view provenance) {
   return toml_comment(provenance) +
-         "# How the contour's events lie to the puck's ellipse: late by lag_us, and trail_px "
-         "behind at\n"
-         "# any speed; on a ring larger by grow_px in both axes and lower by wall_share times the\n"
-         "# width, its upper edge staying where it is. lean_deg, by which the ellipse is turned\n"
-         "# within its box, is given by hand.\n"
+         "# Where the contour's events lie relative to the puck's ellipse: late by lag_us, and\n"
+         "# trail_px behind at any speed; on a ring larger by grow_px in both axes and lower by\n"
+         "# wall_share times the width, with the same upper edge. lean_deg, the ellipse's turn\n"
+         "# within its box, is not fitted.\n"
          "[contour]\nlag_us = " +
          toml_number(calibration.lag_us) + "\nwall_share = " + toml_number(calibration.wall_share) +
          "\ngrow_px = " + toml_number(calibration.grow_px) +

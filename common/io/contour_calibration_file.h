@@ -9,10 +9,9 @@
 
 namespace puck {
 
-/// Reads the table [contour] with the keys lag_us, wall_share, grow_px, trail_px and lean_deg, of
-/// which any may be left to its default. Nothing when the file has none of them. Other tables in
-/// the file are left alone. Throws ConfigError: no such file, not TOML, or a value that is no
-/// number or out of range.
+/// Reads the table [contour] with the keys lag_us, wall_share, grow_px, trail_px and lean_deg, each
+/// with a default. `std::nullopt` when the file has none of them. Ignores other tables. Throws
+/// ConfigError when the file is missing or not TOML, or a value is not a number or out of range.
 std::optional<ContourCalibration> read_contour_calibration(const std::filesystem::path& path);
 
 /// The table [contour] as `read_contour_calibration` reads it. `provenance`: where the values come

@@ -8,7 +8,7 @@
 
 namespace puck {
 
-/// Reads `x_px,y_px,x_m,y_m`, columns in any order, told from the header. Throws CsvError naming
+/// Reads `x_px,y_px,x_m,y_m`, columns in any order, named in the header. Throws CsvError naming
 /// file and line for a missing file or column, a malformed value, or no rows.
 std::vector<Correspondence> read_correspondence_file(const std::filesystem::path& path);
 

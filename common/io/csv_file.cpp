@@ -48,7 +48,7 @@ std::string names_of(std::span<const CsvColumn> columns) {
   return names;
 }
 
-// Where each wanted column stands in the file.
+// Index of each requested column in the file.
 std::vector<std::size_t> places_of(const std::filesystem::path& path, std::size_t line,
                                    std::span<const std::string_view> header,
                                    std::span<const CsvColumn> columns) {
@@ -59,7 +59,7 @@ std::vector<std::size_t> places_of(const std::filesystem::path& path, std::size_
       if (header[i] != column.name && (header[i].empty() || header[i] != column.other_name))
         continue;
       if (place != kNone) {
-        throw_csv_error(path, line, "the column " + std::string(column.name) + " is there twice");
+        throw_csv_error(path, line, "the column " + std::string(column.name) + " appears twice");
       }
       place = i;
     }
@@ -129,7 +129,7 @@ std::vector<CsvRow> read_csv(const std::filesystem::path& path,
     }
     rows.push_back(std::move(row));
   }
-  if (file.bad() || !file.eof()) throw CsvError(path.string() + ": cannot be read on");
+  if (file.bad() || !file.eof()) throw CsvError(path.string() + ": cannot be read to its end");
   if (rows.empty()) {
     throw_csv_error(path, line_number,
                     "no rows; expected a header " + names_of(columns) + " and rows below it");

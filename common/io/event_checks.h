@@ -6,9 +6,9 @@
 
 namespace puck {
 
-/// What every writer asks of its events.
+/// Checks of the events of every writer.
 
-/// `sensor`, if it is valid; else throws std::invalid_argument.
+/// Returns `sensor` if it is valid; else throws std::invalid_argument.
 SensorSize checked_sensor(SensorSize sensor);
 
 /// Throws std::invalid_argument for an event outside the sensor, or older than `newest`.

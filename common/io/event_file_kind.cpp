@@ -62,7 +62,7 @@ EventFileKind event_file_kind(const std::filesystem::path& path, std::string_vie
     }
   }
   if (has_raw_header(head)) return EventFileKind::kRaw;
-  // A log whose beginning is damaged, and words without a header: the caller must name the format.
+  // Only the caller can tell a log with a damaged beginning, and words without a header.
   if (is_yarp_log(head) || from == "yarp") return EventFileKind::kYarpLog;
   if (is_text(head)) return EventFileKind::kText;
   if (from == "evt2" || from == "evt3") return EventFileKind::kRaw;

@@ -12,8 +12,7 @@ void EventSink::begin(EventPacket& packet, std::size_t max_events) {
   while (has_backlog() && packet.events.size() < max_events && hand_out(backlog_[backlog_taken_])) {
     ++backlog_taken_;
   }
-  // Only when all are gone: moving the others up for each packet would take time in the square of
-  // their number.
+  // Only when all are gone: moving the rest up for each packet would take quadratic time.
   if (!has_backlog()) {
     backlog_.clear();
     backlog_taken_ = 0;

@@ -12,14 +12,14 @@
 
 namespace puck {
 
-/// Where readers put the events that they find: keeps them inside the sensor and in order, fills
-/// the caller's packet, and keeps what does not fit for the next one.
+/// Collects a reader's events: drops those outside the sensor or out of order, fills the caller's
+/// packet, and keeps the rest for the next packet.
 class EventSink {
  public:
   /// Throws std::invalid_argument when `sensor` is not a valid size.
   explicit EventSink(SensorSize sensor);
 
-  /// Begins to fill `packet` up to `max_events`, first with what waited. The packet must stay until
+  /// Starts to fill `packet` up to `max_events`, first with the backlog. The packet must stay until
   /// the next `begin`.
   void begin(EventPacket& packet, std::size_t max_events);
 
@@ -27,8 +27,8 @@ class EventSink {
   bool has_room() const { return !has_backlog() && packet_->events.size() < max_events_; }
   bool has_backlog() const { return backlog_taken_ < backlog_.size(); }
 
-  /// Puts the event into the packet, or into the backlog where it does not fit. One outside the
-  /// sensor or older than the newest is dropped and counted.
+  /// Appends the event to the packet, or to the backlog if the packet is full. Drops and counts an
+  /// event outside the sensor or older than the newest.
   void append(Timestamp time, int x, int y, bool brighter) {
     if (!sensor_.contains(x, y)) {
       ++counters_.outside_sensor;
@@ -44,21 +44,21 @@ class EventSink {
     if (!has_room() || !hand_out(event)) backlog_.push_back(event);
   }
 
-  /// What a decoder needs to know to fill the packet itself with a run of events, all at `time`:
-  /// how many it may hand to `append_run`. None when the packet is empty, or when such an event is
-  /// one for `append` to look at: older than the newest, or too long after the packet's start.
+  /// Number of events at `time` that a decoder may pass to `append_run` directly. 0 when the packet
+  /// is empty, or when such events need `append`: older than the newest, or too long after the
+  /// packet's start.
   std::size_t room_at(Timestamp time) const {
     if (!has_room() || packet_->empty() || time < newest_) return 0;
     const std::int64_t offset_us = time - packet_->start;
     if (offset_us < 0 || offset_us > std::numeric_limits<std::uint32_t>::max()) return 0;
     return max_events_ - packet_->events.size();
   }
-  /// What the offsets of such events count from.
+  /// Origin of the offsets for `append_run`.
   Timestamp packet_start() const { return packet_->start; }
   SensorSize sensor() const { return sensor_; }
 
-  /// Puts events into the packet that need no look: inside the sensor, in order, none older than
-  /// the newest, and not more than there is room for.
+  /// Appends events without checks: they must be inside the sensor, in order, not older than the
+  /// newest, and no more than `room_at` allows.
   void append_run(std::span<const Event> events) {
     if (events.empty()) return;
     packet_->events.insert(packet_->events.end(), events.begin(), events.end());
@@ -77,7 +77,7 @@ class EventSink {
     bool brighter = false;
   };
 
-  // False when the event lies too long after the packet's start.
+  // Returns false when the event lies too long after the packet's start.
   bool hand_out(const TimedEvent& event) {
     if (packet_->empty()) packet_->start = event.time;
     const std::int64_t offset_us = event.time - packet_->start;
@@ -97,7 +97,7 @@ class EventSink {
   std::size_t max_events_ = 0;
   Timestamp newest_{std::numeric_limits<std::int64_t>::min()};
   std::vector<TimedEvent> backlog_;
-  std::size_t backlog_taken_ = 0;  // So many of them were handed out.
+  std::size_t backlog_taken_ = 0;  // Number of backlog events already handed out.
   EventCounters counters_;
 };
 

@@ -9,21 +9,21 @@
 
 namespace puck {
 
-/// Writes events to a file as they come. One thread at a time.
+/// Writes events to a file. One thread at a time.
 class EventWriter {
  public:
   virtual ~EventWriter() = default;
 
-  /// Throws std::invalid_argument for an event outside the sensor or older than the one before it,
+  /// Throws std::invalid_argument for an event outside the sensor or older than the previous one,
   /// EventFileError when the file cannot be written.
   virtual void write(const EventPacket& packet) = 0;
 
-  /// Writes what is left. Throws EventFileError when that fails; the destructor, which closes too,
-  /// keeps quiet about it.
+  /// Writes the rest. Throws EventFileError when that fails; the destructor also closes, but
+  /// ignores errors.
   virtual void close() = 0;
 };
 
-/// `format`: "evt3", "text" (`t x y p`, t in µs), or empty: told from the path's ending, .raw or
+/// `format`: "evt3", "text" (`t x y p`, t in µs), or empty: from the path's ending, .raw or
 /// .txt/.csv. Throws EventFileError for another format, an invalid sensor, or a file that cannot be
 /// written.
 std::unique_ptr<EventWriter> make_event_writer(const std::filesystem::path& path,

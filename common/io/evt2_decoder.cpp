@@ -41,11 +41,11 @@ void Evt2Decoder::finish() {
   words_.reset();
 }
 
-// Takes events until a word is something else, or its event is not plain: it is left to `take`, as
-// is the last event that the packet has room for.
+// Decodes events up to the first other word, or the first event that needs the checks of `take`.
+// The event that fills the packet is also left to `take`.
 std::size_t Evt2Decoder::take_run(std::span<const std::byte> bytes) {
   if (bytes.size() < sizeof(std::uint32_t) || !clock_.is_steady()) return 0;
-  // Of the first word, whatever it is: the packet's room is the same for all.
+  // Read from the first word of any type: the packet's free space does not depend on it.
   const auto low_us = [](std::uint32_t word) { return word >> 22 & 0x3fU; };
   const std::uint32_t first_us = low_us(load_word<std::uint32_t>(bytes.data()));
   const std::size_t room = sink_.room_at(clock_.time_of(first_us));

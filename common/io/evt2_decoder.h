@@ -13,11 +13,10 @@
 
 namespace puck {
 
-/// Prophesee EVT 2.0: 32-bit words, time of 34 bits. Triggers, monitoring and IMU words are passed
-/// over.
+/// Prophesee EVT 2.0: 32-bit words, 34 bits of time. Skips triggers, monitoring and IMU words.
 ///
-/// Runs of words that hold nothing unusual are taken in a tight loop; all else goes word by word.
-/// Both give the same events and counts.
+/// Runs of ordinary words are decoded in a tight loop; all others word by word. Both give the same
+/// events and counts.
 class Evt2Decoder final : public EventDecoder {
  public:
   explicit Evt2Decoder(SensorSize sensor) : sink_(sensor) {}

@@ -26,15 +26,16 @@ void Evt3Decoder::finish() {
   words_.reset();
 }
 
-// Before an event of the newest time in the newest row. 0 where `take` has to look at it.
+// Number of events that a run may write at the newest time and row; 0 where they need `take`.
 std::size_t Evt3Decoder::room_for_run() const {
   if (row_ < 0 || row_ >= sink_.sensor().height || !clock_.is_steady()) return 0;
   const std::size_t room = sink_.room_at(clock_.time_of(low_us_));
-  // What begins before the last place must not reach beyond the packet, nor fill it.
+  // An event word may write up to kMostAtOnce places: the run must stay within the packet and not
+  // fill it.
   return room > Evt3Run::kMostAtOnce ? std::min(room - Evt3Run::kMostAtOnce, kRunEvents) : 0;
 }
 
-// Takes words until one of them is not plain: it, or the events behind it, is left to `take`.
+// Decodes words up to the first that needs the checks of `take`, itself or for the events after it.
 std::size_t Evt3Decoder::take_run(std::span<const std::byte> bytes) {
   Evt3Run run;
   run.next = bytes.data();
@@ -92,7 +93,7 @@ void Evt3Decoder::take(std::uint16_t word) {
       low_us_ = payload;
       return;
     case Evt3Type::kTimeHigh:
-      // The low part starts again with each new high part.
+      // The low part restarts with each new high part.
       if (clock_.set_high(payload, sink_)) low_us_ = 0;
       return;
     case Evt3Type::kTrigger:
@@ -122,7 +123,7 @@ void Evt3Decoder::take_vector(std::uint32_t mask, int width) {
   for (; mask != 0; mask &= mask - 1) {
     take_event(vector_base_ + std::countr_zero(mask), vector_brighter_);
   }
-  // A vector beyond every sensor need not be followed further.
+  // A vector beyond the largest sensor needs no exact base.
   vector_base_ = std::min(vector_base_ + width, 2 * SensorSize::kMax);
 }
 

@@ -14,11 +14,11 @@
 
 namespace puck {
 
-/// Prophesee EVT 3.0: 16-bit words that build on one another, time of 24 bits, up to 12 events a
-/// word. Triggers, monitoring and IMU words are passed over.
+/// Prophesee EVT 3.0: 16-bit words that depend on earlier ones, 24 bits of time, up to 12 events a
+/// word. Skips triggers, monitoring and IMU words.
 ///
-/// Runs of words that hold nothing unusual are taken in a tight loop; all else goes word by word.
-/// Both give the same events and counts.
+/// Runs of ordinary words are decoded in a tight loop; all others word by word. Both give the same
+/// events and counts.
 class Evt3Decoder final : public EventDecoder {
  public:
   explicit Evt3Decoder(SensorSize sensor) : sink_(sensor) {}
@@ -44,8 +44,8 @@ class Evt3Decoder final : public EventDecoder {
   WordAssembler<std::uint16_t> words_;
 
   std::uint32_t low_us_ = 0;
-  int row_ = -1;          // −1: not known yet.
-  int vector_base_ = -1;  // −1: not known yet.
+  int row_ = -1;          // −1: unknown.
+  int vector_base_ = -1;  // −1: unknown.
   bool vector_brighter_ = false;
 
   std::array<Event, kRunEvents + Evt3Run::kMostAtOnce> run_{};

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-// Everything up to the end of the namespace is compiled once for each instruction set.
+// The rest of the file, up to the namespace's end, is compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/io/evt3_run.cpp"
 #include <hwy/foreach_target.h>
@@ -18,14 +18,14 @@ namespace {
 
 constexpr int kWordsAtOnce = 8;
 
-/// For a look-up of bytes in eight words.
+/// Byte indices for a shuffle of eight words.
 using Lookup = std::array<std::uint8_t, 2 * kWordsAtOnce>;
-/// Looks up nothing.
+/// Index that gives 0.
 constexpr std::uint8_t kNowhere = 0x80;
 
 struct alignas(16) Lookups {
-  std::array<Lookup, 256> newest{};  ///< Of the words in a mask, the last one up to each place.
-  std::array<Lookup, 256> packed{};  ///< The words in a mask, one behind the other.
+  std::array<Lookup, 256> newest{};  ///< For each word, the last masked word up to it.
+  std::array<Lookup, 256> packed{};  ///< The masked words, compacted.
 };
 
 constexpr Lookups make_lookups() {
@@ -49,10 +49,10 @@ constexpr Lookups make_lookups() {
 }
 constexpr Lookups kLookups = make_lookups();
 
-/// Four bits of a vector's mask: how many are set, and where, as steps from the first.
+/// The set bits of a four-bit mask: their number, and their offsets as event bits.
 struct Steps {
   std::uint32_t count = 0;
-  std::array<std::uint64_t, 4> bits{};  // The rest of them 0.
+  std::array<std::uint64_t, 4> bits{};  // Unused ones are 0.
 };
 
 constexpr std::array<Steps, 16> make_steps() {
@@ -70,9 +70,8 @@ inline void store(std::uint64_t bits, Event* out) {
   std::memcpy(static_cast<void*>(out), &bits, sizeof bits);
 }
 
-/// Writes the events of a vector, of which `first` would be the first; returns the end of them.
-/// Always writes four at a time, so that no branch depends on the mask: up to 12 places are
-/// touched.
+/// Writes the events of a vector whose first pixel is `first`; returns the end of them. Branchless:
+/// it always writes four at a time, so up to 12 places are touched.
 inline Event* put_vector(std::uint64_t first, std::uint32_t mask, Event* out) {
   for (std::uint32_t x = 0; x < 12; x += 4) {
     const Steps& steps = kSteps[mask >> x & 0xfU];
@@ -109,8 +108,7 @@ inline bool Evt3Run::take() {
     case Evt3Type::kTimeLow: {
       const std::uint32_t old_low_us = std::exchange(low_us, word & kPayload);
       next += kWordBytes;
-      // What an older time does to the events behind it is not for here, nor one that lies too far
-      // from the packet's start for an event.
+      // A time that goes back needs `take`, and so does one too long after the packet's start.
       return low_us >= old_low_us && offset_us + low_us <= kLongestOffsetUs;
     }
     default:
@@ -123,7 +121,7 @@ inline bool Evt3Run::take() {
 inline bool Evt3Run::take_vector(std::uint32_t word, std::uint32_t vector_width) {
   const std::uint32_t x = base & kCoordinate;
   const std::uint32_t y = row & kCoordinate;
-  // The base is left within the bits of a coordinate.
+  // The base must stay within the bits of a coordinate.
   const std::uint32_t behind = x + vector_width;
   if (behind > width || behind > kCoordinate || y >= height) return false;
   out = put_vector(time() + event_bits(x, y, base >> kFlagBit & 1U, 0),
@@ -161,20 +159,20 @@ HWY_INLINE WordVector look_up(WordVector words, const Lookup& lookup) {
       Words(), hn::TableLookupBytesOr0(hn::BitCast(tag, words), hn::LoadU(tag, lookup.data())));
 }
 
-// All bits of the words for which nothing is looked up.
+// All bits of the words whose index gives 0.
 HWY_INLINE WordVector left_out(const Lookup& lookup) {
   const auto indices = hn::BitCast(SignedBytes(), hn::LoadU(Bytes(), lookup.data()));
   return hn::BitCast(Words(), hn::BroadcastSignBit(indices));
 }
 
-// The last of the next words that is in the mask, if there is one.
+// Stores the last masked word of the next ones, if there is one.
 HWY_INLINE void keep_newest(const std::byte* next, std::uint32_t mask, std::uint32_t& newest) {
   const int last = std::bit_width(mask | 1U) - 1;
   const std::uint32_t word = load_word<std::uint16_t>(next + last * Evt3Run::kWordBytes);
   newest = mask != 0 ? word : newest;
 }
 
-// Eight events of which each is the lower half of 64 bits.
+// Writes eight events; a place holds the lower 32 bits of each.
 HWY_INLINE void put_events(WordVector x, WordVector y, std::uint32_t offset_us, Event* out) {
   const auto offset = hn::Set(Pairs(), offset_us);
   const auto put = [&](hn::Vec<Pairs> places, Event* to) HWY_ATTR {
@@ -187,9 +185,9 @@ HWY_INLINE void put_events(WordVector x, WordVector y, std::uint32_t offset_us, 
   put(hn::BitCast(Pairs(), hn::InterleaveUpper(Words(), x, y)), out + 4);
 }
 
-// Takes the rows, columns and bases among the next eight words that come before any other; false
-// where the run ends, at an event outside the sensor. How many it takes follows from the types
-// alone, since nothing goes on before that is known.
+// Decodes the leading rows, columns and bases among the next eight words. Returns false where the
+// run ends, at an event outside the sensor. The number of words depends on the types alone, so that
+// the next iteration need not wait for the rest.
 HWY_INLINE bool take_eight(Evt3Run& run) {
   const Words tag;
   const auto word = hn::LoadU(tag, reinterpret_cast<const std::uint16_t*>(run.next));
@@ -237,7 +235,7 @@ HWY_INLINE bool take_eight(Evt3Run& run) {
   return true;
 }
 
-// The same, and the words of other types behind them. False where the run ends.
+// The same, and then words of other types. Returns false where the run ends.
 HWY_INLINE bool take_eight_and_others(Evt3Run& run) {
   if (!take_eight(run)) return false;
   while (run.next != run.end && run.out < run.full && !run.is_next_quiet()) {

@@ -9,7 +9,7 @@
 
 namespace puck {
 
-/// The types of EVT 3.0's words: their uppermost four bits.
+/// Types of EVT 3.0 words: their upper four bits.
 enum class Evt3Type : std::uint32_t {
   kRow = 0x0,
   kColumn = 0x2,
@@ -25,7 +25,7 @@ enum class Evt3Type : std::uint32_t {
   kContinued12 = 0xF,
 };
 
-/// A run of words that hold nothing unusual: where it has got to, and what its events depend on.
+/// Decoder state in a run of ordinary words.
 struct Evt3Run {
   static constexpr std::ptrdiff_t kWordBytes = 2;
   static constexpr std::uint32_t kCoordinate = 0x07ff;
@@ -33,9 +33,9 @@ struct Evt3Run {
   static constexpr int kFlagBit = 11;
   /// The offset of an event has 32 bits.
   static constexpr std::int64_t kLongestOffsetUs = 0xffff'ffff;
-  /// Events that may be written behind `full`.
+  /// Largest number of events written beyond `full`.
   static constexpr std::size_t kMostAtOnce = 12;
-  /// Instead of a base, when none is known: every vector ends beyond the last coordinate.
+  /// Stands for an unknown base: every vector then ends beyond the last coordinate.
   static constexpr std::uint32_t kNoBase = 0x8000U | kCoordinate;
 
   const std::byte* next = nullptr;
@@ -44,12 +44,12 @@ struct Evt3Run {
   const Event* full = nullptr;
   std::uint32_t width = 0;  ///< Of the sensor, px.
   std::uint32_t height = 0;
-  std::int64_t offset_us = 0;  ///< Of the low part's beginning, from the packet's start.
+  std::int64_t offset_us = 0;  ///< Start of the low part, relative to the packet's start.
   std::uint32_t low_us = 0;
-  std::uint32_t row = 0;   ///< The newest row word.
-  std::uint32_t base = 0;  ///< The newest vector base, as its word but for the type.
+  std::uint32_t row = 0;   ///< Newest row word.
+  std::uint32_t base = 0;  ///< Newest vector base, as in its word, without the type.
 
-  /// The newest time, as it stands in an event.
+  /// The newest time as the bits of an event.
   std::uint64_t time() const {
     return event_bits(0, 0, 0, static_cast<std::uint32_t>(offset_us + low_us));
   }
@@ -62,15 +62,15 @@ struct Evt3Run {
     return (kQuiet >> (load_word<std::uint16_t>(next) >> 12) & 1U) != 0;
   }
 
-  /// Takes the next word. False where the run ends: at a word that is not plain, which is left, or
-  /// behind a time that goes back.
+  /// Decodes the next word. Returns false where the run ends: before a word that needs the
+  /// decoder's checks, or after a time that goes back.
   bool take();
 
  private:
   bool take_vector(std::uint32_t word, std::uint32_t vector_width);
 };
 
-/// Takes words until the run ends, it is full, or too few words are left. Many at once; every
+/// Decodes words until the run ends, it is full, or too few words are left. Vectorised; every
 /// instruction set gives the same events.
 void take_evt3_words(Evt3Run& run);
 

@@ -12,7 +12,7 @@ namespace puck {
 namespace {
 
 constexpr int kLowBits = 12;
-// A quarter of a turn: no reader can mistake it for a clock that was set back.
+// A quarter of the counter's range: not mistaken for a clock that was set back.
 constexpr std::int64_t kLargestHighStep = 1024;
 
 // Sensors write vectors of 32 pixels that begin at a multiple of 32; one costs four words.
@@ -33,7 +33,7 @@ Evt3Writer::~Evt3Writer() {
   try {
     close();
   } catch (const std::exception&) {
-    // Whoever wants to know calls close() before.
+    // A caller that needs the error calls close() first.
   }
 }
 
@@ -51,7 +51,7 @@ void Evt3Writer::write(const EventPacket& packet) {
       row_ = first.y;
       put(Evt3Type::kRow, first.y);
     }
-    // What one vector could hold: same time, row and polarity, columns that grow within 32.
+    // Extent of one vector: same time, row and polarity, increasing columns within 32.
     std::size_t end = i + 1;
     while (end < events.size() && events[end].offset_us == first.offset_us &&
            events[end].y == first.y && events[end].polarity == first.polarity &&
@@ -93,7 +93,7 @@ void Evt3Writer::move_clock_to(Timestamp time) {
       put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high - steps + passed));
     }
     put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high));
-    // Said twice, a step is no glitch.
+    // A repeated time word is not taken for a glitch.
     if (steps > 1) put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high));
     high_ = high;
     low_us_ = -1;

@@ -9,12 +9,11 @@
 
 namespace puck {
 
-/// Prophesee RAW, EVT 3.0. Time in that format is 24 bits wide and starts at 0, so the file begins
-/// with as many time words as it takes to count up to the first event; pauses are counted through
-/// in the same way.
+/// Prophesee RAW, EVT 3.0. Its time is 24 bits wide and starts at 0, so the file begins with enough
+/// time words to count up to the first event; pauses are counted through in the same way.
 class Evt3Writer final : public EventWriter {
  public:
-  /// Pauses and first times beyond this would fill the file with time words.
+  /// Longer pauses and later first times would fill the file with time words.
   static constexpr std::int64_t kLongestPauseUs = std::int64_t{24} * 3600 * 1000000;
 
   /// Writes the header. Throws EventFileError, std::invalid_argument for an invalid sensor.
@@ -32,7 +31,7 @@ class Evt3Writer final : public EventWriter {
   SensorSize sensor_;
   OutputFile file_;
   Timestamp newest_{0};
-  std::int64_t high_ = -1;    // Not wrapped; −1: no time word yet.
+  std::int64_t high_ = -1;    // Unwrapped; −1: no time word yet.
   std::int64_t low_us_ = -1;  // −1: none since the newest high part.
   int row_ = -1;
 };

@@ -69,8 +69,8 @@ JointTableParams read_joint_table_file(const std::filesystem::path& path) {
 
 std::string joint_table_text(const JointTableParams& params, std::string_view provenance) {
   std::string text = toml_comment(provenance) +
-                     "# Where the mallet goes, y of the table frame, and the joints that move it, "
-                     "in the order in\n# which the control board numbers them.\n[line]\n";
+                     "# The mallet's range, y of the table frame, and the joints that move it, in "
+                     "the order of\n# the control board.\n[line]\n";
   text += "joints = " + std::to_string(params.joints.size()) + "\n";
   text += "from_m = " + toml_number(params.from_m) + "\n";
   text += "to_m = " + toml_number(params.to_m) + "\n";
@@ -81,8 +81,8 @@ std::string joint_table_text(const JointTableParams& params, std::string_view pr
       text += std::string(limit.key) + " = " + toml_number(joint.limits.*limit.member) + "\n";
     }
     text +=
-        "# Of a cubic B-spline with even knots: nearly the angles at even places along the line, "
-        "and one\n# more beyond either end.\ncontrol_deg = [";
+        "# Control points of a cubic B-spline with uniform knots: nearly the angles at uniform "
+        "places\n# along the line, and one more beyond either end.\ncontrol_deg = [";
     for (std::size_t i = 0; i < joint.control_deg.size(); ++i) {
       text += (i > 0 ? ", " : "") + toml_number(joint.control_deg[i]);
     }

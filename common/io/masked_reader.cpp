@@ -11,7 +11,7 @@ MaskedReader::MaskedReader(std::unique_ptr<EventReader> events, PixelMask mask,
 }
 
 bool MaskedReader::read(EventPacket& packet, std::size_t max_events) {
-  // An empty packet would say that the file has ended.
+  // An empty packet would signal the end of the file.
   do {
     if (!events_->read(packet, max_events)) return false;
     masked_events_ += mask_.remove_from(packet);

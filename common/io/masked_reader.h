@@ -11,17 +11,17 @@
 
 namespace puck {
 
-/// The events of another reader without those of masked pixels.
+/// Another reader's events without those of masked pixels.
 class MaskedReader final : public EventReader {
  public:
-  /// Throws std::invalid_argument when the mask is of another sensor; `name`: what the message
-  /// calls the mask.
+  /// Throws std::invalid_argument when the mask is for another sensor; `name`: the mask's name in
+  /// the message.
   MaskedReader(std::unique_ptr<EventReader> events, PixelMask mask, std::string_view name);
 
   SensorSize sensor_size() const override { return events_->sensor_size(); }
   bool read(EventPacket& packet, std::size_t max_events) override;
   void rewind() override;
-  /// Of the reader behind the mask: masked events are counted as read.
+  /// Of the other reader: masked events count as read.
   const EventCounters& counters() const override { return events_->counters(); }
   std::vector<std::string> warnings() const override;
 

@@ -4,8 +4,7 @@
 
 namespace puck {
 
-/// A message for a person, with `?` for what would break its line or steer a terminal: it may quote
-/// any file.
+/// A message for a terminal, with `?` for line ends and control characters: it may quote any file.
 std::string one_line(std::string message);
 
 }  // namespace puck

@@ -7,7 +7,7 @@
 
 namespace puck {
 
-/// A file that is written in large pieces, and says so when the disk is full or the folder missing.
+/// A buffered file that reports a full disk or a missing folder.
 class OutputFile {
  public:
   /// Throws EventFileError when it cannot be opened.

@@ -11,8 +11,8 @@ namespace puck {
 /// y, … Throws ConfigError.
 PixelMask read_pixel_mask_file(const std::filesystem::path& path);
 
-/// Writes that. `provenance`: where the mask comes from; becomes a comment. Throws ConfigError when
-/// the file cannot be written.
+/// Writes a pixel mask file. `provenance`: origin of the mask; becomes a comment. Throws
+/// ConfigError when the file cannot be written.
 void write_pixel_mask_file(const std::filesystem::path& path, const PixelMask& mask,
                            std::string_view provenance);
 

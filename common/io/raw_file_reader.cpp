@@ -47,7 +47,7 @@ std::vector<std::string> RawFileReader::warnings() const {
 
 void RawFileReader::refill() {
   file_.read(reinterpret_cast<char*>(block_.data()), static_cast<std::streamsize>(block_.size()));
-  if (file_.bad()) throw EventFileError(name_ + ": cannot be read on");
+  if (file_.bad()) throw EventFileError(name_ + ": cannot be read to its end");
   block_used_ = 0;
   block_size_ = static_cast<std::size_t>(file_.gcount());
   if (block_size_ == 0) {

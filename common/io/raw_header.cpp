@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// Longer lines, and lines with anything but printable characters, belong to the data.
+// Longer lines, and lines with unprintable characters, belong to the data.
 constexpr std::size_t kLongestHeaderLine = 1024;
 
 bool is_printable(char character) {

@@ -20,17 +20,17 @@ struct RawHeader {
   /// Empty when there is no such key.
   std::string_view value(std::string_view key) const;
 
-  /// "EVT2", "EVT21", "EVT3" or whatever else the header names; empty when it names nothing.
+  /// "EVT2", "EVT21", "EVT3" or another name in the header; empty if there is none.
   std::string encoding() const;
-  /// What `format` or `geometry` say. Throws std::invalid_argument when either is malformed or they
-  /// disagree.
+  /// Size from `format` or `geometry`. Throws std::invalid_argument when either is malformed or
+  /// they disagree.
   std::optional<SensorSize> sensor() const;
-  /// What cameras with this `system_ID` have: for old headers without a geometry.
+  /// Size of the cameras with this `system_ID`: for old headers without a geometry.
   std::optional<SensorSize> sensor_of_system() const;
 };
 
-/// Nothing while it takes more bytes to see where the header ends; never so when `is_all`. The
-/// header ends with `% end` or before the first line that is none; it may be empty.
+/// `std::nullopt` while more bytes are needed to find the header's end; never with `is_all`. The
+/// header ends with `% end` or before the first line that does not belong to it; it may be empty.
 std::optional<RawHeader> parse_raw_header(std::span<const std::byte> bytes, bool is_all);
 
 }  // namespace puck

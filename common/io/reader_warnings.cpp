@@ -15,9 +15,9 @@ std::vector<std::string> reader_warnings(const std::string& name, const EventCou
   warn(counters.before_start, "events came before their time or row was known; dropped");
   warn(counters.outside_sensor, "events lie outside the sensor; dropped");
   warn(counters.backwards, "events are older than the ones before them; dropped");
-  warn(counters.other_data, "records are of other sensors or of the other eye; left out");
-  warn(counters.malformed_words, "words, lines or packets are malformed; passed over");
-  warn(counters.time_glitches, "time words contradict their neighbours; passed over");
+  warn(counters.other_data, "records are of other sensors or of the other eye; skipped");
+  warn(counters.malformed_words, "words, lines or packets are malformed; skipped");
+  warn(counters.time_glitches, "time stamps contradict their neighbours; ignored");
   if (is_complete && counters.events == 0) lines.push_back(name + ": holds no events");
   return lines;
 }

@@ -7,8 +7,8 @@
 
 namespace puck {
 
-/// The lines that tell a person what was wrong with a file or stream called `name`: nothing for one
-/// that was clean. `is_complete`: it was read to its end.
+/// Warnings about a file or stream called `name`, one a line; empty if it had no faults.
+/// `is_complete`: it was read to its end.
 std::vector<std::string> reader_warnings(const std::string& name, const EventCounters& counters,
                                          bool is_complete);
 

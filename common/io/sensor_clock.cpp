@@ -3,7 +3,7 @@
 namespace puck {
 namespace {
 
-// Beyond this many events without a time word, the doubtful one is believed.
+// After this many events without a time word, the doubtful one is accepted.
 constexpr std::size_t kMostHeldEvents = 65536;
 
 }  // namespace
@@ -45,7 +45,7 @@ std::int64_t SensorClock::steps_to(std::uint32_t raw, std::int64_t from) const {
 std::int64_t SensorClock::unwrapped(std::uint32_t raw) const {
   const std::int64_t old_raw = high_ & (high_count_ - 1);
   const std::int64_t candidate = high_ - old_raw + raw;
-  // Half a turn back or more is a wrap; less is a clock that was set back.
+  // Half the range back or more is a wrap; less is a clock that was set back.
   return old_raw - static_cast<std::int64_t>(raw) >= high_count_ / 2 ? candidate + high_count_
                                                                      : candidate;
 }

@@ -7,12 +7,12 @@
 
 namespace puck {
 
-/// The time of Prophesee word streams: a high part that time words carry, which wraps, and a low
-/// part that comes with the events.
+/// The time of Prophesee word streams: a high part in time words, which wraps, and a low part with
+/// the events.
 ///
-/// A time word that continues the clock (the same value, or one more) is believed at once. Any
-/// other may be a pause, a wrap or a flipped bit, so the events behind it are held back until the
-/// next time word: if that continues the clock from before rather than the doubtful word, the
+/// A time word that continues the clock (the same value, or one more) is accepted at once. Any
+/// other may be a pause, a wrap or a flipped bit, so the events after it are held back until the
+/// next time word. If that one continues the earlier clock rather than the doubtful word, the
 /// doubtful word was a glitch. Devices repeat time words every few µs, so the wait is short.
 class SensorClock {
  public:
@@ -21,16 +21,16 @@ class SensorClock {
 
   bool is_known() const { return is_known_; }
 
-  /// Whether events can be placed in time at once.
+  /// Whether events can be timed at once.
   bool is_steady() const { return is_known_ && !is_doubtful_; }
 
-  /// The time `low_us` after the newest time word, of a steady clock.
+  /// The time `low_us` after the newest time word; only while is_steady().
   Timestamp time_of(std::uint32_t low_us) const { return time_of(high_, low_us); }
 
-  /// A time word. True when it differs from the one before it.
+  /// Processes a time word. Returns whether it differs from the previous one.
   bool set_high(std::uint32_t raw, EventSink& sink);
 
-  /// An event `low_us` after the newest time word. The clock must be known.
+  /// Adds an event `low_us` after the newest time word. The clock must be known.
   void append(std::uint32_t low_us, int x, int y, bool brighter, EventSink& sink) {
     if (is_doubtful_) {
       hold_back({low_us, x, y, brighter}, sink);
@@ -39,7 +39,7 @@ class SensorClock {
     }
   }
 
-  /// No more time words will come: believes the newest one.
+  /// Ends the stream: accepts the newest time word.
   void finish(EventSink& sink);
 
  private:
@@ -63,7 +63,7 @@ class SensorClock {
   bool is_known_ = false;
   bool is_doubtful_ = false;
   std::int64_t high_ = 0;         // Unwrapped.
-  std::uint32_t newest_raw_ = 0;  // The newest time word, believed or not.
+  std::uint32_t newest_raw_ = 0;  // The newest time word, accepted or not.
   std::vector<HeldEvent> held_;
 };
 

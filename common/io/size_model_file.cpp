@@ -72,7 +72,7 @@ void read_range(Config& config, PuckSizeModel& model) {
   config.read("size_range.sensor_height", model.sensor.height, 0, SensorSize::kMax);
 }
 
-// Such a puck would be kept to the smallest size everywhere, and specks be taken for it.
+// The size would be clamped to the smallest everywhere, and specks detected as the puck.
 void refuse_sizeless(const Config& config, double at_corner, double along_x, double along_y,
                      const std::string& key) {
   if (at_corner > 0 || along_x > 0 || along_y > 0) return;
@@ -122,14 +122,14 @@ std::string size_model_text(const PuckSizeModel& model, std::string_view provena
   }
   if (model.disc) {
     text +=
-        "# The disc on a plane, seen in perspective, that those approximate. px, px per px; "
+        "# Perspective model of a disc on a plane, which [size_model] approximates. px, px per px; "
         "thickness in diameters.\n[disc]\n";
     for (const DiscNumber& number : kDiscNumbers) {
       text += entry(number.key, toml_number(*model.disc.*number.member));
     }
   }
   text +=
-      "# Whatever those say, the puck is never smaller or larger, px. Sensor: 0 if not known.\n"
+      "# Limits of the size from any model, px. Sensor: 0 if not known.\n"
       "[size_range]\n";
   for (const RangeLimit& limit : kRangeLimits) {
     text += entry(limit.key, toml_number(model.*limit.which.*limit.side));

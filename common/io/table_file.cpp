@@ -83,13 +83,12 @@ std::string toml_list(const std::array<double, N>& numbers) {
 }
 
 std::string camera_text(const PinholeCamera& camera) {
-  return "# What a turning camera needs besides: its focal length and the pixel on its optical "
-         "axis.\n"
+  return "# For a camera that turns: its focal length and the pixel on its optical axis.\n"
          "[camera]\nfocal_px = " +
          toml_number(camera.focal_px) +
          "\nprincipal_x_px = " + toml_number(camera.principal_point.x) +
          "\nprincipal_y_px = " + toml_number(camera.principal_point.y) +
-         "\n# Where the head's axes meet, from the camera at home: right, down, forwards, m.\n"
+         "\n# Where the head's axes meet, in the home camera's frame: right, down, forwards, m.\n"
          "pivot_m = " +
          toml_list(camera.pivot_m) + "\n";
 }
@@ -138,9 +137,9 @@ std::string table_text(const TableCalibration& calibration, std::string_view pro
 
 std::string motion_text(const MotionConstants& motion, std::string_view provenance) {
   std::string text = toml_comment(provenance) +
-                     "# How the puck glides and bounces: the part of its speed that it loses a "
-                     "second, 1/s, and the\n"
-                     "# parts of the speed across and along a rail that it keeps in a bounce.\n"
+                     "# How the puck glides and bounces: the decay rate of its speed, 1/s, and the "
+                     "shares of the\n"
+                     "# speed across and along a rail that a bounce keeps.\n"
                      "[motion]\n";
   for (const Constant& constant : kConstants) {
     text +=

@@ -24,7 +24,7 @@ bool parse(std::string_view text, Number& value) {
   return result.ec == std::errc{} && result.ptr == text.data() + text.size();
 }
 
-// The sink needs a size before the file has told it.
+// The sink needs a size before the file has stated it.
 constexpr SensorSize kAnySensor{SensorSize::kMax, SensorSize::kMax};
 
 }  // namespace
@@ -111,7 +111,7 @@ void TextEventReader::read_preamble() {
   sensor_ = is_said ? said_sensor_ : options_.sensor;
 }
 
-// Moves to the next line that should be an event.
+// Moves to the next line that should hold an event.
 bool TextEventReader::next_event_line() {
   while (std::getline(file_, line_)) {
     ++line_number_;
@@ -122,7 +122,7 @@ bool TextEventReader::next_event_line() {
     if (content.starts_with("%geometry:")) take_geometry();
     if (!content.empty() && content.front() != '#' && content.front() != '%') return true;
   }
-  if (file_.bad()) throw EventFileError(name_ + ": cannot be read on");
+  if (file_.bad()) throw EventFileError(name_ + ": cannot be read to its end");
   return false;
 }
 
@@ -151,13 +151,13 @@ void TextEventReader::choose_unit() {
   bool is_seconds = options_.text_unit == "s";
   if (options_.text_unit == "auto") {
     std::array<std::string_view, kColumnCount> fields;
-    // A malformed line is told by take_line.
+    // take_line reports a malformed line.
     is_seconds = split(fields) && is_in('.', fields[columns_.time]);
   }
   us_per_unit_ = is_seconds ? 1e6 : 1;
 }
 
-// False when the line has not as many fields as there are columns.
+// Returns false unless the line has as many fields as there are columns.
 bool TextEventReader::split(std::array<std::string_view, kColumnCount>& fields) const {
   const bool any = options_.text_separator == "auto";
   const std::string_view separators =

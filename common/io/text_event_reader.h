@@ -14,10 +14,10 @@
 
 namespace puck {
 
-/// Text files with one event a line. Lines that begin with `#` or `%` are comments, except for
-/// `%geometry:WIDTH,HEIGHT`, which tells the sensor's size; a first line of column names, as in
-/// `x,y,p,t`, overrules the order in the options. Times are seconds or µs and are rounded
-/// to whole µs; polarity is 1 for brighter and 0 or −1 for darker.
+/// Text files with one event a line. Lines that begin with `#` or `%` are comments, except
+/// `%geometry:WIDTH,HEIGHT`, which states the sensor's size. A first line of column names, such as
+/// `x,y,p,t`, overrides the order in the options. Times are seconds or µs, rounded to whole µs;
+/// polarity is 1 for brighter and 0 or −1 for darker.
 class TextEventReader final : public EventReader {
  public:
   /// Reads up to the first event. Throws EventFileError.
@@ -30,7 +30,7 @@ class TextEventReader final : public EventReader {
   std::vector<std::string> warnings() const override;
 
  private:
-  // Where each value stands in a line.
+  // Index of each value in a line.
   struct Columns {
     std::size_t time = 0;
     std::size_t x = 1;
@@ -55,8 +55,8 @@ class TextEventReader final : public EventReader {
   std::ifstream file_;
   std::string line_;
   std::int64_t line_number_ = 0;
-  bool has_line_ = false;       // line_ holds an event that was not taken yet.
-  bool line_was_ended_ = true;  // By a line end, not by the end of the file.
+  bool has_line_ = false;       // line_ holds an event that was not returned yet.
+  bool line_was_ended_ = true;  // The line had a line end; not cut by the end of the file.
   double us_per_unit_ = 1;
   SensorSize said_sensor_;
   SensorSize sensor_;

@@ -20,7 +20,7 @@ TextEventWriter::~TextEventWriter() {
   try {
     close();
   } catch (const std::exception&) {
-    // Whoever wants to know calls close() before.
+    // A caller that needs the error calls close() first.
   }
 }
 

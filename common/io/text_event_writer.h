@@ -5,7 +5,7 @@
 
 namespace puck {
 
-/// `t x y p` a line, t in µs, below a line `%geometry:WIDTH,HEIGHT`.
+/// One `t x y p` a line, t in µs, after a line `%geometry:WIDTH,HEIGHT`.
 class TextEventWriter final : public EventWriter {
  public:
   /// Writes the header. Throws EventFileError, std::invalid_argument for an invalid sensor.

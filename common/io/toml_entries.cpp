@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-// A key of thousands of parts, which nest, would use up the stack of the parser, which recurses.
+// The parser recurses: a key with thousands of nested parts would overflow its stack.
 constexpr std::size_t kLongestLine = 4096;
 
 void check_lines(std::string_view text, const std::string& name) {
@@ -99,7 +99,7 @@ ConfigEntry parse_toml_value(std::string_view text) {
       if (table.size() == 1) return entry_of(*table.get("value"));
     }
   } catch (const toml::parse_error&) {
-    // A bare word.
+    // A bare word, not TOML.
   }
   ConfigEntry entry;
   entry.value = std::string(text);
@@ -111,7 +111,7 @@ std::string toml_number(double value) {
   std::array<char, 32> text{};
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
   std::string written(text.data(), result.ptr);
-  // TOML tells numbers from whole numbers by this.
+  // TOML distinguishes floats from integers by the point or exponent.
   if (written.find_first_of(".en") == std::string::npos) written += ".0";
   return written;
 }

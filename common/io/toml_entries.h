@@ -9,11 +9,11 @@
 namespace puck {
 
 /// All settings of a TOML text by their dotted keys. `name` stands for the text in messages. Throws
-/// ConfigError when it is not TOML, or a line is longer than 4096 bytes.
+/// ConfigError when the text is not TOML, or a line is longer than 4096 bytes.
 std::map<std::string, ConfigEntry, std::less<>> parse_toml(std::string_view text,
                                                            const std::string& name);
 
-/// A single TOML value; a text that is none, or too long for one, counts as a string.
+/// A single TOML value; a text that is not one, or is too long, counts as a string.
 ConfigEntry parse_toml_value(std::string_view text);
 
 /// The number as TOML; reading it gives the same bits.

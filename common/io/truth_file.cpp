@@ -28,7 +28,7 @@ constexpr std::array<CsvColumn, 6> kTruthColumns{{
     {"visible", {}, 1.0, 0, 1},
 }};
 
-// Blanks between values, and no comma: `t y0 y1 x0 x1`.
+// Values separated by blanks, without a comma: `t y0 y1 x0 x1`.
 bool holds_boxes(const std::filesystem::path& path) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
@@ -63,7 +63,7 @@ std::vector<TruthRow> read_boxes(const std::filesystem::path& path) {
     const std::string_view content = trimmed(line);
     if (content.empty() || content.front() == '#') continue;
     const std::vector<double> box = numbers_in(line);
-    // Written so that what is not a number is no box.
+    // NaN fails these tests, too.
     if (box.size() != 5 || !(box[0] >= 0) || !(box[1] <= box[2]) || !(box[3] <= box[4]) ||
         !(box[2] - box[1] <= kLargestSizePx) || !(box[4] - box[3] <= kLargestSizePx)) {
       throw_csv_error(path, line_number,

@@ -21,14 +21,13 @@ Word load_word(const std::byte* bytes) {
   return word;
 }
 
-/// Cuts a byte stream into little-endian words, whatever pieces it comes in.
+/// Splits a byte stream, in pieces of any size, into little-endian words.
 template <typename Word>
 class WordAssembler {
  public:
-  /// Calls `take(Word)` for each whole word as long as it returns true. Before each word that lies
-  /// whole in `bytes`, `take_run(bytes)` may take as many words as it likes; it returns how many
-  /// bytes those were. Returns how many bytes were used; the bytes of a word that is not whole yet
-  /// are kept, and count as used.
+  /// Calls `take(Word)` for each complete word as long as it returns true. Before each word that is
+  /// complete in `bytes`, `take_run(bytes)` may take any number of words; it returns their bytes.
+  /// Returns the number of bytes used; the bytes of an incomplete word are kept, and count as used.
   template <typename TakeRun, typename Take>
   std::size_t feed(std::span<const std::byte> bytes, TakeRun take_run, Take take) {
     std::size_t used = 0;
@@ -50,7 +49,7 @@ class WordAssembler {
     return used;
   }
 
-  /// Bytes of a word that is not whole yet.
+  /// Number of bytes of an incomplete word.
   std::size_t partial_bytes() const { return partial_bytes_; }
 
   void reset() {

@@ -14,16 +14,15 @@ MotionState after(const MotionState& from, double jerk, double s) {
           from.velocity + s * (from.acceleration + s * jerk / 2), from.acceleration + s * jerk};
 }
 
-// Where f, which grows, is 0 between `low` and `high`: Chandrupatla's method, which takes inverse
-// quadratic steps where the function is smooth and halves the interval where it is not. To the last
-// bits of a double.
+// Root of an increasing f between `low` and `high`, to the last bits of a double, by Chandrupatla's
+// method: inverse quadratic steps where f is smooth, bisection elsewhere.
 template <typename Function>
 double root_between(double low, double high, const Function& f) {
   double f_low = f(low);
   double f_high = f(high);
   if (f_low >= 0) return low;
   if (f_high <= 0) return high;
-  // b is the newest point, a the one across the root, c the one before.
+  // b: the newest point, a: the one across the root, c: the previous one.
   double a = high, f_a = f_high, b = low, f_b = f_low, c = high, f_c = f_high;
   double share = 0.5;
   constexpr int kMost = 100;
@@ -65,7 +64,8 @@ JerkLimitedMotion::JerkLimitedMotion(const MotionLimits& limits, double start) :
       !(limits.lowest < limits.highest) || !is_positive(limits.velocity) ||
       !is_positive(limits.acceleration) || !is_positive(limits.jerk)) {
     throw std::invalid_argument(
-        "a motion needs finite ends in order, and a velocity, acceleration and jerk above 0");
+        "a motion needs finite limits with lowest < highest, and a velocity, acceleration and jerk "
+        "above 0");
   }
   rest_at(start);
 }
@@ -114,7 +114,7 @@ void JerkLimitedMotion::step(double dt_s) {
     ++next_;
   }
   if (is_at_rest()) {
-    // The same but for rounding.
+    // Removes the rounding error.
     state_ = {target_, 0, 0};
   } else {
     state_ = after(segment_start_, segments_[next_].jerk, in_segment_s_);
@@ -144,9 +144,9 @@ void JerkLimitedMotion::add(double duration_s, double jerk) {
   if (duration_s > 0) segments_[count_++] = {duration_s, mirror_ * jerk};
 }
 
-// A change of the velocity, from and to an acceleration of zero, that begins with `jerk`; but for
-// its first `already_s`, which are over, or, when negative, with so much more at its beginning:
-// then even a change by nothing begins with it.
+// A change of the velocity that starts with `jerk` and has an acceleration of zero at both ends.
+// `already_s` of its first part are already over; a negative value extends that part, so that even
+// a change by 0 starts with `jerk`.
 void JerkLimitedMotion::add_change(double jerk, double change, double already_s) {
   change = std::max(0.0, change);
   const double peak = peak_acceleration(change);
@@ -168,7 +168,7 @@ void JerkLimitedMotion::plan(double distance) {
   const double a = mirror_ * state_.acceleration;
   const double d = mirror_ * distance;
 
-  // Until the acceleration is zero under a jerk of −J, where that is, and how fast it goes then.
+  // Time, distance and velocity at which the acceleration reaches zero under a jerk of −J.
   const double down_s = a / jerk;
   const double down_from = v + a * a / (2 * jerk);
   const double down_at = down_s * (v + jerk * down_s * down_s / 3);
@@ -231,7 +231,7 @@ void JerkLimitedMotion::plan_back(double v, double a, double d) {
   };
   const double peak = root_between(-limits_.velocity, 0, missed);
   add_change(-jerk, from - peak, -down_s);
-  // Too far even at the highest velocity: it cruises there.
+  // Too far even at the highest velocity: cruise for the rest.
   if (peak <= -limits_.velocity) add(missed(peak) / limits_.velocity, 0);
   add_change(jerk, -peak, 0);
 }

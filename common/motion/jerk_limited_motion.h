@@ -5,9 +5,9 @@
 
 namespace puck {
 
-/// Of one coordinate. The unit of place is the caller's: m on the robot's line, deg of a joint.
+/// Limits of one coordinate. The caller chooses the unit: m on the robot's line, deg of a joint.
 struct MotionLimits {
-  double lowest = 0;  ///< The ends between which it stays.
+  double lowest = 0;  ///< Lower end of its range.
   double highest = 0;
   double velocity = 0;      ///< Unit/s.
   double acceleration = 0;  ///< Unit/s².
@@ -20,26 +20,27 @@ struct MotionState {
   double acceleration = 0;
 };
 
-/// Moves one coordinate to a target that may jump at any moment: in the shortest time that its
-/// limits on velocity, acceleration and jerk allow, to rest exactly there, and never past an end.
-/// Copies are independent. No allocation after construction; the same calls give the same bits.
+/// Moves one coordinate to a target that may jump at any moment: in the shortest time that the
+/// limits on velocity, acceleration and jerk allow, to rest exactly at the target, never past an
+/// end of the range. Copies are independent. No allocation after construction; the same calls give
+/// the same bits.
 ///
-/// How. Rest can be reached from a state (v, a) in one way that is quickest, and every other motion
-/// to a target is quickest with the jerk at its limits but for a cruise at the highest velocity or
-/// stretches at the highest acceleration. A change of velocity by x, from and to an acceleration of
-/// zero, takes T(x) = 2 √(x/J), or x/A + A/J where the acceleration meets its limit, and covers the
-/// mean of both velocities times T, since its acceleration is symmetric. A state with a ≠ 0 lies on
-/// such a change that began, or will begin, when a = 0: τ = a/J from now under the jerk −J, −a/J
-/// under J. So with v′ = v + a·|a|/2J, the velocity left once a is let go, and mirrored so that
-/// v′ ≥ 0, all motions to a distance d fall into three families, each with one free parameter that
-/// the distance covered grows with, so that it is found by bisection's faster kin:
+/// Method. From a state (v, a) there is one quickest motion to rest. Every other quickest motion to
+/// a target has its jerk at the limits, except while it cruises at the highest velocity or
+/// accelerates at the highest acceleration. A change of velocity by x, with zero acceleration at
+/// both ends, takes T(x) = 2 √(x/J), or x/A + A/J where the acceleration meets its limit, and
+/// covers the mean of both velocities times T, since its acceleration is symmetric. A state with a
+/// ≠ 0 lies on such a change that began, or will begin, when a = 0: τ = a/J from now under the jerk
+/// −J, −a/J under J. Let v′ = v + a·|a|/2J be the velocity once a has been reduced to zero,
+/// mirrored so that v′ ≥ 0. Then all motions to a distance d fall into three families. Each has one
+/// free parameter, with which the distance increases, so that a root finder determines it:
 ///
-///  - up: to a peak velocity vp ≥ v′, cruise, to rest. vp is the highest velocity, or less when d
-///    is short.
-///  - ease: while it brakes already (a < 0): brake less, up to an acceleration a1 ≤ 0, then as hard
-///    as possible to rest. For targets between where braking on and letting go would end.
-///  - back: past the target, to a velocity vp ≤ 0, cruise, to rest. For what is too near to stop
-///  at.
+/// - up: to a peak velocity vp ≥ v′, cruise, to rest. vp is the highest velocity, or less when d is
+/// short.
+/// - ease: when it already brakes (a < 0): brake less, up to an acceleration a1 ≤ 0, then as hard
+/// as possible to rest. For targets between the end of full braking and the end of released
+/// braking.
+/// - back: past the target, to a velocity vp ≤ 0, cruise, to rest. For targets too near to stop at.
 ///
 /// Why it never passes an end: the quickest way to rest from any state of such a motion lies, on
 /// either side, within that motion itself or within the quickest way to rest from where the motion
@@ -47,28 +48,27 @@ struct MotionState {
 /// them, by induction no way to rest passes an end.
 class JerkLimitedMotion {
  public:
-  /// At rest at `start`, which is moved to the nearer end when it lies outside. Throws
-  /// std::invalid_argument unless all numbers are finite, lowest < highest and the rest positive.
+  /// Starts at rest at `start`, clamped to the range. Throws std::invalid_argument unless all
+  /// numbers are finite, lowest < highest and the others are positive.
   JerkLimitedMotion(const MotionLimits& limits, double start);
 
-  /// A target beyond an end is that end. One that is not finite is refused with false, and changes
-  /// nothing.
+  /// The target is clamped to the range. Returns false, and changes nothing, when it is not finite.
   bool set_target(double target);
-  /// Comes to rest as soon as the limits allow, until the next target.
+  /// Comes to rest as soon as the limits allow, and stays there until the next target.
   void hold();
-  /// At rest there from now on, whatever the motion was: for one that begins anew. False, and
-  /// nothing changed, when it is not finite.
+  /// Sets the state to rest at `position`, whatever the motion was: for a restart. Returns false,
+  /// and changes nothing, when it is not finite.
   bool rest_at(double position);
 
-  /// Moves on by `dt_s`; nothing happens unless it is positive and finite.
+  /// Advances by `dt_s`; does nothing unless it is positive and finite.
   void step(double dt_s);
 
   const MotionState& state() const { return state_; }
   const MotionLimits& limits() const { return limits_; }
-  /// Where it comes to rest.
+  /// The position at which it comes to rest.
   double target() const { return target_; }
   bool is_at_rest() const { return next_ == count_; }
-  /// Until it rests at its target.
+  /// Time until it rests at its target.
   double time_left_s() const;
 
  private:
@@ -95,10 +95,10 @@ class JerkLimitedMotion {
 
   std::array<Segment, 8> segments_{};
   std::size_t count_ = 0;
-  std::size_t next_ = 0;  // the segment that it is in; count_: at rest
+  std::size_t next_ = 0;  // Index of the present segment; count_: at rest.
   double in_segment_s_ = 0;
   MotionState segment_start_;
-  double mirror_ = 1;  // of the jerks while a plan is made
+  double mirror_ = 1;  // Sign of the jerks while a motion is planned.
 };
 
 }  // namespace puck

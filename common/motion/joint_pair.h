@@ -4,7 +4,7 @@
 
 namespace puck {
 
-/// A place on the robot's line, and the joint angles that were measured with the mallet there.
+/// A place on the robot's line and the joint angles measured with the mallet there.
 struct JointPair {
   double y_m = 0;
   std::vector<double> deg{};

@@ -18,7 +18,8 @@ constexpr std::size_t kMostControls = 1000;
 
 bool is_limit(double value) { return std::isfinite(value) && value > 0; }
 
-// The coefficients of a spline's pieces as Bézier curves, whose hull is tighter than its own.
+// Bézier coefficients of a cubic spline's pieces; their hull is tighter than that of the spline's
+// own.
 std::vector<double> hull_of_cubic(const std::vector<double>& c) {
   std::vector<double> hull;
   for (std::size_t i = 0; i + 3 < c.size(); ++i) {
@@ -37,7 +38,7 @@ std::vector<double> hull_of_quadratic(const std::vector<double>& c) {
   return hull;
 }
 
-// Of a spline's derivative.
+// Coefficients of a spline's derivative.
 std::vector<double> differences_of(const std::vector<double>& c, double knot_distance) {
   std::vector<double> differences;
   for (std::size_t i = 0; i + 1 < c.size(); ++i) {
@@ -61,7 +62,9 @@ void check(const LineJoint& joint, const std::string& name, std::size_t controls
   if (!std::isfinite(limits.lowest) || !std::isfinite(limits.highest) ||
       !(limits.lowest < limits.highest) || !is_limit(limits.velocity) ||
       !is_limit(limits.acceleration) || !is_limit(limits.jerk)) {
-    refuse(name + " needs finite ends in order, and a velocity, acceleration and jerk above 0");
+    refuse(name +
+           " needs finite limits with lowest < highest, and a velocity, acceleration and jerk "
+           "above 0");
   }
   for (const double deg : hull_of_cubic(joint.control_deg)) {
     if (!(deg >= limits.lowest && deg <= limits.highest)) {
@@ -71,7 +74,7 @@ void check(const LineJoint& joint, const std::string& name, std::size_t controls
   }
 }
 
-// What one joint's f′ must have everywhere, so that the encoders tell the place.
+// Least slope of one joint along the whole line, so that the encoders determine the place.
 constexpr double kLeastSlopeDegPerM = 1;
 
 }  // namespace
@@ -79,7 +82,7 @@ constexpr double kLeastSlopeDegPerM = 1;
 JointTable::JointTable(const JointTableParams& params) : params_(params) {
   if (!std::isfinite(params_.from_m) || !std::isfinite(params_.to_m) ||
       !(params_.from_m < params_.to_m)) {
-    refuse("the line must go from a finite place to a larger one");
+    refuse("from_m and to_m must be finite, with from_m < to_m");
   }
   if (params_.joints.empty() || params_.joints.size() > kMostJoints) {
     refuse("needs 1 to " + std::to_string(kMostJoints) + " joints, got " +
@@ -162,7 +165,7 @@ LinePlace JointTable::place_of(std::span<const double> deg) const {
 }
 
 LinePlace JointTable::place_near(double y_m, std::span<const double> deg) const {
-  // Gauss-Newton: the curve bends little over the distance of a reading from the one before.
+  // Gauss-Newton: the curve is nearly linear over the distance between two readings.
   constexpr int kMostSteps = 20;
   constexpr double kCloseEnoughM = 1e-9;
   std::array<double, kMostJoints> there{};

@@ -13,8 +13,8 @@ namespace puck {
 struct LineJoint {
   std::string name{};
   MotionLimits limits{};  ///< deg, deg/s, deg/s², deg/s³.
-  /// Of a cubic B-spline with even knots, deg: nearly its angles at even places, with one more
-  /// beyond either end.
+  /// Control points of a cubic B-spline with uniform knots: nearly the joint's angles at uniform
+  /// places, with one more point beyond either end.
   std::vector<double> control_deg{};
 };
 
@@ -24,10 +24,10 @@ struct JointTableParams {
   std::vector<LineJoint> joints{};
 };
 
-/// Where on the line the joints are that somebody read.
+/// The place on the line that fits some joint angles.
 struct LinePlace {
-  double y_m = 0;      ///< The nearest place, by least squares over the joints.
-  double off_deg = 0;  ///< The joint that is furthest from where it would be there.
+  double y_m = 0;      ///< The closest place, by least squares over the joints.
+  double off_deg = 0;  ///< Largest deviation of a joint from its angle there.
 };
 
 /// Line position to joint angles and back. Each joint is a cubic spline of y with a continuous
@@ -43,30 +43,30 @@ class JointTable {
  public:
   static constexpr std::size_t kMostJoints = 16;
 
-  /// Throws std::invalid_argument that names what cannot be: no line, no joints or more than 16,
-  /// fewer than four coefficients or different numbers of them, numbers that are not finite, a
-  /// joint that leaves its limits along the line, or a line along which no joint is monotone: then
-  /// encoders could not say where on it they are.
+  /// Throws std::invalid_argument that names the fault: no line, no joints or more than 16, fewer
+  /// than four control points or different numbers of them, numbers that are not finite, a joint
+  /// that leaves its limits along the line, or no joint that is monotone along the line, so that
+  /// encoders could not determine the place.
   explicit JointTable(const JointTableParams& params);
 
   const JointTableParams& params() const { return params_; }
   std::size_t size() const { return params_.joints.size(); }
   const MotionLimits& limits(std::size_t joint) const { return params_.joints[joint].limits; }
-  /// Grows or falls all along the line.
+  /// Whether the joint's angle only grows, or only falls, along the line.
   bool is_monotone(std::size_t joint) const { return is_monotone_[joint]; }
 
-  /// The joints at a place, which is clamped to the line; `deg` has size() elements.
+  /// Angles at a place, which is clamped to the line; `deg` must have size() elements.
   void at(double y_m, std::span<double> deg) const;
 
-  /// Looks everywhere on the line; finite angles only.
+  /// Searches the whole line; the angles must be finite.
   LinePlace place_of(std::span<const double> deg) const;
-  /// Looks near a place: for a joint reading that follows another.
+  /// Searches near `y_m`: for consecutive readings.
   LinePlace place_near(double y_m, std::span<const double> deg) const;
 
-  /// `wanted` on the line, made smaller where a joint would leave its limits somewhere: v so that
-  /// it alone takes no more than half of any joint's acceleration and a quarter of its jerk, then a
-  /// so that f″ v² + f′ a fits and 3 f″ v a takes no more than a quarter of the jerk, then j so
-  /// that the sum fits.
+  /// `wanted` on the line, reduced where a joint would leave its limits somewhere: v so that it
+  /// alone takes no more than half of any joint's acceleration and a quarter of its jerk, then a so
+  /// that f″ v² + f′ a fits and 3 f″ v a takes no more than a quarter of the jerk, then j so that
+  /// the sum fits.
   MotionLimits line_limits(const MotionLimits& wanted) const;
 
  private:
@@ -81,7 +81,7 @@ class JointTable {
 
   JointTableParams params_;
   std::size_t intervals_ = 0;
-  std::vector<double> control_deg_;  // by place, then by joint
+  std::vector<double> control_deg_;  // Row-major: a row a place, a column a joint.
   std::vector<Bounds> bounds_;
   std::vector<bool> is_monotone_;
 };

@@ -30,7 +30,7 @@ std::vector<Axis::Tick> linear_ticks(double low, double high) {
   const double step = round_step(high - low);
   const double slack = 1e-9 * step;
   for (double n = std::ceil((low - slack) / step); n * step <= high + slack; ++n) {
-    const double value = n * step + 0.0;  // Not minus nought.
+    const double value = n * step + 0.0;  // Avoids −0.
     ticks.push_back({value, number(value)});
   }
   return ticks;

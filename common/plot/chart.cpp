@@ -20,10 +20,10 @@ constexpr int kTop = 66;
 constexpr int kBottom = 62;
 constexpr Ink kGridInk{226, 226, 226};
 constexpr Ink kFrameInk{120, 120, 120};
-// Points are given to OpenCV in 1/16 px.
+// OpenCV gets points in 1/16 px.
 constexpr int kShift = 4;
 constexpr double kOne = 1 << kShift;
-// Far outside of any picture, and far inside of what OpenCV's integers hold.
+// Far outside any picture, and well within the range of OpenCV's integers.
 constexpr double kFar = 20;
 
 cv::Scalar scalar(Ink ink) { return cv::Scalar(ink.blue, ink.green, ink.red); }
@@ -85,7 +85,7 @@ void Chart::draw_grid() {
   }
   cv::rectangle(picture_, area_, scalar(kFrameInk));
   text_centred(x_.label, {area_.x + area_.width / 2, area_.br().y + 46}, 0.5);
-  // Upright beside the axis.
+  // Vertical, beside the axis.
   const int length = text_width(y_.label, 0.5);
   if (length == 0) return;
   cv::Mat words(20, length + 4, CV_8UC3, cv::Scalar::all(255));

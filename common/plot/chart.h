@@ -18,16 +18,16 @@ struct Ink {
 };
 inline constexpr Ink kBlack{30, 30, 30};
 inline constexpr Ink kGrey{150, 150, 150};
-/// Colours that also those can tell apart who see few; they repeat after seven.
+/// Colours that colour-blind readers can tell apart; they repeat after seven.
 Ink series_ink(std::size_t number);
 
 struct ChartSize {
-  int width_px = 1000;  ///< Of the whole picture.
+  int width_px = 1000;  ///< Width of the whole picture.
   int height_px = 480;
 };
 
-/// A chart with a title, two axes, a grid and a legend, to be drawn into and saved as a picture.
-/// What lies beyond the axes is cut off. Words are ASCII: OpenCV's fonts know nothing else.
+/// A chart with a title, two axes, a grid and a legend, to be saved as a picture. Clips what lies
+/// beyond the axes. Texts must be ASCII: OpenCV's fonts have no other characters.
 class Chart {
  public:
   Chart(const std::string& title, Axis x, Axis y, ChartSize size = {});
@@ -36,10 +36,10 @@ class Chart {
     double x = 0;
     double y = 0;
   };
-  /// Interrupted where a point is not a number.
+  /// Interrupted at points that are not numbers.
   void line(const std::vector<Point>& points, Ink ink, int width_px = 2);
 
-  /// Quartiles with the median between them, and whiskers.
+  /// Box plot: quartiles, median and whiskers.
   struct Box {
     double low = 0;
     double lower_quartile = 0;
@@ -49,10 +49,10 @@ class Chart {
   };
   void box(double x, double half_width, const Box& box, Ink ink);
 
-  /// From the bottom of the chart, with words above it.
+  /// From the bottom of the chart, with a text above it.
   void bar(double x, double half_width, double value, const std::string& words, Ink ink);
 
-  /// A ring around a point, with words beside it.
+  /// A ring around a point, with a text beside it.
   void mark(Point at, const std::string& words, Ink ink);
 
   /// Adds an entry to the line below the title.
@@ -64,7 +64,7 @@ class Chart {
 
  private:
   void draw_grid();
-  cv::Point place(Point point) const;  // in the drawn area, in 1/16 px
+  cv::Point place(Point point) const;  // In the drawn area, in 1/16 px.
   cv::Mat area();
   void text(const std::string& words, cv::Point at, double scale);
   void text_centred(const std::string& words, cv::Point at, double scale);
@@ -76,8 +76,8 @@ class Chart {
   cv::Mat picture_;
 };
 
-/// Charts of the same width, one below the other. Throws std::runtime_error when the file cannot be
-/// written.
+/// Saves charts of the same width, one below the other. Throws std::runtime_error when the file
+/// cannot be written.
 void save_stacked(const std::vector<Chart>& charts, const std::filesystem::path& path);
 
 }  // namespace puck

@@ -6,12 +6,12 @@
 
 namespace puck {
 
-/// A file descriptor that nobody else owns: a file's, a socket's or any other. It is closed in the
-/// end, and when another one is assigned. Moves.
+/// Sole owner of a file descriptor of any kind. Closes it on destruction and on assignment.
+/// Movable.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
-  /// `number`: as open(), socket() and their like return it; below 0 where they failed.
+  /// `number`: as returned by open(), socket() and similar calls; below 0 on failure.
   explicit FileDescriptor(int number) : number_(number) {}
   ~FileDescriptor() {
     if (is_open()) close(number_);
@@ -24,7 +24,7 @@ class FileDescriptor {
   }
 
   bool is_open() const { return number_ >= 0; }
-  /// Below 0: none is open.
+  /// Below 0: no descriptor is open.
   int number() const { return number_; }
 
  private:

@@ -9,10 +9,10 @@
 
 namespace puck {
 
-/// The events that a log of LCM holds on PUCK_EVENTS, as those of a file: in the order in which
-/// they were published, one packet at a time. What is malformed or late is left out; what is
-/// missing, or was dropped by the source, counts as missing. `prefix`: that of the channels.
-/// Throws LogFileError, also for a log without events.
+/// The events of PUCK_EVENTS in an LCM log, read as from a file: in the order of publication, one
+/// packet at a time. Malformed and late packets are left out; lost events, and those that the
+/// source dropped, count as missing. `prefix`: that of the channels. Throws LogFileError, also for
+/// a log without events.
 std::unique_ptr<EventReader> open_event_log(const std::filesystem::path& path,
                                             const std::string& prefix, EventLog::Sessions sessions);
 

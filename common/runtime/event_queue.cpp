@@ -21,34 +21,34 @@ EventQueue::EventQueue(std::size_t capacity) {
 std::size_t EventQueue::push(Timestamp start, std::span<const Event> events, const Region& region) {
   const std::uint64_t begin = begin_.load(std::memory_order_acquire);
   std::uint64_t end = end_.load(std::memory_order_relaxed);
-  const auto room = [&] { return slots_.size() - static_cast<std::size_t>(end - begin); };
+  const auto space = [&] { return slots_.size() - static_cast<std::size_t>(end - begin); };
   std::size_t inside = 0;
-  std::size_t let_in = 0;
-  std::size_t one_in = one_event_in(room());
+  std::size_t accepted = 0;
+  std::size_t stride = stride_for(space());
   for_inside(events, region, [&](std::span<const Event> part) {
     inside += part.size();
     for (const Event& event : part) {
-      if (++skipped_ < one_in) continue;
+      if (++skipped_ < stride) continue;
       skipped_ = 0;
       slot(end) = {(start + event.offset_us).us, event};
       ++end;
-      ++let_in;
-      one_in = one_event_in(room());
+      ++accepted;
+      stride = stride_for(space());
     }
   });
-  if (let_in > 0) end_.store(end, std::memory_order_release);
-  if (let_in < inside) {
+  if (accepted > 0) end_.store(end, std::memory_order_release);
+  if (accepted < inside) {
     thinned_.store(
-        thinned_.load(std::memory_order_relaxed) + static_cast<std::int64_t>(inside - let_in),
+        thinned_.load(std::memory_order_relaxed) + static_cast<std::int64_t>(inside - accepted),
         std::memory_order_relaxed);
   }
   return inside;
 }
 
-// The largest power of two that is not above capacity / room.
-std::size_t EventQueue::one_event_in(std::size_t room) const {
-  if (room == 0) return std::numeric_limits<std::size_t>::max();
-  return slots_.size() >> std::bit_width(room - 1);
+// The largest power of two that is at most capacity / space.
+std::size_t EventQueue::stride_for(std::size_t space) const {
+  if (space == 0) return std::numeric_limits<std::size_t>::max();
+  return slots_.size() >> std::bit_width(space - 1);
 }
 
 Timestamp EventQueue::pop(std::uint64_t until, std::size_t most, std::vector<Event>& out) {

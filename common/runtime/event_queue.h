@@ -12,29 +12,28 @@
 
 namespace puck {
 
-/// Single events on their way from the event thread to whoever makes the step (see SharedSurface),
-/// in order. It never grows and nobody ever waits: half of it is filled as events come; from there
-/// on, each time that the room left has halved, only half as many get in, so that a tracking thread
-/// that falls behind gets a thinner stream of events, not a torn one.
+/// A bounded queue for single events from the event thread to the stepping thread (see
+/// SharedSurface), in order. It neither grows nor blocks. Above half full it thins the events: each
+/// time the free space halves, half as many events are accepted, so that a slow tracking thread
+/// gets a thinner stream without gaps.
 class EventQueue {
  public:
-  /// The capacity is rounded up to a power of two. Throws std::invalid_argument when it is less
-  /// than two.
+  /// Rounds the capacity up to a power of two. Throws std::invalid_argument when it is less than
+  /// two.
   explicit EventQueue(std::size_t capacity);
 
-  /// Event thread only. Takes the events inside `region`, as many as there is room for; returns how
-  /// many lie inside. Times must not go backwards.
+  /// Event thread only. Accepts the events inside `region`, thinned as space requires; returns the
+  /// number of events inside. Times must not decrease.
   std::size_t push(Timestamp start, std::span<const Event> events, const Region& region);
 
-  /// Safe from any thread. How many events have ever been let in: a position in the stream.
+  /// Safe from any thread. Number of events accepted so far: a position in the stream.
   std::uint64_t end() const { return end_.load(std::memory_order_acquire); }
 
-  /// By whoever makes the step. Takes at most `most` of the events before the position `until`, in
-  /// order; `out` is replaced by them, with times relative to what is returned. No event in `out`:
-  /// there is none left.
+  /// Stepping thread only. Moves at most `most` of the events before the position `until` to `out`,
+  /// in order, with times relative to the returned time. `out` is empty when there is none.
   Timestamp pop(std::uint64_t until, std::size_t most, std::vector<Event>& out);
 
-  /// Safe from any thread. How many events were kept out.
+  /// Safe from any thread. Number of events that thinning dropped.
   std::int64_t thinned() const { return thinned_.load(std::memory_order_relaxed); }
 
  private:
@@ -44,17 +43,17 @@ class EventQueue {
   };
 
   Slot& slot(std::uint64_t position) { return slots_[position & (slots_.size() - 1)]; }
-  std::size_t one_event_in(std::size_t room) const;
+  std::size_t stride_for(std::size_t space) const;
 
-  std::vector<Slot> slots_;  // a power of two of them
-  std::size_t skipped_ = 0;  // events kept out since the last one let in; event thread
+  std::vector<Slot> slots_;  // The size is a power of two.
+  std::size_t skipped_ = 0;  // Event thread. Events dropped since the last accepted one.
 
-  // Positions in the stream. Each is written by one thread at a time, which reads its own one
+  // Positions in the stream. Each is written by one thread at a time, which loads its own one
   // relaxed. end_: released after the slots before it are written, acquired before they are read.
   // begin_: released after the slots before it are read, acquired before they are written again.
   std::atomic<std::uint64_t> end_{0};
   std::atomic<std::uint64_t> begin_{0};
-  // Relaxed: a number that stands alone.
+  // Relaxed: no other data depends on it.
   std::atomic<std::int64_t> thinned_{0};
 };
 

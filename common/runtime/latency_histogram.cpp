@@ -37,7 +37,7 @@ LatencySummary LatencyHistogram::summary() const {
   return summary;
 }
 
-// The first 16 buckets hold a microsecond each; from there every doubling has 16 of its own.
+// The first 16 buckets are 1 µs wide; from there each doubling has 16 buckets.
 int LatencyHistogram::bucket_of(std::int64_t duration_us) {
   if (duration_us < kSubBuckets) return static_cast<int>(duration_us);
   const int octave = std::bit_width(static_cast<std::uint64_t>(duration_us)) - 4;

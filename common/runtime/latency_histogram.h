@@ -13,12 +13,12 @@ struct LatencySummary {
   std::int64_t samples = 0;
 };
 
-/// Counts durations in fixed memory: buckets that grow with the duration, so that a percentile is
-/// at most 1/16 too high, from 1 µs to more than an hour. One thread records, any thread
+/// Histogram of durations in fixed memory, from 1 µs to more than an hour. The buckets widen with
+/// the duration, so that a percentile is at most 1/16 too high. One thread records, any thread
 /// summarises; a summary made during a recording may miss that one.
 class LatencyHistogram {
  public:
-  /// Recording thread only. Negative durations count as 0, those beyond the range as the longest.
+  /// Recording thread only. Negative durations count as 0; the range's end limits long ones.
   void record(std::int64_t duration_us);
 
   /// Safe from any thread. Percentiles are the upper ends of their buckets, but never above the
@@ -26,7 +26,7 @@ class LatencyHistogram {
   LatencySummary summary() const;
 
  private:
-  // Relaxed order suffices throughout: each counter stands alone.
+  // Relaxed order suffices: the counters are independent.
   static constexpr int kSubBuckets = 16;
   static constexpr int kOctaves = 30;
   static constexpr int kBuckets = kSubBuckets * kOctaves;

@@ -10,8 +10,8 @@
 
 namespace puck {
 
-/// A surface and the thread that looks at it, for one run of one camera: the paper's Figure 2 but
-/// for its first thread, which is the one that calls update().
+/// The surface and the tracking thread for one run of one camera: the paper's Figure 2. The caller
+/// of update() is the event thread.
 struct LiveTracker {
   /// Starts the thread. Throws std::invalid_argument, naming the key, when a parameter is out of
   /// range.
@@ -23,7 +23,7 @@ struct LiveTracker {
                PuckSearch(sensor, params, size_model), thread_params, std::move(publish)) {}
 
   /// Event thread only. Applies a packet, which must not be empty. `more_waiting`: other packets
-  /// have come meanwhile, so the step is left to the second thread.
+  /// are waiting, so the step is left to the tracking thread.
   void update(const EventPacket& packet, const PacketOrigin& origin, bool more_waiting) {
     surface.update(packet, origin, more_waiting);
     if (!more_waiting) thread.look_now();

@@ -5,8 +5,8 @@
 
 namespace puck {
 
-/// Does `work` for each of 0 to count - 1, that many at a time, in threads of its own. When one
-/// throws, no more are begun, and the exception is thrown on once those that run have ended.
+/// Calls `work` for 0 to count - 1, on up to `threads` new threads. When a call throws, no further
+/// call is started, and the exception is rethrown once the running calls have ended.
 void run_in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace puck

@@ -10,22 +10,22 @@
 namespace puck {
 namespace {
 
-// The kernel's struct sched_attr, as it was at first; its header cannot be included beside libc's.
+// The first version of the kernel's struct sched_attr; the kernel's header conflicts with libc's.
 struct SchedulingAttributes {
   std::uint32_t size = sizeof(SchedulingAttributes);
   std::uint32_t policy = 0;
   std::uint64_t flags = 0;
   std::int32_t nice = 0;
   std::uint32_t priority = 0;
-  std::uint64_t turn_ns = 0;  // 0: as long as the kernel finds right
+  std::uint64_t slice_ns = 0;  // 0: the kernel's default.
   std::uint64_t deadline_ns = 0;
   std::uint64_t period_ns = 0;
 };
 
-constexpr std::uint64_t kShortestTurnNs = 100'000;
+constexpr std::uint64_t kShortestSliceNs = 100'000;
 constexpr std::int32_t kNice = 10;
 
-// Of the calling thread. What has a policy of the real-time kind was given it on purpose.
+// Of the calling thread. A real-time policy is left alone: the user has set it.
 template <typename Change>
 void change_attributes(const Change& change) {
   SchedulingAttributes attributes;
@@ -38,14 +38,16 @@ void change_attributes(const Change& change) {
 }  // namespace
 
 void take_short_turns() {
-  change_attributes([](SchedulingAttributes& its) { its.turn_ns = kShortestTurnNs; });
+  change_attributes(
+      [](SchedulingAttributes& attributes) { attributes.slice_ns = kShortestSliceNs; });
 }
 
 void take_turns_behind_others() {
-  change_attributes([](SchedulingAttributes& its) {
-    its.policy = SCHED_BATCH;
-    its.nice = std::max(its.nice, kNice);  // To ask for more than it has could be refused.
-    its.turn_ns = 0;
+  change_attributes([](SchedulingAttributes& attributes) {
+    attributes.policy = SCHED_BATCH;
+    // Never lowered: that may need a permission.
+    attributes.nice = std::max(attributes.nice, kNice);
+    attributes.slice_ns = 0;
   });
 }
 

@@ -8,13 +8,13 @@
 namespace puck {
 namespace {
 
-// What is copied at once: some ten microseconds' worth.
-constexpr int kPixelsAtOnce = 65'536;
+// Pixels per copy: some 10 µs.
+constexpr int kPixelsPerCopy = 65'536;
 
-// What is searched at once: some 200 µs' worth; and some 4 ms' worth, a fifth of the time between
-// two heartbeats, while there is no track to be delayed and a late result would be of no use.
+// Pixels searched on the caller's thread: some 200 µs; or, for an urgent search, some 4 ms, a fifth
+// of the heartbeat period.
 constexpr int kSmallPixels = 24'576;
-constexpr int kBearablePixels = 400'000;
+constexpr int kUrgentPixels = 400'000;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ bool SearchWorker::is_small(const SearchRequest& request) const {
 
 void SearchWorker::begin(const SearchRequest& request, bool is_urgent) {
   request_ = request;
-  at_once_pixels_ = is_urgent ? kBearablePixels : kSmallPixels;
+  caller_pixels_ = is_urgent ? kUrgentPixels : kSmallPixels;
   snapshot_.region = search_.snapshot_region(request.region);
   snapshot_.grey.resize(snapshot_.region.width, 0);
   stage_ = Stage::kCopying;
@@ -44,14 +44,14 @@ void SearchWorker::begin(const SearchRequest& request, bool is_urgent) {
 
 void SearchWorker::copy_more(SharedSurface& surface) {
   const Region& all = snapshot_.region;
-  const int copied = snapshot_.grey.height();  // The picture grows with what has been copied.
-  const int at_once = std::max(1, kPixelsAtOnce / std::max(1, all.width));
+  const int copied = snapshot_.grey.height();  // The image's height is the number of copied rows.
+  const int at_once = std::max(1, kPixelsPerCopy / std::max(1, all.width));
   const int rows = std::min(at_once, all.height - copied);
   snapshot_.grey.resize(all.width, copied + rows);
   surface.copy_part({all.x, all.y + copied, all.width, rows}, request_.fresh_only, snapshot_);
   if (copied + rows < all.height) return;
   stage_ = Stage::kSearching;
-  if (all.width * all.height <= at_once_pixels_) {
+  if (all.width * all.height <= caller_pixels_) {
     search();
   } else {
     posted_.release();
@@ -60,7 +60,7 @@ void SearchWorker::copy_more(SharedSurface& surface) {
 
 const SearchResult* SearchWorker::poll() {
   if (stage_ != Stage::kSearching || !done_.load(std::memory_order_acquire)) return nullptr;
-  // Relaxed: the worker sees it with the next search, which is posted after it.
+  // Relaxed: the next search is posted after it.
   done_.store(false, std::memory_order_relaxed);
   stage_ = Stage::kIdle;
   return &result_;

@@ -8,12 +8,12 @@
 namespace puck {
 namespace {
 
-// Events between two looks for a request: about a microsecond's worth.
-constexpr std::size_t kHandful = 100;
+// Events between two checks for a request: about 1 µs.
+constexpr std::size_t kBatchEvents = 100;
 
-// How often the tracking thread looks whether it has been served before it tries to serve itself,
-// which disturbs the event thread, and how often it tries before it lets others run.
-constexpr int kLooks = 64;
+// Polls of the request between two attempts to lock the surface, which disturbs the event thread;
+// and attempts before the first yield.
+constexpr int kPolls = 64;
 constexpr int kTriesBeforeYielding = 32;
 
 }  // namespace
@@ -22,7 +22,7 @@ SharedSurface::SharedSurface(SensorSize sensor, const ErosParams& params, const 
     : surface_(sensor, params), roi_only_(options.roi_only) {
   if (!options.keeps_fresh) return;
   fresh_.emplace(sensor);
-  // Asks for its memory now.
+  // Allocates the buffer now.
   fresh_->copy_rows({}, taken_fresh_);
 }
 
@@ -32,42 +32,42 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
   const std::lock_guard lock(surface_mutex_);
   origin_ = origin;
   for (std::size_t applied = 0; applied < events.size();) {
-    const std::span<const Event> handful =
-        events.subspan(applied, std::min(kHandful, events.size() - applied));
-    surface_.update(packet.start, handful);
-    if (fresh_) fresh_->take(packet.start, handful);
-    applied += handful.size();
-    const bool queued = !queued_.empty() && queue_.push(packet.start, handful, queued_) > 0;
+    const std::span<const Event> batch =
+        events.subspan(applied, std::min(kBatchEvents, events.size() - applied));
+    surface_.update(packet.start, batch);
+    if (fresh_) fresh_->take(packet.start, batch);
+    applied += batch.size();
+    const bool queued = !queued_.empty() && queue_.push(packet.start, batch, queued_) > 0;
     const bool watches_all = watched_.empty() && queued_.empty();
-    if (queued || watches_all || any_inside(handful, watched_)) report_news(wakes);
+    if (queued || watches_all || any_inside(batch, watched_)) report_news(wakes);
     if (requested_.load(std::memory_order_acquire)) serve(&packet, applied);
   }
 }
 
 void SharedSurface::snapshot(const Region& region, const Region& events, SharedSnapshot& out) {
-  ask({.region = region, .events = events, .snapshot = &out});
+  request({.region = region, .events = events, .snapshot = &out});
   surface_.develop(taken_, out.surface);
 }
 
 void SharedSurface::copy_part(const Region& part, bool fresh_only, SurfaceSnapshot& out) {
-  ask({.region = part, .fresh_only = fresh_only});
+  request({.region = part, .fresh_only = fresh_only});
   surface_.develop_part(taken_, out);
   if (fresh_only && fresh_) taken_fresh_.darken_stale(part, out.picture_of(part));
 }
 
-void SharedSurface::ask(const Request& request) {
+void SharedSurface::request(const Request& request) {
   request_ = request;
   requested_.store(true, std::memory_order_release);
   for (int tries = 0; requested_.load(std::memory_order_acquire); ++tries) {
     const std::unique_lock lock(surface_mutex_, std::try_to_lock);
-    // The event thread may have served the request just before it let go of the surface.
+    // The event thread may have served the request just before it released the lock.
     if (lock.owns_lock()) {
       if (requested_.load(std::memory_order_acquire)) serve(nullptr, 0);
       return;
     }
-    // It is at work and will serve the request within a handful of events, unless it has been
-    // interrupted.
-    for (int looks = 0; looks < kLooks && requested_.load(std::memory_order_acquire); ++looks) {
+    // The event thread is applying a packet and serves the request within a batch of events, unless
+    // it is preempted.
+    for (int polls = 0; polls < kPolls && requested_.load(std::memory_order_acquire); ++polls) {
     }
     if (tries >= kTriesBeforeYielding) std::this_thread::yield();
   }
@@ -104,7 +104,7 @@ void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
   if (request_.fresh_only && fresh_) fresh_->copy_rows(request_.region, taken_fresh_);
   if (request_.snapshot != nullptr) {
     SharedSnapshot& out = *request_.snapshot;
-    // Cleared under the lock: what comes after the copy is news again.
+    // Cleared under the lock, so that events after the copy count as news again.
     news_.store(false, std::memory_order_release);
     watched_ = request_.region;
     queued_ = request_.events;
@@ -122,8 +122,8 @@ void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
 
 void SharedSurface::report_news(bool wakes) {
   if (news_.exchange(true, std::memory_order_acq_rel) || !wakes) return;
-  // The lock makes sure that a sleeper either sees the news before it sleeps or hears the call. Who
-  // is woken needs it too, so it is let go of first.
+  // The lock ensures that a waiting thread either sees the news before it sleeps or gets the
+  // notification. It is released first, because the woken thread needs it.
   { const std::lock_guard lock(sleep_mutex_); }
   woken_.notify_one();
 }

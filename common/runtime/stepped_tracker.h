@@ -12,22 +12,22 @@
 
 namespace puck {
 
-/// What a LiveTracker does, in one thread and one step after the other: every event is taken, each
-/// search is made at once, at its sensor time, and every estimate that is made is published. So
-/// nothing depends on how busy the machine was but after which packets it was asked, which the
-/// estimates tell: who has the packets and the estimates can make each of them again, to the bit.
-/// The price is latency: packets wait for searches. One thread.
+/// A single-threaded LiveTracker without timing effects: it takes every event, runs each search at
+/// once at its sensor time, and publishes every estimate. The result depends on the machine's load
+/// only through the packets after which an estimate was requested, and the estimates state those:
+/// with the packets, each estimate can be reproduced to the bit. The cost is latency, since packets
+/// wait for searches. One thread.
 class SteppedTracker {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
   SteppedTracker(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
                  const TrackingThreadParams& thread_params, TrackingThread::Publish publish);
 
-  /// Takes a packet, which must not be empty, and publishes an estimate when one is due.
+  /// Applies a packet, which must not be empty, and publishes an estimate when one is due.
   void update(const EventPacket& packet, const PacketOrigin& origin);
 
-  /// Publishes what is due without a new packet: the estimate that had to wait, or the last once
-  /// more when it has been silent for as long as it may. To be called again and again.
+  /// Publishes an estimate that is due without a new packet: one delayed by the rate limit, or the
+  /// last one again as a heartbeat. Call it regularly.
   void poll();
 
  private:

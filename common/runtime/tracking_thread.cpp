@@ -14,17 +14,15 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::system_clock;
 
-// Events taken from the queue at once.
-constexpr std::size_t kTakenAtOnce = 256;
-// How long the tracking thread takes events before the next estimate, when there are more than can
-// be taken.
+// Events per batch from the queue.
+constexpr std::size_t kBatchEvents = 256;
+// Longest time in which the tracking thread takes events before the next estimate.
 constexpr microseconds kLongestTake{1'000};
-// While nothing is looked at there is no more to see than that time goes by, and whether the search
-// has ended.
-constexpr microseconds kIdleLook{1'000};
+// Period of the steps while no region is watched, and of the polls of a running search.
+constexpr microseconds kIdlePeriod{1'000};
 
-// Without a track a search of the whole image is made on this thread, which takes some 4 ms, but no
-// more often; what is larger than small and wanted sooner the worker does.
+// Shortest period of urgent searches: without a track, a search of the whole image runs on this
+// thread, which takes some 4 ms. In between, the worker does the larger searches.
 constexpr microseconds kUrgentSearchPeriod{10'000};
 
 }  // namespace
@@ -46,8 +44,8 @@ TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingP
       params_(params),
       publish_period_(publish_period(params)),
       publish_(std::move(publish)) {
-  events_.reserve(kTakenAtOnce);
-  wanted_.reserve(kTakenAtOnce);
+  events_.reserve(kBatchEvents);
+  wanted_.reserve(kBatchEvents);
   snapshot_.surface.grey.reserve(surface.size().width, surface.size().height);
   next_publish_ = Clock::now();
   heartbeat_due_ = next_publish_;
@@ -62,17 +60,17 @@ TrackingThread::~TrackingThread() {
 void TrackingThread::look_now() {
   if (!surface_.has_news()) return;
   bool leaves_work = true;
-  // Where the lock is not to be had, the thread may or may not see the news before it sleeps.
+  // Without the lock, it is unknown whether the tracking thread sees the news before it sleeps.
   if (const std::unique_lock lock(step_mutex_, std::try_to_lock);
       lock.owns_lock() && is_for_event_thread()) {
     make_step(params_.longest_on_event_thread);
-    leaves_work = unpublished_ || look_anyway_ || worker_.is_copying();
+    leaves_work = unpublished_ || look_requested_ || worker_.is_copying();
   }
   if (leaves_work) surface_.wake();
 }
 
 bool TrackingThread::is_for_event_thread() const {
-  // Nobody waits for a step without a track, and it has the more to do.
+  // A step without a track is longer and not urgent.
   return newest_.estimate.state == TrackState::kTracking &&
          last_step_ <= params_.longest_on_event_thread && Clock::now() >= next_look_;
 }
@@ -82,7 +80,7 @@ void TrackingThread::run(const std::stop_token& stop) {
     Pause pause;
     {
       const std::lock_guard lock(step_mutex_);
-      do_what_is_due();
+      run_due_tasks();
       pause = next_pause();
     }
     if (pause.ends_with_news) {
@@ -93,9 +91,9 @@ void TrackingThread::run(const std::stop_token& stop) {
   }
 }
 
-void TrackingThread::do_what_is_due() {
+void TrackingThread::run_due_tasks() {
   take_search_result();
-  if (look_anyway_ || (surface_.has_news() && Clock::now() >= next_look_)) {
+  if (look_requested_ || (surface_.has_news() && Clock::now() >= next_look_)) {
     make_step(kLongestTake);
   }
   if (worker_.is_copying()) worker_.copy_more(surface_);
@@ -106,21 +104,22 @@ TrackingThread::Pause TrackingThread::next_pause() const {
   const auto now = Clock::now();
   auto until = unpublished_ ? std::min(std::max(next_publish_, publish_from_), heartbeat_due_)
                             : heartbeat_due_;
-  if (worker_.is_copying() || look_anyway_) {
+  if (worker_.is_copying() || look_requested_) {
     until = now;
   } else if (!worker_.is_idle()) {
-    until = std::min(until, now + kIdleLook);
+    until = std::min(until, now + kIdlePeriod);
   }
-  const bool may_look = now >= next_look_;
-  if (!may_look) until = std::min(until, next_look_);
-  return {std::max(std::chrono::ceil<microseconds>(until - now), microseconds::zero()), may_look};
+  const bool look_allowed = now >= next_look_;
+  if (!look_allowed) until = std::min(until, next_look_);
+  return {std::max(std::chrono::ceil<microseconds>(until - now), microseconds::zero()),
+          look_allowed};
 }
 
 void TrackingThread::take_search_result() {
   const SearchResult* result = worker_.poll();
   if (result == nullptr) return;
   pipeline_->take(*result);
-  look_anyway_ = true;
+  look_requested_ = true;
 }
 
 void TrackingThread::make_step(microseconds longest_take) {
@@ -134,9 +133,9 @@ void TrackingThread::look(microseconds longest_take) {
   newest_.tracking_started = system_clock::now();
   const auto began = Clock::now();
   surface_.snapshot(pipeline_->region_needed(), pipeline_->events_needed(), snapshot_);
-  look_anyway_ = false;
+  look_requested_ = false;
   const bool is_all_taken = take_events(longest_take);
-  if (!is_all_taken) look_anyway_ = true;
+  if (!is_all_taken) look_requested_ = true;
   newest_.estimate = pipeline_->step(snapshot_.surface);
   begin_search_if_wanted();
   if (snapshot_.origin.received != newest_.origin.received) {
@@ -145,7 +144,7 @@ void TrackingThread::look(microseconds longest_take) {
   newest_.origin = snapshot_.origin;
   newest_.backlog_us = snapshot_.backlog_us;
   newest_.backlog_events = snapshot_.backlog_events;
-  // One that rests on a part of a packet lets the one on all of it go first, which is soon made.
+  // An estimate from a part of a packet waits for the one from all of it, which follows soon.
   const bool is_whole = snapshot_.backlog_events == 0 && is_all_taken;
   if (is_whole) {
     publish_from_ = began;
@@ -154,20 +153,20 @@ void TrackingThread::look(microseconds longest_take) {
   }
   unpublished_ = true;
   if (pipeline_->region_needed().empty() && pipeline_->events_needed().empty()) {
-    next_look_ = Clock::now() + std::min(publish_period_, kIdleLook);
+    next_look_ = Clock::now() + std::min(publish_period_, kIdlePeriod);
   }
 }
 
-// Hands over the events that the snapshot shows. False when time is up before all are taken: the
-// estimate then rests on those that are, and says so.
+// Passes the snapshot's events to the pipeline. Returns false when `longest_take` ends before all
+// are taken; the snapshot's newest event and backlog are then those of the events taken.
 bool TrackingThread::take_events(microseconds longest_take) {
   const auto time_up = Clock::now() + longest_take;
   while (true) {
-    const Timestamp start = surface_.pop_events(snapshot_.events_end, kTakenAtOnce, events_);
+    const Timestamp start = surface_.pop_events(snapshot_.events_end, kBatchEvents, events_);
     if (events_.empty()) return true;
     for_each_piece(start, events_, pipeline_->decision_period_us(),
                    [&](std::span<const Event> piece) {
-                     // The region may have moved on since these events were let into the queue.
+                     // The region may have moved since the queue accepted these events.
                      const Region region = pipeline_->events_needed();
                      keep_inside(piece, region, wanted_);
                      if (wanted_.empty()) return;
@@ -193,8 +192,8 @@ void TrackingThread::begin_search_if_wanted() {
                          now - urgently_searched_ >= kUrgentSearchPeriod;
   if (is_urgent) urgently_searched_ = now;
   worker_.begin(wanted, is_urgent);
-  // The events that it needs are asked for with the next look.
-  look_anyway_ = true;
+  // The next look requests the events that the search needs.
+  look_requested_ = true;
 }
 
 void TrackingThread::publish_if_due() {
@@ -206,7 +205,7 @@ void TrackingThread::publish_if_due() {
   publish_(newest_);
   published_state_ = newest_.estimate.state;
   unpublished_ = false;
-  // Evenly: the next slot follows from the last one unless that has long passed.
+  // Evenly spaced: the next time follows from the last one unless that is long past.
   next_publish_ = std::max(next_publish_ + publish_period_, now);
   heartbeat_due_ = now + params_.heartbeat;
 }

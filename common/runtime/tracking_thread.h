@@ -16,48 +16,46 @@
 namespace puck {
 
 struct TrackingThreadParams {
-  /// Estimates are handed on at most so often, evenly; a change of state at once. Key
+  /// Highest rate of evenly spaced estimates; a change of state is published at once. Key
   /// tracker.max_publish_hz.
   int max_publish_hz = 5000;
-  /// … and at least so often, also when nothing changes, so that silence always means trouble.
+  /// Longest time between two estimates, also without changes, so that silence means a fault.
   std::chrono::microseconds heartbeat{20'000};
-  /// The event thread makes a step itself only while the last one took no longer than this, and
-  /// takes single events for no longer, because the surface stands still meanwhile. A step takes
-  /// some 10 µs and one in a hundred 50; to wake the other thread costs 20 to 40.
+  /// The event thread makes steps only while the last one took no longer than this, and takes
+  /// single events for no longer, because the surface is not updated meanwhile. A step takes some
+  /// 10 µs, one in a hundred 50 µs; waking the other thread takes 20 to 40 µs.
   std::chrono::microseconds longest_on_event_thread{100};
 };
 
-/// The time between two estimates. Throws std::invalid_argument, naming the key, when a parameter
-/// is out of range.
+/// Shortest time between two estimates. Throws std::invalid_argument, naming the key, when a
+/// parameter is out of range.
 std::chrono::microseconds publish_period(const TrackingThreadParams& params);
 
-/// An estimate and the times of the chain that led to it.
+/// An estimate and the times of its chain.
 struct TrackedEstimate {
   PuckEstimate estimate;
   PacketOrigin origin;
   std::chrono::system_clock::time_point tracking_started;
-  /// From the receipt of the newest packet to the first look at the surface that showed some of it.
+  /// From the receipt of the newest packet to the first snapshot that contains some of it.
   std::chrono::steady_clock::duration packet_to_look{};
   std::int64_t backlog_us = 0;
   std::int64_t backlog_events = 0;
-  /// How long ago, at publication, the newest packet came, even if it brought nothing for the
-  /// tracking region.
+  /// At publication: time since the newest packet, also if it had no events in the tracked region.
   std::chrono::steady_clock::duration input_age{};
 };
 
-/// The paper's second thread (Figure 2): takes the newest surface, detects or tracks, as fast as it
-/// can while there is something new in its region; sleeps while there is nothing. When nothing else
-/// waits for the event thread that one makes the step itself, which takes less time than to wake
-/// another thread; floods of events, slow steps, those without a track, searches and what is due by
-/// time are this one's. Where its pipeline takes single events it gets those that the surface shows
-/// before the surface itself. Searches run on a thread of their own, of low priority, and are never
-/// waited for.
+/// The paper's second thread (Figure 2): detects or tracks on the newest surface as fast as it can
+/// while there are new events in its region, else sleeps. While no other packet waits, the event
+/// thread makes the step itself, which is faster than waking this thread; this thread makes the
+/// steps under load, slow steps and steps without a track, the searches, and what is due by time. A
+/// pipeline that takes single events gets those that a snapshot contains before the snapshot.
+/// Searches run on a low-priority thread; nothing waits for them.
 class TrackingThread {
  public:
   using Publish = std::function<void(const TrackedEstimate&)>;
 
-  /// Starts the thread. `publish` is called on it or in look_now(), by one of them at a time, and
-  /// must not throw. The surface must outlive this object.
+  /// Starts the thread. `publish` is called on it or in look_now(), one call at a time, and must
+  /// not throw. `surface` must outlive this object.
   TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingPipeline> pipeline,
                  PuckSearch search, const TrackingThreadParams& params, Publish publish);
   /// Stops the thread and waits for it.
@@ -65,23 +63,22 @@ class TrackingThread {
   TrackingThread(const TrackingThread&) = delete;
   TrackingThread& operator=(const TrackingThread&) = delete;
 
-  /// Event thread only, after an update of the surface that did not wake this thread: makes the
-  /// step that is due for it on the caller's thread, or, where this thread is making one, the last
-  /// one was slow, or there is no track, leaves it to this thread. Waits for nobody, and never
-  /// searches.
+  /// Event thread only, after an update of the surface without `wakes`. Makes the due step on the
+  /// caller's thread, or leaves it to the tracking thread if that is making one, the last one was
+  /// slow, or there is no track. Never blocks, never searches.
   void look_now();
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// How long there is nothing to do.
+  /// Time without work.
   struct Pause {
     std::chrono::microseconds longest{};
     bool ends_with_news = true;
   };
 
   void run(const std::stop_token& stop);
-  void do_what_is_due();
+  void run_due_tasks();
   Pause next_pause() const;
   void take_search_result();
   bool is_for_event_thread() const;
@@ -92,7 +89,7 @@ class TrackingThread {
   void publish_if_due();
 
   SharedSurface& surface_;
-  // Held by whoever makes a step, for as long as it takes. Guards all below but the thread.
+  // Held during a step by the stepping thread. Guards all members below except the thread.
   std::mutex step_mutex_;
   std::unique_ptr<TrackingPipeline> pipeline_;
   SearchWorker worker_;
@@ -101,20 +98,20 @@ class TrackingThread {
   Publish publish_;
 
   SharedSnapshot snapshot_;
-  std::vector<Event> events_;    // of the queue, a handful at a time
-  std::vector<Event> wanted_;    // of a piece of them
-  bool look_anyway_ = false;     // also when there is no news
-  Clock::time_point next_look_;  // not before
+  std::vector<Event> events_;    // A batch from the queue.
+  std::vector<Event> wanted_;    // Those of a piece that lie in the region.
+  bool look_requested_ = false;  // Look even without news.
+  Clock::time_point next_look_;  // Earliest time of the next look.
   Clock::time_point urgently_searched_;
-  Clock::duration last_step_{};  // how long it took, publication included
+  Clock::duration last_step_{};  // Duration, publication included.
   TrackedEstimate newest_;
-  bool unpublished_ = true;  // the first word is that the search has begun
+  bool unpublished_ = true;  // The first estimate is due: it says that the search has begun.
   TrackState published_state_ = TrackState::kSearching;
-  Clock::time_point publish_from_;  // what is unpublished; not before
+  Clock::time_point publish_from_;  // Earliest time at which the unpublished estimate is published.
   Clock::time_point next_publish_;
   Clock::time_point heartbeat_due_;
 
-  std::jthread thread_;  // last: it uses what stands above
+  std::jthread thread_;  // Last member: uses the others.
 };
 
 }  // namespace puck

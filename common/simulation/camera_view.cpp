@@ -33,7 +33,7 @@ CameraView CameraView::turned(const HeadPose& pose) const {
   const double cp = std::cos(pose.pitch_deg * kDegree), sp = std::sin(pose.pitch_deg * kDegree);
   const double cr = std::cos(pose.roll_deg * kDegree), sr = std::sin(pose.roll_deg * kDegree);
 
-  // Each turn is about an axis of the camera as the turns before it left it.
+  // Intrinsic rotation: each turn is about an axis of the camera as already turned.
   const Vector3 yawed_right = cy * right_ - sy * forward_;
   const Vector3 yawed_forward = sy * right_ + cy * forward_;
   const Vector3 pitched_down = cp * down_ + sp * yawed_forward;

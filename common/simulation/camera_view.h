@@ -12,7 +12,7 @@
 
 namespace puck {
 
-/// A pinhole camera at its place above the table, in its home pose or turned from it.
+/// A pinhole camera above the table, in its home pose or rotated about its centre.
 class CameraView {
  public:
   struct Projection {
@@ -23,7 +23,7 @@ class CameraView {
   /// In its home pose.
   CameraView(const CameraParams& params, SensorSize size);
 
-  /// The same camera, turned about its centre. To be called on the home pose.
+  /// The same camera, rotated about its centre. Call it on the home pose only.
   CameraView turned(const HeadPose& pose) const;
 
   Vector3 centre() const { return centre_; }
@@ -34,15 +34,15 @@ class CameraView {
   double focal_px() const { return focal_px_; }
   Pixel principal_point() const { return principal_point_; }
 
-  /// Direction of the light that falls on the pixel; its component along the optical axis is 1.
+  /// Direction of the pixel's ray, in the table's frame; its component along the optical axis is 1.
   Vector3 ray(Pixel pixel) const;
-  /// Nothing for a point less than 1 cm in front of the camera.
+  /// `std::nullopt` for a point less than 1 cm in front of the camera.
   std::optional<Projection> project(Vector3 point) const;
 
-  /// Row by row: the pixel (homogeneous) from a point (x, y, 1) of the plane at a height above the
-  /// playing surface.
+  /// Row-major homography: the homogeneous pixel of a point (x, y, 1) of the plane at a height
+  /// above the playing surface.
   std::array<double, 9> image_from_plane(double height_m) const;
-  /// Its inverse, as the users of a calibration know it.
+  /// The inverse of `image_from_plane`, as a calibration file states it.
   Homography table_from_image(double height_m) const;
 
  private:

@@ -8,7 +8,7 @@ namespace puck {
 namespace {
 
 constexpr double kFar_px = 1e5;
-constexpr int kInside_px = 2;  // A diamond of this size around a pixel holds its blurred edge.
+constexpr int kInside_px = 2;  // Diamond around a pixel that contains its blurred edge.
 constexpr int kAround_px = 1;
 
 // Andrew's monotone chain, counter-clockwise.
@@ -32,7 +32,7 @@ std::vector<Pixel> hull_of(std::vector<Pixel> points) {
   return hull;
 }
 
-/// The hull's columns along a line of one y.
+/// The hull's columns at one y.
 struct Cut {
   double left = std::numeric_limits<double>::infinity();
   double right = -std::numeric_limits<double>::infinity();
@@ -58,8 +58,8 @@ ConvexOutline::ConvexOutline(std::vector<Pixel> points, int image_height) {
       std::clamp(static_cast<int>(std::ceil(bottom)) + kAround_px + 1, first_row_, image_height);
   if (points.empty() || first_row_ == end_row) return;
 
-  // Where the hull crosses each row's middle, and what it spans around it, from two rows above the
-  // first to two below the last.
+  // `cuts`: where the hull crosses each row's centre line. `spans`: the columns of the hull's
+  // corners near the row. Both from two rows above the first row to two below the last.
   const int origin = first_row_ - kInside_px;
   const int count = end_row - first_row_ + 2 * kInside_px;
   std::vector<Cut> cuts(static_cast<std::size_t>(count));

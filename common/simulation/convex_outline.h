@@ -14,18 +14,18 @@ struct Columns {
   bool empty() const { return begin >= end; }
 };
 
-/// The convex hull of some points, as rows of pixels: which of them it may touch, and which lie in
-/// it whole. Both answers keep a distance of a pixel from its edge, room for the edge's blur.
+/// The convex hull of some points as rows of pixels: which pixels it may touch, and which lie
+/// wholly inside. Both leave a margin of one pixel around the edge for the edge's blur.
 class ConvexOutline {
  public:
-  /// Only the rows from 0 to `image_height` − 1 are kept, and columns of ±100,000.
+  /// Keeps only the rows from 0 to `image_height` − 1, and columns of ±100,000.
   ConvexOutline(std::vector<Pixel> points, int image_height);
 
   int first_row() const { return first_row_; }
   int end_row() const { return first_row_ + static_cast<int>(touched_.size()); }
-  /// Pixels beyond these are not touched at all.
+  /// Columns outside these are not covered.
   Columns touched(int y) const;
-  /// Pixels of these are covered to the last bit; often none.
+  /// Columns that are fully covered; often none.
   Columns inside(int y) const;
 
  private:

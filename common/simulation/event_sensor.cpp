@@ -11,15 +11,17 @@ namespace {
 
 constexpr std::uint64_t kMismatchStream = 10;
 constexpr std::uint64_t kNoiseStream = 11;
-// A response this near to the light has settled: a hundredth of a usual threshold.
+// A response this close to ln(intensity) counts as settled: a hundredth of a usual threshold.
 constexpr float kSettled = 0.002f;
 constexpr double kLowestThreshold = 0.01;
-// A photoreceptor's dark current keeps it from being slower than this.
+// The dark current bounds a photoreceptor's cutoff frequency from below, as a share of the nominal
+// one.
 constexpr double kLowestCutoffShare = 0.05;
-// The flicker is taken as straight between so many points of its period.
+// The flicker is interpolated linearly between this many points of a period.
 constexpr double kFlickerSteps = 40;
 
-// A photoreceptor's bandwidth goes with its current, the noise of which goes with the root.
+// A photoreceptor's bandwidth is proportional to its current; the noise of the current grows with
+// its square root.
 EventSensorParams in_light(EventSensorParams params, const LightParams& light) {
   const double brighter = light.illuminance_lux / LightParams::kReference_lux;
   params.cutoff_hz *= brighter;
@@ -51,8 +53,8 @@ EventSensor::EventSensor(const EventSensorParams& params, ImageView<const float>
       pixel.response = light_[index_of(x, y)] = log_intensity(x, y);
       pixel.threshold_on = threshold();
       pixel.threshold_off = threshold();
-      // A real pixel was last reset at any level; as if all had been at once would make the first
-      // events of an edge come in step.
+      // A real pixel was last reset at an arbitrary level. If all pixels had been reset at once,
+      // the first events of an edge would come in step.
       pixel.reference = pixel.response + static_cast<float>(mismatch.uniform(-0.5, 0.5)) *
                                              std::min(pixel.threshold_on, pixel.threshold_off) *
                                              (params.threshold_mismatch > 0 ? 1.0f : 0.0f);
@@ -100,7 +102,8 @@ void EventSensor::settle_step(Timestamp to) {
   for (const std::uint32_t index : unsettled_) {
     Pixel& pixel = pixels_[index];
     if (pixel.time_us < to_us) run(index, light_[index], to_us);
-    // With flicker, one that has been computed beyond this step must not be woken within.
+    // With flicker, a pixel that has been integrated beyond this step must not wake within the
+    // step.
     const bool may_sleep = flicker_.is_off() || pixel.time_us <= to_us;
     if (may_sleep && is_settled(index, flicker)) {
       pixel.response = light_[index];
@@ -182,7 +185,7 @@ void EventSensor::run(std::uint32_t index, float light_at_end, double to_us) {
 
   const auto fire_at = [&](float level, bool is_late, bool polarity) {
     const double crossed_us = is_late ? from_us : from_us + ramp.crossing_us(level, before, after);
-    const double t_us = std::max(crossed_us, pixel.silent_until_us);
+    const double t_us = std::max(crossed_us, pixel.refractory_until_us);
     if (t_us >= to_us) return false;
     pixel.reference = level;
     fire(pixel, index, polarity, t_us);
@@ -200,7 +203,7 @@ void EventSensor::run(std::uint32_t index, float light_at_end, double to_us) {
 
 void EventSensor::fire(Pixel& pixel, std::uint32_t index, bool polarity, double t_us) {
   const double stamped_us = t_us + 2 * params_.jitter_us * random_.uniform();
-  pixel.silent_until_us = stamped_us + params_.refractory_us;
+  pixel.refractory_until_us = stamped_us + params_.refractory_us;
   slice_.push_back({static_cast<std::int64_t>(stamped_us), index, polarity});
 }
 
@@ -212,8 +215,8 @@ void EventSensor::add_noise(Timestamp end) {
     const double t_us = start_us + random_.uniform() * duration_us;
     const bool polarity = random_.uniform() < 0.5;
     Pixel& pixel = pixels_[index];
-    if (t_us < pixel.silent_until_us) return;
-    pixel.silent_until_us = t_us + params_.refractory_us;
+    if (t_us < pixel.refractory_until_us) return;
+    pixel.refractory_until_us = t_us + params_.refractory_us;
     slice_.push_back({static_cast<std::int64_t>(t_us), index, polarity});
   };
   const double background = params_.noise_hz * count * duration_us * 1e-6;
@@ -229,7 +232,6 @@ void EventSensor::add_noise(Timestamp end) {
 }
 
 void EventSensor::write_slice(Timestamp end, EventPacket& packet) {
-  // Those that an earlier slice left over go first.
   due_.clear();
   std::size_t kept = 0;
   for (const PixelEvent& event : pending_) {

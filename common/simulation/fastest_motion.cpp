@@ -10,7 +10,7 @@ double speed_of(const DiscState& disc) {
   return std::hypot(disc.velocity.x_m_s, disc.velocity.y_m_s);
 }
 
-// A puck's speed, or what a hit would make it, if a mallet can come to it within that time.
+// The puck's speed, or its speed after a hit if a mallet can reach it within `ahead_s`.
 double fastest_soon_m_s(const DiscState& puck, const TableGame& game,
                         const SimulationParams& params, double ahead_s) {
   double fastest = speed_of(puck);

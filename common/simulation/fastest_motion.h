@@ -6,8 +6,8 @@
 
 namespace puck {
 
-/// An upper bound for the speed in the image of anything that moves in the game within `ahead_s`
-/// from now, a puck that a mallet may hit included.
+/// An upper bound, in px/s, for the image speed of all moving objects within `ahead_s` from now,
+/// including a puck that a mallet may hit.
 double fastest_px_s(const TableGame& game, const SimulationParams& params, const CameraView& view,
                     double ahead_s);
 

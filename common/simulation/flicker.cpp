@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-constexpr int kSteps = 1024;  // Of one period.
+constexpr int kSteps = 1024;  // Samples of one period.
 
 }  // namespace
 
@@ -18,8 +18,8 @@ Flicker::Flicker(double modulation, double frequency_hz, double cutoff_hz)
   const auto light_at = [&](int step) {
     return std::log1p(modulation * std::sin(turn * step / kSteps));
   };
-  // One period from nothing tells what a start at any other level would have left: a start at the
-  // level that comes back has forgotten its own.
+  // The low-pass is linear: the response after one period from level 0 gives the start level of the
+  // periodic steady state.
   double response = 0;
   const auto advance = [&](int step) {
     const double light = (light_at(step) + light_at(step + 1)) / 2;

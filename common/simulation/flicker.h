@@ -4,9 +4,9 @@
 
 namespace puck {
 
-/// What a flickering lamp adds to the photoreceptors' responses: ln(1 + modulation · sin) through
-/// their low-pass, which has long forgotten its start. It is the same for every pixel, since the
-/// low-pass is linear in ln(intensity).
+/// A flickering lamp's part of the photoreceptors' responses: ln(1 + modulation · sin) through
+/// their low-pass, in its periodic steady state. It is the same for every pixel, since the low-pass
+/// is linear in ln(intensity).
 class Flicker {
  public:
   Flicker(double modulation, double frequency_hz, double cutoff_hz);
@@ -20,7 +20,7 @@ class Flicker {
 
   double modulation_;
   double period_us_;
-  std::vector<float> response_;  ///< Over one period; the last one is the first one again.
+  std::vector<float> response_;  ///< Over one period; the last sample repeats the first.
 };
 
 }  // namespace puck

@@ -6,12 +6,11 @@
 
 namespace puck {
 
-/// How far the flicker must take each settled pixel's response for its next event, so that only
-/// those that it does are looked at.
+/// Flicker levels at which each settled pixel fires its next event, so that only the pixels that
+/// fire are visited.
 class FlickerReach {
  public:
-  /// One more pixel, or one that has settled anew; fires when the flicker's response is at least
-  /// `up` or at most `down`.
+  /// Adds a pixel, which fires when the flicker's response is at least `up` or at most `down`.
   void add(float up, float down) {
     up_.push_back(up);
     down_.push_back(down);
@@ -21,10 +20,10 @@ class FlickerReach {
     down_[pixel] = down;
   }
 
-  /// Calls `visit` with each pixel that fires between these.
+  /// Calls `visit` with each pixel that fires while the flicker goes from `lowest` to `highest`.
   template <typename Visit>
   void visit_reached(float lowest, float highest, Visit visit) const {
-    // Nearly all are out of reach, which is told many at a time.
+    // Nearly all pixels are out of reach, so blocks of them are rejected together.
     constexpr std::size_t kTogether = 64;
     const auto is_reached = [&](std::size_t i) {
       return static_cast<int>(up_[i] <= highest) | static_cast<int>(down_[i] >= lowest);

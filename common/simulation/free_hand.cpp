@@ -6,11 +6,11 @@
 namespace puck {
 namespace {
 
-constexpr double kHeight_m = 0.1;  // Above the table, over the puck.
+constexpr double kHeight_m = 0.1;  // Above the table.
 constexpr double kFastest_m_s = 2.5;
 constexpr double kAcceleration_m_s2 = 25;
 constexpr double kStiffness_1_s = 12;
-constexpr double kThere_m = 0.03;
+constexpr double kArrived_m = 0.03;
 constexpr double kAway_m = 0.05;
 
 double length_of(Vector3 v) { return std::sqrt(dot(v, v)); }
@@ -36,13 +36,13 @@ void FreeHand::step(const std::optional<DiscState>& puck, double dt_s) {
     if (length_of(*place_ - home) < kAway_m) place_.reset();
     return;
   }
-  const Vector3 target = place_that_hides(puck->position);
+  const Vector3 target = hiding_place(puck->position);
   const Vector3 puck_m_s{puck->velocity.x_m_s, puck->velocity.y_m_s, 0};
   move_towards(target, (1 - kHeight_m / eye_.z) * puck_m_s, dt_s);
-  if (length_of(*place_ - target) < kThere_m) hide_s_ -= dt_s;
+  if (length_of(*place_ - target) < kArrived_m) hide_s_ -= dt_s;
 }
 
-Vector3 FreeHand::place_that_hides(TablePoint puck) const {
+Vector3 FreeHand::hiding_place(TablePoint puck) const {
   const Vector3 on_table{puck.x_m, puck.y_m, 0};
   return on_table + (kHeight_m / eye_.z) * (eye_ - on_table);
 }

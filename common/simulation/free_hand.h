@@ -9,24 +9,24 @@
 
 namespace puck {
 
-/// The opponent's other hand. Some of the times that the puck comes to him it reaches over the
-/// puck, between it and the camera's eye, stays there for a while, and goes back.
+/// The opponent's other hand. With a given probability, when the puck comes to the opponent, it
+/// reaches between puck and camera, hides the puck for a while, and goes back.
 class FreeHand {
  public:
-  /// `eye`: where the camera is.
+  /// `eye`: the camera's centre.
   FreeHand(const TableGeometry& table, const GameParams& params, Vector3 eye, Random random);
 
   void step(const std::optional<DiscState>& puck, double dt_s);
 
-  /// The opponent does not strike meanwhile.
+  /// While true, the opponent does not strike.
   bool is_hiding() const { return hide_s_ > 0; }
-  /// The middle of the hand; nothing while it is away.
+  /// The middle of the hand; `std::nullopt` while it is away.
   const std::optional<Vector3>& place() const { return place_; }
   Vector3 velocity_m_s() const { return velocity_m_s_; }
 
  private:
-  Vector3 place_that_hides(TablePoint puck) const;
-  /// Follows a target that moves with `target_m_s`.
+  Vector3 hiding_place(TablePoint puck) const;
+  /// Follows a target of velocity `target_m_s`.
   void move_towards(Vector3 target, Vector3 target_m_s, double dt_s);
 
   TableGeometry table_;
@@ -34,7 +34,7 @@ class FreeHand {
   Vector3 eye_;
   Random random_;
   bool puck_is_here_ = false;
-  double hide_s_ = 0;  ///< Goes on hiding the puck for so long.
+  double hide_s_ = 0;  ///< Remaining time for which it hides the puck.
   std::optional<Vector3> place_;
   Vector3 velocity_m_s_;
 };

@@ -25,7 +25,7 @@ HeadPose HeadMotion::limits() const {
 }
 
 // Two slow waves and two of vibration whose frequencies have no common period, so that no pose
-// ever comes back exactly.
+// repeats exactly.
 HeadMotion::Waves HeadMotion::waves_of(double peak_to_peak_deg, double period_s,
                                        double vibration_deg, double vibration_hz, Random& random) {
   constexpr double kTurn = 2 * std::numbers::pi;

@@ -14,7 +14,7 @@ class HeadMotion {
   HeadMotion(const HeadMotionParams& params, Random random);
 
   HeadPose pose_at(double t_s) const;
-  /// No pose turns farther from home than these, all positive.
+  /// Upper bounds of |yaw|, |pitch| and |roll|.
   HeadPose limits() const;
 
  private:

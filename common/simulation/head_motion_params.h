@@ -2,8 +2,8 @@
 
 namespace puck {
 
-/// How the head moves when it does: a slow sway in yaw, a smaller one in pitch and roll, and the
-/// vibration of the joints in all three.
+/// How the head moves: a slow sway in yaw, a smaller one in pitch and roll, and joint vibration in
+/// all three.
 struct HeadMotionParams {
   double yaw_peak_to_peak_deg = 6;
   double yaw_period_s = 3;

@@ -7,12 +7,12 @@ namespace puck {
 namespace {
 
 constexpr double kGuardDistance_m = 0.2;  // From the opponent's end.
-constexpr double kHome_m = 0.01;          // So near to home() the mallet is there.
+constexpr double kHome_m = 0.01;          // Closer to home() than this counts as home.
 constexpr double kGuardSpeed_m_s = 1.5;
 constexpr double kGuardAcceleration_m_s2 = 15;
 constexpr double kGuardStiffness_1_s = 8;
-// Shares of the table's length between which it strikes: a puck nearer to the end rail is left to
-// come off it.
+// The puck is struck between these shares of the table's length: one closer to the end rail is left
+// to bounce off it first.
 constexpr double kNearestStrike = 0.55;
 constexpr double kFarthestStrike = 0.86;
 constexpr double kHardestSwing_m_s = 12;
@@ -138,7 +138,7 @@ std::optional<Opponent::Swing> Opponent::plan(const DiscState& puck) const {
   return std::nullopt;
 }
 
-// Whether the mallet stays on its half of the table and meets the puck only at the end.
+// Whether the mallet stays on its half of the table and touches the puck only at the swing's end.
 bool Opponent::is_clear(const Swing& swing, const DiscState& puck) const {
   constexpr double kAlmost_s = 0.01;
   const TableGeometry& table = physics_.table();

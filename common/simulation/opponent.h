@@ -10,28 +10,28 @@
 
 namespace puck {
 
-/// A player at the far end: guards the goal, waits until the puck has come, swings at it so that
-/// it flies at the robot's goal, and goes back.
+/// A player at the far end: guards the goal, waits for the puck, strikes it at the robot's goal,
+/// and goes back.
 class Opponent {
  public:
   Opponent(const PuckPhysics& physics, const GameParams& params, std::int64_t seed);
 
   enum class Conduct : std::uint8_t {
     kPlays,
-    kLeavesAlone,  ///< No swing starts; the mallet guards the goal against the puck all the same.
-    kServes,       ///< No swing starts, and the mallet goes to home() and waits there.
+    kLeavesAlone,  ///< No swing starts; the mallet guards the goal.
+    kServes,       ///< No swing starts; the mallet goes to home() and waits.
   };
 
-  /// Moves the mallet on; `puck` is nothing while none is in play.
+  /// Moves the mallet; `puck` is `std::nullopt` while none is in play.
   void step(const std::optional<DiscState>& puck, double dt_s, Conduct conduct);
 
   const DiscState& mallet() const { return mallet_; }
-  /// Where the mallet waits while there is nothing to guard against: before the goal's middle.
+  /// Where the mallet waits while no puck is in play: in front of the goal's middle.
   TablePoint home() const;
   bool is_home() const;
 
  private:
-  /// A mallet's path that ends at a place with a velocity: a cubic in time.
+  /// A mallet's path to a given position and velocity: a cubic in time.
   struct Swing {
     DiscState from;
     DiscState to;
@@ -53,7 +53,7 @@ class Opponent {
   ShotPlanner planner_;
   DiscState mallet_;
   std::optional<Swing> swing_;
-  double strike_in_s_ = 0;  ///< Waits so much longer before it thinks of striking.
+  double strike_in_s_ = 0;  ///< Remaining wait before the next strike is planned.
   bool puck_is_here_ = false;
 };
 

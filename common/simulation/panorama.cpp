@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-constexpr int kSamples = 4;     // Along each side of a pixel, where there is an edge.
+constexpr int kSamples = 4;     // Samples along each side of a pixel at an edge.
 constexpr int kCell_px = 2;     // Side of the cells that are busy or flat.
 constexpr float kFlat = 1e-4f;  // Largest difference of ln(luminance) in a flat cell.
 
@@ -34,7 +34,8 @@ void Panorama::render(const StaticScene& scene, const CameraView& home) {
     for (int x = 0; x < width; ++x) points(x, y) = static_cast<float>(luminance(x, y));
   }
 
-  // Points are exact where the scene is flat; where neighbours differ, the pixel's area counts.
+  // Single points are exact where the scene is flat; where neighbours differ, the pixel's area is
+  // averaged.
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       float lowest = points(x, y);
@@ -69,7 +70,7 @@ void Panorama::find_busy_cells() {
   for (int row = 0; row < rows; ++row) {
     busy_before_(0, row + 1) = 0;
     for (int column = 0; column < columns; ++column) {
-      // One node more on the right and below, so that no edge hides between two cells.
+      // One more node on the right and below, so that an edge between two cells is found.
       const int right = std::min(nodes_.width() - 1, (column + 1) * cell);
       const int bottom = std::min(nodes_.height() - 1, (row + 1) * cell);
       float lowest = nodes_(column * cell, row * cell);
@@ -87,8 +88,8 @@ void Panorama::find_busy_cells() {
   }
 }
 
-// A turned camera looks here for a hundred thousand pixels a ms. Each loop is free of branches, so
-// that the compiler computes several places side by side.
+// A turned camera reads some hundred thousand pixels a ms. The loops have no branches, so that the
+// compiler vectorises them.
 void Panorama::along(float x, float y, float step_x, float step_y,
                      std::array<float, kRun>& light) const {
   const float scale = static_cast<float>(nodes_per_px_);

@@ -10,9 +10,9 @@
 
 namespace puck {
 
-/// ln(luminance) of the static scene as the camera in its home pose sees it, each point averaged
-/// over the area of one pixel, with a margin for the looks of a turned camera. Coordinates are
-/// pixels of the home pose; they may be negative in the margin.
+/// ln(luminance) of the static scene as the camera sees it in its home pose, each point averaged
+/// over the area of one pixel, with a margin for a turned camera. Coordinates are pixels of the
+/// home pose; they may be negative in the margin.
 class Panorama {
  public:
   struct Margin {
@@ -20,11 +20,11 @@ class Panorama {
     int y_px = 0;
   };
 
-  /// `nodes_per_px` points are kept along each pixel.
+  /// Keeps `nodes_per_px` points along each pixel.
   Panorama(const StaticScene& scene, const CameraView& home, SensorSize size, Margin margin,
            int nodes_per_px);
 
-  /// Interpolated between the nearest points. Beyond the margin the outermost ones are taken.
+  /// Linear interpolation between the nearest points, clamped at the margin's edge.
   float at(float x, float y) const {
     const float scale = static_cast<float>(nodes_per_px_);
     const float node_x = std::clamp((x + static_cast<float>(margin_.x_px)) * scale, 0.0f,
@@ -42,11 +42,11 @@ class Panorama {
     return above + share_y * (below - above);
   }
 
-  /// As `at` for kRun places along a line.
+  /// As `at`, for kRun points along a line.
   static constexpr int kRun = 8;
   void along(float x, float y, float step_x, float step_y, std::array<float, kRun>& light) const;
 
-  /// Whether anything but one flat tone is seen in the rectangle, ends included.
+  /// Whether the rectangle (ends included) contains more than one flat tone.
   bool is_busy(float left, float top, float right, float bottom) const;
 
  private:
@@ -56,7 +56,7 @@ class Panorama {
   Margin margin_;
   int nodes_per_px_;
   Image<float> nodes_;
-  /// Summed-area table of busy cells, with a row and column of zeros first.
+  /// Summed-area table of busy cells; its first row and column are zero.
   Image<int> busy_before_;
 };
 

@@ -5,12 +5,13 @@
 
 namespace puck {
 
-/// A photoreceptor's output while the light on it goes evenly from one level to another: the exact
-/// answer of a first-order low-pass, and what flicker adds to it, straight between its two ends.
+/// A photoreceptor's output while ln(intensity) changes linearly from one level to another: the
+/// exact response of a first-order low-pass, plus the flicker, interpolated linearly between its
+/// two ends.
 struct PhotoreceptorRamp {
   double duration_us = 0;
   double time_constant_us = 0;
-  float response = 0;  ///< At the start, but for the flicker.
+  float response = 0;  ///< At the start, without the flicker.
   float light_before = 0;
   float light_after = 0;
   float flicker_before = 0;
@@ -18,16 +19,16 @@ struct PhotoreceptorRamp {
 
   double slope() const { return (light_after - light_before) / duration_us; }
   double lag() const { return slope() * time_constant_us; }
-  /// Of the response beyond what it would be had the light grown like this for ever.
+  /// Transient part of the response: its excess over the steady response to this ramp.
   double excess() const { return response - light_before + lag(); }
 
-  /// At the end, but for the flicker; `decay`: exp(-duration / time constant).
+  /// Response at the end, without the flicker; `decay`: exp(-duration / time constant).
   float response_after(double decay) const {
     return static_cast<float>(light_after - lag() + excess() * decay);
   }
-  /// When the output is at a level that lies between its ends, µs after the start.
+  /// Time from the start, in µs, at which the output crosses a level between its two ends.
   double crossing_us(float level, float output_before, float output_after) const {
-    // Newton's method from the straight line between the ends.
+    // Newton's method, started on the straight line between the ends.
     constexpr int kIterations = 3;
     const double flicker_slope = (flicker_after - flicker_before) / duration_us;
     double t_us = duration_us * (level - output_before) / (output_after - output_before);

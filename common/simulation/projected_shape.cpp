@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-// An edge goes from nothing to all in this many pixels: the pixel's own width and the lens's blur.
+// Width of a blurred edge: the pixel's own width and the lens's blur.
 constexpr float kEdge_px = 1.5f;
 
 float share_of(float inside_px) {
@@ -22,8 +22,8 @@ struct Extent {
   double high = 0;
 };
 
-// The extent of a circle's image along x (row 0 and 2 of the projection) or y (row 1 and 2): the
-// lines that touch an ellipse are the points of its dual conic, H diag(r², r², −1) Hᵀ for a circle.
+// The extent of a circle's image along x (rows 0 and 2 of the projection) or y (rows 1 and 2): the
+// tangents of an ellipse are the points of its dual conic, H diag(r², r², −1) Hᵀ for a circle.
 Extent extent_of(const std::array<double, 9>& h, TablePoint centre, double radius_m, int row) {
   const auto column = [&](int r, int c) {
     return c < 2 ? radius_m * h[3 * r + c]
@@ -41,7 +41,7 @@ Extent extent_of(const std::array<double, 9>& h, TablePoint centre, double radiu
   return {std::min(one, other), std::max(one, other)};
 }
 
-// Corners of the outline along each circle: a polygon of 24 lies within 1 % of the radius.
+// Corners of each circle's outline: a polygon of 24 lies within 1 % of the radius.
 constexpr int kCorners = 24;
 
 Pixel direction_of(int corner) {
@@ -90,7 +90,8 @@ ProjectedCylinder::ProjectedCylinder(const CameraView& view, TablePoint centre, 
 }
 
 // A pixel's ray passes the cylinder's bottom plane at A and its top plane at B. It meets the
-// cylinder where the way from A to B, seen from above, comes nearer to the axis than the radius.
+// cylinder where the segment from A to B, seen from above, comes closer to the axis than the
+// radius.
 void ProjectedCylinder::coverage(int y, int first, int count, float* shares) const {
   const Vector3 row_ray = first_ray_ + static_cast<double>(y) * ray_y_;
   const float cx = static_cast<float>(centre_to_camera_.x);
@@ -112,7 +113,7 @@ void ProjectedCylinder::coverage(int y, int first, int count, float* shares) con
       continue;
     }
     const float per_z = 1 / dz;
-    // Where along the ray it is nearest to the axis, between B and A.
+    // Where on the segment from B to A the ray is closest to the axis.
     const float nearest = -(cx * dx + cy * dy) / std::max(dx * dx + dy * dy, 1e-12f);
     const float t = std::clamp(nearest, to_top_z * per_z, to_bottom_z * per_z);
     const float px = cx + t * dx;
@@ -121,7 +122,7 @@ void ProjectedCylinder::coverage(int y, int first, int count, float* shares) con
     const float per_distance = 1 / std::max(distance, 1e-6f);
     const float nx = px * per_distance;
     const float ny = py * per_distance;
-    // How fast the distance grows from pixel to pixel, m/px.
+    // Change of the distance from pixel to pixel, m/px.
     const float along = (nx * dx + ny * dy) * per_z;
     const float gx = t * (nx * xx + ny * xy - along * xz);
     const float gy = t * (nx * yx + ny * yy - along * yz);
@@ -151,7 +152,7 @@ ProjectedCapsule::ProjectedCapsule(const CameraView& view, Vector3 from, double 
                               circle.centre.y + circle.radius_px * direction.y});
           }
         }
-        // Out of sight behind the camera, at either end: nothing is drawn.
+        // An end behind the camera: the capsule is not drawn.
         if (from_.radius_px <= 0 || to_.radius_px <= 0) points.clear();
         return ConvexOutline(std::move(points), view.size().height);
       }()) {}

@@ -11,29 +11,30 @@
 
 namespace puck {
 
-/// An upright box around something in the image, in fractions of a pixel.
+/// An upright box in the image, with sub-pixel edges.
 struct PixelBox {
   Pixel centre;
   PuckSize size;
 };
 
-/// An upright cylinder that stands on or above the table, as a camera sees it.
+/// The image of an upright cylinder that stands on or above the table.
 class ProjectedCylinder {
  public:
   ProjectedCylinder(const CameraView& view, TablePoint centre, double radius_m, double bottom_m,
                     double top_m);
 
-  /// For `count` pixels from column `first` of row `y` on: the share of each that it covers.
+  /// Writes to `shares` how much of each of `count` pixels from column `first` of row `y` it
+  /// covers, from 0 to 1.
   void coverage(int y, int first, int count, float* shares) const;
   const ConvexOutline& outline() const { return outline_; }
-  /// Around the silhouette, exactly.
+  /// The exact bounding box of the silhouette.
   PixelBox box() const { return box_; }
 
  private:
   Vector3 centre_to_camera_;
-  Vector3 first_ray_;  ///< Of pixel (0, 0).
-  Vector3 ray_x_;      ///< Change of the ray from pixel to pixel in a row …
-  Vector3 ray_y_;      ///< … and from row to row.
+  Vector3 first_ray_;  ///< Ray of pixel (0, 0).
+  Vector3 ray_x_;      ///< Change of the ray from pixel to pixel in a row.
+  Vector3 ray_y_;      ///< Change of the ray from row to row.
   double radius_m_;
   double bottom_m_;
   double top_m_;
@@ -41,7 +42,7 @@ class ProjectedCylinder {
   ConvexOutline outline_;
 };
 
-/// A rod with round ends, thick as given at each: a hand with its forearm.
+/// A rod with round ends of different radius: a hand with its forearm.
 class ProjectedCapsule {
  public:
   ProjectedCapsule(const CameraView& view, Vector3 from, double from_radius_m, Vector3 to,
@@ -62,12 +63,12 @@ class ProjectedCapsule {
   ConvexOutline outline_;
 };
 
-/// A shape of one tone.
+/// A shape of uniform luminance.
 struct SceneShape {
   std::variant<ProjectedCylinder, ProjectedCapsule> shape;
   float luminance = 0;
-  /// It is the shape before it and more: a puck's top and then the whole of it, of which only the
-  /// side is left to be seen.
+  /// The shape contains the previous one, which hides part of it: a puck's top, then the whole
+  /// puck, of which only the side remains visible.
   bool holds_previous = false;
 
   const ConvexOutline& outline() const {

@@ -26,7 +26,7 @@ void PuckPhysics::glide(DiscState& puck, double dt_s) const {
     }
   }
 
-  // Both ends alike, each as a distance from its rail and a speed away from it.
+  // Both ends are treated alike, each as a distance from its rail and a speed away from it.
   double distance_m = puck.position.x_m;
   double away_m_s = puck.velocity.x_m_s;
   bounce_off_end(distance_m, away_m_s, puck);
@@ -64,7 +64,7 @@ void PuckPhysics::bounce_off_end(double& distance_m, double& away_m_s, DiscState
     }
     return;
   }
-  // In the mouth only the goal posts, which are points, are in the way.
+  // In the goal mouth only the goal posts, which are points, can be hit.
   const double post_y_m = std::copysign(goal_half_m, y_m);
   const double offset_y_m = y_m - post_y_m;
   const double to_post_m = std::hypot(distance_m, offset_y_m);
@@ -115,7 +115,7 @@ GoalEntered PuckPhysics::goal_of(const DiscState& puck) const {
 }
 
 bool PuckPhysics::would_enter_robots_goal(DiscState puck) const {
-  // A puck slower than this has long stopped being a shot; it bounds the work, too.
+  // A slower puck is not a shot any more; the limit also bounds the work.
   constexpr double kSlowest_m_s = 0.1;
   while (puck.velocity.x_m_s < -kSlowest_m_s) {
     glide(puck, kStep_s);

@@ -20,7 +20,8 @@ enum class GoalEntered { kNone, kRobots, kOpponents };
 /// and mallets.
 class PuckPhysics {
  public:
-  /// The world's step. At 15 m/s the puck moves 0.4 mm in it, so nothing is ever tunnelled through.
+  /// The world's time step. At 15 m/s the puck moves 0.4 mm in it, so that it cannot tunnel through
+  /// a rail or mallet.
   static constexpr std::int64_t kStep_us = 25;
   static constexpr double kStep_s = kStep_us / 1e6;
 
@@ -28,12 +29,12 @@ class PuckPhysics {
 
   /// Moves the puck on by `dt_s` with no mallet in its way.
   void glide(DiscState& puck, double dt_s) const;
-  /// Keeps puck and mallet apart and bounces the puck off; true when they touched. The mallet is
-  /// held so firmly that it does not feel the puck.
+  /// Separates puck and mallet and bounces the puck off; true when they touched. The mallet has
+  /// infinite mass.
   bool hit(DiscState& puck, const DiscState& mallet) const;
-  /// The goal that the puck is in with all of its disc.
+  /// The goal that contains the puck's whole disc.
   GoalEntered goal_of(const DiscState& puck) const;
-  /// Whether the puck, left alone, enters the robot's goal before it turns back.
+  /// Whether the puck, if not touched again, enters the robot's goal before it turns back.
   bool would_enter_robots_goal(DiscState puck) const;
 
   const TableGeometry& table() const { return table_; }

@@ -5,11 +5,11 @@
 namespace puck {
 namespace {
 
-// Of the table's length: the part in which it may come to rest.
+// Range of the table's length in which the puck may come to rest.
 constexpr double kNearest = 0.58;
 constexpr double kFarthest = 0.8;
 constexpr double kFromSide_m = 0.15;
-// As on a table whose air has been turned off.
+// As on a table whose air is off.
 constexpr double kDamping_1_s = 12;
 constexpr double kResting_m_s = 0.02;
 

@@ -8,16 +8,16 @@
 
 namespace puck {
 
-/// Some of the times that the puck comes to the opponent it is let come to rest, in the middle of
-/// his half where he can strike it well, and is left alone for a while.
+/// With a given probability, when the puck comes to the opponent, lets it come to rest in the
+/// middle of his half, where he can strike it well, and stay there for a while.
 class PuckRest {
  public:
   PuckRest(const TableGeometry& table, const GameParams& params, Random random);
 
-  /// To be called once a step. Slows a puck that is to rest.
+  /// Call once a step. Slows a puck that is to rest.
   void step(std::optional<DiscState>& puck, double dt_s);
 
-  /// The opponent is to leave the puck alone.
+  /// While true, the opponent must leave the puck alone.
   bool is_on() const { return is_on_; }
 
  private:
@@ -28,7 +28,7 @@ class PuckRest {
   Random random_;
   bool puck_is_here_ = false;
   bool is_on_ = false;
-  double rest_s_ = 0;  ///< Rests for so long, once it does.
+  double rest_s_ = 0;  ///< Remaining time at rest.
 };
 
 }  // namespace puck

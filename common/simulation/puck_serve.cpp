@@ -6,7 +6,7 @@
 
 namespace puck {
 
-// A quarter of a sine in time: it sets out with a push and ends at rest.
+// The path parameter is a quarter of a sine in time: fastest at the start, at rest at the end.
 DiscState PuckServe::step(double step_s) {
   left_s_ = std::max(0.0, left_s_ - step_s);
   const double phase = std::numbers::pi / 2 * (1 - left_s_ / kDuration_s);

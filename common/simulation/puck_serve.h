@@ -4,18 +4,18 @@
 
 namespace puck {
 
-/// How a puck comes back into play: pushed from behind the opponent's mallet, around it, to where
-/// it is left at rest, so that a camera sees it come.
+/// How a puck comes into play: pushed around the opponent's mallet to where it comes to rest, so
+/// that a camera sees it arrive.
 class PuckServe {
  public:
   PuckServe() = default;
-  /// It sets out towards `around` and comes from there: a parabola's arc.
+  /// The path is a parabola (a quadratic Bézier curve) with `around` as its control point.
   PuckServe(TablePoint from, TablePoint around, TablePoint to)
       : from_(from), around_(around), to_(to), left_s_(kDuration_s) {}
 
   bool is_under_way() const { return left_s_ > 0; }
 
-  /// Where the puck is after another `step_s`.
+  /// The puck's state after another `step_s`.
   DiscState step(double step_s);
 
  private:

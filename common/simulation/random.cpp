@@ -18,13 +18,14 @@ Random::Random(std::int64_t seed, std::uint64_t stream) {
 }
 
 double Random::normal() {
-  // Box and Muller; the second of the pair is not kept, so that there is no hidden state.
+  // Box and Muller; the second number of the pair is dropped, so that the state is only the
+  // generator's.
   const double radius = std::sqrt(-2 * std::log(1 - uniform()));
   return radius * std::cos(2 * std::numbers::pi * uniform());
 }
 
 int Random::poisson(double mean) {
-  // Knuth's product is exact but takes `mean` draws; beyond 64 the normal distribution is as good.
+  // Knuth's product is exact but draws `mean` numbers; above 64 the normal distribution is as good.
   if (mean > 64) {
     return std::max(0, static_cast<int>(std::lround(mean + std::sqrt(mean) * normal())));
   }

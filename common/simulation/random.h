@@ -10,7 +10,7 @@ namespace puck {
 class Random {
  public:
   /// Different streams of one seed are independent, so that one part of the world may draw more
-  /// numbers without changing what the others get.
+  /// numbers without a change for the others.
   Random(std::int64_t seed, std::uint64_t stream);
 
   std::uint64_t bits() {
@@ -32,7 +32,7 @@ class Random {
   int index(int count) { return static_cast<int>(uniform() * count); }
   /// Normally distributed with mean 0 and standard deviation 1.
   double normal();
-  /// Number of events of a Poisson process that has `mean` of them on average.
+  /// Poisson-distributed number of events with the given mean.
   int poisson(double mean);
 
  private:

@@ -5,25 +5,25 @@
 
 namespace puck {
 
-/// Counts shots, saves and goals as they really are. A hit is one contact of a mallet with the
-/// puck, or several within 10 ms; it is judged when it is over, by where the puck would go if
-/// nobody touched it again:
+/// Counts the true shots, saves and goals. A hit is one contact of a mallet with the puck, or
+/// several within 10 ms; it is judged when it is over, by where the puck would go if not touched
+/// again:
 /// - a shot is a hit of the opponent that would enter the robot's goal,
-/// - a save is a shot under way that the robot's mallet touched and that then would not enter.
+/// - a save is a shot that the robot's mallet touched and that then would not enter.
 /// A shot that the opponent touches again, and that then would not enter, is neither save nor goal.
 class Referee {
  public:
   explicit Referee(const PuckPhysics& physics);
 
-  // Each contact at the time it happens, with the puck as it was just before it.
+  // Call at each contact, with the puck's state just before it.
   void opponent_touched(const DiscState& before, double t_s);
   void robot_touched(const DiscState& before, double t_s);
-  /// Something that is no mallet has changed the puck's way: a shot that it turned away is none any
-  /// more, and no save.
+  /// The puck was deflected by something other than a mallet: a shot that it turned away no longer
+  /// counts, also not as a save.
   void puck_deflected(const DiscState& after);
-  /// Once a step, with the puck as it is after it.
+  /// Call once a step, with the puck's state after the step.
   void watch(const DiscState& puck, double t_s);
-  /// The puck has entered a goal, or with kNone has been taken off the table.
+  /// The puck entered a goal, or with kNone was taken off the table.
   void puck_left(const DiscState& puck, GoalEntered goal);
 
   const GameCounts& counts() const { return counts_; }
@@ -36,7 +36,7 @@ class Referee {
   PuckPhysics physics_;
   GameCounts counts_;
   bool shot_under_way_ = false;
-  Hit open_hit_ = Hit::kNone;  ///< Not judged yet.
+  Hit open_hit_ = Hit::kNone;  ///< The hit that is not judged yet.
   double last_contact_s_ = 0;
 };
 

@@ -6,14 +6,14 @@
 namespace puck {
 namespace {
 
-// Beyond this share nothing behind can be seen.
+// A pixel with more than this share covered is opaque.
 constexpr float kOpaque = 0.9995f;
 
 }  // namespace
 
 RowBlend::RowBlend(int width)
     : light_(static_cast<std::size_t>(width)),
-      left_over_(static_cast<std::size_t>(width)),
+      uncovered_(static_cast<std::size_t>(width)),
       shares_(static_cast<std::size_t>(width)),
       shares_before_(static_cast<std::size_t>(width)) {}
 
@@ -21,11 +21,11 @@ void RowBlend::start(int y, Columns columns) {
   y_ = y;
   columns_ = columns;
   std::fill(light_.begin() + columns.begin, light_.begin() + columns.end, 0.0f);
-  std::fill(left_over_.begin() + columns.begin, left_over_.begin() + columns.end, 1.0f);
+  std::fill(uncovered_.begin() + columns.begin, uncovered_.begin() + columns.end, 1.0f);
 }
 
 void RowBlend::add(const SceneBody& body) {
-  Columns before;  // Where `shares_before_` holds those of the shape before.
+  Columns before;  // Columns for which `shares_before_` holds the previous shape's shares.
   for (const SceneShape& shape : body.shapes) {
     const Columns touched = shape.outline().touched(y_);
     const int begin = std::max(columns_.begin, touched.begin);
@@ -45,17 +45,17 @@ void RowBlend::add(const SceneBody& body) {
     for (int i = begin; i < end; ++i) {
       const auto x = static_cast<std::size_t>(i);
       const bool is_beyond = i >= before.begin && i < before.end;
-      const float share = left_over_[x] * (is_beyond ? beyond_before(x) : shares[i]);
+      const float share = uncovered_[x] * (is_beyond ? beyond_before(x) : shares[i]);
       light_[x] += share * shape.luminance;
-      left_over_[x] -= share;
+      uncovered_[x] -= share;
     }
     before = {begin, end};
     shares_.swap(shares_before_);
   }
 }
 
-// Of a pixel the shape before has left (1 − its share); this one takes what its own share is larger
-// by.
+// The previous shape covers part of the pixel; this one, which contains it, adds the difference of
+// their shares, relative to the part left uncovered.
 float RowBlend::beyond_before(std::size_t x) const {
   const float left = 1 - shares_before_[x];
   return left > 0 ? std::max(0.0f, (shares_[x] - shares_before_[x]) / left) : 0;
@@ -63,9 +63,9 @@ float RowBlend::beyond_before(std::size_t x) const {
 
 float RowBlend::log_light_over(int x, float background) const {
   const auto at = static_cast<std::size_t>(x);
-  if (left_over_[at] >= kOpaque) return background;
-  if (left_over_[at] < 1 - kOpaque) return std::log(light_[at]);
-  return std::log(light_[at] + left_over_[at] * std::exp(background));
+  if (uncovered_[at] >= kOpaque) return background;
+  if (uncovered_[at] < 1 - kOpaque) return std::log(light_[at]);
+  return std::log(light_[at] + uncovered_[at] * std::exp(background));
 }
 
 }  // namespace puck

@@ -7,7 +7,7 @@ namespace puck {
 namespace {
 
 constexpr int kBlock_px = Panorama::kRun;
-// A turned camera reads the panorama between its points, which a finer grid keeps sharp.
+// A turned camera samples the panorama between its points; a finer grid keeps edges sharp.
 constexpr int kNodesPerPixelTurned = 2;
 
 struct Place {
@@ -78,7 +78,7 @@ void SceneRenderer::turn_camera(const CameraView& view, int reach_px, Timestamp 
     for (int x = 0; x < size_.width; x += kBlock_px, ++index) {
       const Region block = Region{x, y, kBlock_px, kBlock_px}.intersect(Region::all_of(size_));
       const bool busy = is_busy(block, warp);
-      // One that has just become flat is drawn once more, with its final tone.
+      // A block that has just become flat is drawn once more, with its final tone.
       if (busy || was_busy_[index]) draw_block(block, warp, from, to, sensor);
       was_busy_[index] = busy;
     }
@@ -102,7 +102,7 @@ bool SceneRenderer::is_busy(const Region& block, const Warp& warp) const {
 
 void SceneRenderer::draw_block(const Region& block, const Warp& warp, Timestamp from, Timestamp to,
                                EventSensor& sensor) {
-  // Along a few pixels a turn about the camera's centre is as good as linear.
+  // Over a few pixels the warp of a rotation is linear to good accuracy.
   const float per_step = 1 / static_cast<float>(std::max(1, block.width - 1));
   for (int y = block.y; y < block.bottom(); ++y) {
     const float row = static_cast<float>(y);
@@ -154,8 +154,8 @@ void SceneRenderer::mark(int y, Columns columns) {
   if (!columns.empty()) to_draw_[static_cast<std::size_t>(y)].push_back(columns);
 }
 
-// Only what lies between the outer edge of one picture of a shape and the inner edge of the other
-// can have changed, on its left and on its right.
+// Only the pixels between the outer edge of one silhouette and the inner edge of the other can have
+// changed, on the left and on the right.
 void SceneRenderer::mark_changes(const SceneBody& before, const SceneBody& now, bool everything) {
   const std::size_t count = std::max(before.shapes.size(), now.shapes.size());
   for (std::size_t i = 0; i < count; ++i) {

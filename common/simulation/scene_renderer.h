@@ -14,21 +14,22 @@
 
 namespace puck {
 
-/// Draws the bodies over the static scene and tells the sensor what changed; pixels on which
-/// nothing can have changed are left alone.
+/// Draws the bodies over the static scene and passes changed pixels to the sensor; pixels that
+/// cannot have changed are skipped.
 class SceneRenderer {
  public:
-  /// `margin`: how far the turned camera may look beyond the home pose's image.
+  /// `margin`: how far a turned camera can see beyond the home pose's image.
   SceneRenderer(const StaticScene& scene, const CameraView& home, SensorSize size,
                 Panorama::Margin margin);
 
-  /// The camera's pose at `to`; at `from` it was as told last time. Draws the static scene, but
-  /// leaves the pixels around the bodies, up to `reach_px` from them, to the next `draw_bodies`.
+  /// `view`: the camera's pose at `to`; its pose at `from` is that of the last call. Draws the
+  /// static scene, except the pixels up to `reach_px` around the bodies, which the next
+  /// `draw_bodies` draws.
   void turn_camera(const CameraView& view, int reach_px, Timestamp from, Timestamp to,
                    EventSensor& sensor);
 
-  /// Draws the bodies as they stand at `to`. `nearest_first`: their indices, in the order in which
-  /// they hide each other. `moved[i]`: body i is not as it was last time.
+  /// Draws the bodies in their places at `to`. `nearest_first`: their indices, front to back.
+  /// `moved[i]`: body i has changed since the last call.
   void draw_bodies(const std::vector<SceneBody>& bodies, const std::vector<int>& nearest_first,
                    const std::vector<bool>& moved, Timestamp from, Timestamp to,
                    EventSensor& sensor);
@@ -37,7 +38,7 @@ class SceneRenderer {
   ImageView<const float> background() const { return background_.view(); }
 
  private:
-  /// Where in the home pose's image each pixel of the turned camera looks; row by row.
+  /// Row-major homography from the turned camera's pixels to those of the home pose.
   using Warp = std::array<float, 9>;
   bool is_busy(const Region& block, const Warp& warp) const;
   void draw_block(const Region& block, const Warp& warp, Timestamp from, Timestamp to,
@@ -54,12 +55,12 @@ class SceneRenderer {
   SensorSize size_;
   Panorama panorama_;
   Image<float> background_;
-  std::vector<bool> was_busy_;  ///< Each block of the background, in the pose before.
+  std::vector<bool> was_busy_;  ///< Of each block of the background, in the previous pose.
 
-  std::vector<SceneBody> drawn_;  ///< The bodies as they were drawn last.
+  std::vector<SceneBody> drawn_;  ///< The bodies as last drawn.
   std::vector<int> drawn_nearest_first_;
-  Image<std::uint8_t> reserved_;               ///< Left to `draw_bodies` by `turn_camera`.
-  std::vector<std::vector<Columns>> to_draw_;  ///< For each row.
+  Image<std::uint8_t> reserved_;  ///< Pixels that `turn_camera` leaves to `draw_bodies`.
+  std::vector<std::vector<Columns>> to_draw_;  ///< Columns to draw in each row.
 
   RowBlend blend_;
 };

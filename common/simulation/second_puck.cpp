@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// After a bounce it comes back to its own speed within about this time.
+// Time constant with which its speed returns to nominal after a bounce.
 constexpr double kRecovery_s = 0.5;
 constexpr double kSlowest_m_s = 0.01;
 constexpr double kRestitution = 0.9;
@@ -29,7 +29,7 @@ PhysicsParams without_loss(PhysicsParams params) {
 SecondPuck::SecondPuck(const TableGeometry& table, const PhysicsParams& params, double speed_m_s,
                        Random random)
     : physics_(without_goals(table), without_loss(params)), speed_m_s_(speed_m_s) {
-  // Across and along the table alike, so that it comes everywhere.
+  // An oblique direction, so that it visits the whole table.
   const double angle = random.uniform(0.15, 0.35) * std::numbers::pi;
   state_.position = {random.uniform(0.3, 0.5) * table.length_m,
                      random.uniform(-0.3, 0.3) * table.width_m};
@@ -68,7 +68,7 @@ bool SecondPuck::collide(DiscState& puck) {
   const double closing_m_s = (puck.velocity.x_m_s - state_.velocity.x_m_s) * normal_x +
                              (puck.velocity.y_m_s - state_.velocity.y_m_s) * normal_y;
   if (closing_m_s >= 0) return true;
-  // Two bodies of one mass share the change.
+  // Equal masses share the change of velocity.
   const double change_m_s = -(1 + kRestitution) / 2 * closing_m_s;
   puck.velocity.x_m_s += change_m_s * normal_x;
   puck.velocity.y_m_s += change_m_s * normal_y;

@@ -24,9 +24,9 @@ void SensorReadout::read(std::span<const PixelEvent> events, Timestamp from, Tim
   for (std::size_t slot = 0; slot < slots; ++slot) {
     for (std::uint32_t i = first_at_[slot]; i < first_at_[slot + 1]; ++i) queue(sorted_[i]);
     credit_ = std::min(most_credit, credit_ + rate_per_us_);
-    while (credit_ >= 1 && !turns_.empty()) {
-      Row& row = rows_[turns_.front()];
-      turns_.pop_front();
+    while (credit_ >= 1 && !row_order_.empty()) {
+      Row& row = rows_[row_order_.front()];
+      row_order_.pop_front();
       for (const PixelEvent& event : row) {
         put(event, from.us + static_cast<std::int64_t>(slot), packet);
         is_waiting_[event.pixel] = false;
@@ -37,7 +37,7 @@ void SensorReadout::read(std::span<const PixelEvent> events, Timestamp from, Tim
   }
 }
 
-// A counting sort: there are only as many different times as µs.
+// A counting sort: times are whole µs, so there are few distinct ones.
 void SensorReadout::sort(std::span<const PixelEvent> events, Timestamp from, Timestamp to) {
   const auto slot_of = [&](const PixelEvent& event) {
     return static_cast<std::size_t>(event.t_us - from.us);
@@ -47,13 +47,13 @@ void SensorReadout::sort(std::span<const PixelEvent> events, Timestamp from, Tim
   for (std::size_t i = 1; i < first_at_.size(); ++i) first_at_[i] += first_at_[i - 1];
   sorted_.resize(events.size());
   for (const PixelEvent& event : events) sorted_[first_at_[slot_of(event)]++] = event;
-  // Filling has moved each µs's begin to its end, which is the next one's begin.
+  // Filling has moved each µs's begin to its end, which is the next µs's begin.
   std::copy_backward(first_at_.begin(), first_at_.end() - 1, first_at_.end());
   first_at_.front() = 0;
 }
 
 bool SensorReadout::is_congested(std::size_t slots) const {
-  if (!turns_.empty() || credit_ < 0) return true;
+  if (!row_order_.empty() || credit_ < 0) return true;
   for (std::size_t slot = 0; slot < slots; ++slot) {
     if (first_at_[slot + 1] - first_at_[slot] > rate_per_us_) return true;
   }
@@ -67,7 +67,7 @@ void SensorReadout::queue(const PixelEvent& event) {
   }
   is_waiting_[event.pixel] = true;
   const std::uint32_t y = event.pixel / width_;
-  if (rows_[y].empty()) turns_.push_back(y);
+  if (rows_[y].empty()) row_order_.push_back(y);
   rows_[y].push_back(event);
 }
 

@@ -11,22 +11,22 @@
 
 namespace puck {
 
-/// An event as a pixel makes it.
+/// An event before the readout.
 struct PixelEvent {
   std::int64_t t_us = 0;
-  std::uint32_t pixel = 0;  ///< Row by row.
+  std::uint32_t pixel = 0;  ///< Row-major index.
   bool polarity = false;
 };
 
-/// The way of the events out of the sensor, which only so many can go in a µs. When more come,
-/// their rows wait in the order in which they came, and a row goes out whole: its events get the
-/// time at which it does. A pixel whose event waits can make no other; such ones are lost.
+/// The sensor's readout, of limited rate. When events exceed it, their rows wait in the order of
+/// arrival, and a row is read out whole: its events get the time of the readout. A pixel whose
+/// event waits cannot fire; its further events are lost.
 class SensorReadout {
  public:
   SensorReadout(double rate_mev_s, SensorSize size);
 
-  /// Appends those of the events that come out in [from, to) to the packet, in the order of their
-  /// times; the rest waits. The events lie in [from, to), in any order. An empty packet starts at
+  /// Appends the events that are read out in [from, to) to the packet, in the order of their times;
+  /// the others wait. `events` must lie in [from, to), in any order. An empty packet starts at
   /// `from`.
   void read(std::span<const PixelEvent> events, Timestamp from, Timestamp to, EventPacket& packet);
 
@@ -45,13 +45,13 @@ class SensorReadout {
   std::uint32_t width_;
   std::int64_t lost_ = 0;
 
-  std::vector<std::uint32_t> first_at_;  ///< Where each µs begins in `sorted_`.
+  std::vector<std::uint32_t> first_at_;  ///< Index in `sorted_` at which each µs begins.
   std::vector<PixelEvent> sorted_;
 
-  std::vector<Row> rows_;            ///< What waits in each row …
-  std::deque<std::uint32_t> turns_;  ///< … and the rows' order.
-  std::vector<bool> is_waiting_;     ///< Each pixel.
-  double credit_ = 0;                ///< Events that may go out now.
+  std::vector<Row> rows_;                ///< Waiting events of each row.
+  std::deque<std::uint32_t> row_order_;  ///< Waiting rows, in the order of arrival.
+  std::vector<bool> is_waiting_;         ///< Whether each pixel has a waiting event.
+  double credit_ = 0;                    ///< Events that may be read out now.
 };
 
 }  // namespace puck

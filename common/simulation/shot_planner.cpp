@@ -24,7 +24,7 @@ void ShotPlanner::draw() {
 TableVelocity ShotPlanner::wanted_velocity(TablePoint from) const {
   double slope = (aim_y_m_ - from.y_m) / from.x_m;
   if (rail_ != 0) {
-    // The path bends at the rail, because a bounce keeps less of the speed across it than along it.
+    // A bounce keeps less of the speed across the rail than along it, so the path bends there.
     const double rail_y_m = rail_ * (physics_.table().width_m / 2 - physics_.table().puck_radius_m);
     const double bend = physics_.params().rail_tangential_keep / physics_.params().rail_normal_keep;
     slope = ((rail_y_m - from.y_m) + (rail_y_m - aim_y_m_) * bend) / from.x_m;
@@ -34,8 +34,8 @@ TableVelocity ShotPlanner::wanted_velocity(TablePoint from) const {
 }
 
 std::optional<Strike> ShotPlanner::strike(const DiscState& puck) const {
-  // Without friction a hit changes the velocity only along the line between the two centres, so the
-  // wanted change says where the mallet must be, and its size how fast.
+  // Without friction a hit changes the velocity only along the line between the two centres: the
+  // direction of the wanted change gives the mallet's place, its size the mallet's speed.
   const TableVelocity wanted = wanted_velocity(puck.position);
   const double change_x = wanted.x_m_s - puck.velocity.x_m_s;
   const double change_y = wanted.y_m_s - puck.velocity.y_m_s;

@@ -8,21 +8,22 @@
 
 namespace puck {
 
-/// Where and how a mallet has to meet the puck so that the puck flies as wanted.
+/// Position and velocity with which a mallet must meet the puck for the drawn shot.
 struct Strike {
-  TablePoint contact;        ///< Of the mallet's centre.
-  TableVelocity at_contact;  ///< Of the mallet.
-  TablePoint puck;           ///< Of the puck's centre.
+  TablePoint contact;        ///< The mallet's centre.
+  TableVelocity at_contact;  ///< The mallet's velocity.
+  TablePoint puck;           ///< The puck's centre.
 };
 
-/// Picks shots at the robot's goal: direct, or by a side rail.
+/// Draws shots at the robot's goal: direct, or off a side rail.
 class ShotPlanner {
  public:
   ShotPlanner(const PuckPhysics& physics, const GameParams& params, Random random);
 
-  /// Draws where the next shot goes and how fast.
+  /// Draws the aim, speed and error of the next shot.
   void draw();
-  /// The drawn shot for a puck met in this state; nothing when the mallet could not get there.
+  /// The drawn shot for a puck in this state; `std::nullopt` where the mallet cannot reach the
+  /// contact point.
   std::optional<Strike> strike(const DiscState& puck) const;
 
  private:
@@ -34,7 +35,7 @@ class ShotPlanner {
   double aim_y_m_ = 0;
   double speed_m_s_ = 0;
   double error_rad_ = 0;
-  int rail_ = 0;  ///< −1 and 1: by the rail at that side; 0: direct.
+  int rail_ = 0;  ///< −1 or 1: off the side rail at that y; 0: direct.
 };
 
 }  // namespace puck

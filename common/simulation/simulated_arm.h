@@ -5,19 +5,19 @@
 
 namespace puck {
 
-/// The mallet on the robot's line as an arm moves it that does what it is told: to its target in
-/// the shortest time within its limits.
+/// The mallet on the robot's line, moved by an ideal arm: it reaches its target in the shortest
+/// time within its limits.
 class SimulatedArm {
  public:
-  /// The line reaches from −`half_line_m` to `half_line_m`; the arm starts in the middle, at rest.
-  /// Throws std::invalid_argument for a parameter that is not positive.
+  /// The line spans ±`half_line_m`; the arm starts in the middle, at rest. Throws
+  /// std::invalid_argument for a parameter that is not positive.
   SimulatedArm(const SimulatedArmParams& params, double half_line_m);
 
-  /// y on the line; clamped to it, ignored when not finite.
+  /// `target_m`: y on the line, m; clamped to the line, ignored when not finite.
   void set_target(double target_m) { motion_.set_target(target_m); }
-  /// Brakes as hard as the limits allow and stays where it comes to rest, until the next target.
+  /// Brakes as hard as the limits allow and stays at rest until the next target.
   void hold() { motion_.hold(); }
-  /// Moves on by `dt_s`, which may be anything from 0.
+  /// Advances by `dt_s` >= 0.
   void step(double dt_s) { motion_.step(dt_s); }
 
   double position_m() const { return motion_.state().position; }

@@ -6,7 +6,7 @@ namespace puck {
 struct SimulatedArmParams {
   double max_speed_m_s = 1.5;
   double max_acceleration_m_s2 = 20;
-  double max_jerk_m_s3 = 2000;  ///< The highest acceleration is reached in 10 ms.
+  double max_jerk_m_s3 = 2000;  ///< Reaches the highest acceleration in 10 ms.
 };
 
 }  // namespace puck

@@ -22,14 +22,14 @@ namespace puck {
 namespace {
 
 constexpr std::uint64_t kHeadStream = 20;
-// The static scene is drawn for so long at once: a head at 20 °/s turns a quarter of a pixel.
+// Interval between two camera poses: a head at 20 °/s turns a quarter of a pixel in it.
 constexpr std::int64_t kCameraStep_us = 1000;
-// No edge moves farther than this between two drawings.
+// Longest motion of an edge between two drawings.
 constexpr double kLongestMove_px = 0.5;
-// A body that has moved less than this is not worth drawing again.
+// A body that has moved less than this is not drawn again.
 constexpr double kShortestMove_px = 0.02;
 
-// How far beyond the home pose's image a turned camera can see.
+// How far a turned camera can see beyond the home pose's image.
 Panorama::Margin margin_of(const CameraView& home, SensorSize size, const HeadPose& limits) {
   double x_px = 0;
   double y_px = 0;
@@ -69,7 +69,7 @@ class SimulatedTable::World {
         sensor_(params.sensor, renderer_.background(), params.seed, params.light),
         bodies_(WorldView::kBodyCount),
         drawn_at_(WorldView::kBodyCount) {
-    // The sensor starts settled on the whole picture, not with a flash of all that appears in it.
+    // The sensor starts settled on the complete picture, without a flash of events.
     if (params.moving_camera) renderer_.turn_camera(view_, 0, now_, now_, sensor_);
     draw_bodies(now_, now_);
     sensor_ = EventSensor(params.sensor, log_intensity().view(), params.seed, params.light);
@@ -139,8 +139,8 @@ class SimulatedTable::World {
     check(params);
     return params;
   }
-  // The head turns slowly, so the static scene is drawn ahead for more than a slice; its events
-  // wait in the sensor until their time has come.
+  // The head turns slowly, so the static scene is drawn ahead for more than one slice; the sensor
+  // holds the events until their slice.
   void turn_camera() {
     const Timestamp from = camera_turned_until_;
     const std::int64_t slices = (kCameraStep_us + params_.slice_us - 1) / params_.slice_us;
@@ -172,7 +172,7 @@ class SimulatedTable::World {
     renderer_.draw_bodies(bodies_, WorldView::nearest_first(game_), moved, from, to, sensor_);
   }
 
-  // Of what is there; behind the camera it is not a number.
+  // `std::nullopt` for an absent body; not a number behind the camera.
   std::optional<Pixel> place_in_image(WorldView::Body which) const {
     const auto place = WorldView::place_of(which, game_);
     if (!place) return std::nullopt;

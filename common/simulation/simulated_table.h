@@ -26,8 +26,8 @@ class SimulatedTable {
   SimulatedTable& operator=(SimulatedTable&&) noexcept;
 
   /// Advances the world by one slice and appends the slice's events in the order of their times,
-  /// all in [now, now + slice). An empty packet starts at the slice's start; one that holds events
-  /// already keeps its start.
+  /// all in [now, now + slice). An empty packet starts at the slice's start; a packet with events
+  /// keeps its start.
   void advance(EventPacket& packet);
 
   /// End of the last slice.
@@ -35,20 +35,20 @@ class SimulatedTable {
   /// At `now()`.
   SimulatedTruth truth() const;
 
-  /// Events so far that the sensor's readout could not take.
+  /// Events that the sensor's readout dropped so far.
   std::int64_t events_lost() const;
 
-  /// Where the arm holds the robot's mallet: y on the robot's line. The mallet glides there within
-  /// a few ms. Clamped to the line; ignored for an autonomous robot and when not finite.
+  /// Sets the robot mallet's target: y on the robot's line, m. The mallet reaches it within a few
+  /// ms. Clamped to the line; ignored for an autonomous robot and when not finite.
   void set_robot_mallet(double y_m);
 
   SensorSize sensor_size() const;
-  /// For the camera in its home pose, of the plane at half the puck's height, where its centre
-  /// moves. Exact.
+  /// Exact, for the camera in its home pose and the plane at half the puck's height, in which the
+  /// puck's centre moves.
   Homography table_from_image() const;
-  /// What follows the table when the camera turns, which it does about its own place. Exact.
+  /// The exact pinhole model for a camera that turns about its centre.
   PinholeCamera camera() const;
-  /// ln(intensity) that falls on each pixel at `now()`; for pictures and tests.
+  /// ln(intensity) on each pixel at `now()`; for pictures and tests.
   Image<float> log_intensity() const;
 
  private:

@@ -9,9 +9,9 @@
 
 namespace puck {
 
-/// What has happened in the game so far.
+/// Counts since the start of the game.
 struct GameCounts {
-  std::int32_t shots = 0;          ///< Hits of the opponent that would enter the robot's goal.
+  std::int32_t shots = 0;          ///< Opponent's hits that would enter the robot's goal.
   std::int32_t saves = 0;          ///< Shots that the robot's mallet turned away.
   std::int32_t goals_against = 0;  ///< Into the robot's goal.
   std::int32_t goals_for = 0;      ///< Into the opponent's goal.
@@ -19,18 +19,18 @@ struct GameCounts {
   friend constexpr bool operator==(const GameCounts&, const GameCounts&) = default;
 };
 
-/// The simulated world as it really is at one moment.
+/// The true state of the simulated world at one moment.
 struct SimulatedTruth {
   Timestamp time;
 
-  /// Centre and full axes of the upright box around the puck's silhouette, as a person would mark
+  /// Centre and full axes of the puck silhouette's upright bounding box, as a person would annotate
   /// it; also where the puck is covered or outside the image.
   Pixel position_px;
   PuckSize size_px;
-  double visible = 0;  ///< Share of the silhouette that nothing covers, inside the image: 0 to 1.
+  double visible = 0;  ///< Share of the silhouette inside the image and not covered, 0 to 1.
 
   bool in_play = false;  ///< False while the puck is off the table, after a goal.
-  TablePoint position;   ///< Of the puck's centre.
+  TablePoint position;   ///< The puck's centre.
   TableVelocity velocity;
   TablePoint robot_mallet;
   TablePoint opponent_mallet;

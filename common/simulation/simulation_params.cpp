@@ -11,7 +11,7 @@
 namespace puck {
 namespace {
 
-/// Reads nothing, but tests what is there.
+/// A reader for `visit_parameters` that only checks the ranges.
 class RangeChecker {
  public:
   void read(std::string_view, bool) {}

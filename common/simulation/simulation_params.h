@@ -15,15 +15,15 @@
 
 namespace puck {
 
-/// All that a simulated world is made from. The same parameters give the same events, to the bit.
+/// All parameters of a simulated world. The same parameters give the same events, to the bit.
 struct SimulationParams {
   std::int64_t seed = 1;
-  /// Sensor time that one `advance` covers. The camera's pose and slow objects are drawn once in
-  /// it, fast objects as often as they need.
+  /// Sensor time of one `advance`. The camera's pose and slow objects are drawn once a slice, fast
+  /// objects as often as needed.
   std::int64_t slice_us = 500;
   SensorSize sensor_size{640, 480};
-  bool moving_camera = false;     ///< The head turns as `head_motion` says; else it stands at home.
-  bool autonomous_robot = false;  ///< The world plays its own robot; else `set_robot_mallet` does.
+  bool moving_camera = false;     ///< The head moves as in `head_motion`; else it stays at home.
+  bool autonomous_robot = false;  ///< The world plays the robot; else `set_robot_mallet` does.
 
   TableGeometry table;
   CameraParams camera;
@@ -33,7 +33,7 @@ struct SimulationParams {
   SceneParams scene;
   PhysicsParams physics;
   GameParams game;
-  SimulatedArmParams arm;  ///< Of the autonomous robot.
+  SimulatedArmParams arm;  ///< Arm of the autonomous robot.
 };
 
 /// Throws std::invalid_argument with a line such as

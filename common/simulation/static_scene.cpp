@@ -8,7 +8,7 @@
 namespace puck {
 namespace {
 
-constexpr double kWallBehind_m = 1.6;  // Beyond the opponent's end.
+constexpr double kWallBehind_m = 1.6;  // Distance beyond the opponent's end.
 constexpr double kTile_m = 0.4;
 constexpr double kPanel_m = 0.7;
 
@@ -27,7 +27,7 @@ bool is_odd(double cell) { return std::fmod(std::floor(cell), 2.0) != 0; }
 StaticScene::StaticScene(const TableGeometry& table, const SceneParams& params)
     : table_(table),
       params_(params),
-      // As on the authors' table, seen from the robot's end.
+      // As on the table of the paper's authors, seen from the robot's end.
       stars_{Star{0.14, -0.22}, Star{0.14, 0.20}, Star{1.54, -0.22}, Star{1.54, 0.20}} {}
 
 double StaticScene::luminance(Vector3 from, Vector3 direction) const {
@@ -74,7 +74,7 @@ bool StaticScene::on_line(double x_m, double y_m) const {
 }
 
 bool StaticScene::on_star(double x_m, double y_m) const {
-  // A five-pointed star is where at least four of the five half planes that its lines bound hold.
+  // A five-pointed star: the points in at least four of the five half planes that its lines bound.
   const double inner_m = params_.star_radius_m * std::cos(0.4 * std::numbers::pi);
   for (const Star& star : stars_) {
     const double dx_m = x_m - star.x_m;

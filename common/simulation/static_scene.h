@@ -8,12 +8,12 @@
 
 namespace puck {
 
-/// All that never moves: the table with its markings and rails, the floor, the wall behind.
+/// The parts that never move: the table with its markings and rails, the floor, the wall behind.
 class StaticScene {
  public:
   StaticScene(const TableGeometry& table, const SceneParams& params);
 
-  /// Luminance of what the ray meets first.
+  /// Luminance of the first surface that the ray hits.
   double luminance(Vector3 from, Vector3 direction) const;
 
  private:

@@ -11,10 +11,10 @@ constexpr std::uint64_t kFreeHandStream = 4;
 constexpr std::uint64_t kRestStream = 5;
 constexpr std::uint64_t kSecondPuckStream = 6;
 constexpr double kStuck_m_s = 0.08;
-// The mallet of a live arm follows its reports, which come every few ms.
+// Smooths the reports of a live arm, which come every few ms.
 constexpr double kFollowGain_1_s = 200;
 constexpr double kFollowSpeed_m_s = 5;
-constexpr int kStepsPerThought = 400;
+constexpr int kStepsPerPlan = 400;
 constexpr double kGlideStep_s = 1e-3;
 
 }  // namespace
@@ -60,7 +60,7 @@ void TableGame::step() {
 
 Opponent::Conduct TableGame::opponents_conduct() const {
   if (serve_.is_under_way()) return Opponent::Conduct::kServes;
-  return waits_on_purpose() ? Opponent::Conduct::kLeavesAlone : Opponent::Conduct::kPlays;
+  return is_paused() ? Opponent::Conduct::kLeavesAlone : Opponent::Conduct::kPlays;
 }
 
 void TableGame::set_robot_mallet(double y_m) {
@@ -78,7 +78,7 @@ void TableGame::place_puck(const DiscState& puck) {
 
 void TableGame::move_robot() {
   if (autonomous_robot_) {
-    if (steps_ % kStepsPerThought == 0) think_for_robot();
+    if (steps_ % kStepsPerPlan == 0) plan_robot_move();
     arm_.step(PuckPhysics::kStep_s);
     robot_.position.y_m = arm_.position_m();
     robot_.velocity.y_m_s = arm_.velocity_m_s();
@@ -89,8 +89,8 @@ void TableGame::move_robot() {
   robot_.position.y_m += robot_.velocity.y_m_s * PuckPhysics::kStep_s;
 }
 
-// Waits where the puck will come through the line, else in the middle.
-void TableGame::think_for_robot() {
+// Targets the point where the puck will cross the robot's line, else the middle.
+void TableGame::plan_robot_move() {
   constexpr double kApproaching_m_s = -0.1;
   constexpr double kLongest_s = 2;
   double target_m = 0;
@@ -117,7 +117,7 @@ void TableGame::move_puck() {
     last_attack_s_ = time_s();
   }
   if (second_puck_ && second_puck_->collide(*puck_)) referee_.puck_deflected(*puck_);
-  // After the mallets, so that a mallet cannot press the puck through a rail.
+  // After the hits, so that a mallet cannot press the puck through a rail.
   physics_.glide(*puck_, PuckPhysics::kStep_s);
   referee_.watch(*puck_, time_s());
 
@@ -130,13 +130,13 @@ void TableGame::move_puck() {
 }
 
 bool TableGame::is_stuck() {
-  // Nobody waits for ever for a puck that moves but comes to neither player, either.
-  constexpr double kPatience = 3;
+  // A puck that moves but is not hit by the opponent is given this many times as long.
+  constexpr double kWithoutAttack = 3;
   const double speed_m_s = std::hypot(puck_->velocity.x_m_s, puck_->velocity.y_m_s);
   if (speed_m_s > kStuck_m_s) last_moving_s_ = time_s();
-  if (waits_on_purpose()) last_moving_s_ = last_attack_s_ = time_s();
+  if (is_paused()) last_moving_s_ = last_attack_s_ = time_s();
   return time_s() - last_moving_s_ > params_.stuck_after_s ||
-         time_s() - last_attack_s_ > kPatience * params_.stuck_after_s;
+         time_s() - last_attack_s_ > kWithoutAttack * params_.stuck_after_s;
 }
 
 void TableGame::take_puck_off(GoalEntered goal) {
@@ -147,18 +147,18 @@ void TableGame::take_puck_off(GoalEntered goal) {
 
 TablePoint TableGame::place_to_serve() {
   const TableGeometry& table = physics_.table();
-  // On a short table, too, beyond the mallet's reach.
+  // Out of the mallet's reach on a short table too.
   const double farthest_m = opponent_.home().x_m - table.mallet_radius_m - 2 * table.puck_radius_m;
   const double x_m = std::min(random_.uniform(0.64, 0.76) * table.length_m, farthest_m);
   return {x_m, random_.uniform(-0.25, 0.25) * table.width_m};
 }
 
-// The opponent has taken the puck out of the goal, lays it down behind his mallet, where no camera
-// sees it, and pushes it around.
+// The opponent lays the puck down behind his mallet, hidden from the camera, and pushes it around
+// the mallet.
 void TableGame::serve() {
   const TableGeometry& table = physics_.table();
   const TablePoint to = place_to_serve();
-  // The way is drawn half as far to the side: past the mallet, with room for another puck.
+  // The path reaches half this far to the side: past the mallet, with room for another puck.
   constexpr double kLeastAside_m = 0.3;
   const double aside_m =
       std::max(kLeastAside_m, 2 * (table.mallet_radius_m + 3 * table.puck_radius_m));

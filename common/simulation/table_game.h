@@ -21,29 +21,29 @@ class TableGame {
  public:
   explicit TableGame(const SimulationParams& params);
 
-  /// Moves everything on by PuckPhysics::kStep_s.
+  /// Advances the game by PuckPhysics::kStep_s.
   void step();
 
   /// As SimulatedTable::set_robot_mallet.
   void set_robot_mallet(double y_m);
-  /// Puts the puck down somewhere, moving as given.
+  /// Places the puck with the given position and velocity.
   void place_puck(const DiscState& puck);
 
-  /// Nothing while the puck is off the table.
+  /// `std::nullopt` while the puck is off the table.
   const std::optional<DiscState>& puck() const { return puck_; }
   const DiscState& robot_mallet() const { return robot_; }
   const DiscState& opponent_mallet() const { return opponent_.mallet(); }
-  /// Nothing unless the game has one.
+  /// `std::nullopt` unless the game has a second puck.
   const std::optional<SecondPuck>& second_puck() const { return second_puck_; }
   const FreeHand& free_hand() const { return free_hand_; }
   const GameCounts& counts() const { return referee_.counts(); }
 
  private:
   void move_robot();
-  void think_for_robot();
+  void plan_robot_move();
   void move_puck();
   Opponent::Conduct opponents_conduct() const;
-  bool waits_on_purpose() const {
+  bool is_paused() const {
     return serve_.is_under_way() || rest_.is_on() || free_hand_.is_hiding();
   }
   bool is_stuck();
@@ -68,8 +68,8 @@ class TableGame {
   std::optional<SecondPuck> second_puck_;
   std::int64_t steps_ = 0;
   double off_since_s_ = 0;
-  double last_moving_s_ = 0;  ///< Last time the puck did not rest.
-  double last_attack_s_ = 0;  ///< Last time it was served or the opponent hit it.
+  double last_moving_s_ = 0;  ///< Last time the puck moved.
+  double last_attack_s_ = 0;  ///< Last serve or hit by the opponent.
 };
 
 }  // namespace puck

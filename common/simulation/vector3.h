@@ -2,7 +2,7 @@
 
 namespace puck {
 
-/// A place or direction in the table's frame: x and y as in TablePoint, z up from the playing
+/// A position or direction in the table's frame: x and y as in TablePoint, z up from the playing
 /// surface, m.
 struct Vector3 {
   double x = 0;

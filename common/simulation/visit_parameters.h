@@ -6,9 +6,9 @@
 
 namespace puck {
 
-/// Names every key of a scene, with its range: `reader.read(key, value, lowest, highest)` for
-/// numbers, `reader.read(key, value)` for switches. A configuration reads a scene from a file
-/// through this, and `check` tests the same ranges.
+/// Passes every key of a scene with its range to a reader: `reader.read(key, value, lowest,
+/// highest)` for numbers, `reader.read(key, value)` for switches. A configuration reads a scene
+/// from a file with it; `check` tests the same ranges.
 template <typename Reader>
 void visit_parameters(Reader& reader, SimulationParams& params) {
   constexpr std::int64_t kMaxSeed = 1'000'000'000'000;

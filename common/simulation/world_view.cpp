@@ -14,7 +14,7 @@ constexpr double kKnobTop_m = 0.075;
 constexpr double kHandRadius_m = 0.03;
 constexpr double kHandHeight_m = 0.07;
 constexpr double kElbowRadius_m = 0.035;
-// Of the free hand, with its fingers spread.
+// The free hand with its fingers spread.
 constexpr double kReachingRadius_m = 0.05;
 constexpr Vector3 kReachingElbow{0.35, -0.08, 0.12};
 
@@ -48,7 +48,7 @@ SceneBody WorldView::body(Body which, const TableGame& game, const CameraView& v
 
 SceneBody WorldView::puck_body(TablePoint puck, const CameraView& view) const {
   SceneBody body;
-  // From within: each shape holds those before it.
+  // From the inside out: each shape contains the previous ones.
   const auto add = [&](ProjectedCylinder shape, double luminance) {
     body.shapes.push_back({std::move(shape), static_cast<float>(luminance), !body.shapes.empty()});
   };
@@ -77,7 +77,7 @@ SceneBody WorldView::mallet_body(TablePoint mallet, const CameraView& view) cons
 
 SceneBody WorldView::arm_body(Body which, TablePoint mallet, const CameraView& view) const {
   SceneBody body;
-  // The robot reaches down from its shoulder, the opponent over the far rail.
+  // The robot's elbow is above the near end, the opponent's beyond the far rail.
   const bool is_robots = which == kRobotArm;
   const Vector3 elbow = is_robots ? Vector3{mallet.x_m - 0.35, 0.5 * mallet.y_m - 0.15, 0.22}
                                   : Vector3{mallet.x_m + 0.32, mallet.y_m + 0.12, 0.2};
@@ -130,7 +130,7 @@ PixelBox WorldView::puck_box(TablePoint puck, const CameraView& view) const {
 }
 
 double WorldView::visible_share(const TableGame& game, const CameraView& view) const {
-  constexpr int kSamples = 12;  // Along each side of the puck's box.
+  constexpr int kSamples = 12;  // Samples along each side of the puck's box.
   if (!game.puck()) return 0;
   const ProjectedCylinder puck = puck_shape(game.puck()->position, view);
   std::vector<SceneShape> covers;
@@ -154,13 +154,13 @@ double WorldView::visible_share(const TableGame& game, const CameraView& view) c
     puck.coverage(y, x, 1, &share);
     all += share;
     if (!image.contains(x, y)) continue;
-    float left_over = share;
+    float uncovered = share;
     for (const SceneShape& cover : covers) {
       float covered = 0;
       cover.coverage(y, x, 1, &covered);
-      left_over *= 1 - covered;
+      uncovered *= 1 - covered;
     }
-    seen += left_over;
+    seen += uncovered;
   }
   return all > 0 ? seen / all : 0;
 }

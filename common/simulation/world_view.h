@@ -14,14 +14,13 @@
 
 namespace puck {
 
-/// What the things on the table look like from a camera: the bodies to draw and the puck's truth.
+/// Appearance of the game to a camera: the bodies to draw and the puck's truth.
 class WorldView {
  public:
   WorldView(const TableGeometry& table, const SceneParams& scene, SensorSize size);
 
-  /// Bodies in a fixed order; see `nearest_first`. What is not there is a body without shapes. A
-  /// player is two: his mallet, which stands on the table, and above it his arm with the mallet's
-  /// knob.
+  /// Bodies in a fixed order; see `nearest_first`. An absent body has no shapes. A player has two:
+  /// his mallet on the table, and above it his arm with the mallet's knob.
   enum Body {
     kPuck,
     kRobot,
@@ -34,15 +33,15 @@ class WorldView {
   };
 
   SceneBody body(Body which, const TableGame& game, const CameraView& view) const;
-  /// From a camera that looks down on the table along it: first what is above the table, then what
-  /// stands on it, each by how far away it is.
+  /// Indices of the bodies, front to back, for a camera that looks down on the table along its
+  /// length: those above the table first, then those on it, each by distance.
   static std::vector<int> nearest_first(const TableGame& game);
-  /// Where the body stands, on the table; nothing for what is not there.
+  /// The body's place on the table; `std::nullopt` for an absent body.
   static std::optional<TablePoint> place_of(Body which, const TableGame& game);
 
   /// The puck's silhouette in the image.
   PixelBox puck_box(TablePoint puck, const CameraView& view) const;
-  /// Share of the puck's silhouette inside the image that nothing covers.
+  /// Share of the puck's silhouette that is inside the image and not covered, 0 to 1.
   double visible_share(const TableGame& game, const CameraView& view) const;
 
  private:

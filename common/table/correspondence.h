@@ -5,7 +5,7 @@
 
 namespace puck {
 
-/// One place seen in the image and measured on the table.
+/// A point measured both in the image and on the table.
 struct Correspondence {
   Pixel image;
   TablePoint table;

@@ -20,7 +20,7 @@ struct Angle {
   double deg_s = 0;
 };
 
-// Hermite's cubic at the share `u` of the time `dt_s` between the two.
+// Cubic Hermite interpolation at the share `u` of the time `dt_s` between two angles.
 Angle between(Angle a, Angle b, double dt_s, double u) {
   const double rise = b.deg - a.deg;
   const double c = 3 * rise - (2 * a.deg_s + b.deg_s) * dt_s;
@@ -53,7 +53,7 @@ void HeadTrack::add(Timestamp t, const HeadPose& pose) {
     if (since_us < -kTimeBeginsAnewUs) forget();
     if (since_us >= -kTimeBeginsAnewUs && since_us <= 0) return;
   }
-  // The newest is always kept; the one before it gives way where they come too close.
+  // The newest pose is always kept; the previous one is dropped where they are too close in time.
   if (count_ > 1 && kept(0).t - kept(1).t < kSpacingUs) {
     next_ = (next_ + kCapacity - 1) % kCapacity;
     --count_;
@@ -76,7 +76,7 @@ std::optional<HeadPose> HeadTrack::at(Timestamp t) const {
     pose.roll_deg += ahead_s * pose.roll_deg_s;
     return pose;
   }
-  // Estimates are of the newest past, so the search from the newest on is short.
+  // Queries are for the recent past, so the search from the newest on is short.
   for (std::size_t back = 1; back < count_; ++back) {
     const auto& [from, a] = kept(back);
     if (t < from) continue;

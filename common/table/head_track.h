@@ -11,31 +11,31 @@
 namespace puck {
 
 struct HeadTrackParams {
-  /// A pose is carried on by its speeds for so long, until the next one comes, µs.
+  /// The newest pose is extrapolated with its speeds for at most this long, µs.
   std::int64_t max_ahead_us = 10'000;
-  /// Between two poses further apart than this nothing is known, µs.
+  /// Poses further apart in time than this are not interpolated, µs.
   std::int64_t max_gap_us = 100'000;
 };
 
-/// Where the head was, from poses at single moments. One thread.
+/// History of the head's pose, from poses at single moments. One thread.
 class HeadTrack {
  public:
   /// Throws std::invalid_argument that names the key when a value is out of its range.
   explicit HeadTrack(const HeadTrackParams& params = {});
 
-  /// Poses in the order of their times; one that is not newer than the newest is dropped, and so is
-  /// one of which a number is not finite. One more than a second older: time begins anew.
+  /// Adds a pose. Drops one that is not newer than the newest, or with a number that is not finite.
+  /// A pose more than a second older than the newest restarts the track.
   void add(Timestamp t, const HeadPose& pose);
   void forget() { count_ = 0; }
 
   bool is_empty() const { return count_ == 0; }
 
-  /// Between two poses by the cubics that have their angles and speeds; beyond the newest by its
-  /// speeds. Nothing before the oldest that is kept, or where the poses are too far away.
+  /// Between two poses, the cubics with their angles and speeds; beyond the newest, its speeds.
+  /// `std::nullopt` before the oldest kept pose, or where the poses are too far away in time.
   std::optional<HeadPose> at(Timestamp t) const;
 
  private:
-  // Kept apart by kSpacingUs at least, so that they reach 100 ms back however often they come.
+  // Kept poses are at least kSpacingUs apart, so that they cover 100 ms at any rate.
   static constexpr std::size_t kCapacity = 256;
   static constexpr std::int64_t kSpacingUs = 500;
 

@@ -9,7 +9,7 @@ namespace {
 
 Column3 project(const Matrix3& h, double x, double y) { return product(h, Column3{x, y, 1}); }
 
-// The scale at which a matrix of this size counts as singular.
+// The scale of a determinant for a matrix of this norm.
 double cube_of_norm(const Matrix3& h) {
   double sum = 0;
   for (double coefficient : h) sum += coefficient * coefficient;
@@ -27,7 +27,7 @@ bool can_be_inverted(const Matrix3& h) {
 Matrix3 checked_inverse(const Matrix3& h) {
   if (!is_finite(h)) throw std::invalid_argument("a homography needs nine finite coefficients");
   if (!can_be_inverted(h)) {
-    throw std::invalid_argument("a homography needs a matrix that can be inverted");
+    throw std::invalid_argument("a homography's matrix must be invertible");
   }
   return inverse(h);
 }
@@ -36,9 +36,9 @@ Matrix3 checked_inverse(const Matrix3& h) {
 
 Homography::Homography(const Matrix3& table_from_image)
     : table_from_image_(table_from_image), image_from_table_(checked_inverse(table_from_image)) {
-  // The homogeneous sign is free. It is chosen so that the table in front of the camera has a
-  // positive third coordinate both ways: the table's origin lies in front of every camera that can
-  // see the table from its home pose.
+  // The sign of the nine coefficients is free. It is chosen so that the table in front of the
+  // camera has a positive third coordinate both ways: the table's origin lies in front of every
+  // camera that can see the table from its home pose.
   if (image_from_table_[8] < 0) {
     image_from_table_ = scaled(image_from_table_, -1);
     table_from_image_ = scaled(table_from_image_, -1);

@@ -9,26 +9,26 @@
 
 namespace puck {
 
-/// Maps the image to the table's plane. The only way from a Pixel to a TablePoint.
+/// Maps the image to the table's plane. The only conversion from a Pixel to a TablePoint.
 class Homography {
  public:
-  /// Row by row; table (m) from image (px). The sign of all nine together is free: the table's
-  /// origin is taken to lie in front of the camera. Throws std::invalid_argument when a coefficient
-  /// is not finite or the matrix cannot be inverted.
+  /// Row-major; table (m) from image (px). The sign of all nine together is free: the table's
+  /// origin is assumed to lie in front of the camera. Throws std::invalid_argument when a
+  /// coefficient is not finite or the matrix is singular.
   explicit Homography(const Matrix3& table_from_image);
 
-  /// Of a camera whose view of (x, y, 1) on the table is known, with the third coordinate positive
-  /// in front of the camera: its sign is kept, so that the table's origin may lie behind it.
-  /// Nothing when the matrix is not finite or cannot be inverted: the camera lies in the plane.
+  /// From the projection of (x, y, 1) on the table, with a third coordinate that is positive in
+  /// front of the camera: the sign is kept, so that the table's origin may lie behind the camera.
+  /// `std::nullopt` when the matrix is not finite or singular: the camera lies in the plane.
   static std::optional<Homography> of_view(const Matrix3& image_from_table);
 
-  /// Nothing for a pixel on or above the horizon.
+  /// `std::nullopt` for a pixel on or above the horizon.
   std::optional<TablePoint> to_table(Pixel pixel) const;
-  /// Nothing for a point behind the camera.
+  /// `std::nullopt` for a point behind the camera.
   std::optional<Pixel> to_image(TablePoint point) const;
 
-  /// d(table)/d(image) at a pixel, row by row, m/px: carries velocities and covariances over.
-  /// The pixel must be one that `to_table` maps.
+  /// d(table)/d(image) at a pixel, row-major, m/px: maps velocities and covariances. `to_table`
+  /// must be defined for the pixel.
   std::array<double, 4> jacobian_at(Pixel pixel) const;
 
   const Matrix3& table_from_image() const { return table_from_image_; }

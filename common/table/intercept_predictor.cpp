@@ -8,7 +8,7 @@
 namespace puck {
 namespace {
 
-// Uncertainty of the crossing of x = constant: to first order the place slides along the path.
+// Uncertainty of the crossing of x = constant: to first order the place moves along the path.
 Intercept crossing_of(const PuckTrack& at_line, double in_s, int bounces) {
   const auto& [position, velocity] = at_line.state;
   const Matrix4& p = at_line.covariance;

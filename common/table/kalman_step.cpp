@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-// Of the place's covariance and the noise.
+// Inverse of the innovation's covariance: position covariance plus noise.
 Matrix2 inverse_of_sum(const Matrix4& p, const Matrix2& r) {
   const Matrix2 s{p[0] + r[0], p[1] + r[1], p[4] + r[2], p[5] + r[3]};
   const double determinant = s[0] * s[3] - s[1] * s[2];
@@ -47,14 +47,14 @@ PuckTrack with_measurement(const PuckTrack& predicted, const TablePoint& place,
   const double dx = place.x_m - predicted.state.position.x_m;
   const double dy = place.y_m - predicted.state.position.y_m;
 
-  std::array<double, 8> gain{};  // four by two: P Hᵀ S⁻¹
+  std::array<double, 8> gain{};  // 4 × 2: P Hᵀ S⁻¹
   for (std::size_t row = 0; row < 4; ++row) {
     const double px = p[4 * row];
     const double py = p[4 * row + 1];
     gain[2 * row] = px * inverse[0] + py * inverse[2];
     gain[2 * row + 1] = px * inverse[1] + py * inverse[3];
   }
-  // Joseph's form keeps the covariance positive whatever the rounding.
+  // Joseph form: the covariance stays positive despite rounding.
   Matrix4 keep = diagonal(1, 1, 1, 1);
   Matrix4 gained{};
   for (std::size_t row = 0; row < 4; ++row) {

@@ -7,24 +7,25 @@
 
 namespace puck {
 
-/// Where one estimate places the puck on the table.
+/// A measurement of the puck's position on the table.
 struct TableMeasurement {
   Timestamp t;
   TablePoint position;
-  Matrix2 covariance{};           ///< Of (x, y), m².
-  TableVelocity velocity{};       ///< Used only where a track begins.
-  bool resting = false;           ///< The tracker saw that the puck lies still.
-  Matrix2 velocity_covariance{};  ///< Of the velocity, m²/s²; all zeros where it is not known.
+  Matrix2 covariance{};           ///< Covariance of (x, y), m².
+  TableVelocity velocity{};       ///< Used only where a track starts.
+  bool resting = false;           ///< The tracker reports a puck at rest.
+  Matrix2 velocity_covariance{};  ///< Covariance of the velocity, m²/s²; zeros if unknown.
 };
 
-/// Whether all is finite and the place's covariance can be one.
+/// Whether all numbers are finite and the covariance is valid.
 bool is_usable(const TableMeasurement& measurement);
 
-/// Whether a place that is measured with such an error lies within so many standard deviations.
+/// Whether a position measured with covariance `noise` lies within the given number of standard
+/// deviations of the prediction.
 bool is_within(const PuckTrack& predicted, const TablePoint& place, const Matrix2& noise,
                double sigmas);
 
-/// The track with the measured place taken in. `noise`: the covariance of its error.
+/// The Kalman update of a track with a position. `noise`: the covariance of its error.
 PuckTrack with_measurement(const PuckTrack& predicted, const TablePoint& place,
                            const Matrix2& noise);
 

@@ -6,7 +6,7 @@
 
 namespace puck {
 
-/// Three by three, row by row.
+/// 3 × 3, row-major.
 using Matrix3 = SquareMatrix<3>;
 using Column3 = std::array<double, 3>;
 

@@ -4,19 +4,19 @@
 
 namespace puck {
 
-/// What one table and its puck make of the puck's motion; see PuckMotionParams.
+/// Constants of one table and its puck; see PuckMotionParams.
 struct MotionConstants {
   double damping_per_s = 0;
   double rail_restitution = 0;
   double rail_grip = 0;
 };
 
-/// How much a bounce differs from the fitted one, as PuckMotionParams::bounce_spread: more than in
-/// the simulated game, whose bounces are all alike. A spin that nobody measures changes a real one:
-/// by 2 % of the speed along the rail where the puck rolled along it.
+/// Deviation of a bounce from the fitted constants, as PuckMotionParams::bounce_spread: larger than
+/// in the simulated game, whose bounces are all alike. Unmeasured spin changes a real bounce: by 2
+/// % of the speed along the rail where the puck rolled along it.
 constexpr double kFittedBounceSpread = 0.015;
 
-/// The parameters with a table's own constants.
+/// The parameters with the table's own constants.
 constexpr PuckMotionParams with_constants(PuckMotionParams params,
                                           const MotionConstants& constants) {
   params.damping_per_s = constants.damping_per_s;

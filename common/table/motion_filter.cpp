@@ -8,10 +8,10 @@
 namespace puck {
 namespace {
 
-// A puck at rest may still creep with the air, m/s.
+// Speed of a resting puck that creeps on the air cushion, m/s.
 constexpr double kRestingSpeedSigma = 0.01;
-// How far from where it must be a puck may seem to be that has just been hit, m.
-constexpr double kNear = 0.03;
+// Tolerance of the reachability gate for a puck that was just hit, m.
+constexpr double kGateMarginM = 0.03;
 
 PuckTrack at_rest(const PuckTrack& track) {
   const double speed = kRestingSpeedSigma * kRestingSpeedSigma;
@@ -50,111 +50,112 @@ MotionFilter::MotionFilter(const PuckMotion& motion, const MotionFilterParams& p
 }
 
 void MotionFilter::reset() {
-  before_.hits = current().hits;
-  before_.jumps = current().jumps;
-  before_.newest.reset();
-  before_.doubt.reset();
-  before_.trail.clear();
-  before_.newest_seen = {};
+  before_history_.hits = current().hits;
+  before_history_.jumps = current().jumps;
+  before_history_.newest.reset();
+  before_history_.tentative.reset();
+  before_history_.trail.clear();
+  before_history_.newest_seen = {};
   count_ = 0;
 }
 
 MeasurementUse MotionFilter::update(const TableMeasurement& m) {
   if (!is_usable(m)) return MeasurementUse::kRejected;
-  const auto end = moments_.begin() + static_cast<std::ptrdiff_t>(count_);
-  const auto place =
-      std::upper_bound(moments_.begin(), end, m.t,
-                       [](Timestamp t, const Moment& moment) { return t < moment.measurement.t; });
-  auto index = static_cast<std::size_t>(place - moments_.begin());
-  if (index > 0 && moments_[index - 1].measurement.t == m.t) {
-    // A puck at rest makes no events, so that time stands still with it.
-    Moment& same = moments_[index - 1];
+  const auto end = history_.begin() + static_cast<std::ptrdiff_t>(count_);
+  const auto place = std::upper_bound(
+      history_.begin(), end, m.t,
+      [](Timestamp t, const HistoryEntry& entry) { return t < entry.measurement.t; });
+  auto index = static_cast<std::size_t>(place - history_.begin());
+  if (index > 0 && history_[index - 1].measurement.t == m.t) {
+    // Sensor time does not advance for a puck at rest, since it causes no events.
+    HistoryEntry& same = history_[index - 1];
     if (!m.resting || index != count_ || !is_good(same.use)) return MeasurementUse::kLate;
     same.measurement.resting = true;
     filter_from(index - 1);
     return MeasurementUse::kUsed;
   }
-  const bool is_after_all_forgotten = m.t > before_.newest_seen || !before_.newest;
-  if (index == 0 && !is_after_all_forgotten) return MeasurementUse::kLate;
+  const bool is_after_dropped = m.t > before_history_.newest_seen || !before_history_.newest;
+  if (index == 0 && !is_after_dropped) return MeasurementUse::kLate;
   if (count_ == kHistory) {
     if (index == 0) return MeasurementUse::kLate;
-    before_ = moments_.front().after;
-    std::move(moments_.begin() + 1, moments_.end(), moments_.begin());
+    before_history_ = history_.front().after;
+    std::move(history_.begin() + 1, history_.end(), history_.begin());
     --count_;
     --index;
   }
-  std::move_backward(moments_.begin() + static_cast<std::ptrdiff_t>(index),
-                     moments_.begin() + static_cast<std::ptrdiff_t>(count_),
-                     moments_.begin() + static_cast<std::ptrdiff_t>(count_ + 1));
+  std::move_backward(history_.begin() + static_cast<std::ptrdiff_t>(index),
+                     history_.begin() + static_cast<std::ptrdiff_t>(count_),
+                     history_.begin() + static_cast<std::ptrdiff_t>(count_ + 1));
   ++count_;
-  moments_[index].measurement = m;
+  history_[index].measurement = m;
   filter_from(index);
-  return moments_[index].use;
+  return history_[index].use;
 }
 
 void MotionFilter::filter_from(std::size_t index) {
   for (std::size_t i = index; i < count_; ++i) {
-    moments_[i].after = i > 0 ? moments_[i - 1].after : before_;
-    moments_[i].use = filter(moments_[i].after, moments_[i].measurement);
+    history_[i].after = i > 0 ? history_[i - 1].after : before_history_;
+    history_[i].use = filter(history_[i].after, history_[i].measurement);
   }
 }
 
-MeasurementUse MotionFilter::filter(Belief& belief, const TableMeasurement& m) const {
-  const std::int64_t since_last_us = belief.newest ? m.t - belief.newest_seen : 0;
-  belief.newest_seen = m.t;
-  if (!belief.newest || m.t - *belief.newest > params_.max_coast_us) {
-    belief.track = begun(m, noise_of(m, 1));
-    belief.newest = m.t;
-    belief.doubt.reset();
-    belief.trail.clear();
+MeasurementUse MotionFilter::filter(FilterState& filtered, const TableMeasurement& m) const {
+  const std::int64_t since_last_us = filtered.newest ? m.t - filtered.newest_seen : 0;
+  filtered.newest_seen = m.t;
+  if (!filtered.newest || m.t - *filtered.newest > params_.max_coast_us) {
+    filtered.track = started_track(m, noise_of(m, 1));
+    filtered.newest = m.t;
+    filtered.tentative.reset();
+    filtered.trail.clear();
     return MeasurementUse::kStarted;
   }
   const double shared =
       std::max(1.0, static_cast<double>(params_.error_memory_us) /
                         static_cast<double>(std::max<std::int64_t>(since_last_us, 1)));
-  const PuckTrack expected = predicted(belief.track, *belief.newest, m.t);
+  const PuckTrack expected = predicted(filtered.track, *filtered.newest, m.t);
   if (!is_within(expected, m.position, noise_of(m, 1), params_.gate_sigmas)) {
-    return follow_doubt(belief, m, shared);
+    return update_tentative(filtered, m, shared);
   }
   const PuckTrack track = with_measurement(expected, m.position, noise_of(m, shared));
-  belief.track = m.resting ? at_rest(track) : track;
-  belief.newest = m.t;
-  belief.doubt.reset();
-  belief.trail.add(m.t, belief.track.state);
+  filtered.track = m.resting ? at_rest(track) : track;
+  filtered.newest = m.t;
+  filtered.tentative.reset();
+  filtered.trail.add(m.t, filtered.track.state);
   return MeasurementUse::kUsed;
 }
 
-MeasurementUse MotionFilter::follow_doubt(Belief& belief, const TableMeasurement& m,
-                                          double shared) const {
-  std::optional<Doubt>& doubt = belief.doubt;
-  const PuckTrack expected = doubt ? predicted(doubt->track, doubt->newest, m.t) : PuckTrack{};
-  if (doubt && is_within(expected, m.position, noise_of(m, 1), params_.gate_sigmas)) {
-    doubt->track = with_measurement(expected, m.position, noise_of(m, shared));
-    doubt->newest = m.t;
+MeasurementUse MotionFilter::update_tentative(FilterState& filtered, const TableMeasurement& m,
+                                              double shared) const {
+  std::optional<TentativeTrack>& tentative = filtered.tentative;
+  const PuckTrack expected =
+      tentative ? predicted(tentative->track, tentative->newest, m.t) : PuckTrack{};
+  if (tentative && is_within(expected, m.position, noise_of(m, 1), params_.gate_sigmas)) {
+    tentative->track = with_measurement(expected, m.position, noise_of(m, shared));
+    tentative->newest = m.t;
   } else {
-    const double since_s = static_cast<double>(m.t - *belief.newest) * 1e-6;
-    const double reach_m = kNear + params_.fastest_m_s * since_s;
-    doubt = Doubt{begun(m, noise_of(m, 1)), m.t, m.t,
-                  distance_m(belief.track.state.position, m.position) <= reach_m};
+    const double since_s = static_cast<double>(m.t - *filtered.newest) * 1e-6;
+    const double reach_m = kGateMarginM + params_.fastest_m_s * since_s;
+    tentative = TentativeTrack{started_track(m, noise_of(m, 1)), m.t, m.t,
+                               distance_m(filtered.track.state.position, m.position) <= reach_m};
   }
-  const std::int64_t lasted_us = m.t - doubt->since;
+  const std::int64_t lasted_us = m.t - tentative->since;
   if (lasted_us < std::min(params_.hit_after_us, params_.jump_after_us)) {
     return MeasurementUse::kOutlier;
   }
-  const bool is_hit = doubt->is_near || belief.trail.leads_to(m.t, doubt->track.state);
+  const bool is_hit = tentative->is_near || filtered.trail.leads_to(m.t, tentative->track.state);
   if (lasted_us < (is_hit ? params_.hit_after_us : params_.jump_after_us)) {
     return MeasurementUse::kOutlier;
   }
   const MeasurementUse use = is_hit ? MeasurementUse::kHit : MeasurementUse::kJumped;
-  ++(is_hit ? belief.hits : belief.jumps);
-  belief.track = m.resting ? at_rest(doubt->track) : doubt->track;
-  belief.newest = m.t;
-  if (!is_hit) belief.trail.clear();
-  doubt.reset();
+  ++(is_hit ? filtered.hits : filtered.jumps);
+  filtered.track = m.resting ? at_rest(tentative->track) : tentative->track;
+  filtered.newest = m.t;
+  if (!is_hit) filtered.trail.clear();
+  tentative.reset();
   return use;
 }
 
-PuckTrack MotionFilter::begun(const TableMeasurement& m, const Matrix2& noise) const {
+PuckTrack MotionFilter::started_track(const TableMeasurement& m, const Matrix2& noise) const {
   const double speed = params_.initial_speed_sigma_m_s * params_.initial_speed_sigma_m_s;
   const Matrix2& v = m.velocity_covariance;
   const double cross = (v[1] + v[2]) / 2;
@@ -175,12 +176,12 @@ PuckTrack MotionFilter::predicted(const PuckTrack& track, Timestamp from, Timest
 }
 
 std::optional<PuckTrack> MotionFilter::at(Timestamp t) const {
-  const Belief& belief = current();
-  if (!belief.newest || t < *belief.newest || t - *belief.newest > params_.max_coast_us) {
+  const FilterState& filtered = current();
+  if (!filtered.newest || t < *filtered.newest || t - *filtered.newest > params_.max_coast_us) {
     return std::nullopt;
   }
-  PuckTrack track = predicted(belief.track, *belief.newest, t);
-  // What the tracker does not know of stays, however many measurements are taken in.
+  PuckTrack track = predicted(filtered.track, *filtered.newest, t);
+  // Systematic error, which does not average out.
   const double floor = params_.position_sigma_m * params_.position_sigma_m;
   track.covariance[0] += floor;
   track.covariance[5] += floor;

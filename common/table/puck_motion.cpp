@@ -12,7 +12,7 @@ namespace puck {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-// More than a puck of any plausible speed makes in any time that somebody predicts.
+// More than a puck of any plausible speed makes within any prediction.
 constexpr int kMaxBounces = 64;
 
 void check(const TableGeometry& table) {
@@ -45,8 +45,8 @@ void check(const PuckMotionParams& params) {
           "motion.bounce_spread must be between 0 and 1", params.bounce_spread);
 }
 
-// Time in which gliding at speed `v` covers the signed `distance`. One that is already behind
-// counts as reached.
+// Time in which a puck with damping and initial speed `v` covers the signed `distance`; 0 for a
+// distance already passed.
 double time_to_cover(double distance, double v, double damping) {
   if (v == 0) return kNever;
   const double undamped_s = std::max(0.0, distance / v);
@@ -55,7 +55,7 @@ double time_to_cover(double distance, double v, double damping) {
   return remaining > 0 ? -std::log(remaining) / damping : kNever;
 }
 
-// The wall towards which a coordinate moves, between `low` and `high`.
+// The wall that a coordinate approaches, `low` or `high`.
 double wall_ahead(double v, double low, double high) { return v < 0 ? low : high; }
 
 }  // namespace
@@ -102,7 +102,7 @@ std::optional<PuckMotion::Contact> PuckMotion::next_post(const PuckState& start)
   std::optional<Contact> first;
   for (const double rail_x : {0.0, table_.length_m}) {
     for (const double post_y : {-table_.goal_width_m / 2, table_.goal_width_m / 2}) {
-      // Where |offset + s velocity| = radius.
+      // Solve |offset + s velocity| = radius.
       const double x = position.x_m - rail_x;
       const double y = position.y_m - post_y;
       const double approach = x * velocity.x_m_s + y * velocity.y_m_s;
@@ -112,7 +112,7 @@ std::optional<PuckMotion::Contact> PuckMotion::next_post(const PuckState& start)
       const double s = std::max(0.0, (-approach - std::sqrt(root)) / speed_squared);
       const double hit_x = x + s * velocity.x_m_s;
       const double hit_y = y + s * velocity.y_m_s;
-      // Beside the mouth, and behind it, there are walls.
+      // Beside and behind the mouth there are walls.
       const bool is_before_rail = rail_x == 0 ? hit_x >= 0 : hit_x <= 0;
       const bool is_in_mouth = std::abs(hit_y + post_y) < table_.goal_width_m / 2;
       const double after_s = time_to_cover(s, 1, params_.damping_per_s);
@@ -132,15 +132,16 @@ PuckTrack PuckMotion::bounced(const PuckTrack& at, double normal_x, double norma
   const double xx = normal_x * normal_x;
   const double xy = normal_x * normal_y;
   const double yy = normal_y * normal_y;
-  // Across the contact's normal n, and along the tangent, what n leaves.
+  // The restitution scales the reversed velocity along the normal n, the grip the one along the
+  // tangent.
   const Matrix2 turn{back * xx + along * yy, (back - along) * xy, (back - along) * xy,
                      back * yy + along * xx};
   PuckTrack after;
   after.state.position = position;
   after.state.velocity = {turn[0] * velocity.x_m_s + turn[1] * velocity.y_m_s,
                           turn[2] * velocity.x_m_s + turn[3] * velocity.y_m_s};
-  // To first order the place beyond the contact is the mirror image of the one before it, scaled
-  // like the speed. What the moment of the bounce does to the place along the rail is left out: it
+  // To first order the position beyond the contact is the mirror image of the one before it, scaled
+  // like the speed. The effect of the bounce's time on the position along the rail is left out: it
   // is small, and grows without bound where the puck grazes the rail.
   const Matrix4 reflection{back * xx + yy,
                            (back - 1) * xy,
@@ -161,7 +162,7 @@ PuckTrack PuckMotion::bounced(const PuckTrack& at, double normal_x, double norma
   const Matrix4& p = at.covariance;
   const double speed = std::hypot(velocity.x_m_s, velocity.y_m_s);
   const double spread = params_.bounce_spread * speed;
-  // At a post the normal turns with where the puck meets it.
+  // At a post the normal depends on where the puck meets it.
   const double along_variance = yy * p[0] - 2 * xy * p[1] + xx * p[5];
   const double turned = (1 - back) * speed * curvature_1_m;
   const double variance = spread * spread + turned * turned * std::max(0.0, along_variance);
@@ -179,7 +180,7 @@ PuckMotion::Leg PuckMotion::next_leg(const PuckTrack& start, double limit_s) con
   double end_rail_s = time_to_cover(wall_x - position.x_m, velocity.x_m_s, damping);
   const double side_rail_s = time_to_cover(wall_y - position.y_m, velocity.y_m_s, damping);
 
-  // In a goal's mouth there is no rail but the two posts, which are points.
+  // In a goal's mouth only the two posts, which are points, can be hit.
   double goal_s = kNever;
   std::optional<Contact> post;
   const bool meets_end = end_rail_s <= side_rail_s && end_rail_s <= limit_s;

@@ -5,16 +5,16 @@
 
 namespace puck {
 
-/// Where the puck's centre is on the table and how it moves.
+/// Position and velocity of the puck's centre on the table.
 struct PuckState {
   TablePoint position;
   TableVelocity velocity;
 };
 
-/// A state and how sure it is.
+/// A state and its uncertainty.
 struct PuckTrack {
   PuckState state;
-  /// Of (x, y, vx, vy), row by row; m², m²/s, m²/s².
+  /// Covariance of (x, y, vx, vy), row-major; m², m²/s, m²/s².
   Matrix4 covariance{};
 };
 

@@ -8,27 +8,27 @@
 
 namespace puck {
 
-/// Where the puck was in the last 50 ms or so, and how it moved there. A tracker that follows the
-/// mallet which comes to hit, and finds the puck again when it has been hit, says that the puck
-/// leapt; the trail tells whether it can have been a hit. One thread.
+/// The puck's path of about the last 50 ms. When a mallet hits the puck, a tracker may first follow
+/// the mallet and then jump to the puck; the trail tests whether a hit explains the jump. One
+/// thread.
 class PuckTrail {
  public:
-  /// The puck as it is tracked at `t`. Times must not go back.
+  /// Adds the tracked state at `t`. Times must not decrease.
   void add(Timestamp t, const PuckState& state);
   void clear() { count_ = 0; }
 
-  /// Whether a puck that went on from somewhere on the trail and was hit a few ms before `t` can
-  /// move like this then: the way that it came meets the way that it went.
+  /// Whether a hit a few ms before `t` explains this state: the path back from it meets a path on
+  /// from a state of the trail.
   bool leads_to(Timestamp t, const PuckState& state) const;
 
  private:
-  struct Past {
+  struct Sample {
     Timestamp t;
     PuckState state;
   };
-  static constexpr std::size_t kPasts = 10;
+  static constexpr std::size_t kSamples = 10;
 
-  std::array<Past, kPasts> pasts_{};  // a ring
+  std::array<Sample, kSamples> samples_{};  // Ring buffer.
   std::size_t next_ = 0;
   std::size_t count_ = 0;
 };

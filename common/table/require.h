@@ -5,7 +5,7 @@
 
 namespace puck {
 
-/// Throws std::invalid_argument with `what` and the number that it is about, unless it holds.
+/// Throws std::invalid_argument with `what` and the value `got` unless `holds`.
 inline void require(bool holds, const char* what, double got) {
   if (holds) return;
   std::ostringstream text;

@@ -5,11 +5,11 @@
 
 namespace puck {
 
-/// N by N, row by row: N * N elements.
+/// N × N, row-major.
 template <std::size_t N>
 using SquareMatrix = std::array<double, N * N>;
 
-/// N of a matrix with so many elements.
+/// N of a matrix with this many elements.
 constexpr std::size_t side_of(std::size_t elements) {
   std::size_t side = 0;
   while (side * side < elements) ++side;

@@ -42,7 +42,7 @@ Matrix3 ray_of(const PinholeCamera& camera) {
           0,     1};
 }
 
-// A turn about one of the camera's axes and what it gains a second.
+// A rotation about one of the camera's axes and its rate per second.
 struct Turn {
   Matrix3 matrix;
   Matrix3 rate;
@@ -67,7 +67,7 @@ Turn one_after(const Turn& a, const Turn& b) {
   return {product(a.matrix, b.matrix), sum(product(a.rate, b.matrix), product(a.matrix, b.rate))};
 }
 
-// The third column gains `vector`.
+// Adds `vector` to the third column.
 Matrix3 shifted(Matrix3 matrix, const Column3& vector) {
   matrix[2] += vector[0];
   matrix[5] += vector[1];
@@ -84,18 +84,18 @@ Column3 times(const std::array<double, 3>& v, double factor) {
 TableCamera::TableCamera(const Homography& home, const PinholeCamera& camera)
     : camera_(checked(camera)),
       camera_from_table_(product(ray_of(camera), home.image_from_table())) {
-  // The first two columns are the table's axes, of length one but for the scale.
+  // The first two columns are the table's axes, unit vectors times the scale.
   const Matrix3& c = camera_from_table_;
   scale_ = std::sqrt(std::hypot(c[0], c[3], c[6]) * std::hypot(c[1], c[4], c[7]));
 }
 
 std::optional<TableView> TableCamera::view_at(const HeadPose& pose) const {
-  // Axes of the turned camera in the frame of the home pose: each turn is about an axis of the
-  // camera as the turns before it left it.
+  // Axes of the turned camera in the frame of the home pose. The rotation is intrinsic: each turn
+  // is about an axis of the camera as already turned.
   const Turn turn = one_after(
       one_after(yaw_of(pose.yaw_deg, pose.yaw_deg_s), pitch_of(pose.pitch_deg, pose.pitch_deg_s)),
       roll_of(pose.roll_deg, pose.roll_deg_s));
-  // From the pivot, which stays, to a place of the table: at home, then turned, then from the
+  // From the pivot, which stays, to a point of the table: at home, then turned, then from the
   // camera again.
   const Matrix3 from_pivot = shifted(camera_from_table_, times(camera_.pivot_m, -scale_));
   const Matrix3 projection = projection_of(camera_);
@@ -110,7 +110,7 @@ std::optional<TableView> TableCamera::view_at(const HeadPose& pose) const {
 }
 
 Homography TableCamera::raised(double height_m) const {
-  // Up is the cross product of the table's axes, x ahead and y to the left.
+  // Up is the cross product of the table's axes: x forwards, y to the left.
   const Matrix3& c = camera_from_table_;
   const double factor = height_m / scale_;
   const Column3 up{(c[3] * c[7] - c[6] * c[4]) * factor, (c[6] * c[1] - c[0] * c[7]) * factor,
@@ -118,7 +118,7 @@ Homography TableCamera::raised(double height_m) const {
   const auto homography =
       Homography::of_view(product(projection_of(camera_), shifted(camera_from_table_, up)));
   if (!homography) {
-    throw std::invalid_argument("the camera lies at the height that is asked for");
+    throw std::invalid_argument("the camera must not lie at the requested height");
   }
   return *homography;
 }

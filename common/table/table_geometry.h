@@ -10,15 +10,15 @@ namespace puck {
 /// paper's table and puck.
 struct TableGeometry {
   double length_m = 2.135;     ///< Between the end rails: x from 0 to this.
-  double width_m = 1.22;       ///< Between the side rails: y within half of it to both sides.
+  double width_m = 1.22;       ///< Between the side rails: |y| up to half of this.
   double goal_width_m = 0.40;  ///< Opening in the middle of both end rails.
   double puck_radius_m = 0.0325;
   double mallet_radius_m = 0.05;
-  double robot_line_x_m = 0.15;     ///< The robot's mallet moves on x = this …
-  double robot_line_half_m = 0.30;  ///< … with |y| up to this.
+  double robot_line_x_m = 0.15;     ///< x of the robot's mallet.
+  double robot_line_half_m = 0.30;  ///< The robot's mallet moves with |y| up to this.
 
-  /// Where the rim of a puck that comes touches a robot's mallet that stands in its way: x of the
-  /// puck's centre.
+  /// x of the puck's centre when the rim of an approaching puck touches a robot's mallet in its
+  /// way.
   double contact_line_x_m() const { return robot_line_x_m + puck_radius_m + mallet_radius_m; }
 
   /// Whether a point lies on the playing surface or at most `margin_m` beyond it.

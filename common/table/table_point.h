@@ -2,7 +2,7 @@
 
 namespace puck {
 
-/// A place on the table, m. Origin on the playing surface at the middle of the robot's end, x
+/// A point on the table, m. Origin on the playing surface at the middle of the robot's end, x
 /// towards the opponent, y to the robot's left.
 struct TablePoint {
   double x_m = 0;

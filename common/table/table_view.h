@@ -9,28 +9,28 @@
 
 namespace puck {
 
-/// Where the puck's centre is in the image, how it moves there, and how sure that is.
+/// Position and velocity of the puck's centre in the image, and their uncertainty.
 struct ImageTrack {
   Pixel position;
   PixelVelocity velocity;
-  /// Of (x, y, vx, vy), row by row; px², px²/s, px²/s².
+  /// Covariance of (x, y, vx, vy), row-major; px², px²/s, px²/s².
   Matrix4 covariance{};
 };
 
-/// The table in the image at one moment, and how it moves there because the camera turns.
+/// The table in the image at one moment, and its motion in the image as the camera turns.
 class TableView {
  public:
-  /// Of a camera that stands still.
+  /// For a camera that stands still.
   explicit TableView(const Homography& homography) : homography_(homography) {}
-  /// `table_from_image_rate`: what the homography's coefficients gain a second.
+  /// `table_from_image_rate`: the derivative of the homography's coefficients, 1/s.
   TableView(const Homography& homography, const Matrix3& table_from_image_rate)
       : homography_(homography), rate_(table_from_image_rate) {}
 
   const Homography& homography() const { return homography_; }
 
-  /// Carries place, velocity and their covariance over, by their exact derivatives. The camera's
-  /// turning is taken out of the velocity: a puck at rest on the table is at rest, however the
-  /// camera turns. Nothing for a pixel on or above the horizon.
+  /// Maps position, velocity and their covariance, by their exact derivatives. The camera's
+  /// rotation is taken out of the velocity: a puck at rest on the table is at rest, however the
+  /// camera turns. `std::nullopt` for a pixel on or above the horizon.
   std::optional<PuckTrack> to_table(const ImageTrack& seen) const;
 
  private:

@@ -7,16 +7,16 @@
 namespace puck {
 namespace {
 
-// A number of YARP's own stands between these: `Y A`, int32, `R P`.
+// YARP's tagged header: `Y A`, int32, `R P`.
 constexpr std::size_t kTaggedBytes = 8;
 constexpr std::array<std::uint8_t, kTaggedBytes> kHello{'Y', 'A', 0x64, 0x1E, 0, 0, 'R', 'P'};
 constexpr std::array<std::uint8_t, kTaggedBytes> kIndex{'Y', 'A', 10, 0, 0, 0, 'R', 'P'};
 
-// The index of a message: how many blocks, how many of an answer, and what was never used.
+// A message's index: number of blocks, number of reply blocks, unused bytes.
 constexpr std::size_t kIndexBytes = 10;
 constexpr std::uint8_t kAnswerBlocks = 1;
 constexpr std::uint8_t kUnused = 0xFF;
-// A vector takes three, an envelope one more.
+// A vector takes three blocks, an envelope one more.
 constexpr std::size_t kMostBlocks = 16;
 
 bool is_tagged(std::span<const std::uint8_t> bytes) {
@@ -67,22 +67,22 @@ void MessageReader::feed(std::span<const std::uint8_t> bytes) {
 std::optional<std::span<const std::uint8_t>> MessageReader::next() {
   const auto whole = std::span<const std::uint8_t>(bytes_).subspan(begin_);
   const auto refuse = [](const char* why) {
-    throw BoardError(std::string("it sent what is no message: ") + why);
+    throw BoardError(std::string("it sent an invalid message: ") + why);
   };
   if (whole.size() < kTaggedBytes) {
-    if (!std::equal(whole.begin(), whole.end(), kIndex.begin())) refuse("it begins otherwise");
+    if (!std::equal(whole.begin(), whole.end(), kIndex.begin())) refuse("wrong header");
     return std::nullopt;
   }
-  if (!std::equal(kIndex.begin(), kIndex.end(), whole.begin())) refuse("it begins otherwise");
+  if (!std::equal(kIndex.begin(), kIndex.end(), whole.begin())) refuse("wrong header");
   LittleEndianReader reader(whole.subspan(kTaggedBytes));
   if (reader.left() < kIndexBytes) return std::nullopt;
   const auto index = reader.take(kIndexBytes);
   const std::size_t blocks = index[0];
-  if (blocks == 0 || blocks > kMostBlocks) refuse("a number of blocks that cannot be");
-  if (index[1] != kAnswerBlocks) refuse("another answer than none");
+  if (blocks == 0 || blocks > kMostBlocks) refuse("impossible number of blocks");
+  if (index[1] != kAnswerBlocks) refuse("unexpected reply blocks");
   const auto unused = index.subspan(2);
   if (!std::all_of(unused.begin(), unused.end(), [](std::uint8_t b) { return b == kUnused; })) {
-    refuse("its index is not padded");
+    refuse("index not padded");
   }
 
   constexpr std::size_t kSizeBytes = 4;
@@ -91,11 +91,11 @@ std::optional<std::span<const std::uint8_t>> MessageReader::next() {
   for (std::size_t i = 0; i < blocks; ++i) {
     const std::int32_t block = reader.whole();
     if (block < 0 || static_cast<std::size_t>(block) > kMostBytes - size) {
-      refuse("it is larger than any of a board");
+      refuse("larger than any message of a board");
     }
     size += static_cast<std::size_t>(block);
   }
-  if (reader.whole() != 0) refuse("another answer than none");
+  if (reader.whole() != 0) refuse("unexpected reply blocks");
   if (reader.left() < size) return std::nullopt;
   begin_ += kTaggedBytes + reader.at() + size;
   return reader.take(size);

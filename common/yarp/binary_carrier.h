@@ -11,39 +11,39 @@
 
 namespace puck {
 
-/// YARP's binary tcp carrier without acknowledgements, which streaming ports speak.
+/// YARP's binary TCP carrier without acknowledgements, which streaming ports use.
 
-/// How a connection begins, from one called `name`.
+/// The bytes that open a connection from a port called `name`.
 Bytes hello(std::string_view name);
 
 inline constexpr std::size_t kHelloAnswerBytes = 8;
 /// Throws BoardError.
 void check_hello_answer(std::span<const std::uint8_t, kHelloAnswerBytes> answer);
 
-/// What a message is for.
+/// The port command of a message.
 enum class PortCommand : std::uint8_t {
   kData = 'd',
-  kTurnRound = 'r',  ///< From now on the port sends and we receive.
+  kTurnRound = 'r',  ///< From now on the port sends and this side receives.
 };
 
-/// Writes a message behind what `to` holds: the command and, unless it is empty, the payload.
+/// Appends a message to `to`: the command and, unless it is empty, the payload.
 void append_message(PortCommand command, std::span<const std::uint8_t> payload, Bytes& to);
 
-/// Cuts messages out of bytes that come in any pieces.
+/// Extracts messages from a byte stream in pieces of any size.
 class MessageReader {
  public:
-  /// A larger message is refused: the encoders of 64 joints take 600 bytes.
+  /// Larger messages are refused: the encoders of 64 joints take 600 bytes.
   static constexpr std::size_t kMostBytes = 4096;
 
   void feed(std::span<const std::uint8_t> bytes);
 
-  /// The blocks of the next message, one after the other as their sender wrote them, until the next
-  /// call; nothing when it has not come whole. Throws BoardError when this is no message.
+  /// The joined blocks of the next message, valid until the next call; `std::nullopt` until it is
+  /// complete. Throws BoardError when the bytes are not a message.
   std::optional<std::span<const std::uint8_t>> next();
 
  private:
   Bytes bytes_;
-  std::size_t begin_ = 0;  // of what has not been handed over
+  std::size_t begin_ = 0;  // First byte that was not returned yet.
 };
 
 }  // namespace puck

@@ -30,7 +30,7 @@ BoardAnswer::BoardAnswer(std::string_view request, std::string_view line)
   if (verdict != "ok") refuse();
 }
 
-// Words, "words in quotes", [vocabs] and lists of these, one deep.
+// Words, "words in quotes", [vocabs], and lists of these without nesting.
 void BoardAnswer::parse(std::string_view line) {
   std::vector<Item>* into = &items_;
   for (std::size_t at = 0; at < line.size();) {
@@ -67,7 +67,7 @@ std::vector<BoardAnswer::Item> BoardAnswer::values_of(std::string_view word) con
                            !items_[1].is_list && items_[1].text == word;
   if (!is_about_it) refuse();
   std::vector<Item> values;
-  // The time stamp and the verdict follow.
+  // A time stamp and the verdict follow the list.
   for (std::size_t i = 2; i < items_.size() && !items_[i].is_vocab; ++i) {
     values.push_back(items_[i]);
   }

@@ -6,30 +6,30 @@
 
 namespace puck {
 
-/// What a board answered to a request on its port rpc:i, as text: `[is] encs (1.5 2.0 ) [tsta] 0
+/// A board's text answer to a request on its port rpc:i, such as `[is] encs (1.5 2.0 ) [tsta] 0
 /// 1795247365.76 [ok]`.
 class BoardAnswer {
  public:
-  /// Throws BoardError that names the request: `[fail]`, `[nak]`, or no answer at all.
+  /// Throws BoardError that names the request: `[fail]`, `[nak]`, or not an answer.
   BoardAnswer(std::string_view request, std::string_view line);
 
-  // What a `get` was about: what stands after `[is] WORD`. They throw BoardError that names the
-  // request when it does not.
+  // The values after `[is] WORD` in the answer to a `get`. Each function throws BoardError that
+  // names the request when the answer has other contents.
 
-  /// How many, at least 1 and at most `most`.
+  /// A number from 1 to `most`.
   int count(std::string_view word, int most) const;
   std::string name(std::string_view word) const;
-  /// Finite numbers, without or with parentheses around them.
+  /// Finite numbers, with or without parentheses around them.
   std::vector<double> numbers(std::string_view word, std::size_t how_many) const;
-  /// Words of up to four letters in a list.
+  /// A list of vocabs (words of up to four letters).
   std::vector<std::string> vocabs(std::string_view word, std::size_t how_many) const;
 
  private:
   struct Item {
-    std::string text;       // a vocab without its brackets
+    std::string text;       // A vocab without its brackets.
     bool is_vocab = false;  // [text]
     bool is_list = false;
-    std::vector<Item> items;  // of a list
+    std::vector<Item> items;  // Items of a list.
   };
 
   void parse(std::string_view line);

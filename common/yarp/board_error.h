@@ -7,14 +7,15 @@
 
 namespace puck {
 
-/// A control board, or the name server, did not do what it should: one line that says what, and to
-/// what it was asked. What it sent is quoted with `?` for what would steer a terminal.
+/// A fault of a control board or the name server, in one line that names the request. Quotes what
+/// they sent, with `?` for control characters.
 class BoardError : public std::runtime_error {
  public:
   enum class Kind : std::uint8_t {
-    kFailed,       ///< It is not there, or not as it should be: may be over by itself.
-    kNotReady,     ///< Its joints are not to be taken yet: may be over by itself.
-    kNeedsPerson,  ///< Never over by itself: our settings do not fit it, or a joint is at fault.
+    kFailed,       ///< Missing, or not as expected: may recover by itself.
+    kNotReady,     ///< Its joints cannot be taken yet: may recover by itself.
+    kNeedsPerson,  ///< Does not recover by itself: our settings do not fit the board, or a joint
+                   ///< has a fault.
   };
 
   explicit BoardError(const std::string& what, Kind kind = Kind::kFailed)
@@ -26,7 +27,7 @@ class BoardError : public std::runtime_error {
   Kind kind_;
 };
 
-/// In double quotes and harmless, shortened if it is long.
+/// In double quotes, without control characters, shortened if long.
 std::string in_quotes(std::string_view text);
 
 }  // namespace puck

@@ -11,8 +11,8 @@ void count(std::atomic<std::int64_t>& counter) { counter.fetch_add(1, std::memor
 
 bool BoardExchange::give_set_point(const JointAngles& set_point, std::int64_t monotonic_us) {
   to_loop_.look();
-  const BoardWord& board = to_loop_.seen();
-  if (!board.reading || read_connection_ != board.connection || told_faults_ != board.faults) {
+  const BoardState& board = to_loop_.seen();
+  if (!board.reading || read_connection_ != board.connection || read_faults_ != board.faults) {
     count(counts_.set_points_unheard);
     return false;
   }
@@ -36,20 +36,20 @@ bool BoardExchange::holds() {
 
 std::optional<JointReading> BoardExchange::reading() {
   to_loop_.look();
-  const BoardWord& board = to_loop_.seen();
+  const BoardState& board = to_loop_.seen();
   read_connection_ = board.reading ? board.connection : 0;
   return board.reading;
 }
 
 std::string BoardExchange::fault(std::int64_t monotonic_us) {
   to_loop_.look();
-  const BoardWord& board = to_loop_.seen();
-  if (told_faults_ != board.faults) {
-    told_faults_ = board.faults;
+  const BoardState& board = to_loop_.seen();
+  if (read_faults_ != board.faults) {
+    read_faults_ = board.faults;
     return board.newest_fault;
   }
   if (!board.reading) return board.is_fault ? board.why_none : std::string{};
-  // Should the board's thread itself hang.
+  // The board's thread itself may hang.
   const std::int64_t age_us = monotonic_us - board.reading->received_us;
   if (age_us <= 2 * silent_us_) return {};
   return "no encoders for " + std::to_string(age_us / 1000) + " ms";
@@ -57,7 +57,7 @@ std::string BoardExchange::fault(std::int64_t monotonic_us) {
 
 std::string BoardExchange::awaited() {
   to_loop_.look();
-  const BoardWord& board = to_loop_.seen();
+  const BoardState& board = to_loop_.seen();
   return board.is_fault ? std::string{} : board.why_none;
 }
 
@@ -77,62 +77,62 @@ YarpCounters BoardExchange::counters(std::int64_t monotonic_us) const {
 }
 
 void BoardExchange::publish() {
-  counts_.encoders_at_us.store(word_.reading ? word_.reading->received_us : kNever,
+  counts_.encoders_at_us.store(state_.reading ? state_.reading->received_us : kNever,
                                std::memory_order_relaxed);
-  to_loop_.next() = word_;
+  to_loop_.next() = state_;
   to_loop_.publish();
 }
 
 void BoardExchange::begin_connection(const JointReading& first) {
   count(counts_.connections);
   count(counts_.encoders_received);
-  ++word_.connection;
-  word_.reading = first;
-  word_.why_none.clear();
-  word_.is_fault = false;
+  ++state_.connection;
+  state_.reading = first;
+  state_.why_none.clear();
+  state_.is_fault = false;
   publish();
 }
 
 void BoardExchange::put_encoders(const JointReading& reading) {
   count(counts_.encoders_received);
-  word_.reading = reading;
+  state_.reading = reading;
   publish();
 }
 
 void BoardExchange::lose_connection(const BoardError& why) {
   count(counts_.failures);
-  word_.reading.reset();
-  word_.holds = false;
-  word_.why_none = why.what();
+  state_.reading.reset();
+  state_.holds = false;
+  state_.why_none = why.what();
   switch (why.kind()) {
     case BoardError::Kind::kFailed:
-      word_.is_fault = word_.connection > 0;
+      state_.is_fault = state_.connection > 0;
       break;
     case BoardError::Kind::kNotReady:
-      word_.is_fault = was_held_;
+      state_.is_fault = was_held_;
       break;
     case BoardError::Kind::kNeedsPerson:
-      word_.is_fault = true;
+      state_.is_fault = true;
       break;
   }
-  if (word_.is_fault) {
-    ++word_.faults;
-    word_.newest_fault = word_.why_none;
+  if (state_.is_fault) {
+    ++state_.faults;
+    state_.newest_fault = state_.why_none;
   }
   publish();
 }
 
 void BoardExchange::put_hold() {
-  if (word_.holds) return;
-  was_held_ = word_.holds = true;
+  if (state_.holds) return;
+  was_held_ = state_.holds = true;
   publish();
 }
 
-// Only those that rest on all that there is to know by now: the loop may have given it before it
-// was told.
-void BoardExchange::look_for_set_point(std::int64_t monotonic_us) {
+// Accepts a set-point only if the loop gave it after it read the present connection and every
+// fault.
+void BoardExchange::poll_set_point(std::int64_t monotonic_us) {
   if (to_board_.look()) {
-    const LoopWord& newer = to_board_.seen();
+    const LoopRequest& newer = to_board_.seen();
     if (waiting_) {
       count(newer.set_point ? counts_.set_points_replaced : counts_.set_points_withdrawn);
     }
@@ -143,14 +143,14 @@ void BoardExchange::look_for_set_point(std::int64_t monotonic_us) {
     count(counts_.set_points_expired);
     waiting_.reset();
   }
-  if (waiting_ && (!word_.reading || waiting_->connection != word_.connection ||
-                   waiting_->faults != word_.faults)) {
+  if (waiting_ && (!state_.reading || waiting_->connection != state_.connection ||
+                   waiting_->faults != state_.faults)) {
     waiting_.reset();
   }
 }
 
 std::optional<JointAngles> BoardExchange::newest_set_point(std::int64_t monotonic_us) {
-  look_for_set_point(monotonic_us);
+  poll_set_point(monotonic_us);
   return waiting_ ? waiting_->set_point : std::nullopt;
 }
 
@@ -164,8 +164,8 @@ void BoardExchange::count_sent() { count(counts_.set_points_sent); }
 
 void BoardExchange::refuse_set_point(const std::string& reason) {
   count(counts_.set_points_refused);
-  ++word_.faults;
-  word_.newest_fault = reason;
+  ++state_.faults;
+  state_.newest_fault = reason;
   publish();
 }
 

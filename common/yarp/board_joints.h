@@ -9,14 +9,14 @@
 
 namespace puck {
 
-/// What a board says of its joints.
+/// A board's description of its joints.
 struct BoardJoints {
-  std::size_t axes = 0;            ///< All that it has.
-  std::vector<std::string> names;  ///< Of the driven ones: `joint 2 "elbow"`.
+  std::size_t axes = 0;            ///< Number of all its joints.
+  std::vector<std::string> names;  ///< Of the driven joints: `joint 2 "elbow"`.
 };
 
-/// Asks for them. Throws BoardError that needs a person when a driven joint is not there or our
-/// limits are wider than its own.
+/// Requests it from the board. Throws BoardError that needs a person when a driven joint does not
+/// exist or our limits are wider than the board's.
 BoardJoints find_joints(const YarpParams& params, BoardRequests& requests);
 
 }  // namespace puck

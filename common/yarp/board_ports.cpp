@@ -9,7 +9,7 @@ namespace {
 
 PortAddress find_port(TextConnection& name_server, const std::string& name, const Waiter& waiter,
                       Deadline deadline) {
-  // Answers may come with more lines than these in other versions.
+  // Other versions may add lines to an answer.
   constexpr int kMostLines = 8;
   name_server.send("query " + name, waiter, deadline);
   std::optional<PortAddress> address;

@@ -9,18 +9,18 @@
 
 namespace puck {
 
-/// Where the ports of a control board are.
+/// Addresses of a control board's ports.
 struct BoardPorts {
   PortAddress requests;
   PortAddress command;
   PortAddress state;
 };
 
-/// Asks the name server. Throws BoardError.
+/// Queries the name server. Throws BoardError.
 BoardPorts find_board_ports(const YarpParams& params, const PortAddress& name_server,
                             const Waiter& waiter);
 
-/// What goes wrong with a port is told with its name.
+/// Adds the port's name to the message of a BoardError from `work`.
 template <typename Work>
 auto at_port(const std::string& name, Work work) {
   try {

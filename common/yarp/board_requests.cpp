@@ -47,7 +47,7 @@ void BoardRequests::begin_set_mode(int joint, std::string_view mode) {
 void BoardRequests::begin(const std::string& request) {
   const SteadyClock::time_point now = SteadyClock::now();
   connection_.send(request, waiter_, now + patience_);
-  // Not before: no answer is to be waited for to what a stop has kept from being sent.
+  // Set after sending: a stop may have prevented that, and then no answer comes.
   asked_ = request;
   asked_at_ = now;
 }

@@ -11,44 +11,43 @@
 
 namespace puck {
 
-/// How far a joint may go, deg.
+/// Range of a joint, deg.
 struct JointRange {
   double lowest_deg = 0;
   double highest_deg = 0;
 };
 
-/// The questions and orders that a board takes on its port rpc:i, one at a time. What goes wrong
-/// throws BoardError that names the request.
+/// Requests on a board's port rpc:i, one at a time. Errors throw BoardError that names the request.
 class BoardRequests {
  public:
-  /// Each answer has to come within `patience`.
+  /// `patience`: timeout of each answer.
   BoardRequests(const PortAddress& address, std::string_view local_name, const Waiter& waiter,
                 SteadyClock::duration patience, Deadline connected_by);
 
   int axes();
   std::string name(int joint);
   JointRange range(int joint);
-  /// Of all joints.
+  /// Modes of all joints.
   std::vector<std::string> modes(std::size_t axes);
 
-  // Without waiting for the answer.
+  // Asynchronous requests.
 
   void begin_modes();
   void begin_set_mode(int joint, std::string_view mode);
   bool is_waiting() const { return asked_at_.has_value(); }
-  /// When the answer that is waited for is late.
+  /// Timeout of the pending answer.
   Deadline late_at() const { return *asked_at_ + patience_; }
-  /// What is waited for.
+  /// The pending request.
   const std::string& asked() const { return asked_; }
-  /// Nothing: it has not come yet.
+  /// `std::nullopt` until the answer has come.
   std::optional<BoardAnswer> answer_now();
 
   int descriptor() const { return connection_.descriptor(); }
   /// From the newest request to its answer.
   std::int64_t round_trip_us() const { return round_trip_us_; }
 
-  /// Puts those of the joints that are in mode `from` into mode `to` for good, by the deadline
-  /// whatever is going on.
+  /// Puts the joints that are in mode `from` into mode `to`, by the deadline, whatever request is
+  /// pending. For the end of a session.
   void leave_mode(const std::vector<int>& joints, std::size_t axes, std::string_view from,
                   std::string_view to, const Waiter& waiter, Deadline deadline);
 

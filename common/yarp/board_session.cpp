@@ -65,14 +65,14 @@ void BoardSession::run() {
   exchange_.begin_connection(reading_);
   while (!waiter_.is_stopped()) {
     at_port(params_.port_name("state:o"), [&] { receive_encoders(); });
-    // First the modes: no set-point goes out once they are known to be others.
+    // The modes first: no set-point is sent once they are known to have changed.
     at_port(params_.port_name("rpc:i"), [&] { attend_hold(); });
     at_port(params_.port_name("command:i"), [&] { send_set_point(); });
     wait_for_more();
   }
 }
 
-// What has piled up is old by now; and a board whose stamp stands still is not one to begin with.
+// Queued encoders are outdated, and a board whose stamp does not advance is unusable.
 void BoardSession::wait_for_fresh_encoders() {
   const Deadline deadline = in_ms(params_.answer_timeout_ms);
   while (const auto message = state_.receive_now()) {
@@ -95,7 +95,7 @@ void BoardSession::wait_for_fresh_encoders() {
 }
 
 void BoardSession::receive_encoders() {
-  // More at once than a board sends in a second wait for the next turn.
+  // More than a board sends in a second; the rest waits for the next cycle.
   constexpr int kMostAtOnce = 64;
   for (int i = 0; i < kMostAtOnce; ++i) {
     const auto message = state_.receive_now();
@@ -114,7 +114,7 @@ JointReading BoardSession::take_state(std::span<const std::uint8_t> message) {
                      BoardError::Kind::kNeedsPerson);
   }
   received_at_ = SteadyClock::now();
-  // The count goes on while the board itself reads nothing new; the time does not.
+  // The count advances even while the board reads no new encoders; the time does not.
   if (!stamp_ || state.stamp.time_s != stamp_->time_s) stamp_moved_at_ = received_at_;
   stamp_ = state.stamp;
   JointReading reading{.received_us = monotonic_us(received_at_)};
@@ -134,8 +134,8 @@ void BoardSession::check_silence() const {
   if (now - stamp_moved_at_ > patience) throw BoardError("its stamp stands still" + for_ms);
 }
 
-// Encoders go on while the board changes the modes, and newer set-points replace the first: it is
-// the newest that has to begin at the encoders, at those that came once the joints were ours.
+// The modes change slowly, with new encoders and set-points meanwhile. The newest set-point must
+// begin at the encoders received after the joints were taken.
 void BoardSession::begin_to_take() {
   const auto first = exchange_.newest_set_point(now_us());
   if (!first) return;

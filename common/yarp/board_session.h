@@ -16,18 +16,17 @@
 
 namespace puck {
 
-/// One connection to a control board, from the query for its ports to the first thing that goes
-/// wrong. One thread.
+/// One connection to a control board, from the query for its ports to the first error. One thread.
 class BoardSession {
  public:
-  /// Connects, and checks the joints, their limits and their modes: it only reads. Throws
-  /// BoardError with the port that it is about.
+  /// Connects and checks the joints, their limits and their modes; changes nothing on the board.
+  /// Throws BoardError that names the port.
   BoardSession(const YarpParams& params, const PortAddress& name_server, const Waiter& waiter,
                BoardExchange& exchange);
 
-  /// Hands encoders and set-points over until the waiter is stopped. The first set-point takes the
-  /// joints, since whoever gives one wants them to move. Throws BoardError as soon as the board
-  /// cannot be trusted any more, or its joints could not be taken.
+  /// Exchanges encoders and set-points until the waiter is stopped. The first set-point takes the
+  /// joints. Throws BoardError as soon as the board is unreliable, or its joints could not be
+  /// taken.
   void run();
 
   /// As JointHold::leave().
@@ -57,9 +56,9 @@ class BoardSession {
   JointHold hold_;
   SetPointGate gate_;
   std::optional<BoardStamp> stamp_;
-  Deadline received_at_;  // the newest encoders
+  Deadline received_at_;  // Of the newest encoders.
   Deadline stamp_moved_at_;
-  Deadline command_free_at_;  // last time that all set-points had gone out
+  Deadline command_free_at_;  // Last time at which no set-point was unsent.
   JointReading reading_;
 };
 

@@ -12,13 +12,13 @@ using std::chrono::milliseconds;
 
 constexpr const char* kDirect = "posd";
 constexpr const char* kPosition = "pos";
-// Some boards take a while to change a joint's mode.
-constexpr milliseconds kModesWithin{2000};
-constexpr milliseconds kModesAgain{10};
-constexpr milliseconds kLeaveWithin{50};
+// Some boards change a joint's mode slowly.
+constexpr milliseconds kModesTimeout{2000};
+constexpr milliseconds kModesPeriod{10};
+constexpr milliseconds kLeaveTimeout{50};
 
 bool may_be_taken(const std::string& mode) { return mode == kPosition || mode == kDirect; }
-// An emergency stop, or a broken part: `hwf` or `hwfa`.
+// Emergency stop or hardware fault: `hwf` or `hwfa`.
 bool is_hardware_fault(const std::string& mode) { return mode.starts_with("hwf"); }
 bool is_motor_off(const std::string& mode) { return mode.starts_with("idl"); }
 
@@ -68,13 +68,13 @@ void JointHold::begin_to_take() {
 bool JointHold::attend(bool wants) {
   if (!wants) was_withdrawn_ = true;
   const auto answer = requests_.answer_now();
-  if (answer) heed(*answer);
+  if (answer) process_answer(*answer);
   const Deadline now = SteadyClock::now();
   if (requests_.is_waiting()) {
     if (now <= requests_.late_at()) return false;
     throw BoardError("no answer in time, asked " + in_quotes(requests_.asked()));
   }
-  // Who wants them again begins anew.
+  // A later request for the joints starts from the beginning.
   if (std::exchange(was_withdrawn_, false) &&
       (state_ == State::kAsking || state_ == State::kTaking)) {
     state_ = State::kNone;
@@ -84,29 +84,29 @@ bool JointHold::attend(bool wants) {
     requests_.begin_set_mode(params_.joints[joints_put_], kDirect);
   } else if (now >= next_look_at_) {
     next_look_at_ =
-        now + (state_ == State::kTaking ? kModesAgain : milliseconds(params_.check_modes_ms));
+        now + (state_ == State::kTaking ? kModesPeriod : milliseconds(params_.check_modes_ms));
     requests_.begin_modes();
   }
   return answer.has_value();
 }
 
-// Its turn decides what it answers: nothing else is asked in between.
-void JointHold::heed(const BoardAnswer& answer) {
+// The state identifies the request: there is only one at a time.
+void JointHold::process_answer(const BoardAnswer& answer) {
   if (state_ == State::kTaking && joints_put_ < params_.joints.size()) {
     ++joints_put_;
   } else {
-    heed_modes(answer.vocabs("cmds", joints_.axes));
+    process_modes(answer.vocabs("cmds", joints_.axes));
   }
 }
 
-void JointHold::heed_modes(const std::vector<std::string>& modes) {
-  const bool is_of_before = std::exchange(was_asked_before_, false);
+void JointHold::process_modes(const std::vector<std::string>& modes) {
+  const bool is_outdated = std::exchange(was_asked_before_, false);
   if (state_ == State::kNone || state_ == State::kAsking) {
     check_ready(modes);
-    if (state_ == State::kNone || is_of_before) return;
+    if (state_ == State::kNone || is_outdated) return;
     state_ = State::kTaking;
     joints_put_ = 0;
-    taken_by_ = SteadyClock::now() + kModesWithin;
+    taken_by_ = SteadyClock::now() + kModesTimeout;
     next_look_at_ = SteadyClock::now();
     return;
   }
@@ -125,11 +125,11 @@ Deadline JointHold::next_at() const {
 
 void JointHold::leave() {
   if (!has_put_) return;
-  // The waiter of this session is stopped.
+  // This session's own waiter is stopped.
   Waker waker;
   const Waiter waiter({}, waker);
   requests_.leave_mode(params_.joints, joints_.axes, kDirect, kPosition, waiter,
-                       SteadyClock::now() + kLeaveWithin);
+                       SteadyClock::now() + kLeaveTimeout);
 }
 
 }  // namespace puck

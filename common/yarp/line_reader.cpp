@@ -18,7 +18,7 @@ std::optional<std::string> LineReader::next() {
   };
   const auto last = text_.begin() + static_cast<std::ptrdiff_t>(std::min(end, text_.size()));
   if (std::any_of(text_.begin(), last, is_control)) {
-    throw BoardError("it sent what is no text: " + in_quotes({text_.begin(), last}));
+    throw BoardError("it sent a line that is not text: " + in_quotes({text_.begin(), last}));
   }
   if (end == std::string::npos) return std::nullopt;
   std::string line = text_.substr(0, end);

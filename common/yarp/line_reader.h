@@ -8,19 +8,20 @@
 
 namespace puck {
 
-/// Cuts lines out of bytes that come in any pieces.
+/// Extracts lines from a byte stream in pieces of any size.
 class LineReader {
  public:
-  /// A longer line is refused: the modes of 64 joints take 500 bytes.
+  /// Longer lines are refused: the modes of 64 joints take 500 bytes.
   static constexpr std::size_t kMostBytes = 4096;
 
   void feed(std::span<const std::uint8_t> bytes);
 
-  /// The next whole line without its `\n` or `\r\n`. Throws BoardError when it is too long, or no
-  /// text.
+  /// The next complete line without its `
+  /// ` or `\r
+  /// `. Throws BoardError when it is too long or not text.
   std::optional<std::string> next();
 
-  /// Lines, or their beginning, that nobody has asked for.
+  /// Whether no line, or part of one, is left.
   bool is_empty() const { return text_.empty(); }
 
  private:

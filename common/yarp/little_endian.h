@@ -8,7 +8,7 @@
 
 namespace puck {
 
-/// What the wire is made of, whatever this machine is.
+/// Bytes on the wire; numbers are little-endian on any machine.
 using Bytes = std::vector<std::uint8_t>;
 
 inline void append_word(Bytes& to, std::uint64_t value, int bytes) {
@@ -21,8 +21,7 @@ inline void append_real(Bytes& to, double value) {
   append_word(to, std::bit_cast<std::uint64_t>(value), 8);
 }
 
-/// Reads one number after the other from bytes that it borrows. The caller makes sure, with left(),
-/// that they are there.
+/// Reads numbers from borrowed bytes. The caller must check with left() that they are there.
 class LittleEndianReader {
  public:
   explicit LittleEndianReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

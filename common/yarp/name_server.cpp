@@ -32,7 +32,7 @@ PortAddress parse_registration(std::string_view line, std::string_view name) {
   if (inet_pton(AF_INET, address.ip.c_str(), &dotted) != 1 || error != std::errc{} ||
       end != port.data() + port.size() || address.port == 0) {
     throw BoardError(std::string(name) + " is registered at " + in_quotes(words[4]) + " port " +
-                     in_quotes(port) + ", which is no address");
+                     in_quotes(port) + ", which is not an address");
   }
   return address;
 }

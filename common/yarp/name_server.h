@@ -7,7 +7,7 @@
 
 namespace puck {
 
-/// Where a port is.
+/// Address of a port.
 struct PortAddress {
   std::string ip;  ///< IPv4, dotted.
   std::uint16_t port = 0;
@@ -15,12 +15,12 @@ struct PortAddress {
   std::string to_string() const { return ip + ":" + std::to_string(port); }
 };
 
-/// The name server's answer to a query is a registration, unless there is none of that name, and
-/// this line.
+/// Last line of the name server's answer. A registration comes before it, unless the name is
+/// unknown.
 inline constexpr std::string_view kEndOfAnswer = "*** end of message";
 
-/// Reads `registration name … ip … port … type tcp`. Throws BoardError: it is something else, or of
-/// another port than `name`.
+/// Reads `registration name … ip … port … type tcp`. Throws BoardError when the line is not one, or
+/// is for another port than `name`.
 PortAddress parse_registration(std::string_view line, std::string_view name);
 
 }  // namespace puck

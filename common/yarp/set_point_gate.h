@@ -8,16 +8,16 @@
 
 namespace puck {
 
-/// The last look at a set-point before it goes out. A board takes anything, NaN included.
+/// The last check of a set-point before it is sent. A board accepts anything, NaN included.
 class SetPointGate {
  public:
   explicit SetPointGate(const YarpParams& params) : params_(params) {}
 
-  /// Why it must not go out: not of our joints, not finite, outside the limits; when it is the
-  /// first of all, since a refused one or since a restart, too far from the encoders; else, too far
-  /// from both these and the set-point before it. Empty: it may.
+  /// Reason for refusing the set-point; empty: none. Refused: another number of joints; not finite;
+  /// outside the limits; too far from the encoders, if it is the first one or the first since a
+  /// refusal or restart; otherwise, too far from both the encoders and the previous set-point.
   std::string refusal(const JointAngles& set_point, const JointAngles& encoders);
-  /// The next set-point has to begin at the encoders.
+  /// The next set-point must begin at the encoders.
   void restart() { last_.reset(); }
 
  private:

@@ -5,7 +5,7 @@
 namespace puck {
 namespace {
 
-// What stands before each item: what it is; a list of one kind of item is its sum with kList.
+// Type tags of the items; a list of items of one type has their sum with kList.
 constexpr std::int32_t kInt = 1;
 constexpr std::int32_t kVocab = 9;
 constexpr std::int32_t kReal = 10;

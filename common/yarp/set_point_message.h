@@ -6,11 +6,11 @@
 
 namespace puck {
 
-/// Set-points of all joints of a part, deg, in mode `posd`: what a message to command:i carries.
+/// Payload of a message to command:i: set-points of all joints of a part, deg, in mode `posd`.
 Bytes set_points_of_all(std::span<const double> deg);
 
-/// The same of some of the joints only. The board takes a list that is missing, or not of this
-/// size, so badly that it dies: both spans are of one size.
+/// The same for some of the joints. Both spans must have the same size: a board crashes on a
+/// missing list or a list of another size.
 Bytes set_points_of_some(std::span<const int> joints, std::span<const double> deg);
 
 }  // namespace puck

@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t kCommandBytes = 8;
 constexpr std::size_t kLongestEnvelope = 256;
-// A list (256) whose items are all 64-bit floating-point numbers (10).
+// A list (256) of 64-bit floating-point numbers (10).
 constexpr std::int32_t kRealList = 266;
 
-// The text of the port command at the beginning, without its NUL and the end of its line.
+// The envelope's text, without its NUL and line end.
 std::string_view take_envelope(LittleEndianReader& reader) {
   if (reader.left() < kCommandBytes) throw BoardError("it sent a message without a port command");
   const std::int32_t length = reader.whole();
@@ -27,7 +27,7 @@ std::string_view take_envelope(LittleEndianReader& reader) {
   if (command[1] != 0) throw BoardError("it sends encoders without a stamp");
   if (length < 2 || static_cast<std::size_t>(length) > kLongestEnvelope ||
       static_cast<std::size_t>(length) > reader.left()) {
-    throw BoardError("it sent an envelope of a size that cannot be");
+    throw BoardError("it sent an envelope of an impossible size");
   }
   const auto bytes = reader.take(static_cast<std::size_t>(length));
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -68,7 +68,7 @@ StateMessage parse_state_message(std::span<const std::uint8_t> bytes) {
   const std::int32_t count = reader.whole();
   if (count < 1 || count > static_cast<std::int32_t>(kMostBoardJoints) ||
       reader.left() != 8 * static_cast<std::size_t>(count)) {
-    throw BoardError("it sent a list of encoders of a size that cannot be");
+    throw BoardError("it sent a list of encoders of an impossible size");
   }
   for (std::int32_t i = 0; i < count; ++i) {
     message.encoders_deg.push_back(reader.real());

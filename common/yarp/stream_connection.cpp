@@ -55,7 +55,7 @@ void StreamConnection::attend() {
     const std::size_t sent = socket_.send_now(unsent_);
     unsent_.erase(unsent_.begin(), unsent_.begin() + static_cast<std::ptrdiff_t>(sent));
   }
-  // The port has nothing to say but that it is gone.
+  // The port sends nothing; a read only detects a closed connection.
   std::array<std::uint8_t, kPieceBytes> piece;
   socket_.receive_now(piece);
 }

@@ -9,8 +9,7 @@
 
 namespace puck {
 
-/// A connection in YARP's binary carrier: to one of a board's streaming ports. What goes wrong
-/// throws BoardError.
+/// A connection to a board's streaming port in YARP's binary carrier. Errors throw BoardError.
 class StreamConnection {
  public:
   /// Connects as `local_name` and waits for the answer.
@@ -19,21 +18,21 @@ class StreamConnection {
 
   int descriptor() const { return socket_.descriptor(); }
 
-  // Of a port that sends.
+  // For a port that sends.
 
-  /// Makes the port send, before the first of these.
+  /// Makes the port send. Call it before receive_now().
   void turn_round(const Waiter& waiter, Deadline deadline);
   std::span<const std::uint8_t> receive(const Waiter& waiter, Deadline deadline);
-  /// The next message of those that have come.
+  /// The next message received so far.
   std::optional<std::span<const std::uint8_t>> receive_now();
 
-  // Of a port that takes.
+  // For a port that receives.
 
-  /// Whether what was given before has left this machine's hands.
+  /// Whether all bytes of earlier messages have been passed to the kernel.
   bool is_free() const { return unsent_.empty(); }
-  /// When it is free.
+  /// Call it only when is_free().
   void send(std::span<const std::uint8_t> payload);
-  /// Goes on with what is not sent yet, and notices a closed connection.
+  /// Continues an unfinished send, and detects a closed connection.
   void attend();
 
  private:

@@ -34,8 +34,8 @@ void connect_by(int socket, const PortAddress& to, const Waiter& waiter, Deadlin
   }
   if (!waiter.wait_for(socket, POLLOUT, deadline)) throw BoardError("no answer in time");
   check_connected(socket);
-  // Set-points are small and must not wait for one another, nor pile up, so that a newer one still
-  // replaces an older.
+  // Set-points are small: no delay (Nagle), and a small buffer, so that a newer one can replace one
+  // not sent yet.
   const int on = 1;
   const int few_bytes = 4096;
   setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
@@ -72,7 +72,7 @@ std::size_t TcpSocket::receive_now(std::span<std::uint8_t> bytes) {
 
 void TcpSocket::send(std::span<const std::uint8_t> bytes, const Waiter& waiter, Deadline deadline) {
   while (!bytes.empty()) {
-    if (!waiter.wait_for(descriptor(), POLLOUT, deadline)) throw BoardError("it takes no bytes");
+    if (!waiter.wait_for(descriptor(), POLLOUT, deadline)) throw BoardError("it accepts no bytes");
     bytes = bytes.subspan(send_now(bytes));
   }
 }

@@ -10,22 +10,21 @@
 
 namespace puck {
 
-/// A TCP connection that never blocks for longer than it is told. What goes wrong with it throws
-/// BoardError.
+/// A TCP connection without unbounded blocking. Errors throw BoardError.
 class TcpSocket {
  public:
   TcpSocket(const PortAddress& address, const Waiter& waiter, Deadline deadline);
 
   int descriptor() const { return socket_.number(); }
 
-  /// As many bytes as there is room for now.
+  /// Sends as many bytes as fit now; returns their number.
   std::size_t send_now(std::span<const std::uint8_t> bytes);
-  /// As many bytes as have come; none: nothing new.
+  /// Receives the bytes that have come; returns their number, 0 for none.
   std::size_t receive_now(std::span<std::uint8_t> bytes);
 
-  /// All of them.
+  /// Sends all bytes.
   void send(std::span<const std::uint8_t> bytes, const Waiter& waiter, Deadline deadline);
-  /// At least one.
+  /// Receives at least one byte.
   std::size_t receive(std::span<std::uint8_t> bytes, const Waiter& waiter, Deadline deadline);
 
  private:

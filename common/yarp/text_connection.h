@@ -9,8 +9,8 @@
 
 namespace puck {
 
-/// A connection in YARP's text carrier: to the name server, or to a board's port rpc:i. What goes
-/// wrong throws BoardError.
+/// A connection in YARP's text carrier, to the name server or a board's port rpc:i. Errors throw
+/// BoardError.
 class TextConnection {
  public:
   /// Connects as `local_name` and waits for the welcome.
@@ -22,7 +22,7 @@ class TextConnection {
   void send(std::string_view request, const Waiter& waiter, Deadline deadline);
   /// The next line of an answer.
   std::string receive(const Waiter& waiter, Deadline deadline);
-  /// The next line if it has come whole.
+  /// The next line, if complete.
   std::optional<std::string> receive_now();
 
  private:

@@ -15,7 +15,7 @@
 namespace puck {
 namespace {
 
-// Rounded up, so that nobody wakes just before the deadline over and over.
+// Rounded up, to avoid repeated wake-ups just before the deadline.
 int milliseconds_until(Deadline deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - SteadyClock::now());
   return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 60'000));
@@ -29,7 +29,7 @@ Waker::Waker() : calls_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
 
 void Waker::wake() {
   const std::uint64_t one = 1;
-  // It can only fail when it is called already, 2^64 - 2 times.
+  // Fails only after 2^64 - 2 calls without a wait, when the waiter is woken anyway.
   [[maybe_unused]] const ssize_t written = write(calls_.number(), &one, sizeof one);
 }
 
@@ -49,7 +49,7 @@ void Waiter::wait(std::span<const pollfd> sockets, Deadline deadline) const {
 bool Waiter::wait_for(int socket, short events, Deadline deadline) const {
   while (true) {
     if (is_stopped()) throw BoardError("stopped");
-    // Before the socket, so that one which is always ready with next to nothing comes to an end.
+    // Checked before the socket, so that a socket that is always ready cannot extend the wait.
     if (SteadyClock::now() >= deadline) return false;
     pollfd ready{socket, events, 0};
     if (socket >= 0 && poll(&ready, 1, 0) > 0) return true;

@@ -15,7 +15,7 @@ using Deadline = SteadyClock::time_point;
 
 inline Deadline in_ms(int ms) { return SteadyClock::now() + std::chrono::milliseconds(ms); }
 
-/// Ends another thread's waiting.
+/// Ends a wait of another thread.
 class Waker {
  public:
   Waker();
@@ -30,22 +30,22 @@ class Waker {
   FileDescriptor calls_;
 };
 
-/// Waits for sockets, never longer than until a deadline, a waker's call or a stop. One thread.
+/// Waits for sockets until a deadline, a waker's call or a stop. One thread.
 class Waiter {
  public:
-  /// A stop has to call the waker, too.
+  /// A stop must also call the waker.
   Waiter(std::stop_token stop, Waker& waker) : stop_(std::move(stop)), waker_(waker) {}
 
   bool is_stopped() const { return stop_.stop_requested(); }
 
-  /// Until a socket is ready, the deadline has come, or the waker was called.
+  /// Waits until a socket is ready, the deadline has come, or the waker was called.
   void wait(std::span<const pollfd> sockets, Deadline deadline) const;
 
-  /// Until the socket is ready for `events`; false: the deadline has come. Throws BoardError when a
-  /// stop was requested.
+  /// Waits until the socket is ready for `events`; false: the deadline has come. Throws BoardError
+  /// on a stop.
   bool wait_for(int socket, short events, Deadline deadline) const;
 
-  /// Throws BoardError when a stop was requested.
+  /// Throws BoardError on a stop.
   void rest_until(Deadline deadline) const { wait_for(-1, 0, deadline); }
 
  private:

@@ -22,7 +22,7 @@ const YarpParams& checked(const YarpParams& params) {
   return params;
 }
 
-// Once, since a look-up can neither be interrupted nor be given an end.
+// Only once: a look-up can neither be interrupted nor have a timeout.
 std::vector<PortAddress> look_up(const YarpParams& params) {
   addrinfo hints{};
   hints.ai_family = AF_INET;

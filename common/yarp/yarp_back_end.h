@@ -16,37 +16,36 @@
 
 namespace puck {
 
-/// A real iCub's control board, in YARP's own wire protocol. A thread of its own connects, hands
-/// set-points and encoders over, and connects again after whatever went wrong; the joints hold
-/// where they are in the meantime.
+/// A real iCub's control board, in YARP's own wire protocol. Its thread connects, exchanges
+/// set-points and encoders, and reconnects after every error; meanwhile the joints hold their
+/// position.
 ///
-/// **At the start** the board may come later than the controller: until there was a connection, one
-/// that fails is tried again and is no fault, since nothing was moved yet; nor is a joint that is
-/// not ready before any was ever taken. What no waiting mends is one from the beginning: our joints
-/// or limits do not fit the board, or a joint is in a hardware fault.
+/// **At the start** the board may start later than the controller. Before the first connection, a
+/// failed attempt is retried and is not a fault, since nothing was moved yet; nor is a joint that
+/// is not ready before any was taken. Errors that need a person are faults from the beginning: our
+/// joints or limits do not fit the board, or a joint has a hardware fault.
 ///
-/// **After a failure** reading() is nothing until there is a new connection, and a set-point is
-/// heard only when since then (1) fault() has been asked, (2) reading() has given encoders, and (3)
-/// the set-point lies within `start_within_deg` of these: a controller begins anew at what
-/// reading() says, at rest. The same holds after a set-point that was refused.
+/// **After a failure** reading() returns nothing until there is a new connection. A set-point is
+/// accepted only when since then (1) fault() has been called, (2) reading() has returned encoders,
+/// and (3) the set-point lies within `start_within_deg` of these: a controller restarts at what
+/// reading() returns, at rest. The same holds after a refused set-point.
 ///
-/// A connection only reads until the first set-point that is heard, and puts the joints into mode
-/// `posd` then, if each is in `pos` or `posd`. A joint that is being calibrated, that somebody else
-/// drives or whose motor is off is not taken, but waited for. An emergency stop puts the joints
-/// into a hardware fault, before or after they were taken: it lasts until the robot's own tools
-/// have brought them back into `pos` and a controller that was reset gives set-points again.
+/// A connection only reads until the first accepted set-point. Then it puts the joints into mode
+/// `posd`, if each is in `pos` or `posd`. It waits for a joint that is being calibrated, is driven
+/// by another program or has its motor off. An emergency stop puts the joints into a hardware fault
+/// at any time: it lasts until the robot's own tools have brought them back into `pos` and a
+/// controller that was reset gives set-points again.
 ///
-/// A set-point goes out within 100 ms or never: modes that change slowly or a port that is busy do
-/// not keep it.
+/// A set-point is sent within 100 ms or dropped, also when modes change slowly or a port is busy.
 ///
-/// When it ends, it leaves the joints that its last connection took in mode `pos`: they stay stiff
-/// where they are, as in `posd`, but set-points of anybody that come late move nothing. The modes
-/// of before are not restored: they may have been slack, and the arm would fall. After a failure
-/// without set-points since, the modes are left as they are.
+/// On destruction it puts the joints that its last connection took into mode `pos`: they stay stiff
+/// in their place, as in `posd`, but late set-points of any program do not move them. The earlier
+/// modes are not restored: they may have been slack, and the arm would fall. After a failure
+/// without later set-points, the modes are left as they are.
 class YarpBackEnd final : public ArmBackEnd {
  public:
   /// Looks up the name server's host. Throws std::invalid_argument that names the key when a value
-  /// is out of its range or there is no such host.
+  /// is out of range or the host is unknown.
   explicit YarpBackEnd(const YarpParams& params);
 
   std::string_view name() const override { return "yarp"; }
@@ -67,11 +66,11 @@ class YarpBackEnd final : public ArmBackEnd {
 
  private:
   void run(const std::stop_token& stop);
-  /// Until it is stopped or something goes wrong: why.
+  /// Returns the error that ended the connection; `std::nullopt` after a stop.
   std::optional<BoardError> serve(const PortAddress& name_server, const Waiter& waiter);
 
   YarpParams params_;
-  std::vector<PortAddress> name_servers_;  // all addresses of the host, tried in turn
+  std::vector<PortAddress> name_servers_;  // All addresses of the host, tried in turn.
   Waker waker_;
   BoardExchange exchange_;
   std::jthread thread_;

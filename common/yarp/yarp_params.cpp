@@ -26,7 +26,7 @@ void require_between(double value, double lowest, double highest, const std::str
           "must be from " + plain(lowest) + " to " + plain(highest) + ", got " + plain(value));
 }
 
-// Names stand in lines of text, between blanks.
+// Names are words in lines of text.
 bool is_name(const std::string& text) {
   const auto is_fine = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/';
@@ -62,9 +62,9 @@ void check(const YarpParams& params) {
   require(!params.host.empty(), "host", "must name the machine of the name server");
   require_between(params.port, 1, 65535, "port");
   require(is_name(params.robot) && params.robot.front() == '/' && params.robot.back() != '/',
-          "robot", "must be what the names of the robot's ports begin with, as \"/icub\"");
+          "robot", "must be the prefix of the robot's port names, such as \"/icub\"");
   require(is_name(params.part) && params.part.front() != '/' && params.part.back() != '/', "part",
-          "must be a part of the robot, as \"right_arm\"");
+          "must be a part of the robot, such as \"right_arm\"");
   require(is_name(params.local_name) && params.local_name.find('/') == std::string::npos,
           "local_name", "must be a word");
   check_joints(params);

@@ -7,30 +7,30 @@
 
 namespace puck {
 
-/// Where the arm's control board is, and which of its joints are ours. Keys arm.yarp.*.
+/// The arm's control board and its driven joints. Keys arm.yarp.*.
 struct YarpParams {
-  std::string host = "127.0.0.1";       ///< Of the name server: a name or an IPv4 address.
-  int port = 10000;                     ///< Of the name server.
-  std::string robot = "/icub";          ///< What the robot's ports begin with.
-  std::string part = "right_arm";       ///< Of the robot.
-  std::string local_name = "puck-arm";  ///< What the board calls us.
-  /// The numbers of the driven joints on the board, in ascending order.
+  std::string host = "127.0.0.1";       ///< Name server: host name or IPv4 address.
+  int port = 10000;                     ///< Port of the name server.
+  std::string robot = "/icub";          ///< Prefix of the robot's ports.
+  std::string part = "right_arm";       ///< Part of the robot.
+  std::string local_name = "puck-arm";  ///< Our name in requests to the board.
+  /// Numbers of the driven joints on the board, in ascending order.
   std::vector<int> joints{0, 1, 2, 3, 4, 5, 6};
-  /// How far each of these may go, deg; within what the board allows. No keys: from the joint
-  /// table.
+  /// Limits of each of these joints, deg, within the board's limits. No keys: from the joint table.
   std::vector<double> lowest_deg;
   std::vector<double> highest_deg;
-  /// So long the board may send no encoders, keep its stamp, or take no set-points, ms.
+  /// Longest time without encoders, without a new stamp, or without accepted set-points, ms.
   int silent_ms = 100;
   int connect_timeout_ms = 1000;
-  int answer_timeout_ms = 500;  ///< For an answer to a request.
-  /// After a failure the next try waits so long, ms; each further time twice as long, up to 5 s.
+  int answer_timeout_ms = 500;  ///< Timeout of a request's answer.
+  /// Delay of the next attempt after a failure, ms; doubled for each further one, up to 5 s.
   int retry_ms = 250;
-  /// The modes of the joints are asked for so often, ms.
+  /// Period of the queries of the joints' modes, ms.
   int check_modes_ms = 100;
-  /// The first set-point of a connection lies so near the encoders, deg.
+  /// Largest distance of a connection's first set-point from the encoders, deg.
   double start_within_deg = 2;
-  /// Each further one so near the one before, or as near the encoders as a first one, deg.
+  /// Largest distance of each later set-point from the previous one, or, as for the first, from the
+  /// encoders, deg.
   double max_step_deg = 5;
 
   /// `/icub/right_arm/state:o` for `state:o`.
@@ -39,7 +39,7 @@ struct YarpParams {
   }
 };
 
-/// Throws std::invalid_argument that names the key when a value is out of its range.
+/// Throws std::invalid_argument that names the key when a value is out of range.
 void check(const YarpParams& params);
 
 }  // namespace puck

@@ -197,7 +197,7 @@ TEST_CASE("too few events and a puck that is too slow for the lag are refused wi
     fit_of(slow);
     FAIL("accepted");
   } catch (const std::invalid_argument& error) {
-    CHECK(std::string(error.what()).find("too slow to tell the lag") != std::string::npos);
+    CHECK(std::string(error.what()).find("too slow to determine the lag") != std::string::npos);
   }
 }
 

@@ -169,7 +169,7 @@ TEST_CASE("Too little to fit is refused with the reason") {
     }
   }
   const std::string refusal = refusal_of_track(straight);
-  CHECK(contains(refusal, "too few bounces, or too much alike"));
+  CHECK(contains(refusal, "too few bounces, or too similar ones"));
   CHECK(contains(refusal, "rail_grip"));
 }
 

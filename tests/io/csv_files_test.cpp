@@ -70,7 +70,7 @@ TEST_CASE("bad truth is refused by file and line") {
   CHECK(contains(truth_refusal("t_us,x,y,width\n1,2,3,4\n"),
                  "a.csv:1: the header lacks the column height"));
   CHECK(contains(truth_refusal("t_us,x,y,width,w,height\n1,2,3,4,4,5\n"),
-                 "a.csv:1: the column width is there twice"));
+                 "a.csv:1: the column width appears twice"));
   CHECK(contains(truth_refusal(header + "1,2,3,4\n"),
                  "a.csv:2: expected 5 values as in the header, got 4"));
   CHECK(contains(truth_refusal(header + "1,2,3,4,x\n"),

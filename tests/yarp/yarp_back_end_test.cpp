@@ -137,14 +137,14 @@ struct BoardFailure {
 // With those that are the same from the beginning and in a game.
 std::vector<BoardFailure> with_lasting(std::vector<BoardFailure> failures) {
   const std::vector<BoardFailure> lasting{
-      {BoardTrouble::kRequestsGarbage, "rpc:i: it sent what is no text"},
+      {BoardTrouble::kRequestsGarbage, "rpc:i: it sent a line that is not text"},
       {BoardTrouble::kRequestsClose, "rpc:i: "},
       {BoardTrouble::kCommandClose, "command:i: "},
       {BoardTrouble::kStateClose, "state:o: "},
       {BoardTrouble::kStateNan, "state:o: the encoder of joint 6 is not a finite number"},
       {BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of a size"},
-      {BoardTrouble::kStateHuge, "state:o: it sent what is no message"},
-      {BoardTrouble::kStateGarbage, "state:o: it sent what is no message"},
+      {BoardTrouble::kStateHuge, "state:o: it sent an invalid message"},
+      {BoardTrouble::kStateGarbage, "state:o: it sent an invalid message"},
       {BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"}};
   failures.insert(failures.end(), lasting.begin(), lasting.end());
   return failures;
@@ -235,8 +235,8 @@ TEST_CASE("Whatever the name server does, it is a fault with its reason, and men
         BoardFailure{
             BoardTrouble::kNamesUnknown,
             "the name server: there is no port /icub/right_arm/rpc:i: is the robot running?"},
-        BoardFailure{BoardTrouble::kNamesGarbage, "the name server: it sent what is no text"},
-        BoardFailure{BoardTrouble::kNamesNoAddress, "which is no address"}}) {
+        BoardFailure{BoardTrouble::kNamesGarbage, "the name server: it sent a line that is not text"},
+        BoardFailure{BoardTrouble::kNamesNoAddress, "which is not an address"}}) {
     CAPTURE(each.reason);
     TestBoard board;
     board.set_trouble(each.trouble);
