@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kNoPositionPx = 100;
 constexpr double kLostPx = 20;
-constexpr double kLeastVisible = 0.5;
 constexpr std::int64_t kUsualSettleUs = 200'000;
 constexpr std::int64_t kShortTruthUs = 1'000'000;
 constexpr std::int64_t kLongestCoastUs = 50'000;
@@ -42,7 +41,7 @@ void AccuracyScore::add(Timestamp tick, const PuckEstimate& estimate) {
   } else if (tick >= truth_.first() && tick <= truth_.last()) {
     ++gap_ticks_;
   }
-  if (!truth || !in_image(truth->centre, sensor_) || truth->visible < kLeastVisible) {
+  if (!truth || !in_image(truth->centre, sensor_) || !is_visible(*truth)) {
     lost_since_.reset();
     return;
   }
@@ -67,7 +66,7 @@ void AccuracyScore::add(Timestamp tick, const PuckEstimate& estimate) {
 void AccuracyScore::judge_what_is_said(Timestamp tick, const TruthRow& truth,
                                        const PuckEstimate& estimate) {
   ++known_ticks_;
-  if (truth.visible >= kLeastVisible) {
+  if (is_visible(truth)) {
     hidden_since_.reset();
   } else if (!hidden_since_) {
     hidden_since_ = tick;

@@ -8,7 +8,6 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kFarthestUs = 10'000;
-constexpr double kLeastVisible = 0.5;
 
 }  // namespace
 
@@ -20,7 +19,7 @@ std::vector<ScoredEstimate> PaperScore::samples() const {
   std::vector<ScoredEstimate> samples;
   auto nearest = positions_.begin();
   for (const TruthRow& row : truth_.rows()) {
-    if (row.visible < kLeastVisible || positions_.empty()) continue;
+    if (!is_visible(row) || positions_.empty()) continue;
     const auto distance_us = [&](const Position& position) {
       return std::llabs(position.tick - row.time);
     };
@@ -37,9 +36,7 @@ std::vector<ScoredEstimate> PaperScore::samples() const {
 PaperReport PaperScore::report() const {
   const std::vector<ScoredEstimate> samples = this->samples();
   PaperReport report{error_statistics(samples)};
-  report.truth_rows =
-      std::count_if(truth_.rows().begin(), truth_.rows().end(),
-                    [](const TruthRow& row) { return row.visible >= kLeastVisible; });
+  report.truth_rows = std::count_if(truth_.rows().begin(), truth_.rows().end(), is_visible);
   if (samples.empty()) return report;
   for (std::size_t limit = 0; limit < PaperReport::kLimits; ++limit) {
     const auto below = std::count_if(samples.begin(), samples.end(), [&](const ScoredEstimate& s) {

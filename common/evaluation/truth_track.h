@@ -10,6 +10,9 @@
 
 namespace puck {
 
+/// Whether at least half of the puck can be seen; below that it counts as hidden.
+inline bool is_visible(const TruthRow& truth) { return truth.visible >= 0.5; }
+
 /// The truth of a recording at any time, by linear interpolation between its rows.
 class TruthTrack {
  public:

@@ -11,8 +11,8 @@ namespace puck {
 namespace {
 
 // A longer line is no packet: the largest has some 100,000 events.
-constexpr std::size_t kLongestLine = std::size_t{16} << 20;
-constexpr std::size_t kUsualLine = std::size_t{64} << 10;
+constexpr std::size_t kLongestYarpLine = std::size_t{16} << 20;
+constexpr std::size_t kUsualYarpLine = std::size_t{64} << 10;
 // So much of a file tells its encoding.
 constexpr int kSamplePackets = 200;
 constexpr int kSampleLines = 100'000;
@@ -112,7 +112,7 @@ YarpLogReader::YarpLogReader(const std::filesystem::path& path, const EventFileO
     : name_(path.string()),
       options_(options),
       file_(path, std::ios::binary),
-      buffer_(kUsualLine),
+      buffer_(kUsualYarpLine),
       clock_(1),
       sink_({1, 1}) {
   if (!options_.sensor.is_valid()) {
@@ -177,7 +177,7 @@ bool YarpLogReader::next_line() {
       file_.getline(buffer_.data() + length, static_cast<std::streamsize>(buffer_.size() - length));
       if (file_.bad()) throw EventFileError(name_ + ": cannot be read on");
       length += static_cast<std::size_t>(file_.gcount());
-      is_too_long = length >= kLongestLine;
+      is_too_long = length >= kLongestYarpLine;
     } while (file_.fail() && !file_.eof() && !is_too_long);
     is_at_end_ = file_.eof();
     is_line_whole_ = !is_at_end_;

@@ -15,7 +15,7 @@ using std::chrono::microseconds;
 using std::chrono::system_clock;
 
 // Events per batch from the queue.
-constexpr std::size_t kBatchEvents = 256;
+constexpr std::size_t kQueueBatchEvents = 256;
 // Longest time in which the tracking thread takes events before the next estimate.
 constexpr microseconds kLongestTake{1'000};
 // Period of the steps while no region is watched, and of the polls of a running search.
@@ -44,8 +44,8 @@ TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingP
       params_(params),
       publish_period_(publish_period(params)),
       publish_(std::move(publish)) {
-  events_.reserve(kBatchEvents);
-  wanted_.reserve(kBatchEvents);
+  events_.reserve(kQueueBatchEvents);
+  wanted_.reserve(kQueueBatchEvents);
   snapshot_.surface.grey.reserve(surface.size().width, surface.size().height);
   next_publish_ = Clock::now();
   heartbeat_due_ = next_publish_;
@@ -162,7 +162,7 @@ void TrackingThread::look(microseconds longest_take) {
 bool TrackingThread::take_events(microseconds longest_take) {
   const auto time_up = Clock::now() + longest_take;
   while (true) {
-    const Timestamp start = surface_.pop_events(snapshot_.events_end, kBatchEvents, events_);
+    const Timestamp start = surface_.pop_events(snapshot_.events_end, kQueueBatchEvents, events_);
     if (events_.empty()) return true;
     for_each_piece(start, events_, pipeline_->decision_period_us(),
                    [&](std::span<const Event> piece) {

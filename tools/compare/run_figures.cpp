@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "common/evaluation/truth_track.h"
 #include "common/io/csv_file.h"
 #include "common/io/truth_file.h"
 #include "tools/compare/program.h"
@@ -15,7 +16,6 @@ namespace puck {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kLeastVisible = 0.5;
 
 // A number up to a comma, which is stepped over; not a number where nothing stands.
 double take_number(const char*& text) {
@@ -98,7 +98,7 @@ Trajectory read_ticks(const std::filesystem::path& path) {
 Trajectory read_true_trajectory(const std::filesystem::path& path) {
   Trajectory trajectory;
   for (const TruthRow& row : read_truth_file(path)) {
-    const bool seen = row.visible >= kLeastVisible;
+    const bool seen = is_visible(row);
     trajectory.rows.push_back({static_cast<double>(row.time.us) * 1e-6,
                                seen ? row.centre.x : kUnknown, seen ? row.centre.y : kUnknown});
   }
