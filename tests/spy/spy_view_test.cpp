@@ -362,7 +362,7 @@ TEST_CASE("what is looked at stays when it is not heard any more, and the view g
   view.press(SpyKey::kLast);
   view.press(SpyKey::kShow);
   view.show(spy.model.snapshot(120'000'000));
-  CHECK(has(view.draw({80, 24}), "it is not heard any more"));
+  CHECK(has(view.draw({80, 24}), "it is no longer received"));
   view.press(SpyKey::kBack);
   view.show(spy.model.snapshot(120'000'000));
   CHECK(selected(view.draw({80, 24})) == "PUCK_STATUS");

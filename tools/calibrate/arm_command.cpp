@@ -43,8 +43,8 @@ void print(const JointFit& fit, std::size_t rows) {
   const MotionLimits line = table.line_limits({0, 0, kAny, kAny, kAny});
   const MotionLimits& joint = table.limits(0);
   std::printf(
-      "the joints' limits, %g deg/s, %g deg/s^2 and %g deg/s^3, let the mallet move at %.3f m/s, "
-      "%.2f m/s^2 and %.1f m/s^3 everywhere\n",
+      "with the joints' limits of %g deg/s, %g deg/s^2 and %g deg/s^3 the mallet reaches %.3f "
+      "m/s, %.2f m/s^2 and %.1f m/s^3 everywhere on the line\n",
       joint.velocity, joint.acceleration, joint.jerk, line.velocity, line.acceleration, line.jerk);
 }
 

@@ -29,23 +29,23 @@ void check_overlap(const TruthMotion& truth, Timestamp first, Timestamp last) {
   throw std::invalid_argument("the truth goes from " + seconds(truth.first()) + " to " +
                               seconds(truth.last()) + " s, the events from " + seconds(first) +
                               " to " + seconds(last) +
-                              " s: it must last as long as they do; is it of another recording?");
+                              " s: the truth must cover the whole recording; check that it "
+                              "belongs to this recording");
 }
 
 void check_puck(const TruthMotion& truth, const ContourSamples& samples) {
   if (!truth.ever_visible()) {
-    throw std::invalid_argument("the truth says that the puck can never be seen as a whole");
+    throw std::invalid_argument("the puck is never fully visible in the truth");
   }
   if (samples.windows() == 0) {
     throw std::invalid_argument(
-        "the truth has no puck that moves steadily at 60 px/s or more, in rows at most 50 ms "
-        "apart, "
-        "so there is no lag to see");
+        "the lag cannot be fitted: the truth has no steady motion of 60 px/s or more in rows "
+        "at most 50 ms apart");
   }
   if (samples.clear_windows() == 0) {
     throw std::invalid_argument(
-        "there are no events on the contour of the puck where the truth has it: is there a puck, "
-        "is the truth of this recording, and the size model of this camera?");
+        "no events lie on the puck's contour at its true positions: check that the truth "
+        "belongs to this recording and the size model to this camera");
   }
 }
 

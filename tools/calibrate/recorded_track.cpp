@@ -78,9 +78,9 @@ void check_head(const head_state_t& head) {
   const double turned_deg = std::hypot(head.yaw_deg, head.pitch_deg);
   if (turned_deg <= kMostTurnedDeg) return;
   throw std::invalid_argument(
-      "the head turns in it, and with it where the table is in the image: take what the bridge "
-      "made "
-      "of it, puck-log export LOG --channel PUCK_TRAJECTORY > track.csv");
+      "the camera's head turns in this log, so image positions do not give table positions; "
+      "use the bridge's trajectory instead: puck-log export LOG --channel PUCK_TRAJECTORY > "
+      "track.csv");
 }
 
 std::vector<TrackPoint> read_log_track(const std::filesystem::path& path,
@@ -99,8 +99,7 @@ std::vector<TrackPoint> read_log_track(const std::filesystem::path& path,
     if (decode(record.bytes, estimate) || !is_seen(estimate)) continue;
     add(track, Timestamp{estimate.sensor_us}, Pixel{estimate.x_px, estimate.y_px}, table);
   }
-  if (track.empty())
-    throw std::invalid_argument("there is no ESTIMATE of a puck on the table in it");
+  if (track.empty()) throw std::invalid_argument("the log has no ESTIMATE of a puck on the table");
   return track;
 }
 

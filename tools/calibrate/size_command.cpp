@@ -59,11 +59,12 @@ void print(const SizeCalibration& calibration, std::size_t rows, SensorSize sens
   std::printf("%s\n", calibration.model.disc
                           ? "the disc is written beside Equation (2): presets correlation and "
                             "default go by it"
-                          : "the disc is not written: the annotations are too few for it, or it "
-                            "explains them worse or as no puck on a table");
+                          : "the disc is not written: too few annotations, a larger error than "
+                            "Equation (2), or an impossible camera pose");
   if (calibration.model.wall_of_width() <= 0) {
     std::printf(
-        "the annotations outline the puck's face alone: its side wall is looked for below it\n");
+        "the annotations outline the puck's top face only; the tracker searches for the side "
+        "wall below it\n");
   }
   print_coverage(calibration, sensor);
   for (const std::string& warning : calibration.warnings) {

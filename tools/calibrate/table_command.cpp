@@ -29,8 +29,7 @@ std::optional<PinholeCamera> fit_camera(const TableCommand& command, const Homog
     if (command.focal_px || command.puck_height_m != 0 ||
         command.pivot_m != PinholeCamera{}.pivot_m) {
       throw std::invalid_argument(
-          "where the optical axis meets the sensor must be known: give its --width and --height, "
-          "or "
+          "the principal point is unknown: give --width and --height of the sensor, or "
           "--principal-point");
     }
     return std::nullopt;
@@ -53,7 +52,7 @@ void calibrate_table(const TableCommand& command, const std::string& typed) {
   std::printf("image, px  %8.3f  %8.3f\n", fit.rms_px, fit.max_px);
   std::printf("table, mm  %8.3f  %8.3f\n", fit.rms_m * 1e3, fit.max_m * 1e3);
   if (rows.size() == 4) {
-    std::printf("four correspondences always fit: mark more to see how good they are\n");
+    std::printf("four correspondences always fit exactly: add more to see their errors\n");
   }
   TableCalibration calibration{fit.homography, TableGeometry{}, fit_camera(command, fit, rows)};
   if (calibration.camera) {

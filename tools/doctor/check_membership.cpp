@@ -56,7 +56,10 @@ Findings check_membership(const Facts& facts) {
   }
   if (here == 0) {
     return {{Verdict::kWrong, kMembership,
-             counts + ": deaf, as programs of liblcm are after an interface was away" + mend_text,
+             counts +
+                 ": these programs are deaf, as liblcm's receivers are after their "
+                 "interface was down" +
+                 mend_text,
              end_all(facts)}};
   }
   return {{Verdict::kNote, kMembership, counts}};

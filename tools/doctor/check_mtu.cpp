@@ -26,14 +26,14 @@ Finding own_packets(const Facts& facts, const NetworkInterface& interface) {
   if (facts.url.ttl == 0) {
     return {Verdict::kNote, kMtu,
             sizes + " is cut up by the kernel for " + frame +
-                "; as nothing leaves this host, nothing is lost by it"};
+                "; harmless, as ttl=0 keeps the packets on this host"};
   }
-  return {Verdict::kWrong, kMtu,
-          sizes + " is cut up by the kernel for " + frame +
-              ": one lost frame loses the packet, and under loss all go",
-          fits_bytes >= EventPackerParams::kMinBytes
-              ? set_packet_bytes(fits_bytes)
-              : as_root(facts, {"ip link set " + interface.name + " mtu 1500"})};
+  return {
+      Verdict::kWrong, kMtu,
+      sizes + " is cut up by the kernel for " + frame + ": one lost frame loses the whole packet",
+      fits_bytes >= EventPackerParams::kMinBytes
+          ? set_packet_bytes(fits_bytes)
+          : as_root(facts, {"ip link set " + interface.name + " mtu 1500"})};
 }
 
 }  // namespace

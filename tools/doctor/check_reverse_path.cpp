@@ -26,8 +26,8 @@ Findings check_reverse_path(const Facts& facts) {
   if (grown > 0) {
     return {{Verdict::kWrong, kReversePath,
              std::to_string(grown) +
-                 " datagrams were dropped while listening, because another way leads to where "
-                 "they came from",
+                 " datagrams were dropped while listening: the route back to their sender uses "
+                 "another interface",
              as_root(facts, {"sysctl -w net.ipv4.conf.all.rp_filter=0 net.ipv4.conf." + name +
                              ".rp_filter=0"})}};
   }
@@ -35,7 +35,7 @@ Findings check_reverse_path(const Facts& facts) {
   if (std::max(setting(facts, "all"), setting(facts, name)) == kStrict) {
     return {{Verdict::kOk, kReversePath,
              "strict on " + name + ": only hosts to which " + name +
-                 " leads are heard; nothing was dropped for it"}};
+                 " has the route are received; nothing was dropped while listening"}};
   }
   return {{Verdict::kOk, kReversePath, "not strict on " + name}};
 }

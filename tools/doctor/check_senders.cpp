@@ -105,7 +105,7 @@ Findings check_senders(const Facts& facts) {
     findings.push_back({Verdict::kWrong, kSenders,
                         "more than " + std::to_string(Traffic::kMaxSenders) +
                             " addresses send to the port; " + std::to_string(traffic.uncounted()) +
-                            " datagrams are not accounted for. Move to another port",
+                            " datagrams are in none of these counts. Move to another port",
                         other_port_option(facts.url)});
   }
   std::int64_t datagrams = 0;

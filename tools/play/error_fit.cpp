@@ -179,7 +179,9 @@ void FlightErrorWatch::see(const PuckEstimate& estimate, std::int64_t period_us)
 EstimateErrorParams fit_estimate_errors(const std::vector<FlightErrors>& flights,
                                         std::int64_t period_us) {
   if (Moments(flights).count < kFewestTicks) {
-    throw std::runtime_error("too little was tracked to say how large the errors are");
+    throw std::runtime_error(
+        "too few estimates with a track to fit the errors; use more "
+        "--shots");
   }
   EstimateErrorParams fit;
   fit_lag(flights, fit);

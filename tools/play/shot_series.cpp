@@ -31,7 +31,7 @@ std::vector<ShotFacts> find_shots(const PlaySetup& setup, std::int64_t seed, int
   for (int tried = 0; static_cast<int>(shots.size()) < count; tried += kAtATime) {
     if (tried > kMostGames * count + kAtATime) {
       throw std::runtime_error(
-          "the opponent hardly ever shoots at the goal: " + std::to_string(shots.size()) +
+          "too few of the opponent's shots go at the goal: " + std::to_string(shots.size()) +
           " shots in " + std::to_string(tried) + " games");
     }
     std::vector<ShotFacts> found(kAtATime);

@@ -174,7 +174,7 @@ Screen SpyView::details(std::size_t width) const {
   for (const ServiceRow& service : shown_.services) {
     if (row_id(service) == selected_) return service_details(service, width);
   }
-  return {{"it is not heard any more", LineStyle::kWarning}};
+  return {{"it is no longer received", LineStyle::kWarning}};
 }
 
 std::string SpyView::keys() const {
