@@ -150,7 +150,7 @@ std::vector<BoardFailure> with_lasting(std::vector<BoardFailure> failures) {
       {BoardTrouble::kCommandClose, "command:i: "},
       {BoardTrouble::kStateClose, "state:o: "},
       {BoardTrouble::kStateNan, "state:o: the encoder of joint 6 is not a finite number"},
-      {BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of a size"},
+      {BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of an impossible size"},
       {BoardTrouble::kStateHuge, "state:o: it sent an invalid message"},
       {BoardTrouble::kStateGarbage, "state:o: it sent an invalid message"},
       {BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"}};
