@@ -243,7 +243,8 @@ TEST_CASE("Whatever the name server does, it is a fault with its reason, and men
         BoardFailure{
             BoardTrouble::kNamesUnknown,
             "the name server: there is no port /icub/right_arm/rpc:i: is the robot running?"},
-        BoardFailure{BoardTrouble::kNamesGarbage, "the name server: it sent a line that is not text"},
+        BoardFailure{BoardTrouble::kNamesGarbage,
+                     "the name server: it sent a line that is not text"},
         BoardFailure{BoardTrouble::kNamesNoAddress, "which is not an address"}}) {
     CAPTURE(each.reason);
     TestBoard board;
