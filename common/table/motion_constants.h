@@ -11,9 +11,9 @@ struct MotionConstants {
   double rail_grip = 0;
 };
 
-/// Deviation of a bounce from the fitted constants, as PuckMotionParams::bounce_spread: larger than
-/// in the simulated game, whose bounces are all alike. Unmeasured spin changes a real bounce: by 2
-/// % of the speed along the rail where the puck rolled along it.
+/// Deviation of a bounce from the fitted constants, as PuckMotionParams::bounce_spread. Larger than
+/// in the simulated game, whose bounces are all alike: unmeasured spin changes a real bounce by 2 %
+/// of the speed along the rail where the puck rolled along it.
 constexpr double kFittedBounceSpread = 0.015;
 
 /// The parameters with the table's own constants.

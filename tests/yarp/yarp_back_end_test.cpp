@@ -142,7 +142,7 @@ std::vector<BoardFailure> with_lasting(std::vector<BoardFailure> failures) {
       {BoardTrouble::kCommandClose, "command:i: "},
       {BoardTrouble::kStateClose, "state:o: "},
       {BoardTrouble::kStateNan, "state:o: the encoder of joint 6 is not a finite number"},
-      {BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of a size"},
+      {BoardTrouble::kStateTruncated, "state:o: it sent a list of encoders of an impossible size"},
       {BoardTrouble::kStateHuge, "state:o: it sent an invalid message"},
       {BoardTrouble::kStateGarbage, "state:o: it sent an invalid message"},
       {BoardTrouble::kStateStampless, "state:o: it sends encoders without a stamp"}};
@@ -235,7 +235,8 @@ TEST_CASE("Whatever the name server does, it is a fault with its reason, and men
         BoardFailure{
             BoardTrouble::kNamesUnknown,
             "the name server: there is no port /icub/right_arm/rpc:i: is the robot running?"},
-        BoardFailure{BoardTrouble::kNamesGarbage, "the name server: it sent a line that is not text"},
+        BoardFailure{BoardTrouble::kNamesGarbage,
+                     "the name server: it sent a line that is not text"},
         BoardFailure{BoardTrouble::kNamesNoAddress, "which is not an address"}}) {
     CAPTURE(each.reason);
     TestBoard board;
