@@ -3,7 +3,7 @@
 #
 #   tests/fuzz/run.sh [--minutes N [FUZZER...]]
 #
-# Without options: the corpus and a minute of smoke in all, as tests/run.sh does it. --minutes: so
+# Without options: the corpus and a minute of smoke in all, as tests/run.sh deep does it. --minutes: so
 # long for each of the fuzzers named (fuzz_messages, …), else for each of them all; what they learn
 # stays in build/asan/corpus. Exit status 1 when something was found; the input is then in
 # build/asan/findings.
