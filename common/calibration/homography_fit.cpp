@@ -74,7 +74,8 @@ Eigen::Matrix3d to_matrix(const Elements& p) {
 }
 
 // Smallest squared distances between `to` and the carried `from`.
-Eigen::Matrix3d refined(const Eigen::Matrix3d& start, const PointColumns& from, const PointColumns& to) {
+Eigen::Matrix3d refined(const Eigen::Matrix3d& start, const PointColumns& from,
+                        const PointColumns& to) {
   const Eigen::Matrix3d scaled = start / start(2, 2);
   Elements parameters(8);
   parameters << scaled(0, 0), scaled(0, 1), scaled(0, 2), scaled(1, 0), scaled(1, 1), scaled(1, 2),
