@@ -1,5 +1,3 @@
-#include "common/runtime/tracking_thread.h"
-
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -8,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/runtime/tracking_thread.h"
 #include "common/vision/presets.h"
 #include "common/vision/puck_search.h"
 #include "tests/runtime/tracking_fixtures.h"
@@ -102,9 +101,8 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
     }
     surface.update({{101'000}, {{50, 50, 1, 0}}}, {});
     sent.push_back(101'000);
-    CHECK(wait_until([&] {
-      return published.all().back().estimate.newest_event == Timestamp{101'000};
-    }));
+    CHECK(wait_until(
+        [&] { return published.all().back().estimate.newest_event == Timestamp{101'000}; }));
   }
   CHECK(surface.events_thinned() == 0);
   CHECK(life.event_times == sent);
@@ -188,10 +186,9 @@ TEST_CASE("a search that ends when there is nothing new is told all the same") {
     CAPTURE(sensor.width);
     SharedSurface surface(sensor, params.eros);
     Published published;
-    const TrackingThread thread(
-        surface, make_pipeline(sensor, params, kSizeModel),
-        PuckSearch(sensor, params, kSizeModel), {},
-        [&](const TrackedEstimate& e) { published.add(e); });
+    const TrackingThread thread(surface, make_pipeline(sensor, params, kSizeModel),
+                                PuckSearch(sensor, params, kSizeModel), {},
+                                [&](const TrackedEstimate& e) { published.add(e); });
     surface.update({{1000}, test::contour_events(sensor, {60, 50}, kSizeModel.at({}), 150)}, {});
     CHECK(wait_until([&] {
       const auto all = published.all();
