@@ -63,38 +63,15 @@ step() { # NAME COMMAND...
   return "$code"
 }
 
-# Ninja's lines, as one that moves in a terminal, else ten in all; and what the compilers say.
-progress() { # NAME
-  awk -v name="$1" -v terminal="$([ -t 1 ] && echo 1)" '
-    match($0, /^\[[0-9]+\/[0-9]+\]/) {
-      split(substr($0, 2, RLENGTH - 2), n, "/")
-      if (terminal) printf "\rbuilding %s: %d of %d ", name, n[1], n[2]
-      else if (int(10 * n[1] / n[2]) > told || n[1] == 1) printf "building %s: %d of %d\n", name, n[1], n[2]
-      told = int(10 * n[1] / n[2])
-      fflush(); next
-    }
-    { print }
-    END { if (terminal) print "" }'
-}
-
 build() { # PRESET TARGET...
   local preset=$1
   shift
-  step "build $preset" build_targets "$preset" "$@" || {
+  echo "building $preset"
+  step "build $preset" tools/build.sh --preset "$preset" "$@" || {
     echo "tests/run.sh: the build of $preset failed" >&2
     exit 1
   }
 }
-build_targets() { # PRESET TARGET...
-  local preset=$1
-  shift
-  if ! cmake --preset "$preset" >"$work/cmake" 2>&1; then
-    cat "$work/cmake" >&2
-    return 1
-  fi
-  cmake --build --preset "$preset" -j "$jobs" --target "$@" | progress "$preset"
-}
-
 # A line a suite while they run; what a failed one printed comes with it.
 suites() { # PRESET LABEL
   local preset=$1 label=$2 code=0

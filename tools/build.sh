@@ -1,43 +1,32 @@
 #!/usr/bin/env bash
-# Installs what is missing, and builds these targets into build/release, optimised.
+# Installs missing packages, and builds these targets into build/release, optimised.
 #
-#   tools/build.sh TARGET...
+#   tools/build.sh [--preset PRESET] TARGET...
 #
-# Shows how far it is: on a terminal in one line, elsewhere in a line every ten per cent.
+# --preset: another one of CMakePresets.json, into build/PRESET. Shows its progress: on a terminal in one
+# line, elsewhere in a line every ten per cent.
 set -euo pipefail
 CDPATH='' cd "$(dirname "$0")/.."
-folder=build/release
+preset=release
+if [ "${1-}" = --preset ]; then
+  preset=${2-}
+  shift 2
+fi
+folder=build/$preset
 
 fail() { # MESSAGE
   echo "build.sh: $1" >&2
   exit 1
 }
 
-# Of the programs that build, before they fail in a hundred lines of their own.
-require_tools() {
-  local version
-  version=$(cmake --version | sed -n '1s/[^0-9]*//p')
-  [ "$(printf '%s\n' 3.25 "$version" | sort -V | head -n 1)" = 3.25 ] ||
-    fail "CMake is $version, PUCK needs 3.25 or later: install a newer one, as in Debian 12"
-  local compiler=${CXX:-c++}
-  command -v "$compiler" >/dev/null ||
-    fail "there is no compiler $compiler: install g++, or name another one with CXX=COMPILER"
-  printf '%s\n' '#include <version>' \
-    '#if __cpp_concepts < 201907L || __cpp_lib_jthread < 201911L || __cpp_lib_span < 202002L' \
-    '#error too old' '#endif' | "$compiler" -std=c++20 -fsyntax-only -x c++ - 2>/dev/null ||
-    fail "$compiler $("$compiler" -dumpversion) does not know C++20: PUCK needs GCC 12 or later; \
-install it and name it with CXX=g++-12"
-}
-
 # Only where there is no build yet or its presets have changed: what else has changed Ninja sees.
 configure() {
   [ "$folder/build.ninja" -nt CMakePresets.json ] && return
-  require_tools
   local is_new=true log
   [ ! -e "$folder" ] || is_new=false
   mkdir -p "$folder" 2>/dev/null && [ -w "$folder" ] ||
     fail "$PWD/$folder cannot be written: build in a copy that is yours"
-  if ! log=$(cmake --preset release 2>&1); then
+  if ! log=$(cmake --preset "$preset" 2>&1); then
     # With the cache of a failure the next attempt would take over what was wrong.
     ! $is_new || rm -rf "$folder"
     tail -n 20 <<<"$log" >&2
@@ -87,5 +76,5 @@ show_progress() {
 
 tools/install-deps.sh
 configure
-NINJA_STATUS='@%f/%t@ ' cmake --build --preset release -j "$(nproc)" --target "$@" 2>&1 |
+NINJA_STATUS='@%f/%t@ ' cmake --build --preset "$preset" -j "$(nproc)" --target "$@" 2>&1 |
   show_progress
