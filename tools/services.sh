@@ -139,6 +139,8 @@ play_game() { # URL SECONDS [CAMERA_OPTION...]
   line_is_open=false
   # The camera first, so that everything it sent arrives; the logger last.
   for name in puck-camera puck-bridge puck-arm puck-tracker puck-logger; do stop "$name"; done
-  late=$(grep "cannot keep up" "$work/puck-camera.log" | tail -n 1 | sed 's/^.* warning: //' || true)
-  [ -z "$late" ] || echo "the machine was too busy to simulate in real time: $late"
+  late_ms=$(sed -n 's/.*cannot keep up: \([0-9]*\) ms late.*/\1/p' "$work/puck-camera.log" |
+    sort -n | tail -n 1)
+  [ -z "$late_ms" ] ||
+    echo "the simulation ran up to $late_ms ms behind real time, as the machine was busy; latencies include that"
 }
