@@ -158,7 +158,7 @@ TEST_CASE("The fit of the errors finds what the model was told") {
 }
 
 TEST_CASE("The errors that are built in are about those that PUCK makes on events" *
-          doctest::skip(kIsSanitized)) {
+          doctest::test_suite("deep") * doctest::skip(kIsSanitized)) {
   PlaySetup setup = fast_shots();
   const EstimateErrorParams built_in = setup.errors;
   setup.source = EstimateSource::kEvents;

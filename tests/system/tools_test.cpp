@@ -99,7 +99,8 @@ TEST_CASE("a simulated recording is calibrated and evaluated, and two runs agree
   CHECK(json["throughput_mev_s"].is_null());
 }
 
-TEST_CASE("every preset and every algorithm runs, and every mode measures what is its own") {
+TEST_CASE("every preset and every algorithm runs, and every mode measures what is its own" *
+          doctest::test_suite("deep")) {
   const ToolBench bench;
   for (const char* preset : {"paper", "reference", "correlation", "default"}) {
     CAPTURE(preset);

@@ -467,7 +467,7 @@ TEST_CASE("the same events give the same estimates, however often one asks") {
   CHECK(*seldom.position == *often.position);
 }
 
-TEST_CASE("every ingredient can be left out") {
+TEST_CASE("every ingredient can be left out" * doctest::test_suite("deep")) {
   constexpr int kMs = kIsSanitized ? 60 : 150;
   for (const ContourIngredient& ingredient : kContourIngredients) {
     CAPTURE(std::string(ingredient.name));
