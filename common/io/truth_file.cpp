@@ -97,6 +97,11 @@ std::vector<TruthRow> read_truth_file(const std::filesystem::path& path) {
   std::vector<TruthRow> rows;
   for (const CsvRow& row : read_csv(path, kTruthColumns)) {
     TruthRow truth;
+    if (row.values[0] != std::floor(row.values[0])) {
+      throw_csv_error(
+          path, row.line,
+          "t_us must be a whole number of µs; are the times in seconds or milliseconds?");
+    }
     truth.time = {std::llround(row.values[0])};
     truth.centre = {row.values[1], row.values[2]};
     truth.size = {row.values[3], row.values[4]};

@@ -118,7 +118,7 @@ YarpLogReader::YarpLogReader(const std::filesystem::path& path, const EventFileO
   if (!options_.sensor.is_valid()) {
     throw EventFileError(name_ +
                          ": a YARP log does not say how large the sensor is; give width and "
-                         "height (--width and --height, or the keys width and height), such as "
+                         "height (--width and --height, or camera.width and camera.height), such as "
                          "304 x 240 for an ATIS");
   }
   find_encoding();

@@ -38,7 +38,8 @@ std::vector<std::string> doubts_about(const PuckSizeModel& model, SensorSize sen
   std::vector<std::string> doubts;
   if (model.sensor != SensorSize{} && model.sensor != sensor) {
     doubts.push_back("the size model was fitted for a sensor of " + text_of(model.sensor) +
-                     " px, this one has " + text_of(sensor) + ": calibrate it anew");
+                     " px, this one has " + text_of(sensor) +
+                     ": check the width and height that were given, or calibrate it anew");
   }
   // Planes are most extreme at a corner; the disc is nearly so.
   const double right = sensor.width - 1;
@@ -54,10 +55,12 @@ std::vector<std::string> doubts_about(const PuckSizeModel& model, SensorSize sen
     }
   }
   if (most > 0) {
-    doubts.push_back("the size model says " + text_of(model.extrapolated_at(worst)) + " at (" +
-                     std::to_string(std::lround(worst.x)) + ", " +
-                     std::to_string(std::lround(worst.y)) + "), where " + text_of(model.at(worst)) +
-                     " are used: it is extrapolated there, annotate more of the image");
+    doubts.push_back(
+        "the size model says " + text_of(model.extrapolated_at(worst)) + " at (" +
+        std::to_string(std::lround(worst.x)) + ", " + std::to_string(std::lround(worst.y)) +
+        "), where " + text_of(model.at(worst)) +
+        " are used: it is extrapolated there; annotate more of the image, unless the puck "
+        "is never there");
   }
   return doubts;
 }

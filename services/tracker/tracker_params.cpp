@@ -64,7 +64,8 @@ TrackerServiceParams read_tracker_params(Config& config) {
   config.read("tracker.size_model", size_model);
   params.size_model =
       size_model.empty() ? authors_static_size_model() : read_size_model_file(size_model);
-  if (!size_model.empty()) {
+  params.has_own_size_model = !size_model.empty();
+  if (params.has_own_size_model) {
     pipeline.contour.calibration =
         read_contour_calibration(size_model).value_or(ContourCalibration{});
   }

@@ -13,6 +13,7 @@ namespace puck {
 struct TrackerServiceParams {
   PipelineParams pipeline;
   PuckSizeModel size_model;
+  bool has_own_size_model = false;  ///< From tracker.size_model; else that of the paper's authors.
   PixelMask hot_pixels;
   TrackingThreadParams thread;
   bool reproducible = false;  ///< Key tracker.reproducible: a SteppedTrack instead of two threads.

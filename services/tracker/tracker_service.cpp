@@ -191,6 +191,11 @@ void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt
 
 // A camera that nobody calibrated for is followed all the same, as well as it can be.
 void TrackerService::check_calibration() {
+  if (!params_.has_own_size_model) {
+    context_.log.warn(
+        "tracker.size_model is empty: the puck's size is that of the paper authors' table; name a "
+        "file made by puck-calibrate size");
+  }
   const PuckSizeModel sizes = params_.pipeline.sizes_of(params_.size_model);
   for (const std::string& doubt : doubts_about(sizes, sensor_)) {
     context_.log.warn("tracker.size_model: " + doubt);

@@ -155,7 +155,9 @@ TEST_CASE("truth that ends before the events, has gaps or nothing to do with the
   sparse.erase(sparse.begin() + 100, sparse.begin() + 200);
   const auto gap = warnings_after(sparse, 1'500'000);
   REQUIRE(gap.size() == 2);
-  CHECK(contains(gap[0], "100.0 % of the ticks within the truth do not count"));
+  CHECK(contains(gap[0],
+                 "100.0 % of the ticks within the truth do not count, as its rows are too far "
+                 "apart (1010 ms"));
 }
 
 TEST_CASE("at marks an estimate is asked for at each row's own time, and these alone are scored") {

@@ -82,7 +82,7 @@ bool is_close_enough(const ReplayComparison& replay, const EvaluateOptions& opti
   return false;
 }
 
-// False when a replay differs too much.
+// False when a replay differs too much, or truth and events have no time in common.
 bool evaluate(const EvaluateOptions& options) {
   const bool is_log = is_lcm_log(options.events);
   if (options.replay && !is_log) {
@@ -165,6 +165,7 @@ bool evaluate(const EvaluateOptions& options) {
   const std::vector<ScoredEstimate> samples = scoring.samples();
   if (!options.plots.empty() && !samples.empty()) write_plots(samples, options.plots);
   if (picture) picture->save(*events, report.run, scoring.truth());
+  if (scoring.is_of_another_time(report.run)) return false;
   return !report.replay || is_close_enough(*report.replay, options);
 }
 

@@ -87,7 +87,7 @@ PictureTaker::PictureTaker(std::filesystem::path path, std::optional<double> at_
 
 bool PictureTaker::is_wanted(const EvaluatedTick& tick) const {
   if (at_) return true;
-  return tick.estimate.state == TrackState::kTracking &&
+  return tick.estimate.state == TrackState::kTracking && !tick.estimate.coasting &&
          (!moment_ || speed_of(tick.estimate) > speed_of(moment_->estimate));
 }
 

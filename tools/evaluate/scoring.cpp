@@ -1,5 +1,7 @@
 #include "tools/evaluate/scoring.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
@@ -85,21 +87,37 @@ std::vector<std::string> Scoring::warnings(const RunSummary& run) const {
   if (ours_) {
     const AccuracyReport report = ours_->report();
     if (report.truth_gap_percent > 0) {
-      char text[160];
+      char text[200];
       std::snprintf(text, sizeof text,
-                    "%.1f %% of the ticks within the truth do not count: its rows are farther "
-                    "apart than --truth-gap-ms",
-                    report.truth_gap_percent);
+                    "%.1f %% of the ticks within the truth do not count, as its rows are too far "
+                    "apart (%.0f ms at most): see --truth-gap-ms and --score-at-marks",
+                    report.truth_gap_percent, static_cast<double>(longest_gap_us()) / 1000);
       lines.emplace_back(text);
     }
   }
-  if (samples().empty()) {
+  if (is_of_another_time(run)) {
+    lines.push_back(spans + ": they do not overlap; truth must be on the recording's own clock");
+  } else if (samples().empty()) {
     lines.push_back(spans + ": not one tick counts; is the puck ever seen, and is it the right " +
                     "truth?");
   } else if (truth()->first() - run.first > kSlackUs || run.last - truth()->last() > kSlackUs) {
     lines.push_back(spans + ": only the ticks that the truth covers count");
   }
   return lines;
+}
+
+bool Scoring::is_of_another_time(const RunSummary& run) const {
+  return truth() != nullptr && run.events > 0 &&
+         (truth()->last() < run.first || truth()->first() > run.last);
+}
+
+std::int64_t Scoring::longest_gap_us() const {
+  const std::vector<TruthRow>& rows = truth()->rows();
+  std::int64_t longest_us = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    longest_us = std::max(longest_us, rows[i].time - rows[i - 1].time);
+  }
+  return longest_us;
 }
 
 }  // namespace puck

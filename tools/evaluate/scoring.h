@@ -37,8 +37,12 @@ class Scoring {
   /// What a person must know to read the figures right: truth that does not cover the events, or
   /// has gaps, or ticks of which none counts. Less than 100 ms at the ends do not matter.
   std::vector<std::string> warnings(const RunSummary& run) const;
+  /// Whether truth and events have no time in common, so that they cannot belong together.
+  bool is_of_another_time(const RunSummary& run) const;
 
  private:
+  std::int64_t longest_gap_us() const;
+
   bool at_marks_alone_;
   std::vector<Timestamp> marks_;
   std::optional<AccuracyScore> ours_;
