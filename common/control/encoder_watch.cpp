@@ -6,8 +6,7 @@
 namespace puck {
 namespace {
 
-// No joint turns that far; squares of these, and differences within a microsecond, are far from any
-// overflow.
+// No joint turns that far. The bound keeps squares and differences per µs far from overflow.
 constexpr double kMostTurnedDeg = 1e6;
 
 }  // namespace
