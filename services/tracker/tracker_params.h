@@ -15,10 +15,10 @@ struct TrackerServiceParams {
   PuckSizeModel size_model;
   PixelMask hot_pixels;
   TrackingThreadParams thread;
-  bool reproducible = false;  ///< Key tracker.reproducible: a SteppedTrack instead of two threads.
+  bool reproducible = false;  ///< Key tracker.reproducible: SteppedTrack, one thread.
 };
 
-/// Reads the keys of [tracker]. A preset gives the defaults of all that comes after it. Throws
+/// Reads the keys of [tracker]. The preset gives the defaults of all other keys. Throws
 /// ConfigError.
 TrackerServiceParams read_tracker_params(Config& config);
 
