@@ -50,10 +50,10 @@ bool JointGuard::allows(const JointAngles& deg, double dt_s) {
     const double rounding = kRoundingDeg / dt_s;
     if (std::abs(velocity) > limits.velocity * kSlack + rounding) return refuse(k, "too fast");
     if (std::abs(acceleration) > limits.acceleration * kSlack + rounding / dt_s) {
-      return refuse(k, "too strongly accelerated");
+      return refuse(k, "above its acceleration limit");
     }
     if (std::abs(jerk) > limits.jerk * kSlack + rounding / (dt_s * dt_s)) {
-      return refuse(k, "jerked");
+      return refuse(k, "above its jerk limit");
     }
     next[k] = {deg[k], velocity, acceleration};
   }

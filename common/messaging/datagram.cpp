@@ -26,7 +26,7 @@ std::optional<std::string_view> take_channel(ByteReader& reader, std::string_vie
   const auto end = std::find(rest.begin(), rest.end(), std::uint8_t{0});
   if (end == rest.end()) {
     return rest.size() > kMaxChannelName ? "has a channel name of more than 63 bytes"
-                                         : "has a channel name that does not end";
+                                         : "has an unterminated channel name";
   }
   if (end == rest.begin()) return "has no channel name";
   const auto length = static_cast<std::size_t>(end - rest.begin());

@@ -25,7 +25,7 @@ std::string name_of_other(std::int64_t fingerprint) {
       return "is expected, but this is " + std::string(layout.type);
     }
   }
-  return "has the fingerprint of another type, or of another version of its own";
+  return "has the fingerprint of another type or version";
 }
 
 /// Checks one message against its layout.
