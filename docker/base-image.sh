@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Sees to it that the image debian:bookworm-slim is on this machine, and says how: it was there, was
-# pulled, or, where there is no registry, was made from Debian's packages (as root or with sudo; half
-# a minute). What it makes it keeps in build/docker, so that the next time takes seconds.
+# Makes the image debian:bookworm-slim available and reports how: it existed, was pulled, or,
+# without a registry, was made from Debian's packages (as root or with sudo; half a minute). That
+# result is kept in build/docker, so that the next run takes seconds.
 #
 #   docker/base-image.sh [--name]      --name: only says its name
 set -euo pipefail
@@ -18,7 +18,7 @@ if docker image inspect "$image" >/dev/null 2>&1; then
   echo "base image $image: is there"
   exit 0
 fi
-# In the foreground, so that it ends, too, when this script is ended with all that it runs.
+# In the foreground, so that it ends together with this script.
 if timeout --foreground 180 docker pull -q "$image" >/dev/null 2>&1; then
   echo "base image $image: pulled"
   exit 0
@@ -36,7 +36,7 @@ if [ ! -e "$archive" ]; then
     echo "base-image.sh: $image cannot be pulled, and debootstrap failed" >&2
     exit 1
   fi
-  # The image's root folder is this one, and those who are not root have to get in.
+  # The folder becomes the image's root folder, which unprivileged users must be able to enter.
   "${as_root[@]}" chmod 755 "$tree"
   "${as_root[@]}" rm -rf "$tree"/var/cache/apt/archives "$tree"/var/lib/apt/lists
   mkdir -p "$(dirname "$archive")"

@@ -11,14 +11,14 @@
 
 namespace puck {
 
-/// What the arm's encoders said.
+/// One reading of the arm's encoders, deg.
 struct JointReading {
   JointAngles position;
   std::int64_t received_us = 0;  ///< CLOCK_MONOTONIC.
 };
 
-/// The joints of one arm: takes set-points, gives encoders. All calls come from the arm's loop and
-/// return at once, whatever the arm does; one that talks to a machine does so on a thread of its
+/// The joints of one arm: accepts set-points and returns encoder readings. Only the arm's loop
+/// calls it; no call blocks. An implementation that talks to hardware does so on a thread of its
 /// own.
 class ArmBackEnd {
  public:
@@ -27,27 +27,28 @@ class ArmBackEnd {
   /// `simulated`, `yarp`: as in ARM_STATE.
   virtual std::string_view name() const = 0;
 
-  /// The set-points from now on. Finite and within the joints' limits: an implementation refuses
-  /// others with a fault.
+  /// Sends set-points, deg, from now on. They must be finite and within the joints' limits; an
+  /// implementation refuses others with a fault.
   virtual void command(const JointAngles& set_point, std::int64_t monotonic_us) = 0;
 
-  /// The newest reading; nothing before the first and while there is no connection.
+  /// The newest reading; nothing before the first one and while disconnected.
   virtual std::optional<JointReading> reading(std::int64_t monotonic_us) = 0;
 
-  /// Why the arm cannot be trusted to do what it is told; empty: it can.
+  /// Why the arm cannot be moved safely; empty: no fault.
   virtual std::string fault(std::int64_t monotonic_us) = 0;
 
-  /// What it waits for while it has no reading and moved no joint yet: what was commanded so far
-  /// went nowhere. Empty: nothing, or not known.
+  /// What the back end waits for while it has no reading and has moved no joint yet; no set-point
+  /// so far had an effect. Empty: nothing, or not known.
   virtual std::string awaited() { return {}; }
 
-  /// What was commanded and did not go out yet is not to, until the next command.
+  /// Discards the set-point that was not sent yet.
   virtual void withdraw() {}
 
-  /// Whether set-points move the joints now; else the next one takes them first.
+  /// Whether set-points move the joints now; if not, the next set-point first takes control of
+  /// them.
   virtual bool holds() { return true; }
 
-  /// What STATUS is to tell of it, by name.
+  /// Counters for STATUS, by name.
   virtual std::vector<std::pair<std::string, std::int64_t>> counters(
       std::int64_t /*monotonic_us*/) const {
     return {};

@@ -10,9 +10,9 @@
 namespace puck {
 namespace {
 
-// Slower than this, and its set-point at rest, the arm counts as holding.
+// Below this speed, with its set-point at rest, the arm counts as holding.
 constexpr double kStillMS = 0.005;
-// Which latch, and why, its guard knows; and a reset may come before the next step.
+// Without the kind of latch and its reason: a reset may come before the next step.
 constexpr const char* kLatched = "not reset yet";
 
 CommandGuardParams guard_params(const ArmControllerParams& params) {
@@ -46,7 +46,7 @@ void ArmController::hear(const puck_estimate_t& estimate, const HostNow& now,
   const TrackWatch::Verdict verdict = track_.hear(estimate, now, sender);
   ++estimates_[static_cast<std::size_t>(verdict)];
   if (params_.mode != ArmMode::kFollow || verdict != TrackWatch::Verdict::kUsed) return;
-  // A puck that was not seen for a moment is still where it can have come to.
+  // After an interruption of the track the jump check allows for the time that passed.
   const puck_estimate_t* track = track_.alive(now.monotonic_us);
   if (track == nullptr) return;
   const std::optional<TablePoint> point = place_of(*track);
@@ -128,7 +128,7 @@ void ArmController::measure_latency(const Order& order, const HostNow& now) {
   const std::optional<std::int64_t> published =
       track_.published_utime(order.estimate_session, order.estimate_seq);
   if (!published) return;
-  // The offset of two clocks is never known to the last microsecond.
+  // Below 0 only by the uncertainty of the clocks' offset.
   estimate_to_motion_us_ = std::max<std::int64_t>(0, now.utime - *published);
   estimate_to_motion_.record(estimate_to_motion_us_);
 }

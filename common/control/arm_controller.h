@@ -26,7 +26,7 @@ enum class ArmMode : std::uint8_t {
   kFollow,     ///< Follows the puck straight from ESTIMATE, as the paper's demonstration did.
 };
 
-/// Where the camera sees the table: what an arm needs that follows the puck itself.
+/// The table as the camera sees it, for mode follow.
 struct ArmView {
   Homography table_from_image;
   TableGeometry table;
@@ -35,20 +35,20 @@ struct ArmView {
 struct ArmControllerParams {
   ArmMode mode = ArmMode::kCommanded;
   double line_x_m = 0.15;  ///< The mallet moves on x = this, table frame.
-  double margin_m = 0.05;  ///< In mode follow: a puck further off the table is not believed.
+  double margin_m = 0.05;  ///< In mode follow: estimates further off the table are rejected.
   CommandGuardParams guard;
   TrackWatchParams track;
   ArmMotionParams arm;
   SimulatedBackEndParams simulated;
-  JumpWatchParams jumps;        ///< Of the puck, in mode follow.
-  std::optional<ArmView> view;  ///< Needed in mode follow.
+  JumpWatchParams jumps;        ///< Limits of the puck's motion, in mode follow.
+  std::optional<ArmView> view;  ///< Required in mode follow.
 };
 
-/// All that decides whether and where the mallet moves, and the arm that moves it. Fed with
-/// messages and times, and stepped. One thread.
+/// Decides whether and where the mallet moves, and moves the arm. Driven by messages, times and
+/// steps. One thread.
 class ArmController {
  public:
-  /// `session`: of the ARM_STATE that it makes. `back_end`: nothing: simulated joints that rest in
+  /// `session`: session of the arm's ARM_STATE. `back_end`: if null, simulated joints at rest in
   /// the middle of the line. Throws std::invalid_argument that names the key when a value is out of
   /// its range.
   ArmController(const ArmControllerParams& params, std::int64_t session,
@@ -60,39 +60,39 @@ class ArmController {
   }
   void hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
 
-  /// Decides anew and moves on by `dt_s`, the time since the step before.
+  /// Decides again and advances the motion by `dt_s`, the time since the previous step.
   void step(const HostNow& now, double dt_s);
-  /// Steps were left out for so long that the arm has come to rest.
+  /// Call it when steps were left out for so long that the arm has come to rest.
   void rest() { motion_.rest(); }
-  /// From now on it comes to rest, whatever it is told.
+  /// Brings the arm to rest and ignores all targets from now on.
   void end() { is_ending_ = true; }
-  /// No set-point is on the move.
+  /// Whether all set-points are at rest.
   bool rests() const { return motion_.set_points_rest(); }
 
-  /// As of the last step; all but the header.
+  /// State at the last step, without the header.
   arm_state_t state() const;
 
   const CommandGuard& guard() const { return guard_; }
   std::int64_t estimates(TrackWatch::Verdict verdict) const {
     return estimates_[static_cast<std::size_t>(verdict)];
   }
-  /// From an estimate's publication to the set-point that it led to, corrected for the offset of
-  /// the tracker's clock.
+  /// Latency from an estimate's publication to the set-point based on it, corrected for the offset
+  /// of the tracker's clock.
   const LatencyHistogram& estimate_to_motion() const { return estimate_to_motion_; }
-  /// Of the mallet, by the encoders.
+  /// Position of the mallet from the encoders.
   double position_m() const { return motion_.encoders().place().y_m; }
   double velocity_m_s() const { return motion_.encoders().velocity_m_s(); }
   const ArmMotion& motion() const { return motion_; }
   const ArmBackEnd& back_end() const { return *back_end_; }
 
-  // What stood still or was not believed, so far.
+  // Number of estimates that repeated the previous one or were rejected.
   std::int64_t frozen_estimates() const { return track_.frozen(); }
   std::int64_t sensor_clock_disagreements() const { return track_.clock_disagreements(); }
   std::int64_t jumped_estimates() const { return jumps_.jumps(); }  ///< In mode follow.
   std::int64_t off_table_estimates() const { return off_table_; }   ///< In mode follow.
 
  private:
-  // What the arm is to do now, and what that rests on.
+  // What the arm is to do now, and the estimate that this is based on.
   struct Order {
     std::optional<double> target_m;  // nothing: stand still
     std::string_view reason;         // why it stands still: a literal
@@ -123,7 +123,7 @@ class ArmController {
   bool was_faulty_ = false;
   bool is_ending_ = false;
   Order order_;
-  std::int64_t alive_session_ = 0;  // of the live track at the last step
+  std::int64_t alive_session_ = 0;  // session of the live track at the last step; 0: none
   std::int64_t alive_seq_ = 0;
   std::int64_t estimate_to_motion_us_ = 0;
   LatencyHistogram estimate_to_motion_;

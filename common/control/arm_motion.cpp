@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// Nearer to the line than this the joints are on it: no set-point's difference could tell.
+// Joints nearer to the line than this count as on it: a step of this size breaks no limit.
 constexpr double kOnLineDeg = 1e-9;
 // The approach reaches its speed in 0.2 s, and that acceleration in 0.1 s.
 constexpr double kApproachRampS = 0.2;
@@ -91,7 +91,7 @@ void ArmMotion::rest() {
   guard_.restart(set_point_);
 }
 
-// In the order in which a back end that has failed is asked: its fault, then its encoders.
+// The fault first, since the readings of a back end with a fault are not reliable.
 std::string ArmMotion::trouble(ArmBackEnd& back_end, std::int64_t monotonic_us, bool may_take) {
   if (std::string fault = back_end.fault(monotonic_us); !fault.empty()) {
     is_silenced_ = true;
@@ -105,7 +105,7 @@ std::string ArmMotion::trouble(ArmBackEnd& back_end, std::int64_t monotonic_us, 
   }
   if (!encoders_.has_reading()) return {};
   if (encoders_.age_us(monotonic_us) > params_.max_encoder_age_us) {
-    // What is to begin anew waits for a fresh one.
+    // Before the start, old readings are dropped until a fresh one comes.
     if (phase_ != Phase::kWaiting) return "encoders silent";
     forget_encoders();
     return {};
@@ -132,7 +132,7 @@ void ArmMotion::forget_encoders() {
   start_.restart();
 }
 
-// The set-point begins where the arm is.
+// The first set-point is the arm's own position, so that the start causes no jump.
 std::string ArmMotion::begin() {
   const JointAngles& at = encoders_.deg();
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -188,7 +188,7 @@ std::string ArmMotion::step(ArmBackEnd& back_end, std::optional<double> target_m
     }
   }
   if (phase_ != Phase::kWaiting && !is_silenced_ && !back_end.holds()) {
-    // What is given moves nothing yet: it neither has to come to rest nor may run ahead.
+    // Set-points have no effect yet, so the motion must neither brake nor run ahead.
     target_m.reset();
     if (!may_take) wait_anew();
   }

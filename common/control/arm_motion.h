@@ -17,26 +17,25 @@
 namespace puck {
 
 struct ArmMotionParams {
-  // Of the mallet on the line; less where a joint's limits ask for it.
+  // Limits of the mallet on the line; lowered where a joint's limits require it.
   double max_speed_m_s = 1.5;
   double max_acceleration_m_s2 = 20;
   double max_jerk_m_s3 = 2000;
   JointTableParams joints = simulated_joints();
-  /// Key arm.approach_deg_s: how fast the joint that has furthest to go moves to the line.
+  /// Key arm.approach_deg_s: speed of the joint with the longest way during the approach.
   double approach_deg_s = 10;
   /// Key arm.max_tracking_error_deg: a joint further from its set-point is a fault.
   double max_tracking_error_deg = 10;
   std::int64_t max_encoder_age_us = 100'000;  ///< Key arm.max_encoder_age_ms.
 };
 
-/// Turns targets on the line into set-points of joints, and keeps them safe: begins where the
-/// encoders are, once several readings agree, moves slowly to the line, then on it, never beyond
-/// any limit; looks at each set-point once more before it is sent, and at how the arm follows. One
-/// thread.
+/// Turns targets on the line into safe set-points of the joints: starts at the encoders' position
+/// once several readings agree, moves slowly to the line, then on it, within all limits. Checks
+/// each set-point again before it is sent, and that the arm follows. One thread.
 class ArmMotion {
  public:
-  /// `line_half_m`: the mallet moves between plus and minus this. Throws std::invalid_argument that
-  /// names the key when a value is out of its range, or the joint table does not fit.
+  /// `line_half_m`: half length of the mallet's line. Throws std::invalid_argument that names the
+  /// key when a value is out of its range or the joint table does not fit.
   ArmMotion(const ArmMotionParams& params, double line_half_m);
 
   ArmMotion(const ArmMotion&) = delete;
@@ -44,31 +43,30 @@ class ArmMotion {
 
   const JointTable& table() const { return table_; }
 
-  /// Moves on by `dt_s`: towards the target, or, without one, as quickly as its limits allow to
-  /// rest. What is wrong, if anything: then the arm comes to rest, and it is for the caller to
-  /// restart it. Unless it `may_take` joints, those that the back end does not hold are let be: it
-  /// begins anew once it may.
+  /// Advances by `dt_s` towards the target; without a target, brakes to rest within the limits.
+  /// Returns what is wrong, else an empty string; after an error the arm comes to rest and the
+  /// caller must restart it. Unless it `may_take` joints, it leaves joints alone that the back end
+  /// does not hold, and starts again once it may.
   std::string step(ArmBackEnd& back_end, std::optional<double> target_m, std::int64_t monotonic_us,
                    double dt_s, bool may_take);
 
-  /// Begins anew at what the encoders say next; but first the set-points come to rest, should they
-  /// still be on the move.
+  /// Starts again from the next encoder readings, after the set-points have come to rest.
   void restart() { wants_restart_ = true; }
-  /// No set-points were sent for so long that the arm has come to rest at the last one.
+  /// Call it when no set-points were sent for so long that the arm rests at the last one.
   void rest();
 
-  /// It does not know yet where the joints are: nothing is sent.
+  /// The position of the joints is not known yet; no set-point is sent.
   bool is_waiting() const { return phase_ == Phase::kWaiting; }
   bool is_on_line() const { return phase_ == Phase::kOnLine; }
-  /// Nothing is sent, or the same again and again.
+  /// No set-point is sent, or always the same one.
   bool set_points_rest() const;
-  /// Why it goes nowhere yet, or is on its way to the line; empty: neither.
+  /// Why the arm is not on the line yet; empty: it is.
   std::string note() const;
 
   const EncoderWatch& encoders() const { return encoders_; }
-  /// The place that is asked for now, and its velocity and acceleration.
+  /// Set-point on the line, with velocity and acceleration.
   const JerkLimitedMotion& line() const { return line_; }
-  /// Sent last; without elements before the first.
+  /// The last set-point sent; empty before the first one.
   const JointAngles& set_point() const { return set_point_; }
 
  private:
@@ -89,10 +87,9 @@ class ArmMotion {
   Phase phase_ = Phase::kWaiting;
   bool is_silenced_ = false;  // until it is restarted
   bool wants_restart_ = false;
-  std::string awaited_;  // by the back end, while there are no encoders
+  std::string awaited_;  // what the back end waits for without encoders
   JerkLimitedMotion line_;
-  // Straight through the joints, from where they were to the line; in deg of the joint that has
-  // furthest to go.
+  // Straight in joint space from the start to the line; in deg of the joint with the longest way.
   JerkLimitedMotion approach_;
   JointAngles approach_from_;
   JointAngles approach_to_;

@@ -115,7 +115,7 @@ CommandRefusal CommandGuard::judge_reset(const arm_command_t& command, const Hos
 
 CommandRefusal CommandGuard::judge(const arm_command_t& command, const HostNow& now,
                                    const SenderClock& sender) {
-  // A stop always stops: from anyone, to any arm, however old.
+  // A stop is always obeyed: from anyone, for any arm, of any age.
   if (command.mode == arm_command_t::MODE_STOP) {
     current_.reset();
     stop_ = {command.session, command.seq};

@@ -6,8 +6,7 @@
 namespace puck {
 namespace {
 
-// No joint turns that far; squares of these, and differences within a microsecond, are far from any
-// overflow.
+// No joint turns that far. The bound keeps squares and differences per µs far from overflow.
 constexpr double kMostTurnedDeg = 1e6;
 
 }  // namespace
@@ -15,7 +14,7 @@ constexpr double kMostTurnedDeg = 1e6;
 const char* EncoderWatch::look(const std::optional<JointReading>& reading) {
   if (!reading) return nullptr;
   const JointAngles& deg = reading->position;
-  if (deg.size() != table_.size()) return "the encoders are not those of the joint table";
+  if (deg.size() != table_.size()) return "the number of encoders is not that of the joint table";
   const auto is_finite = [](double angle) { return std::isfinite(angle); };
   if (!std::all_of(deg.deg().begin(), deg.deg().end(), is_finite)) {
     return "an encoder's angle is not finite";

@@ -10,32 +10,32 @@
 
 namespace puck {
 
-/// Where the arm really is, by its encoders: joints, their velocities, the place on the line. One
+/// The arm's measured state from its encoders: joints, joint velocities, place on the line. One
 /// thread.
 class EncoderWatch {
  public:
   /// `table` must outlive it.
   explicit EncoderWatch(const JointTable& table) : table_(table) {}
 
-  /// Forgets what it knows.
+  /// Forgets all readings.
   void restart() { newest_.reset(); }
 
-  /// What the back end gives now, which may be the same as before, or nothing. Says what is wrong
-  /// with it: other joints than the table's, or an angle that is not finite or cannot be.
+  /// Takes the back end's current reading: a new one, the same as before, or none. Returns an error
+  /// for joints other than the table's or an impossible angle; null: valid.
   const char* look(const std::optional<JointReading>& reading);
 
   bool has_reading() const { return newest_.has_value(); }
-  /// The newest; there must be one.
+  /// Requires has_reading().
   const JointReading& newest() const { return *newest_; }
-  /// Looks for its place everywhere on the line, since that before may have been wrong.
+  /// Searches the whole line for the mallet's place, without the previous place as a start.
   void find_place();
-  /// Of the newest reading; there must be one.
+  /// Require has_reading().
   const JointAngles& deg() const { return newest_->position; }
   std::int64_t age_us(std::int64_t monotonic_us) const {
     return monotonic_us - newest_->received_us;
   }
 
-  /// By the newest two readings.
+  /// Velocities from the newest two readings.
   double joint_velocity_deg_s(std::size_t joint) const { return velocity_deg_s_[joint]; }
   const LinePlace& place() const { return place_; }
   double velocity_m_s() const { return velocity_m_s_; }

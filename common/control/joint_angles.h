@@ -9,8 +9,8 @@
 
 namespace puck {
 
-/// The angles of the arm's joints, deg, in the order in which its control board numbers them. Keeps
-/// its elements within itself, so that the loop does not allocate.
+/// The angles of the arm's joints, deg, in the control board's order. Fixed capacity, so that the
+/// loop does not allocate.
 class JointAngles {
  public:
   static constexpr std::size_t kMost = JointTable::kMostJoints;
@@ -31,7 +31,7 @@ class JointAngles {
   std::size_t size_ = 0;
 };
 
-/// Of the table's joints with the mallet at a place of the line, which is clamped to it.
+/// The table's joint angles for a place on the line; the place is clamped to the line.
 inline JointAngles joints_at(const JointTable& table, double y_m) {
   std::array<double, JointAngles::kMost> deg{};
   table.at(y_m, deg);

@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-// Angles are rounded, and the third difference divides by dt³.
+// Tolerance for rounding, which the third difference divides by dt³.
 constexpr double kRoundingDeg = 1e-11;
 constexpr double kSlack = 1 + 1e-6;
 
@@ -16,7 +16,7 @@ JointGuard::JointGuard(std::vector<MotionLimits> limits) : limits_(std::move(lim
 
 void JointGuard::restart(const JointAngles& deg) {
   for (std::size_t k = 0; k < deg.size(); ++k) last_[k] = {deg[k], 0, 0};
-  // It has rested for long.
+  // Any earlier pace is over.
   last_dt_s_ = dt_before_s_ = 0;
 }
 
@@ -32,8 +32,8 @@ bool JointGuard::allows(const JointAngles& deg, double dt_s) {
   if (!(dt_s > 0) || !std::isfinite(dt_s)) {
     return refuse(0, "not later than the set-point before it");
   }
-  // Divided differences, times 1, 2 and 6, are at most the derivatives' bounds, however uneven the
-  // times are. A joint that rested did so at this pace.
+  // Divided differences, times 1, 2 and 6, never exceed the derivatives' bounds, however uneven the
+  // times are. At rest, the time steps before the first one are taken to be equal to it.
   const double one_s = last_dt_s_ > 0 ? last_dt_s_ : dt_s;
   const double two_s = dt_before_s_ > 0 ? dt_before_s_ : one_s;
   std::array<Joint, JointAngles::kMost> next{};
@@ -50,10 +50,10 @@ bool JointGuard::allows(const JointAngles& deg, double dt_s) {
     const double rounding = kRoundingDeg / dt_s;
     if (std::abs(velocity) > limits.velocity * kSlack + rounding) return refuse(k, "too fast");
     if (std::abs(acceleration) > limits.acceleration * kSlack + rounding / dt_s) {
-      return refuse(k, "too strongly accelerated");
+      return refuse(k, "above its acceleration limit");
     }
     if (std::abs(jerk) > limits.jerk * kSlack + rounding / (dt_s * dt_s)) {
-      return refuse(k, "jerked");
+      return refuse(k, "above its jerk limit");
     }
     next[k] = {deg[k], velocity, acceleration};
   }

@@ -11,22 +11,22 @@
 
 namespace puck {
 
-/// The last look at set-points before they are sent: finite, between the joint's ends, and, by
-/// their differences, within its velocity, acceleration and jerk. What made them should see to that
-/// already; this does not rely on it. One thread.
+/// Last check of set-points before they are sent: finite, within the joint's range and, by their
+/// differences, within its velocity, acceleration and jerk. Independent of the code that makes
+/// them. One thread.
 class JointGuard {
  public:
-  /// deg, deg/s, deg/s², deg/s³: of each joint.
+  /// Limits of each joint: deg, deg/s, deg/s², deg/s³.
   explicit JointGuard(std::vector<MotionLimits> limits);
 
-  /// The joints rest there: the differences begin anew.
+  /// The joints rest at `deg`: the differences start again.
   void restart(const JointAngles& deg);
 
-  /// Whether a set-point `dt_s` after the one before may be sent. What is refused counts for
-  /// nothing afterwards.
+  /// Whether a set-point `dt_s` after the previous one may be sent. A refused set-point is not used
+  /// in later differences.
   bool allows(const JointAngles& deg, double dt_s);
 
-  /// Which joint broke which limit at the last refusal.
+  /// Joint and limit of the last refusal.
   const std::string& refusal() const { return refusal_; }
 
  private:

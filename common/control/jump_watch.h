@@ -8,19 +8,19 @@
 namespace puck {
 
 struct JumpWatchParams {
-  double max_speed_m_s = 20;                ///< No puck is faster.
-  double noise_m = 0.03;                    ///< It may seem to have moved so much further.
-  std::int64_t believed_after_us = 20'000;  ///< Without a jump.
+  double max_speed_m_s = 20;                ///< Maximum speed of a puck.
+  double noise_m = 0.03;                    ///< Tolerance for the noise of positions.
+  std::int64_t believed_after_us = 20'000;  ///< Time without a jump before it is trusted again.
 };
 
-/// Whether the places at which a tracker sees the puck can be those of one puck. One that is sure
-/// of itself and wrong sees it jump, or here and at its mirror image by turns. One thread.
+/// Checks that a track's positions can be those of one puck. A wrong track jumps, or alternates
+/// between a place and its mirror image. One thread.
 class JumpWatch {
  public:
   explicit JumpWatch(const JumpWatchParams& params) : params_(params) {}
 
   void see(const TablePoint& place, std::int64_t sensor_us, std::int64_t monotonic_us);
-  /// Nothing has jumped for a while.
+  /// Whether there was no jump for `believed_after_us`.
   bool is_believed(std::int64_t monotonic_us) const {
     return !jumped_us_ || monotonic_us - *jumped_us_ >= params_.believed_after_us;
   }

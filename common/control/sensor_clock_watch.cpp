@@ -23,7 +23,7 @@ void SensorClockWatch::doubt(std::int64_t us, std::int64_t monotonic_us) {
   believed_from_us_ = std::max(believed_from_us_, monotonic_us + us);
 }
 
-// Time that was held up and then catches up disagrees twice and more, but is one trouble.
+// A delay that is caught up with disagrees several times, but counts as one disagreement.
 void SensorClockWatch::disagree(std::int64_t monotonic_us) {
   const bool goes_on = disagreed_at_us_ && !is_believed(monotonic_us);
   if (!goes_on) {
@@ -36,7 +36,7 @@ void SensorClockWatch::disagree(std::int64_t monotonic_us) {
 }
 
 void SensorClockWatch::see(std::int64_t sensor_us, std::int64_t monotonic_us, bool has_events) {
-  // As doubles, since the sensor's time may be anything.
+  // As doubles, since the sensor's time may have any value.
   const double ahead_us = static_cast<double>(sensor_us) - static_cast<double>(monotonic_us);
   const double off_us = ahead_us - ahead_us_.value_or(ahead_us);
   const bool is_back = newest_ && sensor_us < newest_->sensor_us;

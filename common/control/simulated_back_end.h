@@ -12,21 +12,20 @@
 namespace puck {
 
 struct SimulatedBackEndParams {
-  /// Key arm.simulated_frequency_hz: of each joint's second-order drive, critically damped. It
-  /// follows a steady motion 1/(π f) behind: 11 ms.
+  /// Key arm.simulated_frequency_hz: natural frequency of each joint's critically damped
+  /// second-order drive. Its lag at constant speed is 1/(π f): 11 ms.
   double frequency_hz = 30;
   double delay_ms = 2;      ///< Key arm.simulated_delay_ms: from a set-point to the drive.
   double backlash_deg = 0;  ///< Key arm.simulated_backlash_deg: play between drive and joint.
 };
 
-/// Joints that follow their set-points as a robot's do: late, each as a critically damped
-/// second-order drive no faster than its limit, and with play. By joint and not on the line, since
-/// that is where a robot has its limits, delay and play, and where a back end is commanded; the
-/// place on the line follows from them as on the robot. Its time is the caller's.
+/// Simulated joints with a transport delay, a critically damped second-order drive, a speed limit
+/// and backlash. Modelled by joint and not on the line, since a robot's limits, delays and backlash
+/// are those of its joints, and a back end is commanded by joint. The caller gives the time.
 class SimulatedBackEnd : public ArmBackEnd {
  public:
-  /// The joints rest at `start`. Throws std::invalid_argument that names the key when a value is
-  /// out of its range.
+  /// Starts at rest at `start`. Throws std::invalid_argument that names the key when a value is out
+  /// of its range.
   SimulatedBackEnd(const SimulatedBackEndParams& params, const JointTable& table,
                    const JointAngles& start);
 
@@ -42,7 +41,7 @@ class SimulatedBackEnd : public ArmBackEnd {
   };
   struct Command {
     JointAngles deg;
-    std::int64_t at_us = 0;  // when it reaches the drives
+    std::int64_t at_us = 0;  // time of arrival at the drives
   };
 
   void advance(std::int64_t monotonic_us);
@@ -55,7 +54,7 @@ class SimulatedBackEnd : public ArmBackEnd {
   std::array<Drive, JointAngles::kMost> drives_{};
   JointAngles joints_;
   JointAngles input_;
-  // On their way: a ring.
+  // Ring of set-points on their way to the drives.
   std::array<Command, 256> waiting_{};
   std::size_t first_ = 0;
   std::size_t count_ = 0;

@@ -6,18 +6,18 @@
 
 namespace puck {
 
-/// Where the arm's joints are before it is moved: believed when several readings on end agree,
-/// since the motion begins there and one reading alone may be wrong. One thread.
+/// Finds the joints' position before the arm moves: several consecutive readings must agree, since
+/// the motion starts there and a single reading may be wrong. One thread.
 class SteadyStart {
  public:
-  /// Readings on end that have to agree: 10 ms of a loop of 500 Hz, 100 ms of a board's encoders.
+  /// Consecutive readings that must agree: 10 ms of a loop at 500 Hz, 100 ms of a board's encoders.
   static constexpr int kReadings = 5;
-  /// Encoders of joints at rest differ by less: no joint of these readings by more from the first.
+  /// Largest difference of a joint's readings from the first one; joints at rest differ by less.
   static constexpr double kAgreeDeg = 0.5;
 
   void restart() { agreeing_ = 0; }
 
-  /// The newest reading, with finite angles; the same one again counts for nothing. Whether the
+  /// Takes the newest reading, with finite angles; a repeated one is ignored. Returns whether the
   /// newest readings agree.
   bool see(const JointReading& reading);
 

@@ -11,7 +11,7 @@ bool rests(const puck_estimate_t& estimate) {
   return (estimate.flags & puck_estimate_t::FLAG_RESTING) != 0;
 }
 
-// The host's time when the sensor's was 0, as the camera says. Doubles: it may say anything.
+// Host time at sensor time 0, as the camera says; any value, hence doubles.
 double zero_utime(const puck_estimate_t& estimate) {
   return static_cast<double>(estimate.event_utime) - static_cast<double>(estimate.sensor_us);
 }
@@ -52,7 +52,7 @@ TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const Host
       break;
   }
 
-  // What the clock's uncertainty leaves open is not held against it.
+  // The uncertainty of the clock is added to the limit.
   const std::int64_t oldest_us = params_.dead_man_us + 2 * sender->uncertainty_us;
   if (tracks(estimate) && !rests(estimate) && estimate.event_utime != 0 &&
       freshness_of(estimate.event_utime, now, sender, oldest_us) != Freshness::kOfNow) {
@@ -74,7 +74,7 @@ TrackWatch::Verdict TrackWatch::hear(const puck_estimate_t& estimate, const Host
 }
 
 void TrackWatch::follow_sensor_clock(const puck_estimate_t& estimate, std::int64_t monotonic_us) {
-  // A camera that begins anew all the time is none.
+  // Repeated restarts of a camera keep its clock distrusted.
   if (newest_ && newest_->events_session != estimate.events_session) {
     sensor_clock_.doubt(params_.dead_man_us, monotonic_us);
   }

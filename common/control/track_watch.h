@@ -13,26 +13,26 @@
 namespace puck {
 
 struct TrackWatchParams {
-  std::int64_t dead_man_us = 100'000;         ///< A track that ages this long is dead.
-  std::int64_t max_clock_error_us = 200'000;  ///< Of an estimate's utime, by its sender's clock.
-  /// A real camera's time has a place on the host's clock, and keeps it; else it is not followed.
-  /// A simulated one may run slower, and has none, or slip on a machine that is too slow for it,
-  /// and says so by moving the place (event_utime).
+  std::int64_t dead_man_us = 100'000;         ///< Longest age of a live track.
+  std::int64_t max_clock_error_us = 200'000;  ///< Limit for the age of an estimate's utime.
+  /// A real camera's clock has a fixed offset to the host's; without one its track is not followed.
+  /// A simulated camera may run slower and then has no offset, or may slip on a slow machine, which
+  /// it announces by a change of event_utime.
   bool camera_is_real = true;
 };
 
-/// The arm's own look at ESTIMATE: whether the track is alive, whatever the bridge says. One
-/// thread.
+/// Checks on ESTIMATE by the arm itself: whether the track is live, independently of the bridge.
+/// One thread.
 class TrackWatch {
  public:
   enum class Verdict {
     kUsed,
     kLate,            ///< Late, a duplicate or a replay.
     kOtherPublisher,  ///< Another tracker is followed.
-    kClock,           ///< Old, or from the future, by its own clock.
-    kClockUnknown,    ///< The tracker's clock is not known, or not well enough.
-    kStale,           ///< Of a puck that moves, but as it was long ago, or will be.
-    kMalformed,       ///< Tracking, but without a finite position, or of a time that cannot be.
+    kClock,           ///< Too old, or from the future, by the sender's clock.
+    kClockUnknown,    ///< The tracker's clock is unknown or too uncertain.
+    kStale,           ///< A moving puck whose newest event is too old or in the future.
+    kMalformed,       ///< Tracking without a finite position, or an impossible sensor time.
   };
   static constexpr std::size_t kVerdicts = 7;
 
@@ -41,19 +41,18 @@ class TrackWatch {
   /// `sender`: the clock of the estimate's session.
   Verdict hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
 
-  /// The newest estimate, if it tracks a live camera's events, came in time, and the sensor's time
-  /// went on beneath it or the puck rests, and goes on as ours does: the same estimate said again
-  /// and again is not a track, nor is what a tracker sees in a log, or by a camera whose time is
-  /// none.
+  /// The newest estimate if it tracks a live camera's events, came in time, and its sensor time
+  /// agrees with the host's clock and advances (or the puck rests); else null. Repeated estimates,
+  /// a tracker on a log, and a camera with a wrong clock are no live track.
   const puck_estimate_t* alive(std::int64_t monotonic_us) const;
 
-  /// How many of those used said the same as before, of a puck that does not rest.
+  /// Number of used estimates whose sensor time did not advance though the puck moves.
   std::int64_t frozen() const { return frozen_; }
-  /// How often the sensor's time went otherwise than ours.
+  /// Number of disagreements between the sensor's clock and the host's.
   std::int64_t clock_disagreements() const { return sensor_clock_.disagreements(); }
 
-  /// When one of the newest estimates was published, by our CLOCK_REALTIME, µs: corrected for the
-  /// offset of the tracker's clock.
+  /// When one of the newest estimates was published, by our CLOCK_REALTIME, µs, corrected for the
+  /// offset of the tracker's clock. Nothing for older ones.
   std::optional<std::int64_t> published_utime(std::int64_t session, std::int64_t seq) const;
 
  private:
@@ -70,7 +69,7 @@ class TrackWatch {
   SinglePublisher publisher_;
   std::optional<puck_estimate_t> newest_;
   std::int64_t newest_heard_us_ = 0;  // CLOCK_MONOTONIC
-  std::int64_t went_on_us_ = 0;       // CLOCK_MONOTONIC, when sensor time last went on
+  std::int64_t went_on_us_ = 0;       // CLOCK_MONOTONIC, when sensor time last advanced
   std::int64_t frozen_ = 0;
   SensorClockWatch sensor_clock_;
   std::array<Published, kRemembered> published_{};

@@ -21,7 +21,7 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr milliseconds kRouteRetry{200};
 constexpr std::chrono::seconds kWaitingReport{5};
 
-/// Runs a handler; what it throws, as text.
+/// Runs a handler; returns the text of an exception that it throws.
 template <typename Call>
 std::optional<std::string> failure_of(const Call& call) {
   try {
@@ -54,7 +54,7 @@ class Bus::Impl {
     }
   }
 
-  /// Nothing when it worked, else why not.
+  /// Nothing on success, else the reason.
   std::optional<std::string> open() {
     std::unique_ptr<Transport> transport;
     if (url_.in_memory) {
@@ -86,7 +86,7 @@ class Bus::Impl {
     if (!transport_) return count_failure(line, "the bus has not started");
     encode_with({host_utime(), session_, line.next_seq++}, buffer_);
     count_published(line);
-    // What every receiver would reject is better refused here, where it can be seen.
+    // Rejected here already, where the sender can see the reason.
     if (auto rejection = check_message(channel, buffer_)) return count_failure(line, *rejection);
     if (security_) security_->sealer.seal(line.counters.channel, buffer_);
     if (auto problem = transport_->send(line.counters.channel, buffer_)) {
@@ -132,10 +132,10 @@ class Bus::Impl {
 
     SharedKey key;
     MessageSealer sealer;  // Guarded by publish_mutex_.
-    SealOpener opener;     // Of the thread that handles.
+    SealOpener opener;     // Used by the receiving thread only.
   };
 
-  /// All that belongs to one channel.
+  /// State of one channel.
   struct Line {
     Channel channel{};
     std::size_t most_bytes = 0;
@@ -181,8 +181,7 @@ class Bus::Impl {
     }
   }
 
-  /// The bytes that the message was before it was sealed; nothing, and counted, when it is not from
-  /// somebody who has our key.
+  /// The message without its seal; nothing, and counted, if it is not sealed with our key.
   std::optional<std::span<const std::uint8_t>> open_seal(Line* line,
                                                          const ArrivedMessage& message) {
     if (!security_) return message.payload;
@@ -196,7 +195,7 @@ class Bus::Impl {
     return std::nullopt;
   }
 
-  /// Counts a message; whether it is a good one.
+  /// Counts a message; returns whether it is valid.
   bool take(Line& line, std::span<const std::uint8_t> bytes, Receipt& receipt) {
     const bool is_oversize = bytes.size() > line.most_bytes + (security_ ? 0 : kSealBytes);
     std::optional<std::string> rejection;
@@ -227,7 +226,7 @@ class Bus::Impl {
     return line.account.add(header.session, header.seq, numbering.events_before, numbering.events);
   }
 
-  /// The transport's own may be read by the thread that handles only; copied when they have grown.
+  /// Only the receiving thread may read the transport's counters; copied after a change.
   void keep_network_counters() {
     const TransportCounters& now = transport_->counters();
     if (now.malformed == network_counters_.malformed && now.foreign == network_counters_.foreign &&
@@ -258,7 +257,7 @@ class Bus::Impl {
 
   const LcmUrl url_;
   const std::string prefix_;
-  const std::string beginning_;  // Of all channels under the prefix.
+  const std::string beginning_;  // Common beginning of all channel names under the prefix.
   const bool allow_fragments_;
   const std::int64_t session_ = random_session();
 
@@ -269,7 +268,7 @@ class Bus::Impl {
   std::array<Line, kAllChannels.size()> lines_;
   ChannelCounters unknown_channels_;  // Guarded by counters_mutex_.
   RawHandler raw_handler_;
-  std::optional<Security> security_;  // Nothing: no key.
+  std::optional<Security> security_;  // Empty without a key.
   std::unique_ptr<Transport> transport_;
   TransportCounters network_counters_;  // Written by the handling thread, under counters_mutex_.
 };

@@ -23,51 +23,51 @@ namespace puck {
 
 struct BusParams {
   std::string url = kDefaultLcmUrl;  ///< Key lcm.url.
-  std::string prefix{};              ///< Key lcm.prefix: LEFT makes every channel LEFT_PUCK_…
-  /// Key lcm.allow_fragments: send and take messages that need several datagrams. None of ours
-  /// does, and the loss of one datagram is then the loss of many.
+  std::string prefix{};  ///< Key lcm.prefix: with LEFT, channels are called LEFT_PUCK_…
+  /// Key lcm.allow_fragments: send and accept messages of several datagrams. No PUCK message needs
+  /// it, and one lost datagram then loses the whole message.
   bool allow_fragments = false;
-  /// Key lcm.key_file: a secret; then everything sent is sealed with it, and what is not sealed
-  /// with it is not heard. Empty: none.
+  /// Key lcm.key_file: secret key. All messages are sealed with it, and others are dropped. Empty:
+  /// no key.
   std::string key_file{};
 };
 
-/// What came and went on one channel since the Bus was made.
+/// Counters of one channel since the Bus was made.
 struct ChannelCounters {
   std::string channel;
-  LossCounters arrivals;              ///< Of the valid messages.
-  std::int64_t received_bytes = 0;    ///< All bytes that came, valid or not.
-  std::int64_t rejected = 0;          ///< Malformed, dropped.
-  std::int64_t oversize = 0;          ///< Larger than its type can be, dropped unread.
-  std::int64_t unauthenticated = 0;   ///< Not sealed with the key that is needed, dropped unread.
-  std::string last_rejection;         ///< Why the newest of these was dropped, and who sent it.
-  std::int64_t handler_failures = 0;  ///< A handler threw: that message was not dealt with.
+  LossCounters arrivals;              ///< Of valid messages.
+  std::int64_t received_bytes = 0;    ///< Of all messages, valid or not.
+  std::int64_t rejected = 0;          ///< Malformed messages, dropped.
+  std::int64_t oversize = 0;          ///< Messages too large for their type, dropped unread.
+  std::int64_t unauthenticated = 0;   ///< Messages not sealed with our key, dropped unread.
+  std::string last_rejection;         ///< Reason and sender of the newest message dropped.
+  std::int64_t handler_failures = 0;  ///< Messages whose handler threw an exception.
   std::string last_handler_failure;
-  std::int64_t published = 0;         ///< Messages numbered, sent or not.
-  std::int64_t publish_failures = 0;  ///< Of these: not sent.
+  std::int64_t published = 0;         ///< Numbered messages, sent or not.
+  std::int64_t publish_failures = 0;  ///< Messages numbered but not sent.
   std::string last_publish_failure;
 };
 
-/// The one place that talks LCM. Subscribes to messages that are checked whole before any handler
-/// sees them, publishes messages that carry session and number, and counts what is lost. Hears
-/// again by itself when the network was away. Neither copied nor moved.
+/// The only user of LCM. Checks every received message completely before a handler gets it, adds
+/// session and number to published messages, and counts losses. Joins the network again after an
+/// interruption. Neither copied nor moved.
 ///
-/// Subscribe first, then start(), then one thread calls handle() in a loop; handlers run on it and
-/// may publish but not subscribe.
+/// Subscribe first, then start(), then call handle() in a loop on one thread. Handlers run on this
+/// thread; they may publish but not subscribe.
 class Bus {
  public:
-  /// Throws BusError with one clear line for a malformed URL or prefix. Opens nothing yet.
+  /// Throws BusError, with one line of text, for a malformed URL or prefix. Opens nothing yet.
   explicit Bus(const BusParams& params);
   ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  /// Waits for a way to the network, then joins. While it waits it calls `on_waiting` with the
-  /// reason, at once and then every 5 s. False when a stop was requested meanwhile.
+  /// Waits for a network, then joins. Meanwhile calls `on_waiting` with the reason, at once and
+  /// then every 5 s. Returns false after a stop request.
   bool start(std::stop_token stop, const std::function<void(const std::string&)>& on_waiting);
 
-  /// Every valid message of this type under the prefix goes to `handler`. What it throws is
-  /// counted. Several handlers of one type are called in the order in which they subscribed.
+  /// Calls `handler` with every valid message of this type under the prefix. Exceptions of a
+  /// handler are counted. Handlers of one type are called in the order of their subscription.
   template <typename Message>
   void subscribe(std::function<void(const Message&, const Receipt&)> handler) {
     add_handler(kChannelOf<Message>,
@@ -81,13 +81,13 @@ class Bus {
 
   using RawHandler = std::function<void(std::string_view channel,
                                         std::span<const std::uint8_t> bytes, const Receipt&)>;
-  /// Every message on every channel under the prefix, unchecked and with arrival kNewest: for
-  /// logging. The views live as long as the call.
+  /// Calls `handler` with every message on every channel under the prefix, unchecked and with
+  /// arrival kNewest, for logging. The views are valid during the call.
   void subscribe_all(RawHandler handler);
 
-  /// Fills in utime, session and seq, and the lengths of arrays, and sends. False, and counted,
-  /// when the message breaks a rule of its type or could not be sent; its number is then missing
-  /// for the receivers, as a lost one is. Safe from any thread.
+  /// Fills in utime, session, seq and array lengths, and sends. Returns false, and counts, if the
+  /// message breaks a rule of its type or could not be sent; for receivers its number is then lost.
+  /// Safe from any thread.
   template <typename Message>
   bool publish(Message& message) {
     return send(kChannelOf<Message>, [&](MessageHeader header, std::vector<std::uint8_t>& buffer) {
@@ -98,31 +98,31 @@ class Bus {
     });
   }
 
-  /// Waits up to `timeout` for a message, then handles all that are there, for up to `longest`.
-  /// Returns how many. Returns early when a signal comes. One thread.
+  /// Waits up to `timeout` for a message, then handles all waiting ones, for up to `longest`.
+  /// Returns their number. A signal ends the wait. One thread.
   int handle(std::chrono::microseconds timeout,
              std::chrono::microseconds longest = std::chrono::milliseconds(50));
 
-  /// Random, never 0: the id of this run on the wire.
+  /// Random, never 0: identifies this run on the wire.
   std::int64_t session() const;
   const std::string& prefix() const;
   const LcmUrl& url() const;
-  /// Whether there is a key, so that only those who have it are heard.
+  /// Whether there is a key, so that only messages sealed with it are accepted.
   bool is_authenticated() const;
-  /// What a message takes in its datagram besides its channel and itself.
+  /// Bytes of a datagram besides the channel name and the message.
   std::size_t overhead_bytes() const;
 
-  /// Of one channel; all zeros where there is no subscription and nothing was published. Safe from
-  /// any thread.
+  /// Counters of one channel; zeros without a subscription or a published message. Safe from any
+  /// thread.
   ChannelCounters counters(Channel channel) const;
   template <typename Message>
   ChannelCounters counters() const {
     return counters(kChannelOf<Message>);
   }
-  /// Of messages on channels under the prefix that are none of ours: only those without the key
-  /// that is needed are counted. Safe from any thread.
+  /// Unauthenticated messages on unknown channels under the prefix; counts nothing else. Safe from
+  /// any thread.
   ChannelCounters unknown_channels() const;
-  /// Of what belongs to no channel of ours. Safe from any thread.
+  /// Counters of datagrams that belong to no PUCK channel. Safe from any thread.
   TransportCounters network_counters() const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace puck {
 
-/// What is wrong with the bus's settings, in one line for the person who started the service.
+/// An error in the bus's settings, as one line for the operator.
 class BusError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -4,8 +4,8 @@
 
 namespace puck {
 
-/// The settings under [lcm], which every service and every tool on the bus has. `Settings` has
-/// read(key, value), as Config has.
+/// Reads the keys of [lcm], common to all services and tools on the bus. `Settings` has a read(key,
+/// value) like Config's.
 template <typename Settings>
 BusParams read_bus_params(Settings& settings) {
   BusParams params;

@@ -9,8 +9,8 @@
 
 namespace puck {
 
-/// Reads big-endian numbers one after the other from bytes that it borrows. The caller makes sure,
-/// with has(), that they are there.
+/// Reads consecutive big-endian numbers from borrowed bytes. The caller must check with has() that
+/// they exist.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

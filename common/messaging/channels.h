@@ -17,7 +17,7 @@
 
 namespace puck {
 
-/// One channel a message type.
+/// One channel for each message type.
 enum class Channel {
   kEvents,
   kEstimate,
@@ -63,13 +63,13 @@ std::string_view base_name(Channel channel);
 /// `LEFT_PUCK_EVENTS` with prefix LEFT; `PUCK_EVENTS` with none.
 std::string channel_name(Channel channel, std::string_view prefix);
 
-/// `LEFT_PUCK_` with prefix LEFT: what the names of all channels of ours begin with.
+/// `LEFT_PUCK_` with prefix LEFT: common beginning of all channel names.
 std::string channel_beginning(std::string_view prefix);
 
-/// The channel of ours that has this name under the prefix, if one has.
+/// The channel of this name under the prefix; nothing for a foreign name.
 std::optional<Channel> find_channel(std::string_view name, std::string_view prefix);
 
-/// The channel that has this name under any prefix.
+/// The channel of this name under any prefix; nothing for a foreign name.
 std::optional<Channel> find_channel_of_any_prefix(std::string_view name);
 
 /// Throws BusError unless the prefix is up to 16 of A-Z, 0-9 and _.

@@ -7,28 +7,27 @@
 
 namespace puck {
 
-/// How the clock that another run stamps its messages with stands to this host's CLOCK_REALTIME.
+/// Offset of another run's clock, which stamps its messages, to this host's CLOCK_REALTIME.
 struct ClockOffset {
   std::int64_t ahead_us = 0;        ///< Its time minus ours.
-  std::int64_t uncertainty_us = 0;  ///< `ahead_us` is off by no more than this.
+  std::int64_t uncertainty_us = 0;  ///< Bound of the error of `ahead_us`.
 
-  /// A time by that clock, by ours.
+  /// Converts a time of that clock to our clock.
   constexpr std::int64_t to_own(std::int64_t utime) const { return utime - ahead_us; }
 };
 
-/// Nothing as long as it has not been measured.
+/// Empty until the offset has been measured.
 using SenderClock = std::optional<ClockOffset>;
 
 enum class Freshness : std::uint8_t {
   kOfNow,
   kOld,
   kFromFuture,
-  kClockUnknown,  ///< The sender's clock is not known, or not well enough to tell.
+  kClockUnknown,  ///< The sender's clock is unknown or too uncertain.
 };
 
-/// Whether what was sent at `utime`, by the sender's clock, is certain to be neither older nor from
-/// further in the future than `max_error_us`. `utime` may be anything, so nothing is subtracted
-/// from it.
+/// Whether the age of `utime`, by the sender's clock, is certain to be within plus and minus
+/// `max_error_us`. `utime` may have any value; the comparison cannot overflow.
 constexpr Freshness freshness_of(std::int64_t utime, const HostNow& now, const SenderClock& clock,
                                  std::int64_t max_error_us) {
   if (!clock || clock->uncertainty_us > max_error_us) return Freshness::kClockUnknown;

@@ -6,9 +6,9 @@
 namespace puck {
 namespace {
 
-// Two crystals part by no more than 100 µs a second.
+// Two clocks drift apart by less than 100 µs a second.
 constexpr std::int64_t kUsPerUsOfDrift = 10'000;
-// Of a round trip that comes out negative, by the drift of the clocks while the answer waited.
+// Tolerance for a negative round trip, from the clocks' drift while the answer waited.
 constexpr std::int64_t kRounding_us = 1'000;
 // Beyond this no sum of two times overflows.
 constexpr std::int64_t kLatest_utime = std::int64_t{1} << 60;
@@ -30,7 +30,7 @@ void ClockOffsets::Clock::add(const Exchange& exchange) {
     if (doubter && !exchange.agrees_with(*doubter)) doubter.reset();
     keep(exchange);
   } else if (doubter && exchange.agrees_with(*doubter)) {
-    // Their clock was set.
+    // Two exchanges agree: the other clock was set.
     exchanges.clear();
     next = 0;
     keep(*doubter);
@@ -103,9 +103,8 @@ SenderClock ClockOffsets::offset_of(std::int64_t session, const HostNow& now) co
   const std::int64_t own_ahead_us = now.utime - now.monotonic_us;
   const std::int64_t ahead_us = known->best.ahead_us - own_ahead_us;
   const std::int64_t uncertainty_us = known->best.uncertainty_at(now.monotonic_us);
-  // Clocks that agree as far as can be told are taken for the same: on one host they are, and no
-  // latency shall suffer from the error of a measurement there. How far they were apart in it is
-  // then part of what is not known.
+  // Clocks that agree within the uncertainty count as equal, as they are on one host, so that
+  // latencies there have no measurement error. The measured difference adds to the uncertainty.
   if (std::abs(ahead_us) <= known->best.uncertainty_us) {
     return ClockOffset{0, uncertainty_us + std::abs(ahead_us)};
   }

@@ -11,37 +11,37 @@
 
 namespace puck {
 
-/// What came back for one of our pings.
+/// An answer to one of our pings.
 struct ClockAnswer {
-  std::int64_t ping_utime = 0;          ///< The ping's utime, by our clock: which ping it was.
-  std::int64_t received_utime = 0;      ///< When it came there, by the answerer's clock.
-  std::int64_t answered_utime = 0;      ///< When the answer was published, by the same clock.
-  std::int64_t heard_monotonic_us = 0;  ///< When that came here, CLOCK_MONOTONIC.
+  std::int64_t ping_utime = 0;          ///< The ping's utime, by our clock; identifies the ping.
+  std::int64_t received_utime = 0;      ///< Arrival of the ping, by the answerer's clock.
+  std::int64_t answered_utime = 0;      ///< Publication of the answer, by the same clock.
+  std::int64_t heard_monotonic_us = 0;  ///< Arrival of the answer here, CLOCK_MONOTONIC.
 };
 
-/// Measures the clocks of other runs from pings that they answered, as NTP does: of the newest
-/// exchanges the one with the shortest round trip counts, as its half bounds the error. All is kept
-/// against CLOCK_MONOTONIC, so a step of our own clock changes nothing; a step of theirs is
-/// believed when two exchanges in a row tell of it. Whoever does not answer our own, recent pings
-/// takes no memory and has no offset: neither strangers nor a log that is played. One thread.
+/// Measures the clocks of other runs from answered pings, as NTP does: of the newest exchanges, the
+/// one with the shortest round trip counts, since half of it bounds the error. Offsets are relative
+/// to CLOCK_MONOTONIC, so a step of our own clock changes nothing; a step of theirs is accepted
+/// after two exchanges in a row. A run that does not answer our recent pings takes no memory and
+/// has no offset: a foreign sender, or a replayed log. One thread.
 class ClockOffsets {
  public:
   static constexpr std::size_t kSessions = 64;
 
-  /// Something was published that others answer.
+  /// Notes a message of ours that others answer.
   void ping(const HostNow& sent);
-  /// False when it answers none of the newest pings or contradicts itself.
+  /// Returns false for an answer to none of the newest pings, or one that contradicts itself.
   bool add(std::int64_t session, const ClockAnswer& answer);
 
-  /// Less sure as time goes by without another answer. Exactly 0 for a clock that cannot be told
-  /// from ours.
+  /// The uncertainty grows with the time since the last answer. The offset is exactly 0 for a clock
+  /// that agrees with ours within the uncertainty.
   SenderClock offset_of(std::int64_t session, const HostNow& now) const;
 
   std::size_t sessions() const { return clocks_.size(); }
 
  private:
   static constexpr std::size_t kPings = 32;      // 3 s of STATUS
-  static constexpr std::size_t kExchanges = 32;  // of a session
+  static constexpr std::size_t kExchanges = 32;  // per session
 
   struct Exchange {
     std::int64_t ahead_us = 0;  // their CLOCK_REALTIME minus our CLOCK_MONOTONIC
@@ -54,10 +54,10 @@ class ClockOffsets {
 
   struct Clock {
     std::int64_t session = 0;
-    std::vector<Exchange> exchanges;  // the newest, at most kExchanges; not in order
-    std::size_t next = 0;             // place of the next one
+    std::vector<Exchange> exchanges;  // the newest ones, at most kExchanges, as a ring
+    std::size_t next = 0;             // index of the next one in the ring
     Exchange best;
-    std::optional<Exchange> doubter;  // the newest that contradicted the best
+    std::optional<Exchange> doubter;  // the newest that contradicts `best`
     std::int64_t heard_us = 0;        // CLOCK_MONOTONIC
 
     void add(const Exchange& exchange);

@@ -11,14 +11,14 @@
 
 namespace puck {
 
-/// All that the estimate says. The header, the session of the events, the chain of times, the
-/// backlog and the loss counters are the tracker service's to fill in.
+/// The estimate as a message. The tracker service fills in the header, the session of the events,
+/// the chain of times, the backlog and the loss counters.
 puck_estimate_t to_message(const PuckEstimate& estimate, SensorSize sensor);
 
-/// Where the camera looked at `at`; all but the header.
+/// Head pose at `at`, without the header.
 head_state_t to_message(const HeadPose& pose, Timestamp at);
 
-/// Of a message that a Bus delivered.
+/// For a message from a Bus.
 PuckEstimate from_message(const puck_estimate_t& message);
 TruthRow from_message(const ground_truth_t& message);
 HeadPose from_message(const head_state_t& message);

@@ -14,19 +14,19 @@ constexpr std::size_t kMagicBytes = 4;
 constexpr std::size_t kWholeHeaderBytes = 8;
 constexpr std::size_t kFragmentHeaderBytes = 20;
 
-/// Two bytes, big-endian: only a fragment's header has such.
+/// Reads a 16-bit big-endian number of a fragment's header.
 std::uint16_t short_number(ByteReader& reader) {
   const auto bytes = reader.take(2);
   return static_cast<std::uint16_t>(bytes[0] << 8 | bytes[1]);
 }
 
-/// Takes the channel with its NUL; nothing, or what is wrong with it.
+/// Reads the channel name with its NUL; returns an error or nothing.
 std::optional<std::string_view> take_channel(ByteReader& reader, std::string_view& channel) {
   const auto rest = reader.rest().first(std::min(reader.left(), kMaxChannelName + 1));
   const auto end = std::find(rest.begin(), rest.end(), std::uint8_t{0});
   if (end == rest.end()) {
     return rest.size() > kMaxChannelName ? "has a channel name of more than 63 bytes"
-                                         : "has a channel name that does not end";
+                                         : "has an unterminated channel name";
   }
   if (end == rest.begin()) return "has no channel name";
   const auto length = static_cast<std::size_t>(end - rest.begin());
@@ -61,7 +61,7 @@ Datagram parse_fragment(std::span<const std::uint8_t> bytes) {
     if (const auto bad = take_channel(reader, fragment.channel)) return BadDatagram{true, *bad};
   }
   fragment.payload = reader.rest();
-  // In 64 bits: in LCM's own 32 this sum wraps, which is what kills its receivers.
+  // In 64 bits: in LCM's 32 bits this sum wraps, which crashes its receivers.
   if (std::uint64_t{fragment.offset} + fragment.payload.size() > fragment.message_size) {
     return BadDatagram{true, "is a fragment that reaches beyond its message"};
   }

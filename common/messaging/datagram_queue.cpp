@@ -10,7 +10,7 @@
 namespace puck {
 namespace {
 
-// Room for the kernel's stamp.
+// Space for the kernel's time stamp.
 struct alignas(cmsghdr) Control {
   std::array<char, CMSG_SPACE(sizeof(timespec))> bytes{};
 };

@@ -12,25 +12,25 @@
 
 namespace puck {
 
-/// Datagrams taken from a socket before there is time to look at them: many with one call, so that
-/// the socket's own small buffer stays empty. Its memory is bounded, and reserved at once; pages
-/// that were never needed take none. One thread.
+/// Datagrams read from a socket before they are handled: many with one call, so that the socket's
+/// small buffer stays empty. The memory is bounded and reserved at once; unused pages cost none.
+/// One thread.
 class DatagramQueue {
  public:
-  /// So many of the largest datagrams fit; what comes beyond waits in the socket.
+  /// Capacity in datagrams of the largest size; further ones wait in the socket.
   explicit DatagramQueue(std::size_t capacity);
 
   struct Entry {
     std::span<const std::uint8_t> bytes;
     Sender sender;
-    std::int64_t utime = 0;  ///< The kernel's stamp, CLOCK_REALTIME, µs; 0: none.
+    std::int64_t utime = 0;  ///< The kernel's time stamp, CLOCK_REALTIME, µs; 0: none.
   };
 
-  /// Takes what is there and fits, 32 at most, and does not wait. Returns how many.
+  /// Reads up to 32 waiting datagrams that fit, without blocking. Returns their number.
   std::size_t fill(int socket);
 
   bool is_empty() const { return first_ == end_; }
-  /// Whether another one waits behind the front.
+  /// Whether another datagram waits behind the front.
   bool has_second() const { return end_ - first_ > 1; }
   Entry front() const;
   void pop() { ++first_; }
@@ -50,8 +50,8 @@ class DatagramQueue {
   std::size_t capacity_;
   std::unique_ptr<std::uint8_t[]> memory_;
   std::unique_ptr<Slot[]> slots_;
-  // The datagrams are those in slots first_ … end_ − 1. Empty, it begins again at 0: as long as it
-  // keeps up, it works in the same few pages.
+  // The datagrams are in slots first_ … end_ − 1. The empty queue starts again at 0, so that it
+  // uses the same few pages.
   std::size_t first_ = 0;
   std::size_t end_ = 0;
 };

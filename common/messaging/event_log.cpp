@@ -11,10 +11,10 @@
 namespace puck {
 namespace {
 
-// A longer pause between two sessions is a host clock that was set.
+// After a longer pause between two sessions, the host's clock was set.
 constexpr std::int64_t kLongestPauseUs = std::int64_t{3600} * 1'000'000;
 
-// A damaged or forged log could make sums overflow.
+// Saturates, since sums from a damaged or forged log could overflow.
 std::int64_t total(std::int64_t before, std::int64_t now) {
   return std::min(before + now, kMostOnWire);
 }
@@ -40,7 +40,7 @@ void EventLog::rewind() {
   used_ = 0;
   counters_ = {};
   before_ = {};
-  // The first one tells the sensor.
+  // The first packet gives the sensor's size.
   if (!next_packet()) throw LogFileError(nothing_found());
 }
 
@@ -77,13 +77,13 @@ bool EventLog::next_packet() {
     }
     EventPacketView packet;
     decode_checked(record_.bytes, packet);
-    // The log's own stamps are not checked with the message.
+    // check_message() does not cover the log's own time stamps.
     if (take(packet, std::clamp<std::int64_t>(record_.utime, 0, kMostOnWire))) return true;
   }
   return false;
 }
 
-// True when its events are the next ones.
+// Whether the packet's events are the next ones.
 bool EventLog::take(const EventPacketView& packet, std::int64_t heard_utime) {
   if (!follows(packet, heard_utime)) return false;
   count(packet);

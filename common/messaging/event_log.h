@@ -17,44 +17,43 @@
 
 namespace puck {
 
-/// What became of the packets of events in a log, so far.
+/// Counters of the event packets read from a log.
 struct EventLogCounters {
-  std::int64_t packets = 0;  ///< Handed out …
+  std::int64_t packets = 0;  ///< Returned packets …
   std::int64_t events = 0;   ///< … and the events in them.
   std::int64_t packets_malformed = 0;
-  std::int64_t packets_late = 0;       ///< Late, twice, or older than what had come.
-  std::int64_t packets_of_others = 0;  ///< Of a publisher that is not followed, or of a sensor.
-  std::int64_t packets_missing = 0;    ///< Sent, but not in the log.
+  std::int64_t packets_late = 0;       ///< Late, duplicate, or older than the previous packet.
+  std::int64_t packets_of_others = 0;  ///< Of another publisher or sensor.
+  std::int64_t packets_missing = 0;    ///< Published, but not in the log.
   std::int64_t events_missing = 0;     ///< In missing and late packets.
-  std::int64_t events_dropped = 0;     ///< By the source, before they were published.
+  std::int64_t events_dropped = 0;     ///< By the source before publication.
 };
 
-/// The events that a log of LCM holds on PUCK_EVENTS: checked, in order, of one publisher at a
-/// time, as a tracker that had heard them would have taken them. What is damaged is left out and
-/// counted. One thread.
+/// Reads the events on PUCK_EVENTS in an LCM log: checked, in order, of one publisher at a time, as
+/// a live tracker would take them. Damaged packets are skipped and counted. One thread.
 class EventLog {
  public:
   enum class Sessions {
-    kFirst,  ///< Only the run of the publisher that comes first.
-    /// When a publisher has fallen silent, the next one too: its sensor time is moved to go on from
-    /// the one before as much later as the logger heard it.
+    kFirst,  ///< Only the first run of a publisher.
+    /// After a publisher has fallen silent, the next one too. Its sensor time is shifted so that
+    /// the gap between the two is that of the logger's times of receipt.
     kJoined,
   };
 
-  /// `prefix`: that of the channels. Throws LogFileError, also for a log without events there.
+  /// `prefix`: of the channel names. Throws LogFileError, also for a log without events.
   EventLog(std::filesystem::path path, std::string_view prefix, Sessions sessions);
 
   SensorSize sensor_size() const { return sensor_; }
-  /// The publisher's run whose events came last.
+  /// Session of the newest events.
   std::int64_t session() const { return publisher_.session(); }
 
-  /// The next events in place of those in `packet`: of one packet, all of it unless it has more
-  /// than `max_events`. False at the end of the log; `packet` is then empty.
+  /// Replaces the events in `packet` by the next ones: the rest of one packet, at most
+  /// `max_events`. Returns false at the end of the log, with `packet` empty.
   bool read(EventPacket& packet, std::size_t max_events);
   void rewind();
 
   const EventLogCounters& counters() const { return counters_; }
-  /// What a person should know of the log as far as it has been read, one line each.
+  /// Messages for the user about what was read so far, one line each.
   std::vector<std::string> problems() const;
 
  private:
@@ -70,7 +69,7 @@ class EventLog {
   Sessions sessions_;
   std::unique_ptr<LogReader> log_;
   LogRecord record_;
-  std::string similar_channel_;  // One with events under another prefix; empty: none seen.
+  std::string similar_channel_;  // A channel with events under another prefix; empty: none.
 
   SinglePublisher publisher_;
   LossAccount losses_;  // Of this session.
@@ -80,9 +79,9 @@ class EventLog {
   std::int64_t newest_utime_ = 0;
 
   EventPacket packet_;
-  std::size_t used_ = 0;  // Events of it that have been handed out.
+  std::size_t used_ = 0;  // Events of `packet_` returned so far.
   EventLogCounters counters_;
-  EventLogCounters before_;  // What earlier sessions count for, of what is counted a session.
+  EventLogCounters before_;  // Sums of earlier sessions, for counters that restart with each.
 };
 
 }  // namespace puck

@@ -7,9 +7,9 @@
 
 namespace puck {
 
-/// An event_packet_t as it lies in the bytes that came, its events not copied: what those subscribe
-/// to who unpack many packets. The fields are those of the message. It lives as long as the bytes,
-/// that is, as long as the call of the handler.
+/// A received event_packet_t whose events are not copied, for subscribers that unpack many packets.
+/// Same fields as the message. Valid as long as the received bytes, that is, during the handler's
+/// call.
 struct EventPacketView {
   std::int64_t utime = 0;
   std::int64_t session = 0;
@@ -31,7 +31,7 @@ struct EventPacketView {
 template <>
 inline constexpr Channel kChannelOf<EventPacketView> = Channel::kEvents;
 
-/// Only for bytes that check_message() let pass.
+/// Requires bytes that passed check_message().
 void decode_checked(std::span<const std::uint8_t> bytes, EventPacketView& packet);
 
 EventPacketView view_of(const event_packet_t& packet);

@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-// Of a datagram: a channel name with the longest prefix and its NUL.
+// Size of the channel name with the longest prefix and its NUL.
 constexpr int kChannelBytes = 17 + 12;
 
 void check(const EventPackerParams& params) {
@@ -28,8 +28,8 @@ void check(const EventPackerParams& params) {
   }
 }
 
-/// Writes events as words until the packet is full or its longest time is reached; returns how many
-/// events it used and leaves out those outside the sensor.
+/// Writes events as words until the packet is full or its longest time is reached; returns the
+/// number of events used. Skips events outside the sensor.
 template <typename Word>
 std::size_t fill(std::span<const Event> events, SensorSize sensor, std::size_t max_events,
                  event_packet_t& packet, Word) {
@@ -40,7 +40,7 @@ std::size_t fill(std::span<const Event> events, SensorSize sensor, std::size_t m
   std::size_t written = 0;
   for (; used < events.size() && written < max_events; ++used) {
     const Event& event = events[used];
-    // Times that step back begin a new packet: within one they may not.
+    // A time that steps back ends the packet, since times within a packet never do.
     if (event.offset_us < newest_us || event.offset_us - first_us > Word::kMaxDtUs) break;
     if (!sensor.contains(event.x, event.y)) continue;
     newest_us = event.offset_us;

@@ -13,8 +13,8 @@
 namespace puck {
 
 struct EventPackerParams {
-  /// A UDP payload that fits one Ethernet frame: the only safe size on a network that may lose
-  /// frames. On loopback 60000 costs less.
+  /// UDP payload of one Ethernet frame: the only safe size on a network that may lose frames. On
+  /// loopback, 60000 costs less.
   static constexpr int kOneFrame = 1472;
   static constexpr int kMinBytes = 256;
   static constexpr int kMaxBytes = 60000;
@@ -23,25 +23,25 @@ struct EventPackerParams {
   int packet_bytes = kOneFrame;  ///< Largest datagram: LCM's header, channel name and message.
 };
 
-/// Turns events into packets that each stand alone. The encoding follows from the sensor's size.
-/// One thread.
+/// Packs events into packets that each can be decoded alone. The encoding follows from the sensor's
+/// size. One thread.
 class EventPacker {
  public:
   /// Throws std::invalid_argument, naming packer.sensor or packer.packet_bytes.
   explicit EventPacker(const EventPackerParams& params);
 
-  /// Hands all the events over, in as few packets as the byte limit and the encoding's longest time
-  /// allow; the last may be short. Events are in the order of their times, which lie `offset_us`
-  /// after `start`. The packet given to `emit` is used again, so it may not be kept; its header,
-  /// sensor_zero_utime and events_dropped are the caller's to fill in, the rest must stay as it is.
-  /// Events outside the sensor are left out and counted.
+  /// Packs all events into as few packets as the byte limit and the encoding's longest time allow;
+  /// the last one may be short. Events are in the order of their times, `offset_us` after `start`.
+  /// The packet given to `emit` is reused, so it must not be kept; the caller fills in its header,
+  /// sensor_zero_utime and events_dropped and leaves the rest. Events outside the sensor are
+  /// skipped and counted.
   void pack(Timestamp start, std::span<const Event> events,
             const std::function<void(event_packet_t&)>& emit);
 
   /// Events packed so far.
   std::int64_t events_packed() const { return events_packed_; }
   std::int64_t events_outside() const { return events_outside_; }
-  int max_events() const { return max_events_; }  ///< In one packet.
+  int max_events() const { return max_events_; }  ///< For one packet.
   int encoding() const { return packet_.encoding; }
 
  private:
@@ -52,8 +52,8 @@ class EventPacker {
   event_packet_t packet_;
 };
 
-/// The events of a packet that was received from a Bus or passed check_message(). `events` takes
-/// them in the memory that it has; its start is the time of the first event.
+/// Unpacks a packet that was received from a Bus or passed check_message(). `events` reuses its
+/// memory; its start is the time of the first event.
 void unpack(const EventPacketView& packet, EventPacket& events);
 inline void unpack(const event_packet_t& packet, EventPacket& events) {
   unpack(view_of(packet), events);

@@ -10,7 +10,7 @@
 
 namespace puck {
 
-/// How an event lies in its 32-bit word, from the lowest bit: dt, polarity, y, x.
+/// Layout of an event in its 32-bit word, from the lowest bit: dt, polarity, y, x.
 template <int kX, int kY, int kDt>
 struct EventWord {
   static_assert(kX + kY + kDt + 1 == 32);
@@ -49,8 +49,8 @@ inline std::int32_t encoding_for(SensorSize sensor) {
   return event_packet_t::ENCODING_X11_Y11_DT9;
 }
 
-/// Calls `use(Word{})` with the form of the words; an encoding that is not known is taken for the
-/// last, so check it first.
+/// Calls `use(Word{})` with the word's layout. Check the encoding first: an unknown one counts as
+/// the last one.
 template <typename Use>
 decltype(auto) with_event_word(std::int32_t encoding, Use&& use) {
   if (encoding == event_packet_t::ENCODING_X10_Y9_DT12) return use(EventWordX10Y9{});
@@ -58,7 +58,7 @@ decltype(auto) with_event_word(std::int32_t encoding, Use&& use) {
   return use(EventWordX11Y11{});
 }
 
-/// Words on the wire are little-endian.
+/// Words are little-endian on the wire.
 inline std::uint32_t load_event_word(const std::uint8_t* data) {
   std::uint32_t word = 0;
   std::memcpy(&word, data, sizeof word);

@@ -39,7 +39,7 @@ std::optional<FragmentAssembly::Whole> FragmentAssembly::add(const Sender& sende
   if (--message.parts_missing > 0) return std::nullopt;
 
   message.begun = 0;
-  // Each part begins where the one before it ends: no gap that was never written, no overlap.
+  // Each part must begin at the end of the previous one, so that no gap or overlap remains.
   std::size_t end = 0;
   for (const Part& each : message.parts) {
     if (each.begin != end) {

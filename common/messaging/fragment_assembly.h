@@ -13,14 +13,14 @@
 
 namespace puck {
 
-/// Puts messages together that came in several datagrams (LCM's LC03). LCM's own assembly writes
-/// where a datagram tells it to; this one writes only inside of the message, takes no byte twice,
-/// and hands a message over only when every byte of it has come. It holds at most kMessages that
-/// are not whole yet; a further one takes the place of the oldest. One thread.
+/// Assembles messages from several datagrams (LCM's LC03). LCM's own assembly writes wherever a
+/// datagram says; this one writes within the message only, accepts no byte twice, and returns a
+/// message when it is complete. It holds at most kMessages incomplete ones; a further one replaces
+/// the oldest. One thread.
 class FragmentAssembly {
  public:
   static constexpr std::size_t kMessages = 8;
-  static constexpr std::size_t kMostBytes = std::size_t{1} << 20;  ///< Of one message.
+  static constexpr std::size_t kMostBytes = std::size_t{1} << 20;  ///< For one message.
   static constexpr std::size_t kMostFragments = 1024;
 
   struct Whole {
@@ -28,8 +28,8 @@ class FragmentAssembly {
     std::vector<std::uint8_t> payload;
   };
 
-  /// A message that this fragment makes whole, if it does. `problem`: set when the fragment does
-  /// not fit to itself or to those before it; the message that it belongs to is dropped with it.
+  /// Returns the message that this fragment completes, if any. `problem`: set when the fragment
+  /// contradicts itself or earlier ones; its message is then dropped.
   std::optional<Whole> add(const Sender& sender, const MessageFragment& fragment,
                            std::optional<std::string>& problem);
 
@@ -46,7 +46,7 @@ class FragmentAssembly {
     std::vector<std::uint8_t> payload;
     std::vector<Part> parts;
     std::size_t parts_missing = 0;
-    std::uint64_t begun = 0;  // 0: this place is free.
+    std::uint64_t begun = 0;  // 0: this slot is free.
   };
 
   Message* find(const Sender& sender, std::uint32_t number);

@@ -6,10 +6,10 @@
 
 namespace puck {
 
-/// One moment by both clocks of this host.
+/// The same moment by both clocks of this host.
 struct HostNow {
-  std::int64_t utime = 0;         ///< CLOCK_REALTIME, µs: compared with what others wrote.
-  std::int64_t monotonic_us = 0;  ///< CLOCK_MONOTONIC: ages on this host.
+  std::int64_t utime = 0;         ///< CLOCK_REALTIME, µs: for times of other hosts.
+  std::int64_t monotonic_us = 0;  ///< CLOCK_MONOTONIC, µs: for ages on this host.
 };
 
 inline HostNow host_now() { return {host_utime(), host_monotonic_us()}; }

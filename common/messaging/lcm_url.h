@@ -11,17 +11,17 @@ inline constexpr const char* kDefaultLcmUrl =
 
 /// A checked LCM URL: `udpm://[GROUP][:PORT][?ttl=N&recv_buf_size=N]`, or `memq://` for tests.
 struct LcmUrl {
-  bool in_memory = false;  ///< memq://: heard only by the Bus that publishes.
+  bool in_memory = false;  ///< memq://: messages stay within one Bus.
   std::string group = "239.255.76.67";
   int port = 7667;
-  int ttl = 0;                       ///< Hops: 0 this host, 1 the network it is on.
-  std::optional<int> recv_buf_size;  ///< Bytes to ask the kernel for; nothing: its default.
+  int ttl = 0;                       ///< Hops: 0: this host, 1: its local network.
+  std::optional<int> recv_buf_size;  ///< Requested size, bytes; empty: the kernel's default.
 
-  /// As LCM takes it.
+  /// URL in LCM's own form.
   std::string to_string() const;
 };
 
-/// Throws BusError for anything that LCM would misread or silently ignore.
+/// Throws BusError also for a URL that LCM would misread or silently ignore.
 LcmUrl parse_lcm_url(const std::string& url);
 
 }  // namespace puck

@@ -19,7 +19,7 @@ constexpr std::size_t kWindowBytes = std::size_t{1} << 20;
 }  // namespace
 
 LogBytes::LogBytes(const std::filesystem::path& path)
-    // A pipe that nobody writes into is refused, and not waited for.
+    // Opening a pipe without a writer must not block; it is refused below.
     : file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
   struct stat status {};
   if (!file_.is_open() || fstat(file_.number(), &status) != 0) {
@@ -62,7 +62,7 @@ std::span<const std::uint8_t> LogBytes::peek(std::int64_t offset, std::size_t co
 }
 
 void LogBytes::fill(std::int64_t offset, std::size_t count) {
-  // A large message is not kept longer than it is needed.
+  // Frees the memory of a large message that is no longer needed.
   if (window_.capacity() > kWindowBytes && count <= kWindowBytes) {
     std::vector<std::uint8_t>().swap(window_);
   }
@@ -85,7 +85,7 @@ std::int64_t LogBytes::find_mark(std::int64_t from, std::int64_t to) {
   constexpr std::size_t kOverlap = kLogMark.size() - 1;
   while (from < to) {
     const auto most = static_cast<std::size_t>(to - from) + kOverlap;
-    // Whatever is in the window already is searched first, without moving it.
+    // Bytes already in the window are searched first, without moving it.
     const std::int64_t end = window_offset_ + static_cast<std::int64_t>(window_.size());
     const bool inside =
         from >= window_offset_ && from + static_cast<std::int64_t>(kLogMark.size()) <= end;

@@ -11,25 +11,25 @@
 
 namespace puck {
 
-/// A file of any size, seen through a window that moves with what is asked for. One thread.
+/// A file of any size, read through a window in memory. One thread.
 class LogBytes {
  public:
   /// Throws LogFileError when the file cannot be read.
   explicit LogBytes(const std::filesystem::path& path);
-  // peek() points into it.
+  // peek() returns a view of it.
   LogBytes(const LogBytes&) = delete;
   LogBytes& operator=(const LogBytes&) = delete;
 
-  /// As it was at the start; shorter once the disk fails or the file was cut meanwhile.
+  /// Size at the start, or less after a read error or if the file was cut.
   std::int64_t size() const { return size_; }
 
   /// The bytes at [offset, offset + count), fewer at the end. Valid until the next call.
   std::span<const std::uint8_t> at(std::int64_t offset, std::size_t count);
 
-  /// The same of up to 64 bytes that are far away from what is asked for next: the window stays.
+  /// As at(), for up to 64 bytes far away from the next reads: the window does not move.
   std::span<const std::uint8_t> peek(std::int64_t offset, std::size_t count);
 
-  /// Where in [from, to) a log's mark begins next; `to` where none does.
+  /// Position of the next log mark in [from, to); `to` without one.
   std::int64_t find_mark(std::int64_t from, std::int64_t to);
 
  private:

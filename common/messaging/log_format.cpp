@@ -14,7 +14,7 @@ std::optional<LogHeader> parse_log_header(std::span<const std::uint8_t> bytes) {
   LogHeader header;
   header.number = reader.whole<std::int64_t>();
   header.utime = reader.whole<std::int64_t>();
-  // Negative lengths become huge ones.
+  // Unsigned: negative lengths become huge ones.
   header.channel_bytes = static_cast<std::uint32_t>(reader.whole<std::int32_t>());
   header.message_bytes = static_cast<std::uint32_t>(reader.whole<std::int32_t>());
   if (header.channel_bytes < 1 || header.channel_bytes > kLogMaxChannelBytes) return std::nullopt;

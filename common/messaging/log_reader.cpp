@@ -2,7 +2,7 @@
 
 #include "common/messaging/log_file.h"
 
-// LCM's own reader takes a damaged log for a finished one, so this is ours.
+// LCM's own reader ends at the first damage without an error, hence this one.
 
 namespace puck {
 namespace {
@@ -18,7 +18,7 @@ bool is_printable(std::span<const std::uint8_t> text) {
 
 LogReader::LogReader(const std::filesystem::path& path) : bytes_(path) {
   if (bytes_.size() == 0 || parse_log_header(bytes_.at(0, kLogHeaderBytes))) return;
-  // Its first message may be the damaged one; or the only one, and cut off.
+  // The first message may be damaged, or the only one and cut off.
   if (message_may_begin(0)) return;
   for (std::int64_t place = 1; place < kSearchedForTheFirst; ++place) {
     place = bytes_.find_mark(place, kSearchedForTheFirst);
@@ -45,7 +45,7 @@ bool LogReader::next(LogRecord& record) {
       continue;
     }
     const auto whole = bytes_.at(offset_, header->record_bytes());
-    if (whole.size() < header->record_bytes()) {  // The file has become shorter.
+    if (whole.size() < header->record_bytes()) {  // The file was cut meanwhile.
       skip_damage(kCutOff);
       continue;
     }
@@ -62,15 +62,15 @@ bool LogReader::next(LogRecord& record) {
   return false;
 }
 
-// A length that was hit still looks like one. It is found out by the neighbours' numbers: the
-// message after this one must begin where this one ends.
+// A damaged length may still be plausible. The numbers of the neighbours reveal it: the message
+// with the next number must begin at the end of this one.
 std::optional<std::string> LogReader::find_problem(const LogHeader& header) {
-  constexpr int kMostMarksInside = 16;  // Of a log made to keep the reader busy.
+  constexpr int kMostMarksInside = 16;  // Bound for a log forged to slow the reader.
   const std::int64_t end = offset_ + static_cast<std::int64_t>(header.record_bytes());
   if (end > bytes_.size()) return kCutOff;
   const auto follows = [&](std::int64_t place) {
     const auto next = parse_log_header(bytes_.peek(place, kLogHeaderBytes));
-    // Unsigned, for the numbers may be any.
+    // Unsigned, since the numbers may have any value.
     return next && static_cast<std::uint64_t>(next->number) ==
                        static_cast<std::uint64_t>(header.number) + 1;
   };

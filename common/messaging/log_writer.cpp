@@ -7,8 +7,8 @@
 
 #include "common/messaging/log_file.h"
 
-// LCM's own writer goes through stdio, which cannot say what of a failed write is in the file; so
-// this is ours.
+// LCM's own writer uses stdio, which does not report how much of a failed write is in the file;
+// hence this one.
 
 namespace puck {
 namespace {
@@ -31,7 +31,7 @@ OpenLog::OpenLog(const std::filesystem::path& path, bool overwrite) : path_(path
     }
     throw write_error(path);
   }
-  // A file system without locks does not keep anybody from logging.
+  // Logging also works on a file system without locks.
   if (flock(descriptor(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     throw LogFileError(path.string() + ": cannot be written: another logger writes it");
   }
@@ -57,7 +57,7 @@ LogWriter::LogWriter(const std::filesystem::path& path, bool overwrite)
 LogWriter::~LogWriter() {
   try {
     flush();
-  } catch (const LogFileError&) {  // Whoever wants to know flushes before.
+  } catch (const LogFileError&) {  // A caller that needs the error flushes first.
   }
   file_->unlock();
 }
@@ -88,7 +88,7 @@ void LogWriter::flush() {
     throw;
   }
   written.clear();
-  buffer_ = std::move(written);  // Its memory is used again.
+  buffer_ = std::move(written);  // Reuses its memory.
 }
 
 void LogWriter::write_records(std::span<std::uint8_t> records) {
@@ -114,7 +114,7 @@ void LogWriter::write_whole(std::span<const std::uint8_t> bytes) {
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) {
       const LogFileError error = write_error(file_->path());
-      // Back to the last whole message. Should that fail too, readers find the next one.
+      // Back to the end of the last whole message. If that fails, readers skip the torn one.
       [[maybe_unused]] const int cut = ftruncate(descriptor, static_cast<off_t>(bytes_in_file_));
       throw error;
     }

@@ -5,7 +5,7 @@
 namespace puck {
 namespace {
 
-/// A forged number may claim any gap; many of them must not overflow the sum.
+/// Bound for forged numbers, so that the sum of many gaps cannot overflow.
 void add_gap(std::int64_t& total, std::int64_t gap) {
   constexpr std::int64_t kMost = std::int64_t{1} << 53;
   total = std::min(total + std::min(gap, kMost), kMost);

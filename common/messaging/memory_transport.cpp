@@ -9,7 +9,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Far more than a test that falls behind for a moment needs.
+// Ample for a test that pauses for a moment.
 constexpr std::size_t kMostWaitingBytes = std::size_t{256} << 20;
 
 bool is_heard(const Listening& listening, const std::string& channel) {
@@ -25,7 +25,7 @@ std::optional<std::string> MemoryTransport::send(const std::string& channel,
   {
     const std::lock_guard lock(mutex_);
     if (!is_heard(listening_, channel)) return std::nullopt;
-    // What nobody takes is lost, as it is on a network.
+    // A full queue loses messages, like a network.
     if (waiting_bytes_ + payload.size() > kMostWaitingBytes) return std::nullopt;
     waiting_bytes_ += payload.size();
     waiting_.push_back(

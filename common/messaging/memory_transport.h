@@ -9,8 +9,8 @@
 
 namespace puck {
 
-/// What one object sends, the same object receives: for tests and trials, without a network. Sends
-/// from any thread.
+/// Returns messages to the object that sent them, for tests without a network. Send from any
+/// thread.
 class MemoryTransport : public Transport {
  public:
   std::optional<std::string> send(const std::string& channel,
@@ -26,19 +26,19 @@ class MemoryTransport : public Transport {
     std::vector<std::uint8_t> payload;
     std::int64_t utime = 0;
     std::int64_t monotonic_us = 0;
-    bool more_waiting = false;  // as of when it is taken
+    bool more_waiting = false;  // set when it is taken
   };
 
   std::optional<Waiting> take(std::chrono::microseconds timeout);
 
-  // Guards all below but the counters.
+  // Guards all members below except the counters.
   std::mutex mutex_;
   std::condition_variable came_;
   Listening listening_;
   std::deque<Waiting> waiting_;
   std::size_t waiting_bytes_ = 0;
 
-  TransportCounters counters_;  // stay zero: nobody else can send
+  TransportCounters counters_;  // always 0: there are no other senders
 };
 
 }  // namespace puck

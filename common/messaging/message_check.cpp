@@ -17,7 +17,7 @@ using Rejection = std::optional<std::string>;
 constexpr std::size_t kMaxMessageBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxFields = 64;
 
-/// What a fingerprint that is not the one expected tells.
+/// Explains an unexpected fingerprint.
 std::string name_of_other(std::int64_t fingerprint) {
   for (const Channel channel : kAllChannels) {
     const WireLayout& layout = wire_layout(channel);
@@ -25,10 +25,10 @@ std::string name_of_other(std::int64_t fingerprint) {
       return "is expected, but this is " + std::string(layout.type);
     }
   }
-  return "has the fingerprint of another type, or of another version of its own";
+  return "has the fingerprint of another type or version";
 }
 
-/// Walks one message along its layout.
+/// Checks one message against its layout.
 class Walk {
  public:
   Walk(const WireLayout& layout, std::span<const std::uint8_t> bytes)
@@ -98,7 +98,7 @@ class Walk {
 
   Rejection check_text(const WireField& field) {
     if (!reader_.has(4)) return rejection(field, "is cut off");
-    const std::int64_t length = reader_.whole<std::int32_t>();  // Counts the NUL.
+    const std::int64_t length = reader_.whole<std::int32_t>();  // Includes the NUL.
     if (length < 1 || length - 1 > field.max) {
       return rejection(field, "has a length of " + std::to_string(length));
     }
@@ -106,7 +106,7 @@ class Walk {
     const auto text = reader_.take(static_cast<std::size_t>(length));
     if (text.back() != 0) return rejection(field, "does not end");
     for (const std::uint8_t c : text.first(text.size() - 1)) {
-      // They would reach somebody's terminal.
+      // Control characters would reach a terminal.
       if (c < 0x20 || c == 0x7f) return rejection(field, "has a control character");
     }
     return std::nullopt;
@@ -132,15 +132,15 @@ EventPacketView view_of_events(std::span<const std::uint8_t> bytes) {
 
 template <typename Word>
 Rejection check_event_words(const EventPacketView& packet, Word) {
-  // Signed, for every vector unit can compare signed numbers; no field of a word reaches the sign.
+  // Signed, since every vector unit compares signed numbers; no field reaches the sign bit.
   const std::int32_t width = packet.width;
   const std::int32_t height = packet.height;
   const auto count = static_cast<std::size_t>(packet.count);
   const auto dt_us = [&](std::size_t i) {
     return static_cast<std::int32_t>(Word::dt_us(load_event_word(packet.data.data() + 4 * i)));
   };
-  // Sums of what is wrong, without a branch or a value carried from event to event: a loop that
-  // compilers turn into vector code.
+  // Accumulates errors without branches or dependences between events, so that compilers vectorise
+  // the loops.
   std::int32_t outside = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t word = load_event_word(packet.data.data() + 4 * i);

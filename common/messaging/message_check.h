@@ -9,20 +9,20 @@
 
 namespace puck {
 
-/// What every message begins with.
+/// Header of every message.
 struct MessageHeader {
   std::int64_t utime = 0;    ///< Host CLOCK_REALTIME at publish, µs.
   std::int64_t session = 0;  ///< Random id of the publisher's run.
   std::int64_t seq = 0;      ///< Messages published before this one in this session.
 };
 
-/// The only gate to LCM's generated decoders, which crash or lie on bad bytes. Walks the bytes
-/// along the layout of the channel's type: fingerprint, counts, lengths, ranges, finite numbers,
-/// nothing missing and nothing left over; then what the fields mean together. Nothing when all is
-/// well, else the reason. Reads nothing outside `bytes`.
+/// Required before LCM's generated decoders, which crash or return garbage on malformed bytes.
+/// Checks the bytes against the layout of the channel's type: fingerprint, counts, lengths, ranges,
+/// finite numbers, exact size; then the relations between fields. Returns nothing if valid, else
+/// the reason. Reads nothing outside `bytes`.
 std::optional<std::string> check_message(Channel channel, std::span<const std::uint8_t> bytes);
 
-/// Only for bytes that check_message() let pass.
+/// Requires bytes that passed check_message().
 MessageHeader read_header(std::span<const std::uint8_t> bytes);
 
 /// The numbering of the events in a packet.
@@ -30,7 +30,7 @@ struct EventNumbering {
   std::int64_t events_before = 0;
   std::int64_t events = 0;
 };
-/// Only for bytes that check_message() let pass as EVENTS.
+/// Requires bytes that passed check_message() for EVENTS.
 EventNumbering read_event_numbering(std::span<const std::uint8_t> bytes);
 
 }  // namespace puck

@@ -12,8 +12,8 @@
 
 namespace puck {
 
-/// Sets the counts on the wire from the sizes of the arrays: LCM's encoder trusts them and would
-/// read beyond an array's end. Arrays that share a count are cut to the shortest.
+/// Sets the count fields from the array sizes: LCM's encoder trusts the counts and would read
+/// beyond an array's end. Arrays with a common count are cut to the shortest.
 template <typename Message>
 void set_counts(Message&) {}
 void set_counts(event_packet_t& message);
@@ -21,7 +21,7 @@ void set_counts(puck_trajectory_t& message);
 void set_counts(arm_state_t& message);
 void set_counts(service_status_t& message);
 
-/// Encodes into `buffer`, whose memory is used again.
+/// Encodes into `buffer`, reusing its memory.
 template <typename Message>
 void encode(Message& message, std::vector<std::uint8_t>& buffer) {
   set_counts(message);
@@ -29,13 +29,13 @@ void encode(Message& message, std::vector<std::uint8_t>& buffer) {
   message.encode(buffer.data(), 0, static_cast<int>(buffer.size()));
 }
 
-/// Only for bytes that check_message() let pass, and a new message object.
+/// Requires bytes that passed check_message(), and a new message object.
 template <typename Message>
 void decode_checked(std::span<const std::uint8_t> bytes, Message& message) {
   message.decode(bytes.data(), 0, static_cast<int>(bytes.size()));
 }
 
-/// Decodes bytes from anywhere: nothing, or why they are not a valid message.
+/// Decodes bytes of any origin; returns the reason if they are no valid message.
 template <typename Message>
 std::optional<std::string> decode(std::span<const std::uint8_t> bytes, Message& message) {
   auto rejection = check_message(kChannelOf<Message>, bytes);

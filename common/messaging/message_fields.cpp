@@ -11,8 +11,8 @@
 namespace puck {
 namespace {
 
-/// Walks a message along its layout. Only what was read as a whole number is remembered: the counts
-/// of the arrays that follow are among them.
+/// Walks a message along its layout. Remembers integers only, which include the counts of later
+/// arrays.
 class FieldWalk {
  public:
   FieldWalk(const WireLayout& layout, std::span<const std::uint8_t> bytes,

@@ -11,15 +11,15 @@
 
 namespace puck {
 
-/// Is called with a field's name, its place in the array where it is one's element, and its value
-/// as text. The views live as long as the call.
+/// Receives a field's name, the index of an array element if it is one, and the value as text. The
+/// views are valid during the call.
 using FieldVisitor = std::function<void(std::string_view name, std::optional<std::size_t> index,
                                         std::string_view value)>;
 
-/// Every value of a message in the order of its type's fields, for people and for tables: made from
-/// the layout of the channel's type, so that a new type is shown without more. Numbers are written
-/// as shortly as reads back the same, booleans as 0 and 1; a field of bytes is one value, in
-/// hexadecimal. Of an empty array nothing is called. Only for bytes that check_message() let pass.
+/// Visits every value of a message in the order of its fields, for people and tables. It follows
+/// the layout of the channel's type, so a new type needs no further code. Numbers have the shortest
+/// exact form, booleans are 0 and 1, a byte field is one hexadecimal value; an empty array has no
+/// values. Requires bytes that passed check_message().
 void visit_fields(Channel channel, std::span<const std::uint8_t> bytes, const FieldVisitor& visit);
 
 }  // namespace puck

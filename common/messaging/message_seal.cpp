@@ -10,11 +10,11 @@
 namespace puck {
 namespace {
 
-// "PSL" and the version of the seal. A new one for whatever changes the hash or what it is of.
+// "PSL" and the seal's version, which changes with the hash or its input.
 constexpr std::uint32_t kMark = 0x50534c00;
 constexpr char kVersion = '2';
 
-/// Of a message that ends as a sealed one does.
+/// The version in a seal; nothing for a message without one.
 std::optional<char> version_of_seal(std::span<const std::uint8_t> message) {
   if (message.size() < kSealBytes) return std::nullopt;
   const auto mark = ByteReader(message.last(sizeof kMark)).whole<std::uint32_t>();
@@ -63,7 +63,7 @@ std::optional<std::span<const std::uint8_t>> SealOpener::open(std::string_view c
   const auto number = seal.whole<std::uint64_t>();
   const auto hash = seal.take(std::tuple_size_v<SharedKey::Hash>);
   const SharedKey::Hash expected = key_.hash(channel, plain, sender, number);
-  // In constant time, so that nobody learns how much of a guess was right.
+  // Constant time, so that the duration does not reveal correct bytes of a guess.
   if (sodium_memcmp(hash.data(), expected.data(), expected.size()) != 0) {
     problem = "is sealed with a different key, or was modified on its way";
     return std::nullopt;

@@ -13,14 +13,14 @@
 
 namespace puck {
 
-/// What a seal adds behind a message: who sealed it, the how manieth of theirs it is, the keyed
-/// hash of all of it, and four bytes that tell a sealed message and the version of its seal.
+/// A seal follows the message: sender, number of the message, keyed hash of all, and four bytes
+/// that identify a seal and its version.
 inline constexpr std::size_t kSealBytes = 8 + 8 + 16 + 4;
 
-/// Whether a message ends as a sealed one does, of whatever version. It proves nothing.
+/// Whether a message ends like a sealed one of any version. No proof of origin.
 bool looks_sealed(std::span<const std::uint8_t> message);
 
-/// Seals what one publisher sends. One thread at a time.
+/// Seals the messages of one publisher. One thread at a time.
 class MessageSealer {
  public:
   explicit MessageSealer(const SharedKey& key);
@@ -33,16 +33,16 @@ class MessageSealer {
   std::uint64_t sealed_ = 0;
 };
 
-/// Opens what others have sealed with the same key. A message is good once: the same again, or one
-/// older than the 64 newest of its sender, is refused, so that nobody can play back what they heard
-/// while its sender lives in here (the last 256 senders). A new run knows no sender: what was
-/// recorded before it can be played to it once, and is left to the ages, sessions and clocks that
-/// the arm goes by; a stop has none of these, and stops. One thread.
+/// Opens messages sealed with the same key. A repeated message, or one older than the 64 newest of
+/// its sender, is refused, so that recordings cannot be replayed while the sender is remembered
+/// (the last 256 senders). A new run remembers no sender: an older recording can be replayed to it
+/// once. The arm's checks of ages, sessions and clocks then refuse it, except a stop, which always
+/// stops. One thread.
 class SealOpener {
  public:
   explicit SealOpener(const SharedKey& key) : key_(key) {}
 
-  /// The message without its seal; nothing, and `problem` says why, when it is not good.
+  /// The message without its seal; nothing, with the reason in `problem`, if it is not valid.
   std::optional<std::span<const std::uint8_t>> open(std::string_view channel,
                                                     std::span<const std::uint8_t> message,
                                                     std::string& problem);
@@ -54,8 +54,8 @@ class SealOpener {
   struct Sender {
     std::uint64_t id = 0;
     std::uint64_t newest = 0;
-    std::uint64_t seen = 0;        // Bit i: number newest − i has come.
-    std::uint64_t last_heard = 0;  // Messages opened by then; 0: this place is free.
+    std::uint64_t seen = 0;        // Bit i: number newest − i was received.
+    std::uint64_t last_heard = 0;  // Value of the message counter; 0: this slot is free.
   };
 
   bool is_first_time(std::uint64_t id, std::uint64_t number);

@@ -24,7 +24,7 @@ std::string problem(const LcmUrl& url, const std::string& what) {
 
 std::string error_text() { return std::strerror(errno); }
 
-/// Our own datagram, told from a stranger's by its content, came within the time limit.
+/// Our own datagram, identified by its content, came within the time limit.
 bool comes_back(int fd, std::uint64_t token) {
   pollfd waiting{fd, POLLIN, 0};
   while (poll(&waiting, 1, kTimeoutMs) > 0) {
@@ -42,7 +42,7 @@ std::optional<std::string> find_route_problem(const LcmUrl& url) {
   const FileDescriptor probe(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!probe.is_open()) return problem(url, error_text());
 
-  // A port of its own, given by the kernel: nobody else's bus sees the probe.
+  // The kernel chooses an unused port, so that no bus receives the probe.
   sockaddr_in address{};
   address.sin_family = AF_INET;
   socklen_t size = sizeof address;

@@ -7,9 +7,9 @@
 
 namespace puck {
 
-/// Why multicast to the group of `url` cannot work on this host now, or nothing when it does: sends
-/// a datagram to the group on a port of its own and waits up to 100 ms for it. LCM, started without
-/// a route, gives up; started with one that leads nowhere, it blocks for 10 s.
+/// Why multicast to the group of `url` cannot work on this host now; nothing if it works. Sends a
+/// datagram to the group on an unused port and waits up to 100 ms for it. LCM itself fails without
+/// a route, and blocks for 10 s with a route that leads nowhere.
 std::optional<std::string> find_route_problem(const LcmUrl& url);
 
 }  // namespace puck

@@ -26,7 +26,7 @@ int mtu_of(const FileDescriptor& any_socket, const std::string& name) {
   return ioctl(any_socket.number(), SIOCGIFMTU, &request) == 0 ? request.ifr_mtu : 0;
 }
 
-/// What is asked of the kernel: the route to one IPv4 address.
+/// Request to the kernel for the route to one IPv4 address.
 struct RouteRequest {
   nlmsghdr header{};
   rtmsg route{};
@@ -79,7 +79,7 @@ std::vector<NetworkInterface> list_network_interfaces() {
   const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(first, &freeifaddrs);
   const FileDescriptor any_socket(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   std::vector<NetworkInterface> interfaces;
-  // One entry an interface and address, and one an interface without.
+  // One entry for each interface and address, and one for an interface without an address.
   for (const ifaddrs* entry = first; entry != nullptr; entry = entry->ifa_next) {
     auto known = std::find_if(interfaces.begin(), interfaces.end(),
                               [&](const auto& other) { return other.name == entry->ifa_name; });

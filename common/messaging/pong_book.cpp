@@ -8,10 +8,10 @@
 namespace puck {
 namespace {
 
-// A pong older than this says nothing new about a clock; its publisher is gone.
+// An older pong is useless; its publisher is gone.
 constexpr std::int64_t kLifeUs = 2'000'000;
 constexpr std::size_t kMost = 64;
-// Whoever was heard so often is not displaced by those who are new.
+// New runs never displace a run that was heard this often.
 constexpr int kOftenHeard = 3;
 constexpr std::ptrdiff_t kAtOnce = 8;
 constexpr std::ptrdiff_t kOfNew = 2;

@@ -9,16 +9,15 @@
 
 namespace puck {
 
-/// Whose STATUS has been heard and is to be answered, eight in each of ours: those who have waited
-/// longest, but of those that are new at least two, and of those that are heard often all but two,
-/// so that neither keep out the others. 64 runs are known, and of more those that are heard often.
-/// One thread.
+/// Runs whose STATUS was heard and must be answered, eight in each STATUS of ours: those that have
+/// waited longest, with at least two places for new runs and the others for runs heard often, so
+/// that neither group blocks the other. Holds 64 runs; when full, those heard often. One thread.
 class PongBook {
  public:
-  /// Whether it is the first that is heard of this run.
+  /// Returns whether this run was heard for the first time.
   bool hear(const service_status_t& status, const Receipt& receipt);
 
-  /// Adds pongs to a STATUS that is published now. Whether a run still waits for its first.
+  /// Adds pongs to a STATUS before publication. Returns whether a new run still waits for a pong.
   bool answer(service_status_t& message);
 
  private:
@@ -28,7 +27,7 @@ class PongBook {
     std::int64_t received_utime = 0;
     std::int64_t received_monotonic_us = 0;
     int times_heard = 0;
-    // CLOCK_MONOTONIC: since it was answered, or first heard.
+    // CLOCK_MONOTONIC, when it was last answered, or first heard.
     std::int64_t waits_since_us = 0;
     bool is_answered = false;
   };

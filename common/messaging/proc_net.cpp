@@ -30,7 +30,7 @@ std::optional<Number> number_of(std::string_view text, int base) {
   return number;
 }
 
-/// The kernel prints an address as the number that its four bytes make on this machine.
+/// The kernel prints an address as an integer in this machine's byte order.
 std::optional<std::string> address_of(std::string_view hex) {
   const auto number = number_of<std::uint32_t>(hex, 16);
   if (!number) return std::nullopt;
@@ -77,7 +77,7 @@ std::vector<UdpSocket> parse_udp_sockets(std::string_view udp) {
 
 std::optional<std::int64_t> find_counter(std::string_view snmp, std::string_view protocol,
                                          std::string_view name) {
-  // Two lines a protocol: names, then values in their order.
+  // Two lines for each protocol: names, then values in the same order.
   const std::string begin = std::string(protocol) + ":";
   std::vector<std::string> names;
   for (const std::string& line : lines_of(snmp)) {

@@ -8,23 +8,22 @@
 
 namespace puck {
 
-// The kernel's tables in /proc/self/net, from their text. A line that is not understood is left
-// out.
+// Parsers for the kernel's tables in /proc/self/net. Lines of unknown form are skipped.
 
-/// A multicast group that this host listens to.
+/// A multicast group that this host has joined.
 struct GroupMembership {
   std::string interface;
   std::string group;  ///< Dotted.
-  int users = 0;      ///< Sockets that joined it there.
+  int users = 0;      ///< Sockets that joined it on this interface.
 };
 /// From /proc/self/net/igmp.
 std::vector<GroupMembership> parse_memberships(std::string_view igmp);
 
 /// A UDP socket of this host.
 struct UdpSocket {
-  std::string address;  ///< That it is bound to, dotted; 0.0.0.0: any.
+  std::string address;  ///< Bound address, dotted; 0.0.0.0: any.
   int port = 0;
-  std::uint64_t inode = 0;  ///< Links it to the programs that hold it open.
+  std::uint64_t inode = 0;  ///< Identifies the programs that hold it open.
 };
 /// From /proc/self/net/udp.
 std::vector<UdpSocket> parse_udp_sockets(std::string_view udp);

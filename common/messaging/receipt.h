@@ -8,15 +8,15 @@
 
 namespace puck {
 
-/// When and how a message came.
+/// Time and circumstances of a message's receipt.
 struct Receipt {
   std::int64_t utime = 0;         ///< When it was received, CLOCK_REALTIME, µs.
-  std::int64_t monotonic_us = 0;  ///< The same by CLOCK_MONOTONIC: ages are judged by this one.
+  std::int64_t monotonic_us = 0;  ///< The same by CLOCK_MONOTONIC, for ages.
   std::size_t bytes = 0;          ///< Encoded size.
-  Sender sender{};                ///< As the network says.
-  /// Late and duplicate messages are delivered too; whoever minds drops them.
+  Sender sender{};                ///< From the network; not authenticated.
+  /// Late and duplicate messages are delivered too; check it to drop them.
   Arrival arrival = Arrival::kNewest;
-  /// Other messages, on whatever channel, have come and wait behind it.
+  /// Whether other messages, on any channel, wait behind it.
   bool more_waiting = false;
 
   bool in_order() const { return arrival == Arrival::kNewSession || arrival == Arrival::kNewest; }

@@ -9,8 +9,7 @@
 namespace puck {
 namespace {
 
-// A filter sees the UDP header first, then LCM's: a magic word, a number, the channel with its
-// final zero.
+// A filter sees the UDP header, then LCM's: a magic word, a number, the channel name with its NUL.
 constexpr std::uint32_t kUdpHeaderBytes = 8;
 constexpr std::uint32_t kMagicAt = kUdpHeaderBytes;
 constexpr std::uint32_t kChannelAt = kMagicAt + 8;
@@ -40,8 +39,8 @@ std::uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
-// Goes on when the datagram is long enough to hold what is asked for: to load what is not there
-// would drop it.
+// Continues if the datagram is long enough for the loads that follow: a load beyond the end drops
+// it.
 void add_length_check(std::size_t channel_bytes, std::uint32_t otherwise, Program& program) {
   program.push_back(statement(BPF_LD | BPF_W | BPF_LEN, 0));
   program.push_back({static_cast<std::uint16_t>(BPF_JMP | BPF_JGE | BPF_K), 1, 0,
@@ -49,9 +48,9 @@ void add_length_check(std::size_t channel_bytes, std::uint32_t otherwise, Progra
   program.push_back(leave_with(otherwise));
 }
 
-// Leaves with a verdict when the channel begins with these bytes; else goes on behind this.
+// Returns the verdict if the channel begins with these bytes; else continues.
 void add_name(std::string_view bytes, std::uint32_t verdict, Program& program) {
-  // Four at once, then one by one.
+  // Compares four bytes at once, then single bytes.
   std::size_t left = 2 * (bytes.size() / 4 + bytes.size() % 4) + 1;
   for (std::size_t at = 0; at < bytes.size();) {
     const bool is_word = bytes.size() - at >= 4;
@@ -65,7 +64,7 @@ void add_name(std::string_view bytes, std::uint32_t verdict, Program& program) {
   program.push_back(leave_with(verdict));
 }
 
-// Goes on with whole messages; other datagrams leave with a verdict, fragments with theirs.
+// Continues with whole messages; returns a verdict for fragments, and one for other datagrams.
 void add_magic_check(std::uint32_t of_fragments, std::uint32_t otherwise, Program& program) {
   program.push_back(statement(BPF_LD | BPF_W | BPF_ABS, kMagicAt));
   program.push_back(jump(kWholeMessage, 3, 0));

@@ -6,17 +6,17 @@
 
 namespace puck {
 
-// Filters in the kernel that keep a datagram of LCM away from a socket before it costs a wake-up.
-// Each replaces the one before it, and lets nothing through that is not named here. False, and the
-// socket as it was, when the kernel refuses.
+// Kernel filters that drop LCM datagrams before they wake the receiver. Each replaces the previous
+// filter and passes only what its comment names. They return false, with the socket unchanged, if
+// the kernel refuses.
 
-/// Messages in one datagram on these channels, by their full name.
+/// Unfragmented messages on these channels (full names).
 bool filter_channels(int socket, const std::vector<std::string>& channels, bool with_fragments);
 
-/// Messages in one datagram on channels whose name begins so: LEFT_PUCK_.
+/// Unfragmented messages on channels with this beginning: LEFT_PUCK_.
 bool filter_beginning(int socket, std::string_view beginning, bool with_fragments);
 
-/// Whatever the other two would never let through, cut off after 255 bytes.
+/// All datagrams that the other two never pass, cut off after 255 bytes.
 bool filter_foreign(int socket, std::string_view beginning, bool with_fragments);
 
 }  // namespace puck

@@ -22,10 +22,10 @@ int join(int socket, const LcmUrl& url) {
   return setsockopt(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership);
 }
 
-/// Whether any interface of this host is in the group, as the kernel lists them.
+/// Whether any interface of this host has joined the group, by the kernel's list.
 bool is_joined_anywhere(const LcmUrl& url) {
   std::ifstream igmp("/proc/self/net/igmp");
-  if (!igmp) return true;  // It cannot be told.
+  if (!igmp) return true;  // Not known.
   const std::string text{std::istreambuf_iterator<char>(igmp), {}};
   const auto memberships = parse_memberships(text);
   return std::any_of(memberships.begin(), memberships.end(),
@@ -50,14 +50,14 @@ std::optional<std::string> ReceiveSocket::open(const LcmUrl& url, std::optional<
     return why;
   };
 
-  // What comes before the caller has said what it wants is not taken for anything.
+  // Nothing passes until the caller has set its filter.
   filter_channels(descriptor(), {}, false);
-  // Others on this host hear the same group.
+  // Other processes of this host receive the same group.
   set_option(descriptor(), SOL_SOCKET, SO_REUSEADDR, 1);
   set_option(descriptor(), SOL_SOCKET, SO_TIMESTAMPNS, 1);
   if (buffer_bytes) {
     set_option(descriptor(), SOL_SOCKET, SO_RCVBUF, *buffer_bytes);
-    // Beyond net.core.rmem_max, where this process may.
+    // Exceeds net.core.rmem_max if this process has the privilege.
     set_option(descriptor(), SOL_SOCKET, SO_RCVBUFFORCE, *buffer_bytes);
   }
   const sockaddr_in address = group_address(url);
@@ -69,8 +69,8 @@ std::optional<std::string> ReceiveSocket::open(const LcmUrl& url, std::optional<
 }
 
 bool ReceiveSocket::has_lost_its_group() {
-  // The kernel takes a membership twice only when the way to the group leads through another
-  // interface than before; an interface keeps its number as long as it lives.
+  // The kernel accepts a second membership only if the route to the group leads through another
+  // interface; an interface keeps its index for life.
   if (join(descriptor(), url_) == 0) return true;
   return errno == EADDRINUSE && !is_joined_anywhere(url_);
 }

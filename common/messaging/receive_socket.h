@@ -8,21 +8,20 @@
 
 namespace puck {
 
-/// A UDP socket that hears the group of a URL and nothing else: it is bound to the group's address,
-/// so that neither another group at the same port nor a datagram sent to this host alone reaches
-/// it. Nothing comes through until a filter (receive_filter.h) says what may. Every datagram comes
-/// with the time at which the kernel had it. Moves.
+/// A UDP socket that receives only the group of a URL: it is bound to the group's address, so that
+/// other groups on the same port and unicast datagrams do not reach it. Nothing passes until a
+/// filter (receive_filter.h) is set. Each datagram has the kernel's time of receipt. Moves.
 class ReceiveSocket {
  public:
-  /// `buffer_bytes`: to ask the kernel for; nothing: its default. Nothing when it worked, else why
-  /// not.
+  /// `buffer_bytes`: requested buffer size; empty: the kernel's default. Returns nothing on
+  /// success, else the reason.
   std::optional<std::string> open(const LcmUrl& url, std::optional<int> buffer_bytes);
 
   bool is_open() const { return socket_.is_open(); }
   int descriptor() const { return socket_.number(); }
 
-  /// Whether the group no longer reaches this socket, since the network that it joined has gone or
-  /// come back as another one. Then only a new socket hears again: LCM's own stays deaf for ever.
+  /// Whether the socket has lost the group because its network disappeared or was replaced. Then
+  /// only a new socket receives again; LCM's own never does.
   bool has_lost_its_group();
 
  private:

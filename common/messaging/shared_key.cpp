@@ -24,7 +24,7 @@ constexpr std::size_t kMostBytes = 4096;
   throw BusError("lcm.key_file \"" + file.string() + "\" " + what);
 }
 
-/// Of the open file, so that nobody can put another one in its place meanwhile.
+/// Checks the open file, so that it cannot be replaced after the check.
 void check_owner_only(const std::filesystem::path& file, int descriptor) {
   struct stat status {};
   if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) fail(file, "is not a file");
@@ -37,7 +37,7 @@ void check_owner_only(const std::filesystem::path& file, int descriptor) {
 }
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
-  // Nor is a pipe waited for that nobody writes into.
+  // O_NONBLOCK: opening a pipe without a writer must not block.
   const int descriptor = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(
       descriptor < 0 ? nullptr : fdopen(descriptor, "rb"), &std::fclose);
@@ -73,7 +73,7 @@ SharedKey::Hash SharedKey::hash(std::string_view channel, std::span<const std::u
   std::array<std::uint8_t, crypto_onetimeauth_KEYBYTES> message_key{};
   crypto_core_hchacha20(message_key.data(), which.data(), key_.data(), nullptr);
 
-  // The lengths before the parts, so that no byte can move from one to the other.
+  // The lengths come first, so that no byte can move from one part to the other.
   std::array<std::uint8_t, 16> lengths{};
   put_big_endian(std::uint64_t{channel.size()}, lengths.data());
   put_big_endian(std::uint64_t{message.size()}, lengths.data() + 8);

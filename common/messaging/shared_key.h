@@ -9,21 +9,21 @@
 
 namespace puck {
 
-/// A secret that all machines of one robot have in a file, and a keyed hash made with it: Poly1305
-/// with a key for each message, which HChaCha20 makes of the secret, the sender and the number.
+/// A secret in a file on all machines of one robot, and a keyed hash: Poly1305 with a key for each
+/// message, derived by HChaCha20 from the secret, the sender and the number.
 class SharedKey {
  public:
   using Hash = std::array<std::uint8_t, 16>;
 
-  /// The file has at least 32 bytes, best from /dev/urandom, and belongs to its owner alone (mode
-  /// 0600 or less). Throws BusError, naming lcm.key_file and what mends it.
+  /// The file must have at least 32 bytes, best from /dev/urandom, and be readable by its owner
+  /// only (mode 0600 or less). Throws BusError that names lcm.key_file and the remedy.
   explicit SharedKey(const std::filesystem::path& file);
 
-  /// Of a message on a channel with its number; equal only for the same of all four. No sender may
-  /// use a number twice for two messages that others see: the key of that number would be known.
-  /// So a sender is 64 random bits of each Bus, which counts its messages. A copy of a process
-  /// that runs on (a fork, a virtual machine's snapshot started twice) has the same sender and
-  /// number, and would.
+  /// Hash of a message, its channel, sender and number; equal only if all four are equal. A sender
+  /// must never use a number for two published messages, since that reveals the number's key. A
+  /// sender is therefore 64 random bits of each Bus, which counts its messages. Copies of a running
+  /// process (a fork, a virtual machine's snapshot started twice) share sender and number, and
+  /// break this rule.
   Hash hash(std::string_view channel, std::span<const std::uint8_t> message, std::uint64_t sender,
             std::uint64_t number) const;
 

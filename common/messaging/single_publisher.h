@@ -4,25 +4,26 @@
 
 namespace puck {
 
-/// Keeps to one of several publishers on a channel: the first that is heard, until it has been
-/// silent. And to the order of its messages. One thread.
+/// Follows one of several publishers on a channel: the first one heard, until it falls silent.
+/// Accepts its messages in order only. One thread.
 class SinglePublisher {
  public:
   static constexpr std::int64_t kSilentAfterUs = 500'000;
 
   enum class Verdict {
-    kNewPublisher,  ///< The first message of the publisher that is followed from now on.
+    kNewPublisher,  ///< First message of a publisher that is followed from now on.
     kAccepted,
-    kLate,            ///< Not newer than the one before: late, a duplicate or a replay.
-    kOtherPublisher,  ///< Somebody else is followed.
+    kLate,            ///< Not newer than the previous one: late, duplicate or replayed.
+    kOtherPublisher,  ///< Another publisher is followed.
   };
 
-  /// A message that came at `now_us` (CLOCK_MONOTONIC). Only accepted ones keep a publisher.
+  /// Judges a message of `now_us` (CLOCK_MONOTONIC). Accepted messages prolong the publisher's
+  /// time.
   Verdict hear(std::int64_t session, std::int64_t seq, std::int64_t now_us);
 
-  /// Of the publisher that is followed; 0 before the first.
+  /// Session of the followed publisher; 0 before the first one.
   std::int64_t session() const { return session_; }
-  /// Nobody has been accepted for so long that anyone new may follow.
+  /// Whether the followed publisher has been silent for so long that any other may replace it.
   bool is_silent(std::int64_t now_us) const {
     return !has_publisher_ || now_us - heard_us_ > kSilentAfterUs;
   }

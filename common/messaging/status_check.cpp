@@ -30,7 +30,7 @@ StatusCheck check_service(const BusParams& params, const std::string& service,
     check = {is_healthy(static_cast<ServiceState>(status.state)), describe(status)};
   });
 
-  // Without a route there is nothing to hear; the wait for one must end with the time allowed.
+  // Without a route there is nothing to receive; the wait for one must end at the timeout.
   std::stop_source give_up;
   const std::stop_callback on_stop(stop, [&] { give_up.request_stop(); });
   const bool started = bus.start(give_up.get_token(), [&](const std::string& reason) {

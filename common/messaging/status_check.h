@@ -10,12 +10,12 @@ namespace puck {
 
 struct StatusCheck {
   bool healthy = false;
-  std::string text;  ///< For a person: what was heard, or that nothing was.
+  std::string text;  ///< For people: the status heard, or the reason for none.
 };
 
-/// For `--check`: listens for the STATUS of a service of this name. Healthy: it runs, or waits for
-/// its input. Returns at the first healthy status, else after `timeout`. The bus must not have been
-/// started.
+/// For `--check`: listens for the STATUS of the named service. Healthy: running, or waiting for
+/// input. Returns at the first healthy status, else after `timeout`. The bus must not be started
+/// yet.
 StatusCheck check_service(const BusParams& params, const std::string& service,
                           std::chrono::milliseconds timeout, std::stop_token stop);
 

@@ -15,13 +15,13 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kPeriodUs = 100'000;
-// A flood of new runs may not make us answer more often than this.
+// Shortest period of STATUS, also in a flood of new runs.
 constexpr std::int64_t kShortestPeriodUs = 20'000;
-// As the rules for STATUS on the wire have it: one too many, and nobody hears the whole of it.
+// Limit of STATUS on the wire; receivers reject a message with a longer text.
 constexpr std::size_t kMaxTextBytes = 255;
 constexpr std::size_t kFrameBytes = EventPackerParams::kOneFrame;
 
-/// On the wire: the name's length, its end, and the value.
+/// Bytes on the wire: the name's length, the name, its NUL, and the value.
 std::size_t counter_bytes(std::string_view name) { return 4 + name.size() + 1 + 8; }
 
 std::string host_name() {
@@ -30,7 +30,7 @@ std::string host_name() {
   return name.data();
 }
 
-/// One line that the rules for text on the wire let pass.
+/// Text as a single line within the limits of the wire.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(),
@@ -69,7 +69,7 @@ StatusReporter::StatusReporter(Bus& bus, std::string service)
 void StatusReporter::set_state(ServiceState state, std::string text) {
   text = one_line(std::move(text));
   if (state == state_ && text == state_text_) return;
-  // The text alone may hold a number that changes all the time: it waits for its turn.
+  // The text may hold a number that changes all the time, so it waits for the period.
   changed_ = changed_ || state != state_;
   state_ = state;
   state_text_ = std::move(text);
@@ -111,7 +111,7 @@ SenderClock StatusReporter::clock_of(std::int64_t session) const {
 void StatusReporter::hear(const service_status_t& status, const Receipt& receipt) {
   if (!receipt.in_order() || status.session == bus_.session()) return;
   read_pongs(status, receipt);
-  // So that it soon knows our clock.
+  // An early answer gives the new run our clock soon.
   if (pongs_.hear(status, receipt)) due_us_ = std::min(due_us_, soonest_us_);
   for (const Listener& listener : listeners_) listener(status, receipt);
 }
@@ -149,13 +149,13 @@ void StatusReporter::publish(const Fill& fill) {
   }
   if (pongs_.answer(message)) due_us_ = soonest_us_;
   fill_counters(message, std::move(report));
-  // Before the bus reads its clock: a round trip may come out too long, but never too short.
+  // Before the bus reads its clock, so that a round trip is never too short.
   const std::int64_t sent_us = host_monotonic_us();
   bus_.publish(message);
   clocks_.ping({message.utime, sent_us});
 }
 
-// A message of two frames is lost with either of them.
+// A message of two frames is lost with either frame, so counters are left out to fit one.
 void StatusReporter::fill_counters(service_status_t& message, StatusReport report) const {
   set_counts(message);
   const std::size_t others =
@@ -174,7 +174,7 @@ void StatusReporter::fill_counters(service_status_t& message, StatusReport repor
   };
   std::int64_t left_out = std::ssize(report.counters);
   for (auto& [name, value] : report.counters) {
-    if (counter_bytes(name) > room) continue;  // A shorter one may still fit.
+    if (counter_bytes(name) > room) continue;  // A shorter name may still fit.
     room -= counter_bytes(name);
     add(std::move(name), value);
     --left_out;

@@ -31,35 +31,34 @@ struct StatusLatency {
   std::int64_t samples = 0;
 };
 
-/// What a service has to say of itself.
+/// Counters and latencies of a service.
 struct StatusReport {
   std::vector<std::pair<std::string, std::int64_t>> counters;  ///< Since the start.
   std::vector<StatusLatency> latencies;
 
-  /// Of what is rare: STATUS of a healthy service shall fit one frame.
+  /// For rare events: zeros are left out, so that the STATUS of a healthy service fits one frame.
   void add_unless_zero(const std::string& name, std::int64_t value) {
     if (value != 0) counters.emplace_back(name, value);
   }
 };
 
-/// Publishes the STATUS of a service every 100 ms and at once when its state changes, each in one
-/// frame: counters that find no room in it are left out, the last ones first, and
-/// `counters_left_out` says how many; then one that is missing need not be 0. Answers the statuses
-/// of others with pongs (PongBook). A run that was not heard before is answered within 20 ms, so
-/// that it soon knows our clock; of several that come at once at least two, and two more every 20
-/// ms, however many are known. From the pongs of others it knows theirs. The thread that calls the
-/// bus's handle() calls it: a service that hangs then falls silent, as it should.
+/// Publishes the STATUS of a service every 100 ms and after every change of state, each in one
+/// frame: counters without room are left out from the end and counted in `counters_left_out`; a
+/// missing counter may then differ from 0. Answers the STATUS of others with pongs (PongBook), and
+/// measures their clocks from theirs. A new run is answered within 20 ms; of several, at least two
+/// at once and two more every 20 ms. Call it on the thread of the bus's handle(), so that a service
+/// that hangs falls silent.
 class StatusReporter {
  public:
   using Fill = std::function<void(StatusReport&)>;
-  /// The counter that says how many were left out.
+  /// Counter of the counters left out.
   static constexpr const char* kLeftOut = "counters_left_out";
 
-  /// `service`: puck-camera, puck-tracker, … Subscribes; so make it before the bus starts.
+  /// `service`: puck-camera, puck-tracker, … Subscribes, so make it before the bus starts.
   StatusReporter(Bus& bus, std::string service);
 
   using Listener = std::function<void(const service_status_t&, const Receipt&)>;
-  /// The STATUS of others as it comes, in order, goes to `listener`, too: it is decoded once. Only
+  /// Calls `listener` with each STATUS of others, in order, so that it is decoded once. Call it
   /// before the bus starts.
   void listen(Listener listener) { listeners_.push_back(std::move(listener)); }
 
@@ -67,19 +66,19 @@ class StatusReporter {
   ServiceState state() const { return state_; }
   const std::string& state_text() const { return state_text_; }
 
-  /// What is wrong with the services that this one works with; empty: nothing. Published before
-  /// whatever it says of itself, and where it says that it runs its state becomes `state`.
+  /// Problem of the services that this one needs; empty: none. Published before the service's own
+  /// text; where its own state is running, `state` replaces it.
   void set_trouble_of_peers(ServiceState state, std::string text);
 
-  /// The clock by which a run stamps its messages: known 100 to 200 ms after both have begun to
-  /// hear each other, and at once for our own. Nothing for whoever does not answer our STATUS.
+  /// Clock of a run: known 100 to 200 ms after both runs receive each other, and at once for our
+  /// own. Nothing for a run that does not answer our STATUS.
   SenderClock clock_of(std::int64_t session) const;
 
-  /// As STATUS says it.
+  /// As published in STATUS.
   const std::string& service() const { return service_; }
   const std::string& host() const { return host_; }
 
-  /// Publishes when it is due; only then is `fill` called.
+  /// Publishes when due; calls `fill` only then.
   void poll(const Fill& fill);
   /// The last STATUS of the run: publishes state stopping.
   void stop(const Fill& fill);
@@ -97,7 +96,7 @@ class StatusReporter {
   std::string host_;
   std::int64_t started_us_ = 0;  // CLOCK_MONOTONIC
   std::int64_t due_us_ = 0;      // CLOCK_MONOTONIC
-  std::int64_t soonest_us_ = 0;  // CLOCK_MONOTONIC: not before it for the sake of a new run
+  std::int64_t soonest_us_ = 0;  // CLOCK_MONOTONIC: earliest time of an answer to a new run
   ServiceState state_ = ServiceState::kStarting;
   std::string state_text_;
   ServiceState peers_state_ = ServiceState::kRunning;

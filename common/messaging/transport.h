@@ -11,7 +11,7 @@
 
 namespace puck {
 
-/// Who sent a datagram, as the network says. Nobody proves it: only a key does.
+/// Sender of a datagram according to the network. Not authenticated: that takes a key.
 struct Sender {
   std::uint32_t address = 0;  ///< IPv4, host byte order; 0: this process.
   std::uint16_t port = 0;
@@ -22,56 +22,56 @@ struct Sender {
 /// `172.18.0.3:40000`, or `this process`.
 std::string to_string(const Sender& sender);
 
-/// A message as it came: the name of its channel is well formed, nothing else is known of it. Valid
-/// during the call that hands it over.
+/// A received message: its channel name is well formed, all else is unchecked. Valid during the
+/// call that passes it.
 struct ArrivedMessage {
   std::string_view channel;
   std::span<const std::uint8_t> payload;
   Sender sender;
-  std::int64_t utime = 0;         ///< When the kernel had it, CLOCK_REALTIME, µs.
+  std::int64_t utime = 0;         ///< The kernel's time of receipt, CLOCK_REALTIME, µs.
   std::int64_t monotonic_us = 0;  ///< The same by CLOCK_MONOTONIC.
-  bool more_waiting = false;      ///< Others that have come wait behind it.
+  bool more_waiting = false;      ///< Other received messages wait behind it.
 };
 
-/// What shall be heard. All else costs nothing but a look at its first bytes.
+/// The messages to receive. Others cost only a look at their first bytes.
 struct Listening {
-  std::string beginning;              ///< Ours are the channels that begin so: LEFT_PUCK_.
-  bool all = false;                   ///< All of ours; else only `channels`.
+  std::string beginning;              ///< Beginning of our channel names: LEFT_PUCK_.
+  bool all = false;                   ///< All of our channels; else only `channels`.
   std::vector<std::string> channels;  ///< Full names.
 };
 
-/// Somebody else at our group and port, who did not mean us.
+/// A kind of foreign datagrams on our group and port.
 struct ForeignTraffic {
   std::string what;  ///< `channel "RIGHT_PUCK_EVENTS"`, `not LCM datagrams`, …
-  Sender sender;     ///< The first that was seen with it.
+  Sender sender;     ///< The first sender of this kind.
   std::int64_t datagrams = 0;
 };
 
 struct TransportCounters {
-  std::int64_t malformed = 0;  ///< Addressed to us, but not even a message.
+  std::int64_t malformed = 0;  ///< Datagrams on our channels without a valid message.
   std::string last_malformed;
-  /// Not for us, or in fragments that are refused. Of a flood of them, as many as were looked at.
+  /// Foreign datagrams, and fragments while refused. In a flood only those that were read.
   std::int64_t foreign = 0;
   std::vector<ForeignTraffic> foreign_traffic;  ///< The first 32 kinds.
-  std::int64_t rejoined = 0;                    ///< Came back to a network that had gone.
+  std::int64_t rejoined = 0;                    ///< Times that a lost network was joined again.
 };
 
-/// Carries messages as bytes. Neither knows nor checks what they mean. One thread receives, one at
-/// a time sends.
+/// Transports messages as bytes, without knowing their meaning. One thread receives, one at a time
+/// sends.
 class Transport {
  public:
   using Receive = std::function<void(const ArrivedMessage&)>;
 
   virtual ~Transport() = default;
 
-  /// Nothing when it was sent, else why not.
+  /// Nothing on success, else the reason.
   virtual std::optional<std::string> send(const std::string& channel,
                                           std::span<const std::uint8_t> payload) = 0;
 
   virtual void listen(const Listening& listening) = 0;
 
-  /// Waits up to `timeout` for a message, then hands over all that are there, for up to `longest`.
-  /// Returns how many. `receive` must not throw.
+  /// Waits up to `timeout` for a message, then passes on all waiting ones, for up to `longest`.
+  /// Returns their number. `receive` must not throw.
   virtual int receive(std::chrono::microseconds timeout, std::chrono::microseconds longest,
                       const Receive& receive) = 0;
 

@@ -27,12 +27,12 @@ constexpr int kForeignBufferBytes = 1 << 20;
 constexpr std::size_t kForeignDatagrams = 32;
 constexpr std::size_t kMostForeignKinds = 32;
 
-// A network that came back is heard again after this at the latest.
+// Longest time without reception after a network comes back.
 constexpr milliseconds kNetworkPeriod{200};
 constexpr milliseconds kForeignPeriod{10};
-// As long as this, what comes meanwhile may stay in the socket.
+// Longest time that new datagrams wait in the socket during a call.
 constexpr std::chrono::microseconds kFillPeriod{500};
-// A message needs no datagram more than this, with its channel.
+// Largest channel name and message in one datagram.
 constexpr std::size_t kLargestWhole = 65'499;
 
 std::string describe_foreign(std::span<const std::uint8_t> bytes) {
@@ -44,7 +44,7 @@ std::string describe_foreign(std::span<const std::uint8_t> bytes) {
     return "message fragments (refused: lcm.allow_fragments is false)";
   }
   const auto& bad = std::get<BadDatagram>(datagram);
-  // What reaches us is cut off, and so may be the name of a channel.
+  // Received datagrams are cut off here, perhaps within the channel name.
   return bad.has_magic ? "broken LCM datagrams" : "not LCM datagrams";
 }
 
@@ -81,7 +81,7 @@ std::optional<std::string> UdpTransport::open_sockets(ReceiveSocket& ours,
 void UdpTransport::attach_filters() {
   if (!socket_.is_open()) return;
   const bool fragments = params_.allow_fragments;
-  // Without a filter the same is heard, at a greater cost.
+  // If the kernel refuses a filter, reception works at a greater cost.
   if (listening_.all) {
     filter_beginning(socket_.descriptor(), listening_.beginning, fragments);
   } else {
@@ -140,9 +140,9 @@ void UdpTransport::look_after_network(Clock::time_point now) {
   if (!socket_.has_lost_its_group()) return;
   ReceiveSocket ours;
   ReceiveSocket foreign;
-  // As long as there is no network to join, the old sockets stay.
+  // The old sockets stay until there is a network to join.
   if (open_sockets(ours, foreign)) return;
-  // What the old one still holds came before the network went, and is taken along.
+  // Datagrams left in the old socket are still handled.
   while (queue_.fill(socket_.descriptor()) > 0) continue;
   socket_ = std::move(ours);
   foreign_socket_ = std::move(foreign);
@@ -152,7 +152,7 @@ void UdpTransport::look_after_network(Clock::time_point now) {
 
 void UdpTransport::count_foreign() {
   foreign_due_ = Clock::now() + kForeignPeriod;
-  // A flood of them must not keep us: the kernel drops what its small buffer cannot hold.
+  // Bounded in a flood: the kernel drops what its small buffer cannot hold.
   constexpr int kMostFills = 64;
   for (int i = 0; i < kMostFills; ++i) {
     if (foreign_queue_.fill(foreign_socket_.descriptor()) == 0) return;
@@ -177,8 +177,8 @@ void UdpTransport::count_foreign(std::span<const std::uint8_t> datagram, const S
 }
 
 void UdpTransport::hand_over(const DatagramQueue::Entry& entry, const Receive& receive) {
-  // The kernel's stamp, carried over to the clock that ages are judged by. A step of the real-time
-  // clock in between must not turn into an age.
+  // Converts the kernel's time stamp to the clock for ages. A step of the real-time clock meanwhile
+  // must not change an age.
   constexpr std::int64_t kLongestQueue_us = 60'000'000;
   const std::int64_t utime = host_utime();
   std::int64_t queued_us = utime - entry.utime;

@@ -15,15 +15,15 @@ namespace puck {
 
 struct UdpTransportParams {
   LcmUrl url;
-  bool allow_fragments = false;  ///< Take messages that came in several datagrams.
+  bool allow_fragments = false;  ///< Accept messages of several datagrams.
 };
 
-/// LCM's protocol over UDP multicast. liblcm sends; receiving is our own, since liblcm's receiver
-/// trusts what it gets (two datagrams kill it), wakes a thread more for every message, loses the
-/// newest when its queue is full, and stays deaf after its network was away.
+/// LCM's protocol over UDP multicast. liblcm only sends. Its receiver is replaced because it trusts
+/// the bytes (two datagrams crash it), wakes another thread for every message, loses the newest
+/// ones when its queue is full, and never receives again after a network failure.
 ///
-/// Two sockets: one for what is ours, and a small one that wakes nobody and collects what is not,
-/// so that strangers are counted without slowing anything down.
+/// Two sockets: one for our channels, and a small one for foreign datagrams, which wakes no thread,
+/// so that they are counted without a delay.
 class UdpTransport : public Transport {
  public:
   explicit UdpTransport(const UdpTransportParams& params);
@@ -31,7 +31,7 @@ class UdpTransport : public Transport {
   UdpTransport(const UdpTransport&) = delete;
   UdpTransport& operator=(const UdpTransport&) = delete;
 
-  /// Joins the group. Nothing when it worked, else what there is to wait for.
+  /// Joins the group. Returns nothing on success, else the reason to wait.
   std::optional<std::string> open();
 
   std::optional<std::string> send(const std::string& channel,

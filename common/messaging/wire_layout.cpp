@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t kMostInt32 = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t kMostInt64 = std::numeric_limits<std::int64_t>::max();
 
-// Longest lengths: far above what we send, far below what would hurt.
+// Limits of lengths: far above what we send, far below what could do harm.
 constexpr std::int64_t kMaxText = 255;
 constexpr std::int64_t kMaxEventsInPacket = 16384;
 constexpr std::int64_t kLongestPacket_us = 4095;
@@ -20,7 +20,7 @@ constexpr std::int64_t kMaxCounters = 256;
 constexpr std::int64_t kMaxLatencies = 64;
 constexpr std::int64_t kMaxPongs = 64;
 
-/// 0 is the first of them.
+/// Values count from 0.
 constexpr WireField one_of(std::string_view name, std::span<const std::string_view> meanings) {
   const auto max = static_cast<std::int64_t>(meanings.size()) - 1;
   return {name, WireKind::kInt8, 0, max, {}, 1, meanings};
@@ -28,7 +28,7 @@ constexpr WireField one_of(std::string_view name, std::span<const std::string_vi
 constexpr WireField whole32(std::string_view name, std::int64_t min, std::int64_t max) {
   return {name, WireKind::kInt32, min, max, {}, 1};
 }
-/// A count or a place in time; never negative.
+/// A count or a time; never negative.
 constexpr WireField amount(std::string_view name) {
   return {name, WireKind::kInt64, 0, kMostOnWire, {}, 1};
 }
@@ -55,7 +55,7 @@ constexpr WireField any_int64(std::string_view name) {
   return {name, WireKind::kInt64, std::numeric_limits<std::int64_t>::min(), kMostInt64, {}, 1};
 }
 
-// As the constants in lcmtypes are called.
+// Names of the constants in lcmtypes.
 constexpr std::array<std::string_view, 3> kTrackStates{"searching", "tracking", "lost"};
 constexpr std::array<std::string_view, 3> kValidities{"none", "coasting", "tracked"};
 constexpr std::array<std::string_view, 4> kArmModes{"follow", "hold", "stop", "reset"};
@@ -76,7 +76,7 @@ constexpr std::array kEventPacket{
     kSeq,
     whole32("width", 1, 2048),
     whole32("height", 1, 2048),
-    // A tracker tells the time of the last event, which is later.
+    // Leaves room for the time of the last event, which an estimate contains.
     WireField{"first_event_us", WireKind::kInt64, 0, kMostOnWire - kLongestPacket_us, {}, 1},
     WireField{"duration_us", WireKind::kInt64, 0, kLongestPacket_us, {}, 1},
     amount("sensor_zero_utime"),

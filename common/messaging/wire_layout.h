@@ -10,26 +10,25 @@
 
 namespace puck {
 
-/// The most that a time or a count may be on the wire: beyond it, sums of two could overflow, and a
-/// double would no longer have every µs.
+/// Upper limit of times and counts on the wire: sums of two cannot overflow, and doubles are exact.
 inline constexpr std::int64_t kMostOnWire = std::int64_t{1} << 53;
 
 enum class WireKind : std::uint8_t { kInt8, kBoolean, kInt32, kInt64, kDouble, kString, kByte };
 
-/// One field of a message as LCM writes it: big-endian, one after the other.
+/// One field of a message as LCM encodes it: big-endian, without padding.
 struct WireField {
   std::string_view name;
   WireKind kind{};
-  /// Of whole numbers: the values allowed. Of a string: the characters. Doubles must be finite,
-  /// booleans 0 or 1, bytes may be anything.
+  /// Integers: range of values. Strings: range of their lengths. Doubles must be finite, booleans 0
+  /// or 1; bytes may have any value.
   std::int64_t min = 0;
   std::int64_t max = 0;
-  std::string_view count_field{};  ///< Of an array: the int32 field before it that has its length.
-  int fixed_count = 1;             ///< Of an array of fixed length.
-  std::span<const std::string_view> meanings{};  ///< What the values from 0 on are called, if so.
+  std::string_view count_field{};  ///< Arrays: the earlier int32 field with the length.
+  int fixed_count = 1;             ///< Arrays of fixed length.
+  std::span<const std::string_view> meanings{};  ///< Names of the values from 0 on; or empty.
 };
 
-/// Encoded, one value; of a string the least: its length and its NUL.
+/// Encoded bytes of one value; of a string, the minimum: its length and NUL.
 std::size_t wire_bytes(WireKind kind);
 
 struct WireLayout {
@@ -38,17 +37,17 @@ struct WireLayout {
   std::span<const WireField> fields;
 };
 
-/// Before the fields stands what tells the type.
+/// The type's fingerprint precedes the fields.
 inline constexpr std::size_t kFingerprintBytes = 8;
 
-/// Which field of the layout has the length of this one; nothing where that is fixed.
+/// Index of the field with the length of this one; nothing for a fixed length.
 std::optional<std::size_t> place_of_count(const WireLayout& layout, const WireField& field);
 
-/// How a channel's messages look: what the receiver's checks are made from. A new type needs a row
-/// here and nothing else to be received safely.
+/// Layout of a channel's messages, from which the receiver's checks follow. A new type needs a row
+/// here and nothing else.
 const WireLayout& wire_layout(Channel channel);
 
-/// The most that a message of the channel's type may have, encoded.
+/// Largest encoded size of the channel's type.
 std::size_t most_message_bytes(Channel channel);
 
 }  // namespace puck

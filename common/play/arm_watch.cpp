@@ -6,13 +6,13 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kSilentUs = 500'000;
-// The arm may follow another bridge's last command for as long when this one starts.
+// An arm may follow another bridge's last command for this time after this bridge starts.
 constexpr std::int64_t kOtherCommanderUs = 500'000;
 
 }  // namespace
 
 void ArmWatch::hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
-  // The arm of a log that is played would be answered in the place of the one that is there.
+  // An arm in a replayed log must not be answered instead of the real one.
   if (freshness_of(state.utime, now, sender, max_clock_error_us_) != Freshness::kOfNow) return;
   switch (publisher_.hear(state.session, state.seq, now.monotonic_us)) {
     case SinglePublisher::Verdict::kNewPublisher:
@@ -36,7 +36,7 @@ const arm_state_t* ArmWatch::arm(const HostNow& now) const {
 std::int64_t ArmWatch::other_commander(std::int64_t own_session, const HostNow& now) const {
   const arm_state_t* heard = arm(now);
   if (heard == nullptr || heard->command_session == own_session) return 0;
-  // It obeys nobody: it names whoever stopped it.
+  // A latched arm obeys no commands; command_session is that of the stop.
   if (is_latched(*heard)) return 0;
   return now.monotonic_us - commander_since_us_ > kOtherCommanderUs ? heard->command_session : 0;
 }

@@ -10,18 +10,18 @@
 
 namespace puck {
 
-/// The arm that is commanded, by its ARM_STATE, and whom it obeys. One thread.
+/// The commanded arm by its ARM_STATE, and the publisher that it obeys. One thread.
 class ArmWatch {
  public:
-  /// `max_clock_error_us`: of a state's utime, by its sender's clock.
+  /// `max_clock_error_us`: limit for the age of a state's utime.
   explicit ArmWatch(std::int64_t max_clock_error_us) : max_clock_error_us_(max_clock_error_us) {}
 
-  /// `sender`: the clock of the state's session. An arm's word that is not of now is no arm.
+  /// `sender`: the clock of the state's session. States that are not current are ignored.
   void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender);
 
-  /// Its newest word; null while it is not heard.
+  /// The newest state; null while no arm is heard.
   const arm_state_t* arm(const HostNow& now) const;
-  /// The session of somebody else whose commands the arm has followed for a while; 0: nobody.
+  /// Session of another publisher whose commands the arm has followed for 0.5 s; 0: none.
   std::int64_t other_commander(std::int64_t own_session, const HostNow& now) const;
 
  private:

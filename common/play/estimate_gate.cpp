@@ -12,14 +12,14 @@
 namespace puck {
 namespace {
 
-// A tracker that is less sure of the place does not see the puck.
+// A position that is less certain is not usable.
 constexpr double kMostUnsureM = 0.5;
 
 bool has(const puck_estimate_t& estimate, std::int32_t flag) {
   return (estimate.flags & flag) != 0;
 }
 
-// Of (x, y, vx, vy) in the image. Nothing where the place's is none.
+// Covariance of (x, y, vx, vy) in the image; nothing if that of the position is invalid.
 std::optional<Matrix4> image_covariance(const puck_estimate_t& estimate, double default_sigma_px) {
   Matrix4 covariance{};
   std::copy(std::begin(estimate.covariance), std::end(estimate.covariance), covariance.begin());
@@ -35,8 +35,8 @@ std::optional<Matrix4> image_covariance(const puck_estimate_t& estimate, double 
   return covariance;
 }
 
-// How wide a disc of this radius is in the image; nothing behind the camera. Its height says less:
-// seen at a low angle, that is half the puck's wall.
+// Width of a disc of this radius in the image; nothing behind the camera. The height is less
+// reliable: at a low angle, half of it is the puck's wall.
 std::optional<double> width_at(const Homography& camera, const TablePoint& at, double radius_m) {
   const auto left = camera.to_image({at.x_m, at.y_m - radius_m});
   const auto right = camera.to_image({at.x_m, at.y_m + radius_m});
@@ -160,7 +160,7 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
     return EstimateVerdict::kStale;
   }
 
-  // An estimate's own utime has been found to be of now.
+  // The age of the estimate's own utime was checked above.
   if (estimate.event_utime > estimate.utime + params_.max_age_us) {
     return EstimateVerdict::kImplausible;
   }

@@ -14,49 +14,49 @@
 namespace puck {
 
 struct EstimateGateParams {
-  std::int64_t max_age_us = 100'000;  ///< Of the newest event used; a resting puck's may be older.
-  std::int64_t max_clock_error_us = 200'000;  ///< Of an estimate's utime, by its sender's clock.
-  double margin_m = 0.05;                     ///< A puck further off the table is not believed.
-  double max_speed_m_s = 20;                  ///< Nor is a faster one.
-  double default_sigma_px = 2;                ///< Where a tracker gives no covariance.
-  /// A puck that seems wider or narrower by more than this factor than one would at its place on
-  /// the table is not believed. A tracker that gives no size is not asked.
+  std::int64_t max_age_us = 100'000;          ///< Of the newest event used, unless the puck rests.
+  std::int64_t max_clock_error_us = 200'000;  ///< Limit for the age of an estimate's utime.
+  double margin_m = 0.05;                     ///< Estimates further off the table are rejected.
+  double max_speed_m_s = 20;                  ///< Faster ones are rejected.
+  double default_sigma_px = 2;                ///< For a tracker without covariance.
+  /// Estimates whose width differs by more than this factor from that of a puck at their place on
+  /// the table are rejected. Not checked for a tracker that gives no size.
   double size_tolerance = 2;
 };
 
-/// What an estimate is good for.
+/// Result of the checks of an estimate.
 enum class EstimateVerdict : std::uint8_t {
   kGood,
   kNotTracking,
   kStale,  ///< Its newest event is too old.
   kOffTable,
-  kImplausible,     ///< Too fast, too unsure, or of events that are yet to come.
-  kWrongSize,       ///< Far too wide or too narrow for its place: something else, or elsewhere.
-  kBlind,           ///< The head has turned, and where to is not known.
-  kMalformed,       ///< Not finite, or a covariance that is none.
-  kBelated,         ///< Overtaken by a newer one, but good: says something about then.
+  kImplausible,     ///< Too fast, too uncertain, or of events in the future.
+  kWrongSize,       ///< Far too wide or too narrow for a puck at its place.
+  kBlind,           ///< The head has turned by an unknown angle.
+  kMalformed,       ///< Not finite, or an invalid covariance.
+  kBelated,         ///< Older than one before, but good: a measurement of the past.
   kLate,            ///< Late, a duplicate or a replay.
   kOtherPublisher,  ///< Another tracker is followed.
-  kClock,           ///< Old, or from the future, by its own clock.
-  kClockUnknown,    ///< The tracker's clock is not known, or not well enough.
+  kClock,           ///< Too old, or from the future, by the sender's clock.
+  kClockUnknown,    ///< The tracker's clock is unknown or too uncertain.
 };
 inline constexpr std::size_t kEstimateVerdicts = 13;
 
 /// `good`, `not_tracking`, …: as in the names of counters.
 const char* to_string(EstimateVerdict verdict);
 
-/// Whether the estimate is the newest word of the tracker that is followed; if not, it says nothing
-/// about now.
+/// Whether the estimate is the newest one of the followed tracker; if not, it says nothing about
+/// the present.
 constexpr bool is_news(EstimateVerdict verdict) { return verdict <= EstimateVerdict::kMalformed; }
 
-/// Believes estimates or not, and carries the good ones to the table. One thread.
+/// Checks estimates and projects the good ones onto the table. One thread.
 class EstimateGate {
  public:
   /// Throws std::invalid_argument that names the key when a value is out of its range.
   EstimateGate(const EstimateGateParams& params, const TableGeometry& table);
 
-  /// Fills `measurement` when the estimate is good or belated. `sender`: the clock of its session.
-  /// `view`: the table in the image at its time; null where that is not known.
+  /// Fills `measurement` if the estimate is good or belated. `sender`: the clock of its session.
+  /// `view`: the table in the image at the estimate's time; null: not known.
   EstimateVerdict judge(const puck_estimate_t& estimate, const HostNow& now,
                         const SenderClock& sender, const TableView* view,
                         TableMeasurement& measurement);

@@ -6,27 +6,27 @@
 namespace puck {
 namespace {
 
-constexpr double kSlowMS = 0.05;    // slower is at rest
+constexpr double kSlowMS = 0.05;    // below: at rest
 constexpr double kComingMS = -0.1;  // slower towards the robot is no shot
 constexpr std::int64_t kStuckUs = 2'000'000;
-constexpr std::int64_t kUnseenUs = 200'000;  // unseen for so long, it is in a goal or out of view
-constexpr std::int64_t kSureUs = 30'000;     // the prediction flickers with the track's noise
+constexpr std::int64_t kUnseenUs = 200'000;  // then in a goal or out of view
+constexpr std::int64_t kSureUs = 30'000;     // hides changes by the track's noise
 constexpr double kSureSigmas = 2;
 constexpr double kHorizonS = 3.0;
 constexpr int kMaxBounces = 4;
-// A puck that grazes a goal post by no more than this share of its radius still goes in.
+// Share of its radius by which a puck may overlap a goal post and still go in.
 constexpr double kPostShare = 0.68;
-// One that was to pass a post by less on its outside can have been unsure of its way.
+// Misses beside a post by less than this may be errors of the prediction.
 constexpr double kBesideGoalM = 0.05;
-// A puck that was nearer to the end than this has bounced there.
+// A puck that came nearer to the end than this turned back at the rail.
 constexpr double kBesideRailM = 0.1;
-// Only a puck so near to a goal can have vanished in it.
+// Only this near to a goal can a puck vanish in it.
 constexpr double kBeforeGoalM = 0.5;
 constexpr double kBeforeGoalS = 0.15;
 
 }  // namespace
 
-// The goal that a puck is in whose centre is behind an end rail's line.
+// The goal whose area contains the puck's centre, behind an end rail's line.
 GameObserver::Goal GameObserver::goal_around(const TablePoint& place) const {
   const TableGeometry& table = motion_.table();
   if (std::abs(place.y_m) > table.goal_width_m / 2) return Goal::kNone;
@@ -34,8 +34,8 @@ GameObserver::Goal GameObserver::goal_around(const TablePoint& place) const {
   return place.x_m > table.length_m ? Goal::kOpponents : Goal::kNone;
 }
 
-// Whether it went into one: there it may come to rest, or seem to, before it is seen no more. One
-// that is first seen there is served.
+// Whether the puck entered the goal: it may come to rest there before it vanishes. A puck that is
+// first seen there is a new one, being served.
 bool GameObserver::is_in_goal(const PuckTrack& track) const {
   const Goal around = goal_around(track.state.position);
   return around != Goal::kNone && around == outlook_.near;
@@ -57,7 +57,7 @@ GameObserver::Outlook GameObserver::look_ahead(const PuckTrack& track) const {
       const Goal near = inside_m < -kBesideGoalM ? Goal::kNone
                         : comes                  ? Goal::kRobots
                                                  : Goal::kOpponents;
-      // What a bounce does is known to a few per cent only, and always errs to the same side.
+      // Bounces are known to a few per cent only, with a systematic error.
       const bool is_sure = bounces == 0 && std::abs(inside_m) > kSureSigmas * sigma_m;
       return {near, inside_m >= 0, is_sure, elapsed_s + to_end_s};
     }
@@ -68,7 +68,7 @@ GameObserver::Outlook GameObserver::look_ahead(const PuckTrack& track) const {
   return {Goal::kNone, false, false, elapsed_s};
 }
 
-// Until its rim touches the line of the end rail that it moves to, in a goal's mouth or beside it.
+// Time until the rim touches the end rail's line ahead, in the goal's mouth or beside it.
 double GameObserver::time_to_end(const PuckState& state) const {
   const TableGeometry& table = motion_.table();
   const bool comes = state.velocity.x_m_s < 0;
@@ -78,9 +78,8 @@ double GameObserver::time_to_end(const PuckState& state) const {
   return is_there ? 0 : motion_.time_to_x(state, line_x_m);
 }
 
-// By how much a puck that touches the end rail's line at `y_m` passes the nearer goal post on the
-// inside, and how that changes with `y_m`. The posts stand a puck's radius behind where its centre
-// is then.
+// Distance by which a puck that touches the end rail's line at `y_m` passes the nearer goal post on
+// the inside, and its derivative by `y_m`. The posts are a puck's radius behind the centre then.
 std::pair<double, double> GameObserver::beside_posts(double y_m, TableVelocity velocity) const {
   const TableGeometry& table = motion_.table();
   const double speed_m_s = std::max(1e-6, std::hypot(velocity.x_m_s, velocity.y_m_s));
@@ -127,14 +126,14 @@ void GameObserver::follow_hits(Timestamp t, const PuckTrack& track) {
   if (!change) return;
   ++belief_.rally_hits;
   belief_.longest_rally = std::max(belief_.longest_rally, belief_.rally_hits);
-  // A hit that is first seen late is told by its direction, not by its place.
+  // Direction before place, since a hit may be seen late.
   const double middle_m = motion_.table().length_m / 2;
   if (change->x_m_s < 0 || track.state.position.x_m > middle_m) {
     attack_open_ = true;
     attack_since_ = t;
     return;
   }
-  // What it was before the touch, says the last look before.
+  // The decision rests on the prediction before the touch.
   if (attack_open_) decide_attack(outlook_.is_shot());
   shot_touched_ = true;
   astray_since_.reset();
@@ -153,7 +152,7 @@ void GameObserver::follow_shot(Timestamp t, const PuckTrack& track) {
   nearest_m_ = std::min(nearest_m_, track.state.position.x_m);
   if (!shot_touched_) {
     if (comes) return;
-    // It has turned back, and nobody saw how: at the end rail, or at the mallet.
+    // It turned back without a visible hit: at the end rail, or at the mallet.
     shot_open_ = false;
     if (nearest_m_ > kBesideRailM) ++belief_.saves;
     return;
@@ -170,7 +169,7 @@ void GameObserver::see(Timestamp t, const PuckTrack& track) {
   const auto& velocity = track.state.velocity;
   const bool in_goal = is_in_goal(track);
   if (belief_.phase == GamePhase::kGoal) {
-    // That one counts only once.
+    // A puck in a goal counts once.
     if (in_goal) return;
     end_rally();
   }

@@ -22,7 +22,7 @@ enum class GamePhase : std::int8_t {
   kPuckOutOfView = game_state_t::PHASE_PUCK_OUT_OF_VIEW,
 };
 
-/// The game as it looks from the puck's track alone.
+/// State of the game as estimated from the puck's track alone.
 struct GameBelief {
   GamePhase phase = GamePhase::kWaiting;
   Timestamp phase_since;
@@ -36,31 +36,31 @@ struct GameBelief {
   friend bool operator==(const GameBelief&, const GameBelief&) = default;
 };
 
-/// Follows the game from the puck's track alone. As a referee has it, a shot is a hit of the
-/// opponent's that would enter the robot's goal, and a save is a shot that the robot's mallet hit
-/// and that then would not; a goal is a puck that vanishes in one or on its way into it. Counts a
-/// shot once it has come into the robot's half and the prediction is sure of it. One thread.
+/// Follows the game from the puck's track alone, by a referee's rules: a shot is a hit by the
+/// opponent that would enter the robot's goal; a save is a shot that the robot's mallet hit and
+/// that then would miss; a goal is a puck that vanishes in a goal or on its way into one. A shot
+/// counts once it is in the robot's half and its prediction is certain. One thread.
 class GameObserver {
  public:
   explicit GameObserver(const PuckMotion& motion) : motion_(motion), hits_(motion) {}
 
-  /// The puck as it is tracked at `t`. Times must not go back, except after `forget_time`.
+  /// The tracked puck at `t`. Times must not go back, except after `forget_time`.
   void see(Timestamp t, const PuckTrack& track);
-  /// The puck is not seen at `t`.
+  /// There is no tracked puck at `t`.
   void miss(Timestamp t);
-  /// The sensor's time begins anew; the score stays.
+  /// The sensor's time starts again; the score stays.
   void forget_time();
 
   const GameBelief& belief() const { return belief_; }
 
  private:
   enum class Goal { kNone, kRobots, kOpponents };
-  // Where the puck goes if nobody touches it.
+  // Prediction of an untouched puck.
   struct Outlook {
-    Goal near = Goal::kNone;  // the goal that it enters, or misses by little
+    Goal near = Goal::kNone;  // the goal that it enters or narrowly misses
     bool enters = false;
-    bool is_sure = false;  // of what `enters` says
-    double in_s = 0;       // until then
+    bool is_sure = false;  // whether `enters` is certain
+    double in_s = 0;       // time until then
 
     bool is_shot() const { return enters && near == Goal::kRobots; }
   };
@@ -83,15 +83,15 @@ class GameObserver {
   std::optional<Timestamp> last_seen_;
   std::optional<Timestamp> slow_since_;
   PuckTrack last_track_;
-  Outlook outlook_;           // of the last track
-  bool attack_open_ = false;  // the opponent has hit the puck: it may be a shot
+  Outlook outlook_;           // prediction from the last track
+  bool attack_open_ = false;  // the opponent's hit may become a shot
   Timestamp attack_since_;
-  bool shot_open_ = false;                   // it was one, and is under way
-  bool shot_touched_ = false;                // by the robot's mallet
-  bool threat_ = false;                      // the phase is that of a shot
-  std::optional<Timestamp> changing_since_;  // it should not be, or should, since
-  double nearest_m_ = 0;                     // to the robot's end, of an open shot
-  std::optional<Timestamp> astray_since_;    // a touched shot would miss since
+  bool shot_open_ = false;                   // a shot is on its way
+  bool shot_touched_ = false;                // it has touched the robot's mallet
+  bool threat_ = false;                      // the phase is kShotAtRobot
+  std::optional<Timestamp> changing_since_;  // start of a pending change of `threat_`
+  double nearest_m_ = 0;                     // least distance of the shot to the robot's end
+  std::optional<Timestamp> astray_since_;    // the touched shot would miss since then
 };
 
 }  // namespace puck

@@ -6,21 +6,21 @@
 namespace puck {
 namespace {
 
-// Long enough for a soft hit to show in a filtered track.
+// Interval long enough for a soft hit to show in a filtered track.
 constexpr std::int64_t kStepUs = 60'000;
-// Seen again after longer than this, it is as if seen for the first time.
+// After a longer gap the puck counts as seen for the first time.
 constexpr std::int64_t kForgottenUs = 400'000;
-// A smaller change of the velocity is no hit: 0.3 m/s and what the track is unsure of.
+// Smallest change of velocity that is a hit, added to kSigmas of the track's uncertainty.
 constexpr double kChangeMS = 0.2;
 constexpr double kSigmas = 3;
-// When exactly a puck bounces at a rail is not known better.
+// Uncertainty of the time of a bounce.
 constexpr double kBounceTimeS = 0.006;
-// A puck that is first seen so near to an end, moving away from it, was served there or bounced.
+// A new puck that moves away from an end nearer than this was served there or bounced.
 constexpr double kBesideEndM = 0.2;
 
-// Nearer to a rail a bounce may be half done in the track.
+// Nearer to a rail, a bounce may be incomplete in the track.
 constexpr double kNearRailM = 0.015;
-// So near to a goal a puck that is expected in it may still be seen.
+// A puck expected in a goal may still be seen this near to it.
 constexpr double kNearGoalM = 0.1;
 
 }  // namespace
@@ -33,8 +33,7 @@ bool HitFinder::moves_by_a_hit(const PuckTrack& track) const {
   return from_end_m > kBesideEndM;
 }
 
-// How the puck's velocity differs from what gliding would have made of it; nothing when it does
-// not.
+// Difference of the puck's velocity from that of a gliding puck; nothing if not significant.
 std::optional<TableVelocity> HitFinder::change_since(const PuckTrack& track,
                                                      double elapsed_s) const {
   const PuckMotion::Advanced expected = motion_.advance(older_->track, elapsed_s);

@@ -9,17 +9,16 @@
 
 namespace puck {
 
-/// Finds the mallets' hits in the puck's track: the puck does not move as gliding and bouncing from
-/// where it was a moment ago would have it move. One thread.
+/// Finds mallet hits in the puck's track: its motion differs from gliding and bouncing since a
+/// moment ago. One thread.
 class HitFinder {
  public:
   explicit HitFinder(const PuckMotion& motion) : motion_(motion) {}
 
-  /// By how much a hit since the puck was last seen has changed its velocity; nothing when there
-  /// was none. A puck that is seen for the first time and moves counts as hit from rest. Times must
-  /// not go back, except after `forget`.
+  /// Change of velocity by a hit since the last call; nothing without a hit. A puck that moves when
+  /// it is first seen counts as hit from rest. Times must not go back, except after `forget`.
   std::optional<TableVelocity> see(Timestamp t, const PuckTrack& track);
-  /// The puck that is seen next is another one.
+  /// The next puck is a new one.
   void forget() { older_.reset(); }
 
  private:

@@ -12,14 +12,14 @@
 namespace puck {
 namespace {
 
-// Of HEAD's sensor_us.
+// Value of HEAD's sensor_us when the time is not known.
 constexpr std::int64_t kTimeUnknown = -1;
-// A camera's time runs no faster than ours, but for what was held up on the way.
+// Longest delay of estimates on the way: sensor time advances faster only while it is made up for.
 constexpr std::int64_t kMaxHeldUpUs = 500'000;
 constexpr std::int64_t kGamePeriodUs = 100'000;
-// A track whose velocity is less sure than 0.5 m/s says nothing about the game yet.
+// A track with a larger uncertainty of its velocity, 0.5 m/s, is not used for the game.
 constexpr double kGameSpeedVariance = 0.25;
-// A target that has moved by more does not wait for the next command's time.
+// A target that moved by more is sent at once.
 constexpr double kNewTargetM = 0.005;
 constexpr double kMostCommandsHz = 1000;
 constexpr double kPathHorizonS = 0.5;
@@ -74,7 +74,7 @@ void PlayBridge::follow_session(const puck_estimate_t& estimate, const HostNow& 
   events_session_ = estimate.events_session;
   newest_heard_us_ = now.monotonic_us;
   if (goes_on) return;
-  // Another camera's time, or the camera's time begins anew.
+  // Another camera, or a restarted clock.
   filter_.reset();
   probation_.forget();
   game_.forget_time();
@@ -87,8 +87,7 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
   const std::optional<TableView> view = view_of({estimate.sensor_us});
   const EstimateVerdict verdict =
       gate_.judge(estimate, now, sender, view ? &*view : nullptr, measurement);
-  // One of another camera's time, or of events that come after the newest's, would not be of the
-  // past, and all that follows would be late.
+  // A measurement of another camera or from the future would make all later ones late.
   const bool is_of_past =
       estimate.events_session == events_session_ && estimate.sensor_us < newest_sensor_.us;
   if (verdict == EstimateVerdict::kBelated && is_of_past) filter_.update(measurement);
@@ -100,12 +99,12 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
   newest_ = estimate;
   newest_sensor_ = {estimate.sensor_us};
   trajectory_due_ = true;
-  // The estimate is news, so the clock of its sender is known.
+  // `sender` has a value, since the gate accepted the estimate's age.
   const std::int64_t age_us = now.utime - sender->to_own(estimate.event_utime);
   const bool age_is_known = estimate.event_utime != 0 && age_us >= 0;
   if (age_is_known) sensor_ahead_us_ = estimate.sensor_us + age_us - now.monotonic_us;
   if (!tracked_) {
-    // Without a puck there may be no events either: sensor time would stand still.
+    // Without a puck there may be no events, and sensor time would not advance.
     game_.miss(newest_sensor_ + (age_is_known ? age_us : 0));
     return;
   }
@@ -126,7 +125,7 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
 }
 
 void PlayBridge::hear(const head_state_t& head, const HostNow& now) {
-  // A late word, or that of another robot's head, must not say that this one is home.
+  // Late messages and those of another robot's head must not move this camera's pose.
   const auto verdict = head_publisher_.hear(head.session, head.seq, now.monotonic_us);
   if (verdict != SinglePublisher::Verdict::kNewPublisher &&
       verdict != SinglePublisher::Verdict::kAccepted) {
@@ -138,7 +137,7 @@ void PlayBridge::hear(const head_state_t& head, const HostNow& now) {
   if (is_sensor_time(head.sensor_us)) {
     head_.add({head.sensor_us}, pose);
   } else if (head.sensor_us == kTimeUnknown && sensor_ahead_us_) {
-    // A robot's encoders know nothing of the sensor's clock: their word is of now.
+    // A robot's encoders have no sensor time: their pose is current.
     head_.add({now.monotonic_us + *sensor_ahead_us_}, pose);
   }
   const double furthest_deg =
@@ -227,7 +226,7 @@ std::optional<arm_command_t> PlayBridge::next_command(const HostNow& now) {
   const std::optional<PuckTrack> track = live_track(now);
   if (!track) return std::nullopt;
 
-  // The bridge's idea of the line and the arm's: where both can go.
+  // The part of the line that both the table's file and the arm allow.
   const double lowest_m = std::max(-table_.robot_line_half_m, arm->line_min_m);
   const double highest_m = std::min(table_.robot_line_half_m, arm->line_max_m);
   if (!(lowest_m <= highest_m)) return std::nullopt;

@@ -25,65 +25,64 @@ namespace puck {
 
 struct PlayBridgeParams {
   EstimateGateParams gate;
-  std::int64_t probation_us =
-      TrackProbationParams{}.probation_us;  ///< As TrackProbationParams has it.
+  std::int64_t probation_us = TrackProbationParams{}.probation_us;  ///< See TrackProbationParams.
   PuckMotionParams motion;
   MotionFilterParams filter;
   InterceptParams intercept;
   StrategyParams strategy;
   double max_trajectory_hz = 1000;
-  double command_hz = 250;  ///< Commands a second; one whose target has moved goes out at once.
-  std::int64_t valid_for_us = 100'000;  ///< Of a command.
-  /// A camera of which the calibration holds no focal length may turn so far from where it was made
-  /// before the table's place counts as unknown, deg.
+  double command_hz = 250;              ///< Rate of commands; a target that moved goes out at once.
+  std::int64_t valid_for_us = 100'000;  ///< Validity of a command.
+  /// Without a focal length in the calibration: turn of the head, deg, beyond which the table's
+  /// place is unknown.
   double max_head_deg = 0.5;
   HeadTrackParams head;
-  /// Without HEAD the table's place counts as unknown. Else the camera counts as fixed until HEAD
-  /// is heard for the first time.
+  /// true: the table's place is unknown before the first HEAD. false: the camera counts as fixed
+  /// until then.
   bool needs_head = false;
 };
 
-/// From estimates to the puck's motion on the table, the game, and commands for the arm. Fed with
-/// messages and times, asked for messages, whose headers it leaves alone. It commands only on a
-/// live, believable track, and only an arm that it hears. One thread.
+/// From estimates to the puck's motion on the table, the game, and commands for the arm. Driven by
+/// messages and times; returns messages without headers. Commands only with a live, trusted track
+/// and an arm that is heard. One thread.
 class PlayBridge {
  public:
   /// Throws std::invalid_argument that names the key when a value is out of its range.
-  /// `camera`: nothing when it is not known; then the head is not followed.
+  /// `camera`: if empty, the head is not followed.
   PlayBridge(const PlayBridgeParams& params, const Homography& table_from_image,
              const TableGeometry& table, const std::optional<PinholeCamera>& camera = std::nullopt);
 
-  /// `sender`: the clock of the message's session. An arm's word that is not of now is no arm.
+  /// `sender`: the clock of the message's session. ARM_STATE that is not current is ignored.
   void hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
   void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
     arm_.hear(state, now, sender);
   }
   void hear(const head_state_t& head, const HostNow& now);
 
-  /// What is due for publication at `now`; each is due once.
+  /// Messages that are due at `now`; each is returned once.
   std::optional<puck_trajectory_t> next_trajectory(const HostNow& now);
   std::optional<arm_command_t> next_command(const HostNow& now);
   std::optional<game_state_t> next_game(const HostNow& now);
 
-  /// Where the camera looks is not known, so neither where the table is: no commands.
+  /// The head pose is unknown, and with it the table's place in the image: no commands.
   bool is_blind_to_head() const { return is_blind_; }
 
-  /// Whether the arm is heard, so that it can be commanded.
+  /// Whether an arm is heard that can be commanded.
   bool hears_arm(const HostNow& now) const { return arm_.arm(now) != nullptr; }
-  /// The session of somebody else whose commands the arm has followed for a while; 0: nobody.
-  /// `own_session`: that of the commands that are made here.
+  /// Session of another publisher whose commands the arm has followed for 0.5 s; 0: none.
+  /// `own_session`: session of this bridge's commands.
   std::int64_t other_commander(std::int64_t own_session, const HostNow& now) const {
     return arm_.other_commander(own_session, now);
   }
 
   const EstimateGate& gate() const { return gate_; }
   const TrackProbation& probation() const { return probation_; }
-  /// Good estimates that did not move the arm: on which nothing new rests, since the sensor's time
-  /// stood still under them, and those of a track that is not trusted.
+  /// Good estimates that did not move the arm: those whose sensor time did not advance, and those
+  /// of a track that is not trusted.
   std::int64_t frozen() const { return frozen_; }
   std::int64_t untrusted() const { return untrusted_; }
   std::int64_t outliers() const { return outliers_; }
-  /// How often the track began anew: where the puck was, and elsewhere.
+  /// Restarts of the track: after a hit at the puck's place, and elsewhere.
   std::int64_t hits() const { return filter_.hits(); }
   std::int64_t jumps() const { return filter_.jumps(); }
   std::int64_t commands() const { return commands_; }
@@ -94,8 +93,8 @@ class PlayBridge {
   struct Basis {
     std::int64_t session = 0;
     std::int64_t seq = 0;
-    Timestamp sensor;              // of its newest event
-    Timestamp sensor_at_receipt;   // the sensor's clock when it came
+    Timestamp sensor;              // time of its newest event
+    Timestamp sensor_at_receipt;   // sensor time at its receipt
     std::int64_t received_us = 0;  // CLOCK_MONOTONIC
   };
 
@@ -115,7 +114,7 @@ class PlayBridge {
   GameObserver game_;
 
   std::optional<Basis> basis_;
-  bool tracked_ = false;  // the newest estimate was good
+  bool tracked_ = false;  // the newest estimate is good
   std::int64_t events_session_ = 0;
   Timestamp newest_sensor_;
   std::int64_t newest_heard_us_ = 0;  // CLOCK_MONOTONIC
@@ -130,10 +129,10 @@ class PlayBridge {
   bool hears_head_ = false;
   bool head_is_home_ = true;
   bool is_blind_;
-  /// The sensor's clock less CLOCK_MONOTONIC, µs.
+  /// Sensor time minus CLOCK_MONOTONIC, µs.
   std::optional<std::int64_t> sensor_ahead_us_;
 
-  std::optional<std::int64_t> last_trajectory_us_;  // CLOCK_MONOTONIC, as all of these
+  std::optional<std::int64_t> last_trajectory_us_;  // CLOCK_MONOTONIC, as all below
   std::optional<std::int64_t> last_command_us_;
   std::int64_t last_basis_seq_ = -1;
   double last_target_m_ = 0;

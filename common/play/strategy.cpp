@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-constexpr double kGoesAwayMS = 0.3;  // slower is no direction
+constexpr double kGoesAwayMS = 0.3;  // slower: no direction
 
 }  // namespace
 
@@ -24,7 +24,7 @@ Strategy::Strategy(const StrategyParams& params, const TableGeometry& table)
 }
 
 Wish Strategy::decide(const PuckTrack& track, const std::optional<Intercept>& crossing) const {
-  // Beyond the posts a puck misses the goal, and the way back from there would be too long.
+  // Beyond the posts a puck misses the goal, and the mallet would have a long way back.
   const double post_m = table_.goal_width_m / 2;
   if (crossing) {
     const double prior = params_.crossing_prior_m * params_.crossing_prior_m;

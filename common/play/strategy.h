@@ -8,23 +8,23 @@
 namespace puck {
 
 struct StrategyParams {
-  /// How far from the middle shots cross the line, as a standard deviation, m. An unsure crossing
-  /// is weighed against it: the less sure, the nearer to the middle the mallet waits.
+  /// Standard deviation of the shots' crossings around the middle of the line, m. The more
+  /// uncertain a crossing is in comparison, the nearer to the middle the mallet waits.
   double crossing_prior_m = 0.15;
-  /// Where the mallet waits for a puck in the robot's half that nobody shot: this part of the
-  /// puck's y.
+  /// Waiting position for a puck in the robot's half that is no shot: this factor times the puck's
+  /// y.
   double shadow_gain = 0.5;
 };
 
-/// Where the mallet should be and when.
+/// Target of the mallet: place and time.
 struct Wish {
   double y_m = 0;          ///< On the robot's line; may lie beyond its ends.
   double arrive_in_s = 0;  ///< 0: as soon as possible.
 };
 
-/// Blocks at the predicted crossing, as far as that is sure and before the goal; shadows a puck
-/// that lies or dawdles in the robot's half; otherwise waits in the middle, and goes back there as
-/// soon as the puck goes away.
+/// Blocks at the predicted crossing, weighted by its certainty and clamped to the goal; follows the
+/// y of a slow puck in the robot's half; otherwise waits in the middle, and returns there when the
+/// puck moves away.
 class Strategy {
  public:
   /// Throws std::invalid_argument that names the key when a value is out of its range.

@@ -8,19 +8,19 @@
 namespace puck {
 namespace {
 
-// Unseen for longer, the puck that is seen next may be another one.
+// After a longer gap, the next puck may be another one.
 constexpr std::int64_t kGapUs = 100'000;
-constexpr double kLeapM = 0.05;  // what estimates may be off by
-// The share of outliers is that of the last 50 ms. A hit makes 5 ms of them.
+constexpr double kLeapM = 0.05;  // tolerance for errors of estimates
+// Memory of the share of outliers. A hit causes 5 ms of outliers.
 constexpr double kScatterMemoryUs = 50'000;
 constexpr std::int64_t kLongestStepUs = 5'000;
 constexpr double kScattered = 0.35;
 constexpr double kGathered = 0.15;
-// A tracker's velocity lags behind a hit.
+// A tracker's velocity lags behind a hit by less than this.
 constexpr std::int64_t kContradictionUs = 30'000;
 constexpr double kVelocityErrorMS = 1.0;
 constexpr double kVelocityErrorShare = 0.5;
-// A track that is less sure of its velocity contradicts nobody, m²/s².
+// A track with a larger uncertainty of its velocity is not compared, m²/s².
 constexpr double kKnownSpeedVariance = 0.1;
 
 double distance(const TablePoint& a, const TablePoint& b) {
@@ -64,7 +64,7 @@ TrackProbation::Doubt TrackProbation::doubt() const {
   return Doubt::kNone;
 }
 
-// Whether a track that begins anew can be the same puck after a hit.
+// Whether a track that starts again can be the same puck after a hit.
 bool TrackProbation::continues(const TableMeasurement& start) const {
   if (!newest_good_) return false;
   const std::int64_t gap_us = start.t - newest_good_->t;
@@ -74,7 +74,7 @@ bool TrackProbation::continues(const TableMeasurement& start) const {
 }
 
 void TrackProbation::follow_scatter(Timestamp t, bool is_outlier) {
-  // The first of them after a gap stands for no more than itself.
+  // The first measurement after a gap counts for kLongestStepUs only.
   const std::int64_t since_us = newest_ ? t - *newest_ : kLongestStepUs;
   const auto elapsed_us =
       static_cast<double>(std::clamp<std::int64_t>(since_us, 0, kLongestStepUs));
@@ -87,7 +87,7 @@ void TrackProbation::follow_scatter(Timestamp t, bool is_outlier) {
 void TrackProbation::follow_velocity(const TableMeasurement& measurement, const PuckTrack& track) {
   const TableVelocity& said = measurement.velocity;
   const TableVelocity& found = track.state.velocity;
-  // Exactly nothing: a tracker that gives no velocity.
+  // Exactly 0 means that the tracker gives no velocity.
   const bool is_said = said.x_m_s != 0 || said.y_m_s != 0;
   const bool is_found = std::max(track.covariance[10], track.covariance[15]) < kKnownSpeedVariance;
   const double speed_m_s =

@@ -10,31 +10,32 @@
 namespace puck {
 
 struct TrackProbationParams {
-  /// A track that begins, comes out of the blue or contradicted itself has to hold for so long
-  /// before the arm moves by it, µs. A hit begins no new track.
+  /// Time, µs, that a new track, or one with a jump or a contradiction, must hold before it moves
+  /// the arm. A hit starts no new track.
   std::int64_t probation_us = 15'000;
-  double max_speed_m_s = 20;  ///< What moves faster from one place to another is not one puck.
+  double max_speed_m_s = 20;  ///< Two places with a higher speed between them are not one puck's.
 };
 
-/// Whether the arm may move by a track: a tracker can be sure of itself and wrong. Judges what a
-/// single estimate does not show: leaps, two pucks by turns, and a velocity that is not that of the
-/// positions. A track that is wrong and moves like a puck nobody can tell. One thread.
+/// Decides whether the arm may move by a track, since a tracker may report a wrong track with a
+/// high score. Detects what no single estimate shows: jumps, two alternating pucks, and a velocity
+/// that does not match the positions. It cannot detect a wrong track that moves like a puck. One
+/// thread.
 class TrackProbation {
  public:
   enum class Doubt : std::uint8_t {
     kNone,
     kNew,         ///< On probation.
     kScattered,   ///< Too many outliers.
-    kContradicts  ///< The velocity that the tracker says is not that of its positions.
+    kContradicts  ///< The reported velocity does not match the positions.
   };
 
   /// Throws std::invalid_argument that names the key when a value is out of its range.
   explicit TrackProbation(const TrackProbationParams& params);
 
-  /// A measurement, what the filter did with it, and the filter's track then.
+  /// Takes a measurement, its use by the filter, and the filter's track then.
   void take(const TableMeasurement& measurement, MeasurementUse use,
             const std::optional<PuckTrack>& track);
-  /// The sensor's time begins anew: so does the track.
+  /// The sensor's time starts again, and with it the track.
   void forget();
 
   Doubt doubt() const;
@@ -51,7 +52,7 @@ class TrackProbation {
   TrackProbationParams params_;
   std::optional<Timestamp> newest_;  // of all measurements
   std::optional<TableMeasurement> newest_good_;
-  Timestamp began_;  // the probation
+  Timestamp began_;  // start of the probation
   double outlier_share_ = 0;
   bool is_scattered_ = false;
   std::optional<Timestamp> contradicts_since_;

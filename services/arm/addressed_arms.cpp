@@ -5,9 +5,9 @@
 namespace puck {
 namespace {
 
-// Of an ARM_STATE's utime, by its sender's clock: as the arm has it for commands.
+// Limit for the age of an ARM_STATE, as the arm's for commands.
 constexpr std::int64_t kMaxClockErrorUs = 200'000;
-// An arm says its state at least ten times a second.
+// An arm publishes its state at least ten times a second.
 constexpr std::int64_t kSilentUs = 250'000;
 
 }  // namespace
@@ -22,13 +22,13 @@ bool AddressedArms::confirms(const arm_state_t& state) const {
   return is_latched(state) && state.command_session == own_session_;
 }
 
-// Nobody but an arm that heard this run's stop can name its session, whatever its clock.
+// Only an arm that heard this run's stop can name its session; its clock does not matter.
 bool AddressedArms::is_certain(const Arm& arm) const {
   const bool answers_stop = mode_ == arm_command_t::MODE_STOP && confirms(arm.state);
   return arm.freshness == Freshness::kOfNow || answers_stop;
 }
 
-// Who cannot be told from an arm that is there may be one, and move.
+// An arm of unknown clock may be a real one, and moving.
 bool AddressedArms::is_heard(const Arm& arm, const HostNow& now) const {
   if (now.monotonic_us - arm.heard_us > kSilentUs) return false;
   return arm.freshness == Freshness::kClockUnknown || is_certain(arm);

@@ -11,26 +11,25 @@
 
 namespace puck {
 
-/// The arms that an operator's command is for, by their ARM_STATE, and whether each of them
-/// confirms it. An arm is heard while it speaks, unless its clock is known and what it says is not
-/// of now: that is a log that is played. One whose clock is not known cannot be told from a log: it
-/// must confirm with the others, but a word of its own confirms nothing, unless it names this
-/// operator's stop. One thread.
+/// The arms that an operator's command addresses, by their ARM_STATE, and their confirmations. An
+/// arm counts while it is heard, unless its clock is known and its state is not current: then it is
+/// a replayed log. An arm of unknown clock may be a log: it must confirm with the others, but its
+/// confirmation alone is not enough, unless it names this operator's stop. One thread.
 class AddressedArms {
  public:
-  /// `own_session`: of the operator's commands.
+  /// `own_session`: session of the operator's commands.
   AddressedArms(std::int8_t mode, std::int64_t own_session)
       : mode_(mode), own_session_(own_session) {}
 
   /// `sender`: the clock of the state's session.
   void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender);
 
-  /// Of those that are certain to be there: a reset answers each.
+  /// Sessions of the arms that are certainly real, for resets, which name the arm's session.
   std::vector<std::int64_t> sessions(const HostNow& now) const;
-  /// There is one for certain, and all that are heard say that they were stopped, or stopped once
-  /// more, by this operator; or none is latched any more.
+  /// At least one arm is certainly real, and all that are heard confirm: stopped by this operator,
+  /// or no longer latched after a reset.
   bool confirm(const HostNow& now) const { return why_not(now).empty(); }
-  /// Empty: they confirm.
+  /// Reason for which confirm() is false; empty if it is true.
   std::string why_not(const HostNow& now) const;
 
  private:

@@ -26,7 +26,7 @@ void read_safety(Config& config, ArmControllerParams& controller) {
   controller.arm.max_encoder_age_us = encoder_age_ms * 1000;
 }
 
-// Whether a joint table was given.
+// Returns whether a joint table was given.
 bool read_motion(Config& config, ArmMotionParams& motion) {
   config.read("arm.max_speed_m_s", motion.max_speed_m_s, 0.001, 20);
   config.read("arm.max_acceleration_m_s2", motion.max_acceleration_m_s2, 0.01, 1000);
@@ -72,10 +72,11 @@ ArmServiceParams read_arm_params(Config& config) {
   const bool has_joint_table = read_motion(config, controller.arm);
 
   if (params.back_end.name == "yarp" && !has_joint_table) {
-    config.fail("arm.joint_table",
-                "is needed when arm.back_end is \"yarp\": what is built in is the simulated arm's");
+    config.fail(
+        "arm.joint_table",
+        "is needed when arm.back_end is \"yarp\": the built-in table is the simulated arm's");
   }
-  // A real arm is not moved by a camera whose time nobody can check.
+  // A real arm moves only by a camera whose clock can be checked.
   controller.track.camera_is_real = params.back_end.name == "yarp";
   if (mode == "follow") {
     if (table_file.empty()) config.fail("arm.table", "is needed when arm.mode is \"follow\"");

@@ -9,9 +9,9 @@ namespace puck {
 struct ArmServiceParams {
   ArmControllerParams controller;
   BackEndParams back_end;
-  double loop_hz = 500;         ///< Key arm.loop_hz: set-points are sent so many times a second.
-  double state_hz = 500;        ///< Key arm.state_hz: ARM_STATE is published so many times.
-  int real_time_priority = 20;  ///< Key arm.real_time_priority: of SCHED_FIFO; 0: not asked for.
+  double loop_hz = 500;         ///< Key arm.loop_hz: rate of set-points.
+  double state_hz = 500;        ///< Key arm.state_hz: rate of ARM_STATE.
+  int real_time_priority = 20;  ///< Key arm.real_time_priority: of SCHED_FIFO; 0: none.
 };
 
 ArmServiceParams read_arm_params(Config& config);

@@ -14,15 +14,15 @@
 namespace puck {
 namespace {
 
-// A robot that gets no set-points for so long stands still: the motion goes on from rest.
+// After a longer pause without set-points the robot rests, and the motion starts from rest.
 constexpr std::int64_t kPauseUs = 20'000;
-// However many messages come, a step is not kept waiting for longer.
+// Longest time for messages before a step.
 constexpr std::int64_t kLongestDrainUs = 500;
-// Nor do they keep the loop from waiting for so long before each step: others need the processor.
+// Shortest sleep before each step, also in a flood: other processes need the processor.
 constexpr std::int64_t kLeastWaitUs = 100;
-// With the limits that are built in it takes 0.1 s to brake.
+// Braking takes 0.1 s with the built-in limits.
 constexpr std::int64_t kLongestBrakeUs = 500'000;
-// Why it stands still in a game is logged at most so often, but always at level debug.
+// Shortest period of log lines on reasons for holding; others go to level debug.
 constexpr std::int64_t kTellPeriodUs = 1'000'000;
 
 const char* name_of(int state) {
@@ -46,7 +46,7 @@ bool plays(int state) {
   return state == arm_state_t::STATE_MOVING || state == arm_state_t::STATE_HOLDING;
 }
 
-// Counts that each stand for a reason to look at.
+// Refusals that are worth a warning.
 constexpr std::array kRefusals{
     CommandRefusal::kOld,         CommandRefusal::kFromFuture,  CommandRefusal::kClockUnknown,
     CommandRefusal::kOtherArm,    CommandRefusal::kNotFinite,   CommandRefusal::kOffLine,
@@ -92,7 +92,7 @@ void ArmService::turn() {
   poll_status(context_, *this);
 }
 
-// Set-points that merely ceased would stop the arm harder than its limits allow.
+// A sudden end of the set-points would stop the arm harder than its limits allow.
 void ArmService::brake() {
   controller_.end();
   const std::int64_t end_us = host_monotonic_us() + kLongestBrakeUs;
@@ -102,13 +102,13 @@ void ArmService::brake() {
   if (!controller_.rests()) context_.log.warn("the service ends before the arm has come to rest");
 }
 
-// Nothing that comes changes the motion before the step, and the kernel notes when it came. So the
-// arm sleeps until then: woken by every estimate it would push aside whoever publishes them.
+// Messages do not change the motion before the step, and the kernel stamps their arrival. So the
+// arm sleeps until then: waking up for every estimate would preempt their publisher.
 void ArmService::wait_until_due() {
   due_us_ += step_period_us_;
-  // What is late is not caught up with: set-points would come faster than the motion is.
+  // A late step is not caught up with: set-points would come faster than the motion.
   due_us_ = std::max(due_us_, host_monotonic_us());
-  // In a flood the last drain has left messages.
+  // In a flood the last call left messages.
   if (!is_drained_) drain_until(due_us_ - kLeastWaitUs);
   std::this_thread::sleep_for(
       std::chrono::microseconds(std::max(due_us_ - host_monotonic_us(), kLeastWaitUs)));
@@ -161,7 +161,7 @@ void ArmService::follow_state(const arm_state_t& state) {
   const bool is_play = plays(logged_state_) && plays(state.state);
   const std::int64_t now_us = host_monotonic_us();
   auto level = is_fault ? spdlog::level::err : spdlog::level::info;
-  // Moving and holding alternate all the time in a game, and with a bad track so do the reasons.
+  // A game alternates between moving and holding; a bad track also changes the reasons.
   if (is_play && (state.reason.empty() || now_us - told_us_ < kTellPeriodUs)) {
     level = spdlog::level::debug;
   } else {

@@ -12,8 +12,8 @@
 
 namespace puck {
 
-/// puck-arm: hears ARM_COMMAND and ESTIMATE, takes each step of the arm's loop at its time on the
-/// monotonic clock, publishes ARM_STATE.
+/// puck-arm: receives ARM_COMMAND and ESTIMATE, steps the arm's loop on the monotonic clock,
+/// publishes ARM_STATE.
 class ArmService : public Service {
  public:
   static ArmServiceParams read_params(Config& config) { return read_arm_params(config); }
@@ -25,11 +25,11 @@ class ArmService : public Service {
   void report(StatusReport& report) const override;
 
  private:
-  /// One step, at its time.
+  /// Waits for the next step and takes it.
   void turn();
   void brake();
   void wait_until_due();
-  /// Handles what there is; whether it was done with all of it before `end_us`, CLOCK_MONOTONIC.
+  /// Handles waiting messages until `end_us`, CLOCK_MONOTONIC; returns whether none is left.
   bool drain_until(std::int64_t end_us);
   void step(const HostNow& now);
   void publish_state(const HostNow& now);
@@ -46,7 +46,7 @@ class ArmService : public Service {
   std::int64_t stepped_us_ = 0;
   std::int64_t next_state_us_ = 0;
   bool is_drained_ = true;
-  LatencyHistogram loop_jitter_;  // how late steps were
+  LatencyHistogram loop_jitter_;  // delay of steps
   std::int64_t pauses_ = 0;
   std::int64_t time_skipped_us_ = 0;
   std::int64_t refused_before_ = 0;

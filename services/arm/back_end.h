@@ -11,14 +11,14 @@ namespace puck {
 
 struct BackEndParams {
   std::string name = "simulated";  ///< Key arm.back_end: simulated, yarp.
-  /// Key arm.allow_unauthenticated: a real arm is moved by whoever is on the network.
+  /// Key arm.allow_unauthenticated: a real arm accepts commands from any host.
   bool allow_unauthenticated = false;
-  YarpParams yarp;  ///< Keys arm.yarp.*, without the limits, which are the joint table's.
+  YarpParams yarp;  ///< Keys arm.yarp.*; the limits come from the joint table.
 };
 
-/// What moves the arm; nothing: the controller's own simulated joints. Throws std::invalid_argument
+/// The arm's back end; null: the controller's own simulated joints. Throws std::invalid_argument
 /// that names the key when a value is out of its range, and for a real arm on a bus that is not
-/// `authenticated`, unless that is allowed: who reaches the network must not thereby move a robot.
+/// `authenticated`, unless allowed: access to the network alone must not move a robot.
 std::unique_ptr<ArmBackEnd> make_back_end(const BackEndParams& params,
                                           const ArmControllerParams& controller,
                                           bool authenticated);

@@ -30,7 +30,7 @@ void publish(Bus& bus, std::int8_t mode, std::int64_t arm_session) {
   bus.publish(command);
 }
 
-// Whether it went to anybody. A stop is for all, heard or not; a reset answers each arm.
+// Returns whether any arm is addressed. A stop is for all arms; a reset names each arm heard.
 bool publish_to_all(Bus& bus, std::int8_t mode, const AddressedArms& arms) {
   if (mode == arm_command_t::MODE_STOP) {
     publish(bus, mode, 0);
@@ -58,7 +58,7 @@ std::optional<int> OperatorCommand::run(const BusParams& params, std::stop_token
   const char* word = stop_ ? "stopped" : "reset";
 
   Bus bus(params);
-  // The arm has to know our clock before it believes that a reset is of now.
+  // An arm must know our clock before it accepts a reset as current.
   StatusReporter status(bus, "puck-operator");
   AddressedArms arms(mode, bus.session());
   bus.subscribe<arm_state_t>([&](const arm_state_t& state, const Receipt& at) {

@@ -5,8 +5,8 @@
 
 namespace puck {
 
-/// Keys arm.yarp.*: where the robot's control board is. The limits of the joints are not among
-/// them: they come from the joint table.
+/// Reads keys arm.yarp.*: the robot's control board. The limits of the joints come from the joint
+/// table.
 YarpParams read_yarp_params(Config& config);
 
 }  // namespace puck

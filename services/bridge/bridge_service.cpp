@@ -11,13 +11,13 @@ namespace puck {
 namespace {
 
 constexpr std::chrono::milliseconds kHandle{2};
-// In a flood the loop, which runs before all that is not real-time, leaves 5 % to the others.
+// In a flood this real-time loop leaves 5 % of the processor to other processes.
 constexpr std::chrono::microseconds kLongestDrain{5000};
 constexpr std::chrono::microseconds kPause{250};
 constexpr std::int64_t kSilentUs = 500'000;
 constexpr std::int64_t kWorthALineUs = 200'000;
 
-// Estimates that are not good, and not just those of a puck that is not in sight.
+// Rejections that are worth a warning; a puck out of view is not.
 constexpr std::array kSuspicious{EstimateVerdict::kStale,       EstimateVerdict::kOffTable,
                                  EstimateVerdict::kImplausible, EstimateVerdict::kWrongSize,
                                  EstimateVerdict::kBlind,       EstimateVerdict::kMalformed,
@@ -97,7 +97,7 @@ BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& 
     estimate_wait_.record(host_monotonic_us() - at.monotonic_us);
     bridge_.hear(estimate, {at.utime, at.monotonic_us}, context_.status.clock_of(estimate.session));
     last_estimate_us_ = at.monotonic_us;
-    // At once, before what else may have come is dealt with: the arm waits for it.
+    // At once, before other messages: the arm waits for it.
     if (command()) estimate_to_command_.record(host_monotonic_us() - at.monotonic_us);
   });
   context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& at) {
@@ -179,7 +179,7 @@ void BridgeService::follow_state() {
     text_ = now.text;
     text_since_us_ = now_us;
   }
-  // What comes and goes within moments would fill the log.
+  // Short-lived texts are not logged.
   if (text_ == logged_text_ || now_us - text_since_us_ < kWorthALineUs) return;
   logged_text_ = text_;
   if (text_.empty()) {

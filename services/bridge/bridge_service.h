@@ -13,12 +13,12 @@
 namespace puck {
 
 struct BridgeServiceParams {
-  TableCalibration table;  ///< From the file that bridge.table names.
+  TableCalibration table;  ///< File of bridge.table.
   PlayBridgeParams play;
-  int real_time_priority = 15;  ///< Key bridge.real_time_priority: of SCHED_FIFO; 0: not asked for.
+  int real_time_priority = 15;  ///< Key bridge.real_time_priority: of SCHED_FIFO; 0: none.
 };
 
-/// puck-bridge: hears ESTIMATE, ARM_STATE and HEAD; publishes TRAJECTORY, ARM_COMMAND and GAME.
+/// puck-bridge: receives ESTIMATE, ARM_STATE and HEAD; publishes TRAJECTORY, ARM_COMMAND and GAME.
 class BridgeService : public Service {
  public:
   static BridgeServiceParams read_params(Config& config);
@@ -35,9 +35,9 @@ class BridgeService : public Service {
     std::string text;
   };
 
-  /// Those that have come; waits for the next where none has, or after a while in any case.
+  /// Handles waiting messages; without any, waits for the next one for a limited time.
   void handle_messages();
-  /// Whether one was sent.
+  /// Returns whether a command was sent.
   bool command();
   void publish_what_is_due();
   Standing standing() const;
@@ -47,14 +47,14 @@ class BridgeService : public Service {
   ServiceContext& context_;
   PlayBridge bridge_;
   int real_time_priority_;
-  std::int64_t idle_us_ = 0;           // CLOCK_MONOTONIC: when it last waited
+  std::int64_t idle_us_ = 0;           // CLOCK_MONOTONIC: end of the last wait
   std::int64_t last_estimate_us_ = 0;  // CLOCK_MONOTONIC; 0: none yet
-  std::string text_;                   // of the state
+  std::string text_;                   // text of the state
   std::int64_t text_since_us_ = 0;     // CLOCK_MONOTONIC
   std::string logged_text_;
   std::int64_t warned_of_ = 0;
   LatencyHistogram estimate_to_command_;
-  LatencyHistogram estimate_wait_;  // from the kernel's receipt until it is taken up
+  LatencyHistogram estimate_wait_;  // from the kernel's receipt to the handler
 };
 
 }  // namespace puck

@@ -21,23 +21,23 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-// Between two looks at the bus: a compromise between the mallet's age and system calls …
+// Period of handling messages: a compromise between the mallet's age and system calls …
 constexpr milliseconds kBusPeriod{1};
-// … and where there is no mallet, so that only STATUS waits.
+// … and without a mallet, where only STATUS waits.
 constexpr milliseconds kQuietBusPeriod{10};
-// Packets that are due more often than this go a few at a time: waking up for each would cost more
+// Packets that are due more often are published in groups: waking up for each one would cost more
 // than publishing it.
 constexpr microseconds kShortestSleep{50};
 constexpr std::int64_t kLateUs = 20'000;
-// An older word of the arm, by its own clock, is not of now.
+// An older ARM_STATE, by its own clock, is not current.
 constexpr std::int64_t kArmAgeUs = 200'000;
-// What a receiver can take when the camera makes up for lost time. A packet costs it as much as so
-// many events.
+// Rate that receivers can handle when the camera is late. A packet costs them as much as this
+// number of events.
 constexpr double kCatchUpMevS = 100;
 constexpr std::size_t kPacketCostEvents = 500;
-// Nothing late for so long means that all is well again.
+// Trouble is over after this time without a late packet.
 constexpr std::chrono::seconds kRecovered{1};
-// A camera may well see nothing for a while.
+// Shorter silence is normal for a camera.
 constexpr std::chrono::seconds kSilent{1};
 
 bool is_paced(const CameraSettings& settings, const EventSource& source) {
@@ -54,8 +54,7 @@ CameraService::CameraService(const CameraSettings& settings, ServiceContext& con
       is_paced_(is_paced(settings, *source_)),
       pacer_(settings.speed),
       limit_(is_paced_ ? kCatchUpMevS : settings.arrival_limit_mev_s) {
-  // What nobody holds back comes as it comes: it must be read in time, whatever else there is to
-  // do.
+  // Unpaced streams must be read in time, whatever else happens, hence on their own thread.
   const bool is_stream = settings.source == "stdin" || settings.source == "tcp";
   if (!is_paced_ && is_stream) source_ = std::make_unique<LiveSource>(std::move(source_));
   if (const auto sensor = source_->sensor_size()) check_mask(*sensor);
@@ -85,7 +84,7 @@ void CameraService::check_mask(SensorSize sensor) const {
   settings_.hot_pixels.check_sensor(sensor, "camera.hot_pixel_mask");
 }
 
-// A stale or foreign ARM_STATE, or that of a log, changes nothing, so the mallet stays.
+// A stale, foreign or replayed ARM_STATE does not move the mallet.
 void CameraService::listen_to_arm() {
   context_.peers.need({"puck-arm"});
   context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& receipt) {
@@ -109,7 +108,7 @@ void CameraService::run(std::stop_token stop) {
   if (settings_.at_end == "wait") wait_at_end(stop);
 }
 
-// True at the end of the source, false when it was stopped.
+// Returns true at the end of the source, false after a stop request.
 bool CameraService::play(std::stop_token stop) {
   while (!stop.stop_requested()) {
     serve_bus();
@@ -138,7 +137,7 @@ bool CameraService::play(std::stop_token stop) {
   return false;
 }
 
-// False when it was stopped meanwhile.
+// Returns false after a stop request.
 bool CameraService::send_chunk(std::stop_token stop) {
   if (!packer_) prepare(*source_->sensor_size());
   events_masked_ += settings_.hot_pixels.remove_from(chunk_.packet);
@@ -191,7 +190,7 @@ void CameraService::prepare(SensorSize sensor) {
                                 sensor.height, packet_bytes));
 }
 
-// Serves the bus meanwhile. False when it was stopped.
+// Handles messages meanwhile. Returns false after a stop request.
 bool CameraService::wait_until(Timestamp time, std::stop_token stop) {
   while (true) {
     if (stop.stop_requested()) return false;
@@ -206,7 +205,7 @@ bool CameraService::wait_until(Timestamp time, std::stop_token stop) {
   return true;
 }
 
-// Serves the bus meanwhile. False when it was stopped.
+// Handles messages meanwhile. Returns false after a stop request.
 bool CameraService::wait_for_turn(std::stop_token stop) {
   while (!stop.stop_requested()) {
     serve_bus();
@@ -288,9 +287,9 @@ void CameraService::rotate(Event& event) const {
 }
 
 std::int64_t CameraService::sensor_zero_utime() const {
-  // At another speed sensor time has no zero on the host's clock.
+  // At another speed, sensor time has no fixed zero on the host's clock.
   if (is_paced_ && settings_.speed != 1) return 0;
-  // Before 1970 it cannot be said on the wire.
+  // Times before 1970 are not valid on the wire.
   return std::max<std::int64_t>(0, is_paced_ ? pacer_zero_utime_ : live_zero_.utime());
 }
 

@@ -20,15 +20,15 @@
 
 namespace puck {
 
-/// Takes events from a source, waits until their time has come, and publishes them in packets. For
-/// the simulated table it publishes TRUTH and HEAD, too, and moves the robot's mallet as ARM_STATE
-/// says. One thread.
+/// Takes events from a source, waits until their time, and publishes them in packets. With the
+/// simulated table it also publishes TRUTH and HEAD, and moves the robot's mallet by ARM_STATE. One
+/// thread.
 class CameraService final : public Service {
  public:
   static CameraSettings read_params(Config& config) { return read_camera_settings(config); }
 
-  /// Opens the source. Throws EventFileError, std::runtime_error or std::invalid_argument; a mask
-  /// of another sensor is refused as soon as the source tells its sensor.
+  /// Opens the source. Throws EventFileError, std::runtime_error or std::invalid_argument. A mask
+  /// for another sensor is refused when the source reports its sensor's size.
   CameraService(const CameraSettings& settings, ServiceContext& context);
 
   void run(std::stop_token stop) override;
@@ -61,7 +61,7 @@ class CameraService final : public Service {
 
   CameraSettings settings_;
   ServiceContext& context_;
-  SimulatedSource* simulated_ = nullptr;  // What source_ is, if it is that; make_source() sets it.
+  SimulatedSource* simulated_ = nullptr;  // source_ if it is one; set by make_source().
   std::unique_ptr<EventSource> source_;
   SinglePublisher arm_;
   bool is_paced_;
@@ -70,7 +70,7 @@ class CameraService final : public Service {
   SensorZero live_zero_;
   std::int64_t pacer_zero_utime_ = 0;
 
-  // Made once the sensor's size is known.
+  // Set when the sensor's size is known.
   SensorSize sensor_;
   std::optional<EventPacker> packer_;
   std::optional<EventBatcher> batcher_;

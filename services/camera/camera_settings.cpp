@@ -11,7 +11,7 @@
 namespace puck {
 namespace {
 
-/// Lets visit_parameters read a scene whose keys stand below a prefix.
+/// Lets visit_parameters read the keys of a scene below a prefix.
 class SceneReader {
  public:
   SceneReader(Config& config, std::string prefix) : config_(config), prefix_(std::move(prefix)) {}

@@ -9,26 +9,26 @@
 
 namespace puck {
 
-/// What puck-camera is told, key by key as in config/camera.toml.
+/// Settings of puck-camera, as in config/camera.toml.
 struct CameraSettings {
   std::string source = "simulated";  ///< simulated, file, log, stdin or tcp.
-  /// Whether the events are not of now, however fast they are played.
+  /// Whether the events were recorded before, at any playing speed.
   bool is_recorded() const { return source == "file" || source == "log"; }
-  FileSourceParams file;   ///< Its options are those of all streams of bytes.
-  std::string log_prefix;  ///< Of the channels in a log.
+  FileSourceParams file;   ///< Its options also hold for stdin and tcp.
+  std::string log_prefix;  ///< Prefix of the channels in a log.
   std::string tcp_host = "localhost";
   int tcp_port = 3333;
 
   std::string pace = "auto";    ///< auto, sensor or arrival.
-  double speed = 1;             ///< Sensor time that passes in a unit of host time.
+  double speed = 1;             ///< Sensor time per host time.
   std::string at_end = "exit";  ///< exit or wait.
 
-  PixelMask hot_pixels;  ///< As the sensor has them: before any rotation.
+  PixelMask hot_pixels;  ///< In sensor coordinates, before any rotation.
   bool rotate_180 = false;
-  int packet_bytes = 0;             ///< 0: what suits the bus.
-  double arrival_limit_mev_s = 40;  ///< What is published on arrival at most; 0: any.
-  int flush_us = 250;         ///< Host time that the first event of a packet waits for others.
-  int quiet_flush_us = 5000;  ///< The same while there are fewer than EventBatcher::kFew.
+  int packet_bytes = 0;             ///< 0: automatic, by the bus.
+  double arrival_limit_mev_s = 40;  ///< Limit with pace "arrival"; 0: none.
+  int flush_us = 250;               ///< Longest wait of a packet's first event, host time.
+  int quiet_flush_us = 5000;        ///< The same with fewer than EventBatcher::kFew events.
 
   SimulationParams simulation;
   int truth_hz = 1000;

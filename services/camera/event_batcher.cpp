@@ -18,12 +18,12 @@ EventBatcher::EventBatcher(std::size_t max_events, std::int64_t max_age_us,
 }
 
 void EventBatcher::take(const EventPacket& packet, std::size_t& next) {
-  // Up to the few at first, for with them the window becomes shorter.
+  // First up to kFew events, since more of them shorten the window.
   if (has_few()) take_until(packet, next, std::min(kFew, max_events_));
   if (!has_few()) take_until(packet, next, max_events_);
 }
 
-// Takes events in the window as it is now, until there are `most`.
+// Takes events within the present window, until the batch has `most` events.
 void EventBatcher::take_until(const EventPacket& packet, std::size_t& next, std::size_t most) {
   const auto left = std::span(packet.events).subspan(next);
   if (left.empty() || batch_.events.size() >= most) return;
@@ -36,7 +36,7 @@ void EventBatcher::take_until(const EventPacket& packet, std::size_t& next, std:
   const std::size_t before = batch_.events.size();
   batch_.events.insert(batch_.events.end(), left.begin(),
                        left.begin() + static_cast<std::ptrdiff_t>(count));
-  // Modulo 2^32, for the packet may have begun before the batch.
+  // Modulo 2^32, since the packet may begin before the batch.
   const auto shift_us = static_cast<std::uint32_t>(packet.start - batch_.start);
   for (Event& event : std::span(batch_.events).subspan(before)) event.offset_us += shift_us;
   next += count;
@@ -46,7 +46,7 @@ bool EventBatcher::is_complete(Timestamp until) const {
   return !batch_.empty() && (is_full() || until >= window_end());
 }
 
-// The last of the few may have come after the time that is up for more.
+// With few events, the newest may be later than the end of the shorter window.
 Timestamp EventBatcher::due() const {
   return is_full() ? batch_.newest() : std::max(window_end(), batch_.newest());
 }

@@ -7,30 +7,29 @@
 
 namespace puck {
 
-/// Gathers events until there are enough for a packet, or until the first of them has waited for
-/// long enough: for longer while there are only a few, as in a scene where nothing moves. Knows
-/// sensor time only.
+/// Collects events until they fill a packet or the first of them has waited long enough; it waits
+/// longer while there are few events, as in a still scene. In sensor time only.
 class EventBatcher {
  public:
-  /// So many events do not wait for longer than usual. A moving puck makes them within a fraction
-  /// of a pixel.
+  /// This many events do not wait longer than usual. A moving puck causes them within a fraction of
+  /// a pixel.
   static constexpr std::size_t kFew = 32;
 
-  /// `quiet_age_us`: the age while there are fewer than kFew; no less than `max_age_us`. Throws
+  /// `quiet_age_us`: longest age with fewer than kFew events; at least `max_age_us`. Throws
   /// std::invalid_argument for a limit below 1.
   EventBatcher(std::size_t max_events, std::int64_t max_age_us, std::int64_t quiet_age_us);
 
-  /// Takes events from `packet`, from index `next` on, until the batch is complete or they are used
-  /// up. Events come in the order of their times.
+  /// Takes events from `packet`, from index `next` on, until the batch is complete or no event is
+  /// left. Events come in the order of their times.
   void take(const EventPacket& packet, std::size_t& next);
 
-  /// Whether it has to go when no more events come before `until`.
+  /// Whether the batch must go if no more events come before `until`.
   bool is_complete(Timestamp until) const;
-  /// When it may go: with its last event when it is full, else when its age is up. The batch must
-  /// not be empty.
+  /// Time at which the batch may go: that of its last event if full, else the end of its window.
+  /// Requires a batch that is not empty.
   Timestamp due() const;
 
-  /// How long the first event may wait now.
+  /// Longest present age of the first event.
   std::int64_t age_limit_us() const { return has_few() ? quiet_age_us_ : max_age_us_; }
 
   const EventPacket& batch() const { return batch_; }

@@ -11,50 +11,50 @@
 
 namespace puck {
 
-/// Where events come from. One thread.
+/// A source of events. One thread.
 class EventSource {
  public:
   enum class Outcome {
-    kEvents,      ///< `chunk` holds the next events, or time went on without any.
-    kNothingYet,  ///< A stream is silent; the call waited for it for a few ms.
-    kEnd,         ///< There will be no more.
+    kEvents,      ///< `chunk` holds the next events, or an interval without events.
+    kNothingYet,  ///< A stream had no data for a few ms.
+    kEnd,         ///< The source has ended.
   };
-  /// A stretch of sensor time with all the events in it.
+  /// An interval of sensor time with all its events.
   struct Chunk {
     EventPacket packet;
-    Timestamp until;  ///< No later chunk has an event before this.
-    /// The sensor's clock has been joined anew to the one before: when it was 0 has changed.
+    Timestamp until;  ///< Later chunks have no event before this time.
+    /// The sensor's clock is a new one, joined to the previous one; its zero has changed.
     bool new_clock = false;
-    /// CLOCK_REALTIME, µs, when a live source's events came; 0: just now.
+    /// Receipt of a live source's events, CLOCK_REALTIME, µs; 0: just now.
     std::int64_t came_utime = 0;
   };
 
-  /// As many events as a chunk has where there are more. Of a live source smaller ones are joined,
-  /// so that they do not fill the queue.
+  /// Number of events of a full chunk. Smaller chunks of a live source are joined, so that they do
+  /// not fill the queue.
   static constexpr std::size_t kChunkEvents = 8192;
 
   virtual ~EventSource() = default;
 
-  /// Replaces the chunk by the next one, in its memory. A source that plays is asked again when the
-  /// chunk's time has come. Events are in the order of their times from call to call, too.
+  /// Replaces the chunk by the next one, reusing its memory. A paced source is called when the
+  /// chunk's time has come. Times never go back, also from call to call.
   virtual Outcome next(Chunk& chunk) = 0;
 
-  /// Nothing until a stream has told it.
+  /// Nothing until a stream has reported it.
   virtual std::optional<SensorSize> sensor_size() const = 0;
 
-  /// Whether events come when they happen, so that nobody has to hold them back until then.
+  /// Whether events come when they happen, so that they need no pacing.
   virtual bool is_live() const { return false; }
 
-  /// What a silent stream waits for, for a person.
+  /// What a silent stream waits for, as text for people.
   virtual std::string waiting_for() const { return {}; }
 
-  /// Events that were found but could not be used, so far; overflowed ones included.
+  /// Number of unusable events in the input, overflowed ones included.
   virtual std::int64_t events_dropped() const { return 0; }
-  /// Events that a live source had to let go because they were not fetched in time, so far.
+  /// Number of events that a live source dropped because they were not fetched in time.
   virtual std::int64_t events_overflowed() const { return 0; }
-  /// Words of the input that made no sense, so far.
+  /// Number of malformed words in the input.
   virtual std::int64_t malformed_words() const { return 0; }
-  /// What a person should know about an input that has ended.
+  /// Messages for the user about an input that has ended.
   virtual std::vector<std::string> warnings() const { return {}; }
 };
 

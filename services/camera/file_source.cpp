@@ -15,7 +15,7 @@ FileSource::FileSource(const FileSourceParams& params, std::unique_ptr<EventRead
   if (params_.loop || params_.rate_mev_s > 0) measure();
 }
 
-// How long the recording is and how dense.
+// Length and density of the recording.
 void FileSource::measure() {
   EventPacket packet;
   std::int64_t events = 0;
@@ -66,7 +66,7 @@ void FileSource::place(Chunk& chunk) {
     const Timestamp new_start = stretched(old_start);
     for (Event& event : packet.events) {
       const std::int64_t offset_us = stretched(old_start + event.offset_us) - new_start;
-      // A chunk stretched beyond an hour cannot be said in a packet; its end is drawn in.
+      // The offset of an event is limited to that of a packet, 71 minutes.
       event.offset_us = static_cast<std::uint32_t>(
           std::min<std::int64_t>(offset_us, std::numeric_limits<std::uint32_t>::max()));
     }
@@ -76,7 +76,7 @@ void FileSource::place(Chunk& chunk) {
 
 Timestamp FileSource::stretched(Timestamp time) const {
   if (stretch_ == 1) return time;
-  // Rounded to the nearest, for no time is before the first; std::llround is not inlined.
+  // Rounds to nearest, since no time is before the first; std::llround is not inlined.
   return first_ + static_cast<std::int64_t>(static_cast<double>(time - first_) * stretch_ + 0.5);
 }
 

@@ -14,17 +14,17 @@ namespace puck {
 struct FileSourceParams {
   std::filesystem::path file;  ///< Key camera.file.
   EventFileOptions options;    ///< Keys camera.format, width, height, text_….
-  bool loop = false;           ///< Key camera.loop: begins again at the end; time goes on growing.
-  double rate_mev_s = 0;       ///< Key camera.rate_mev_s: mean rate to stretch times to; 0: none.
+  bool loop = false;      ///< Key camera.loop: play again after the end; time continues to grow.
+  double rate_mev_s = 0;  ///< Key camera.rate_mev_s: mean rate after rescaling; 0: as recorded.
 };
 
-/// A recording: a file of events, or whatever else a reader reads.
+/// A recording: a file of events, or another reader's events.
 class FileSource final : public EventSource {
  public:
-  /// Reads the whole file once where it is to be looped or stretched. Throws EventFileError, also
-  /// for a file without two events where those are needed.
+  /// Reads the whole file once if it is looped or rescaled. Throws EventFileError, also if such a
+  /// file has fewer than two events.
   explicit FileSource(const FileSourceParams& params);
-  /// The same of a recording that has been opened; `params.file` is its name.
+  /// For an open recording; `params.file` is its name.
   FileSource(const FileSourceParams& params, std::unique_ptr<EventReader> reader);
 
   Outcome next(Chunk& chunk) override;
@@ -43,7 +43,7 @@ class FileSource final : public EventSource {
   std::unique_ptr<EventReader> reader_;
   Timestamp first_;
   double stretch_ = 1;
-  std::int64_t mean_gap_us_ = 1;  // Between two events, after stretching.
+  std::int64_t mean_gap_us_ = 1;  // Mean time between events after rescaling.
   GrowingTime time_;
   std::int64_t dropped_before_ = 0;  // In earlier rounds of the loop.
   std::int64_t malformed_before_ = 0;

@@ -7,11 +7,11 @@
 
 namespace puck {
 
-/// Joins recordings or connections, each with a clock of its own, to one time that only grows.
+/// Joins recordings or connections, each with its own clock, to one growing time.
 class GrowingTime {
  public:
-  /// What follows comes from a new clock. Where that one begins before the newest time so far, it
-  /// is moved to begin `gap_us` after it.
+  /// Later times come from a new clock. If it begins before the newest time so far, it is shifted
+  /// to begin `gap_us` after that time.
   void begin_new_clock(std::int64_t gap_us) {
     is_new_ = true;
     gap_us_ = gap_us;

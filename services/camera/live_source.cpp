@@ -107,7 +107,7 @@ void LiveSource::drop_oldest() {
   const bool began_new_clock = ring_[oldest_].new_clock;
   oldest_ = (oldest_ + 1) % ring_.size();
   --count_;
-  // Whoever comes next has to know it, too.
+  // The next chunk must keep this information.
   if (count_ > 0 && began_new_clock) ring_[oldest_].new_clock = true;
 }
 

@@ -16,22 +16,22 @@
 
 namespace puck {
 
-/// Reads a live source on a thread of its own, so that the camera behind it never has to wait. What
-/// is not fetched in time is dropped, the oldest first, a whole chunk at a time, and counted: the
-/// newest events are always at hand, in memory that does not grow.
+/// Reads a live source on its own thread, so that the camera behind it never waits. Chunks that are
+/// not fetched in time are dropped, the oldest first, and counted: the newest events are always
+/// available, in bounded memory.
 ///
-/// The calls are for one thread.
+/// Call it from one thread.
 class LiveSource final : public EventSource {
  public:
-  /// Some 10 ms of the busiest stream that can be published.
+  /// Some 10 ms of the fastest stream that can be published.
   static constexpr std::size_t kChunks = 64;
 
-  /// The source is called by the thread alone from now on. Throws std::invalid_argument when
-  /// `most_chunks`, which the queue holds, is 0.
+  /// From now on only the thread calls the source. Throws std::invalid_argument if `most_chunks`,
+  /// the capacity of the queue, is 0.
   explicit LiveSource(std::unique_ptr<EventSource> source, std::size_t most_chunks = kChunks);
   ~LiveSource() override;
 
-  /// Throws what the source threw, once all before it has been fetched.
+  /// Throws the source's exception after all earlier chunks were fetched.
   Outcome next(Chunk& chunk) override;
   std::optional<SensorSize> sensor_size() const override { return told().sensor; }
   bool is_live() const override { return true; }
@@ -42,7 +42,7 @@ class LiveSource final : public EventSource {
   std::vector<std::string> warnings() const override { return told().warnings; }
 
  private:
-  /// What the source says of itself, as of its last chunk.
+  /// The source's own counters and texts, as of its last chunk.
   struct Told {
     std::optional<SensorSize> sensor;
     std::string waiting_for;
@@ -57,9 +57,9 @@ class LiveSource final : public EventSource {
   bool joins_newest(const Chunk& chunk) const;
   Told told() const;
 
-  std::unique_ptr<EventSource> source_;  // The thread's.
+  std::unique_ptr<EventSource> source_;  // Used by the thread only.
 
-  mutable std::mutex mutex_;  // Guards all below.
+  mutable std::mutex mutex_;  // Guards all members below.
   std::condition_variable came_;
   std::vector<Chunk> ring_;
   std::size_t oldest_ = 0;

@@ -15,7 +15,7 @@ void Pacer::start(Timestamp time, Clock::time_point now) {
 }
 
 Pacer::Clock::time_point Pacer::due(Timestamp time) const {
-  // A recording may hold any time; the host's clock ends after 292 years.
+  // Times of a recording may have any value; the host's clock ends after 292 years.
   constexpr double kNever_us = 1e15;
   const double after_us = static_cast<double>(time - first_) / speed_;
   return first_at_ + microseconds(std::llround(std::min(after_us, kNever_us)));

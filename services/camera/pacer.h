@@ -7,17 +7,17 @@
 
 namespace puck {
 
-/// When, on the host's clock, a sensor time comes. Says how late one is and, when that is hopeless,
-/// lets the rest of the plan slip; it never changes a sensor time.
+/// Maps sensor times to the host's clock. Reports how late the caller is and, beyond a limit,
+/// delays the rest of the plan; it never changes a sensor time.
 class Pacer {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Beyond this, what was missed is given up instead of being made up for in a burst, which no
-  /// receiver could take.
+  /// A longer delay is accepted instead of being caught up with in a burst that no receiver could
+  /// handle.
   static constexpr std::chrono::milliseconds kMostToMakeUp{100};
 
-  /// `speed`: sensor time that passes in a unit of host time.
+  /// `speed`: sensor time per host time.
   explicit Pacer(double speed) : speed_(speed) {}
 
   bool is_started() const { return is_started_; }
@@ -26,12 +26,12 @@ class Pacer {
 
   Clock::time_point due(Timestamp time) const;
 
-  /// What was due at `time` is being done now: notes how late that is. True when the plan slipped.
+  /// The event due at `time` is handled now: notes its lateness. Returns true if the plan slipped.
   bool note(Timestamp time, Clock::time_point now);
 
-  /// How late the last thing was by the plan as it is now, µs; 0 for in time.
+  /// Lateness of the last event by the present plan, µs; 0: in time.
   std::int64_t lateness_us() const { return lateness_us_; }
-  /// By how much the plan has slipped since the start, µs.
+  /// Total slip of the plan since the start, µs.
   std::int64_t slipped_us() const { return slipped_us_; }
 
  private:

@@ -7,22 +7,21 @@
 
 namespace puck {
 
-/// Keeps what is published below a mean rate, and bursts short: LCM tells no publisher that its
-/// receivers cannot follow.
+/// Limits the mean publishing rate and the length of bursts, since LCM has no flow control.
 class PublishLimit {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// What was missed, by waiting a little too long, is made up for within this.
+  /// Delays by oversleeping are made up for within this time.
   static constexpr std::chrono::milliseconds kMostToMakeUp{1};
 
   /// Million events a second; 0: no limit.
   explicit PublishLimit(double mev_s) : mev_s_(mev_s) {}
 
-  /// When the next events may go.
+  /// Earliest time of the next events.
   Clock::time_point due() const { return due_; }
 
-  /// So many events go now.
+  /// Counts events that are published now.
   void count(std::size_t events, Clock::time_point now) {
     if (mev_s_ <= 0) return;
     const auto cost_ns = static_cast<std::int64_t>(static_cast<double>(events) * 1e3 / mev_s_);

@@ -8,12 +8,11 @@
 
 namespace puck {
 
-/// When a live sensor's time was 0, on the host's clock: the earliest that any of its packets can
-/// have been in the last 10 to 20 s, so that the delays of single packets do not count, while a
-/// drift between the clocks is followed.
+/// Host time at sensor time 0 of a live sensor: the minimum over the packets of the last 10 to 20
+/// s, so that delays of single packets have no effect and a drift between the clocks is followed.
 class SensorZero {
  public:
-  /// An event of sensor time `newest` came at host time `utime`, µs.
+  /// An event of sensor time `newest` was received at host time `utime`, µs.
   void add(Timestamp newest, std::int64_t utime) {
     if (utime - window_began_utime_ > kWindowUs) {
       before_ = current_;
@@ -23,7 +22,7 @@ class SensorZero {
     current_ = std::min(current_, utime - newest.us);
   }
 
-  /// Host CLOCK_REALTIME, µs. At least one event must have come.
+  /// Host CLOCK_REALTIME, µs. Requires at least one event.
   std::int64_t utime() const { return std::min(before_, current_); }
 
  private:

@@ -36,7 +36,7 @@ DescriptorEvents::Outcome DescriptorEvents::next(EventPacket& packet) {
   return is_finished_ && !stream_.has_backlog() ? Outcome::kEnd : Outcome::kNothingYet;
 }
 
-// kEvents: there is something to decode.
+// Returns kEvents when there are bytes to decode.
 DescriptorEvents::Outcome DescriptorEvents::read_more() {
   pollfd waiting{descriptor_, POLLIN, 0};
   const int ready = poll(&waiting, 1, kWaitMs);

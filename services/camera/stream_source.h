@@ -10,7 +10,7 @@
 
 namespace puck {
 
-/// Prophesee RAW bytes that come in through a file descriptor: what stdin and TCP have in common.
+/// Prophesee RAW bytes from a file descriptor, for stdin and TCP.
 class DescriptorEvents {
  public:
   enum class Outcome { kEvents, kNothingYet, kEnd };
@@ -18,7 +18,7 @@ class DescriptorEvents {
   /// The descriptor stays the caller's. `name` stands for it in messages.
   DescriptorEvents(int descriptor, std::string name, const EventFileOptions& options);
 
-  /// Waits for bytes for a few ms. Throws EventFileError when they are no RAW stream, or when the
+  /// Waits a few ms for bytes. Throws EventFileError if they are no RAW stream or reading fails.
   /// descriptor fails.
   Outcome next(EventPacket& packet);
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::chrono::seconds kRetryAfter{1};
 constexpr std::chrono::milliseconds kIdle{2};
 
-/// A server that lost its power says no goodbye: the connection then fails within 5 s.
+/// A server without power does not close the connection; it then fails within 5 s.
 void notice_dead_peer(int socket) {
   const auto set = [&](int level, int option, int value) {
     setsockopt(socket, level, option, &value, sizeof value);
@@ -136,7 +136,7 @@ void TcpSource::disconnect(const std::string& reason) {
   next_attempt_ = Clock::now() + kRetryAfter;
 }
 
-// Another camera behind the same address would not fit what was published before.
+// Another sensor at the same address would not match the events published before.
 void TcpSource::check_sensor() {
   const auto sensor = events_->stream().sensor_size();
   if (!sensor) return;

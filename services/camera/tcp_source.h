@@ -12,12 +12,12 @@
 
 namespace puck {
 
-/// A server that sends Prophesee RAW bytes over TCP, header first. Connects, and connects again a
-/// second after the connection broke or brought something that cannot be used.
+/// A server that sends Prophesee RAW bytes over TCP, header first. Connects again one second after
+/// a failed connection or invalid data.
 class TcpSource final : public EventSource {
  public:
-  /// Looks up the host, all of whose addresses are tried in turn. Throws std::runtime_error when
-  /// there is none of that name.
+  /// Looks up the host and tries all its addresses in turn. Throws std::runtime_error if the host
+  /// is not found.
   TcpSource(const std::string& host, int port, const EventFileOptions& options);
   ~TcpSource() override;
   TcpSource(const TcpSource&) = delete;
@@ -30,7 +30,7 @@ class TcpSource final : public EventSource {
   std::int64_t events_dropped() const override;
   std::int64_t malformed_words() const override;
 
-  /// Connections that brought bytes and broke, so far.
+  /// Number of connections that delivered bytes and then failed.
   std::int64_t disconnections() const { return disconnections_; }
 
  private:
@@ -44,14 +44,14 @@ class TcpSource final : public EventSource {
 
   std::string name_;
   EventFileOptions options_;
-  std::vector<Address> addresses_;  // All of the host's, tried in turn.
+  std::vector<Address> addresses_;  // All addresses of the host, tried in turn.
   std::size_t next_address_ = 0;
   FileDescriptor socket_;
   std::optional<DescriptorEvents> events_;
   Clock::time_point next_attempt_;
   std::string waiting_for_;
   std::optional<SensorSize> sensor_;
-  bool is_new_clock_ = false;  // No events of this connection have been handed over yet.
+  bool is_new_clock_ = false;  // No event of this connection has been returned yet.
   GrowingTime time_;
   std::int64_t disconnections_ = 0;
   std::int64_t dropped_before_ = 0;  // In earlier connections.

@@ -27,7 +27,7 @@ ground_truth_t to_truth_message(const SimulatedTruth& truth, SensorSize sensor, 
 head_state_t to_head_message(const SimulatedTruth& truth, bool rotated_180) {
   HeadPose head = truth.head;
   if (rotated_180) {
-    // Half a turn about the optical axis swaps right with left and up with down.
+    // A half turn about the optical axis reverses left and right, up and down.
     for (double* angle : {&head.yaw_deg, &head.pitch_deg, &head.yaw_deg_s, &head.pitch_deg_s}) {
       *angle = -*angle;
     }

@@ -6,8 +6,8 @@
 
 namespace puck {
 
-/// The simulated world on the wire, but for the header. `rotated_180`: of a camera that hangs
-/// upside down, whose events are turned before they are published.
+/// The simulated world as messages without headers. `rotated_180`: the camera is mounted upside
+/// down, and its events are rotated before publication.
 ground_truth_t to_truth_message(const SimulatedTruth& truth, SensorSize sensor, bool rotated_180);
 head_state_t to_head_message(const SimulatedTruth& truth, bool rotated_180);
 

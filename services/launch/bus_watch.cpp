@@ -43,7 +43,7 @@ void BusWatch::look_at_network() {
                           malformed, now.last_malformed));
   }
   if (now.rejoined > network_seen_.rejoined) log_.warn("the network is back: receiving again");
-  // A stranger is named once; how much it sends is in STATUS.
+  // A foreign sender is logged once; STATUS counts its datagrams.
   for (std::size_t i = network_seen_.foreign_traffic.size(); i < now.foreign_traffic.size(); ++i) {
     const ForeignTraffic& stranger = now.foreign_traffic[i];
     log_.warn(fmt::format("foreign datagrams on this group and port: {} from {}", stranger.what,

@@ -11,24 +11,22 @@
 
 namespace puck {
 
-/// Says on the log what went wrong on the bus since it last looked, and sums it up for STATUS, so
-/// that no service has to. One thread.
+/// Logs new problems of the bus, and sums up its counters for STATUS, for all services. One thread.
 class BusWatch {
  public:
   BusWatch(const Bus& bus, spdlog::logger& log) : bus_(bus), log_(log) {}
 
-  /// Looks when a second has passed.
+  /// Looks at most once a second.
   void poll();
-  /// Looks now.
+  /// Looks at once.
   void look();
 
-  /// Adds what came and how, of all channels together: messages_received, messages_lost, …
-  /// messages_rejected holds those that are oversize, too. Those that are rare are left out while
-  /// they are zero: messages_duplicate, messages_oversize, messages_unauthenticated,
-  /// messages_foreign (not ours at all) and network_rejoined.
+  /// Adds totals of all channels: messages_received, messages_lost, … messages_rejected includes
+  /// oversize ones. Rare ones are left out while zero: messages_duplicate, messages_oversize,
+  /// messages_unauthenticated, messages_foreign (of no PUCK channel) and network_rejoined.
   void report_totals(StatusReport& report) const;
-  /// Adds of each single channel what is not zero: PUCK_EVENTS.received, and .publishers where it
-  /// had more than one.
+  /// Adds the counters of each channel that are not zero: PUCK_EVENTS.received, and .publishers if
+  /// there was more than one.
   void report_channels(StatusReport& report) const;
 
  private:

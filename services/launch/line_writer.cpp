@@ -52,7 +52,7 @@ LineWriter::~LineWriter() {
       lines_->changed.wait_for(lock, kPatience, [&] { return lines_->has_ended; });
   lines_->waiting.clear();
   lock.unlock();
-  // What hangs in write() nobody can call back.
+  // A thread that hangs in write() cannot be interrupted.
   if (has_ended) {
     thread_.join();
   } else {
@@ -76,7 +76,7 @@ std::size_t LineWriter::lost() const {
 }
 
 void LineWriter::write_lines(Lines& lines, int descriptor) {
-  // A pipe whose reader is gone ends no service.
+  // A closed pipe must not end the service.
   sigset_t broken_pipe;
   sigemptyset(&broken_pipe);
   sigaddset(&broken_pipe, SIGPIPE);

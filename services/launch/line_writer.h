@@ -8,23 +8,23 @@
 
 namespace puck {
 
-/// Writes lines to a descriptor with a thread of its own, so that nobody who has something to say
-/// waits for whoever reads it: up to kMostLines wait, and of more the oldest are lost and counted.
-/// A reader that is gone costs the lines alone. Safe from any thread.
+/// Writes lines to a descriptor on its own thread, so that callers never wait for the reader. Up to
+/// kMostLines wait; beyond that the oldest are dropped and counted. A closed reader costs only the
+/// lines. Safe from any thread.
 class LineWriter {
  public:
   static constexpr std::size_t kMostLines = 1024;
-  /// So long it waits at its end for a reader to take what is left.
+  /// Longest time that the destructor waits for the reader.
   static constexpr std::chrono::milliseconds kPatience{200};
 
-  /// The descriptor stays open for as long as this, and as a write that hangs.
+  /// The descriptor must stay open during this object's life and during a write that hangs.
   explicit LineWriter(int descriptor);
-  /// Writes what waits; within kPatience, or never.
+  /// Writes the waiting lines; gives up after kPatience.
   ~LineWriter();
   LineWriter(const LineWriter&) = delete;
   LineWriter& operator=(const LineWriter&) = delete;
 
-  /// `line`: with its end.
+  /// `line`: with its newline.
   void put(std::string line);
   std::size_t lost() const;
 
@@ -32,7 +32,7 @@ class LineWriter {
   struct Lines;
   static void write_lines(Lines& lines, int descriptor);
 
-  std::shared_ptr<Lines> lines_;  // the thread's as well: one that hangs is left behind
+  std::shared_ptr<Lines> lines_;  // shared with the thread, which is left behind if it hangs
   std::thread thread_;
 };
 

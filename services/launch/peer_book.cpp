@@ -9,12 +9,12 @@ namespace puck {
 namespace {
 
 constexpr std::size_t kMaxPeers = 64;
-// Of two looks: longer, and we did not listen in between.
+// Longest time between two looks; after a longer one this service was not listening.
 constexpr std::int64_t kLongestLookAwayUs = 200'000;
-// Two are there at the same time when they have been heard by turns for so long: one that was
-// killed and started again is not.
+// Two services exist at the same time if their STATUS alternates for this time; a killed and
+// restarted one does not.
 constexpr std::int64_t kOverlapUs = 150'000;
-// What two of would quarrel. Two loggers do not.
+// Services that must be unique; two loggers are fine.
 constexpr std::array<std::string_view, 4> kOnlyOne{"puck-camera", "puck-tracker", "puck-bridge",
                                                    "puck-arm"};
 
@@ -55,7 +55,7 @@ void PeerBook::hear(const service_status_t& status, bool answers, std::int64_t n
   peer->service = status.service;
   peer->host = status.host;
   peer->pid = status.pid;
-  // After a silence it has to be heard by turns with another one anew.
+  // After a silence the alternation must be observed again.
   if (now_us - peer->heard_us > kSilentAfterUs) peer->first_heard_us = now_us;
   peer->heard_us = now_us;
   peer->has_stopped = status.state == service_status_t::STATE_STOPPING;
@@ -79,7 +79,7 @@ std::vector<PeerNews> PeerBook::look(std::int64_t now_us) {
 void PeerBook::look_for_silent(std::int64_t now_us, std::vector<PeerNews>& news) {
   trouble_.silent.clear();
   for (Need& need : needs_) {
-    // Of several the one that speaks.
+    // Of several services, one that is not silent.
     const Peer* newest = nullptr;
     for (const Peer& peer : peers_) {
       if (peer.service != need.service) continue;

@@ -9,38 +9,38 @@
 
 namespace puck {
 
-/// What is new among the services on the bus.
+/// A change among the services on the bus.
 struct PeerNews {
   std::string text;  ///< "puck-tracker on lab2, pid 7, is silent"
   bool is_trouble = false;
 };
 
-/// What is wrong among them, as long as it is.
+/// Present problems of the services on the bus.
 struct PeerTrouble {
-  std::string silent;  ///< Services that are needed and say nothing; empty: none.
-  std::string twice;   ///< Services that are there twice; empty: none.
+  std::string silent;  ///< Required services that are silent; empty: none.
+  std::string twice;   ///< Services that run twice; empty: none.
 };
 
-/// The services that are heard under our prefix, by their STATUS: which of those that this one
-/// lives on have fallen silent, and which are there twice. Fed with statuses and times. A run
-/// counts once it has answered us, so a log that is played is nobody. One thread.
+/// The services heard under our prefix, by their STATUS: detects required ones that fall silent and
+/// services that run twice. Driven by statuses and times. A run counts after it has answered us, so
+/// a replayed log never counts as a peer. One thread.
 class PeerBook {
  public:
-  /// STATUS comes every 100 ms; a service that has not spoken for so long is frozen or gone.
+  /// STATUS comes every 100 ms; a service that is silent for this time is frozen or gone.
   static constexpr std::int64_t kSilentAfterUs = 400'000;
 
-  /// `own_service`: what this one is, for it may be there twice itself.
+  /// `own_service`: kind of this service, which may run twice itself.
   explicit PeerBook(std::string own_service) : own_service_(std::move(own_service)) {}
 
-  /// The services that this one lives on.
+  /// Sets the services that this one requires.
   void need(const std::vector<std::string>& services) {
     for (const std::string& service : services) needs_.push_back({service, {}});
   }
 
   /// `answers`: it has answered our own STATUS.
   void hear(const service_status_t& status, bool answers, std::int64_t now_us);
-  /// Compares with the last time; each news is told once. What was missed while this service itself
-  /// did not look is held against nobody.
+  /// Returns the changes since the last look, each once. Silence while this service itself did not
+  /// look does not count.
   std::vector<PeerNews> look(std::int64_t now_us);
   /// As of the last look.
   const PeerTrouble& trouble() const { return trouble_; }
@@ -56,13 +56,13 @@ class PeerBook {
     bool told_twice = false;
   };
   const std::vector<Peer>& peers() const { return peers_; }
-  /// "puck-camera on lab2, pid 7"; "session 31" for one that is not known.
+  /// "puck-camera on lab2, pid 7"; "session 31" for an unknown one.
   std::string name_of(std::int64_t session) const;
 
  private:
   struct Need {
     std::string service;
-    std::string missing;  // who it was, and what became of it; empty: it is there
+    std::string missing;  // its name and what happened; empty: it is there
   };
 
   bool speaks(const Peer& peer, std::int64_t now_us) const;

@@ -7,10 +7,10 @@
 namespace puck {
 namespace {
 
-// STATUS must not grow with the network.
+// Limits the size of STATUS in a large network.
 constexpr std::size_t kMostOffsets = 6;
 constexpr std::size_t kMostNameBytes = 32;
-// The services' loops turn a thousand times a second, and the more there are, the longer a look is.
+// The services' loops run up to 1000 times a second, and a look takes longer with more peers.
 constexpr std::int64_t kLookPeriodUs = 20'000;
 
 }  // namespace

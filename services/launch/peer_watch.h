@@ -11,24 +11,24 @@
 
 namespace puck {
 
-/// Says on the log and in STATUS when a service that this one lives on has fallen silent, or one is
-/// there twice; so that no service has to. It ends and refuses nothing. One thread.
+/// Reports, in the log and in STATUS, required services that fall silent and services that run
+/// twice. It ends and refuses nothing. One thread.
 class PeerWatch {
  public:
-  /// Listens to `status`; so make it before the bus starts.
+  /// Listens to `status`, so make it before the bus starts.
   PeerWatch(StatusReporter& status, spdlog::logger& log);
 
-  /// The services that this one lives on: puck-camera, …
+  /// Sets the services that this one requires: puck-camera, …
   void need(const std::vector<std::string>& services) { book_.need(services); }
 
-  /// Looks at all of them when it is due, and tells what is new.
+  /// Looks at all services when due, and logs changes.
   void poll();
 
-  /// For a person: who publishes under this session.
+  /// Name of the publisher of this session, for people.
   std::string name_of(std::int64_t session) const { return book_.name_of(session); }
 
-  /// Adds `clock_offset_us puck-camera` and so on of each service that is heard: how far its clock
-  /// is ahead of ours. A name that is longer than 32 bytes is cut there.
+  /// Adds `clock_offset_us puck-camera` and so on for each service heard: its clock minus ours.
+  /// Names are cut to 32 bytes.
   void report(StatusReport& report) const;
 
  private:

@@ -12,8 +12,8 @@
 
 namespace puck {
 
-/// Warns at most once a second about one subject, and says how often it kept silent. For what can
-/// happen thousands of times a second. Safe from any thread.
+/// Warns about each subject at most once a second, with the number of suppressed warnings. For
+/// events that may happen thousands of times a second. Safe from any thread.
 class RateLimitedLog {
  public:
   using Clock = std::chrono::steady_clock;
@@ -23,7 +23,7 @@ class RateLimitedLog {
   void warn(std::string_view subject, std::string_view message) {
     warn(subject, message, Clock::now());
   }
-  /// With the time given, for tests.
+  /// With a given time, for tests.
   void warn(std::string_view subject, std::string_view message, Clock::time_point now);
 
  private:

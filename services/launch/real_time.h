@@ -6,11 +6,11 @@
 
 namespace puck {
 
-/// Lets the calling thread, and none that it makes, run before all that is not real-time, and keeps
-/// the process's memory from being paged out. Why not, when that is not permitted; empty: it does.
+/// Gives the calling thread, but none that it creates, real-time priority, and locks the process's
+/// memory. Returns the reason if that is not permitted; empty on success.
 std::string run_in_real_time(int priority);
 
-/// The same, and what became of it in the log. Priority 0: not asked for.
+/// The same, with the result in the log. Priority 0: no change.
 void run_in_real_time_and_tell(int priority, spdlog::logger& log);
 
 }  // namespace puck

@@ -42,9 +42,9 @@ void log_config(spdlog::logger& log, const Config& config) {
   for (std::string line; std::getline(lines, line);) log.info("setting " + line);
 }
 
-// The kernel may end a wait 50 µs late, so that it can end several at once: as much as an estimate
-// is to take in all. Holds for the threads that are started from here on, too. It needs no
-// permission; where it does not work, waits are less exact.
+// By default the kernel may end a wait 50 µs late, to group wake-ups; that is the whole latency
+// budget of an estimate. Threads created later inherit the setting. It needs no permission; without
+// it, waits are less exact.
 void wait_exactly() {
   constexpr unsigned long kLatestNs = 1'000;
   prctl(PR_SET_TIMERSLACK, kLatestNs, 0UL, 0UL, 0UL);
@@ -57,8 +57,8 @@ int check(const std::string& name, const BusParams& params, std::stop_token stop
   return result.healthy ? 0 : 1;
 }
 
-// What a frame has no room for is left out from the end. So what tells of loss comes first, and
-// last what others can make long.
+// Counters without room in a frame are left out from the end. So counters of losses come first, and
+// those that other services can lengthen come last.
 StatusReport report_of(const ServiceContext& context, const Service& service) {
   StatusReport own;
   service.report(own);

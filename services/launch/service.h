@@ -12,34 +12,33 @@
 
 namespace puck {
 
-/// What every service is given. It outlives the service.
+/// Passed to every service, which it outlives.
 struct ServiceContext {
-  Bus& bus;  ///< Not started yet when the service is made: it subscribes in its constructor.
+  Bus& bus;  ///< Not started yet during the service's constructor, which subscribes.
   StatusReporter& status;
-  /// Takes whole texts, from fmt::format() where need be: with arguments of its own each file that
-  /// logs would compile the formatter anew.
+  /// Call it with complete texts, if needed from fmt::format(): other arguments would compile the
+  /// formatter again in each file that logs.
   spdlog::logger& log;
   RateLimitedLog& limited_log;
   BusWatch& bus_watch;
   PeerWatch& peers;
 };
 
-/// One of the five, as run_service() sees it.
+/// The interface of a service for run_service().
 class Service {
  public:
   virtual ~Service() = default;
 
-  /// Works until a stop is requested, and returns within 100 ms of it with everything written; what
-  /// moves an arm, once it has come to rest.
-  /// Calls context.bus.handle() and poll_status() at least every 20 ms. What it throws ends the
-  /// service with exit code 1.
+  /// Works until a stop is requested, then returns within 100 ms with all data written; a service
+  /// that moves an arm returns once it has come to rest. Calls context.bus.handle() and
+  /// poll_status() at least every 20 ms. Exceptions end the service with exit code 1.
   virtual void run(std::stop_token stop) = 0;
 
-  /// Its counters and latencies for STATUS.
+  /// Adds its counters and latencies to STATUS.
   virtual void report(StatusReport& report) const = 0;
 };
 
-/// Publishes STATUS and logs the troubles of the bus and of other services, each when it is due.
+/// Publishes STATUS and logs problems of the bus and of other services, each when due.
 void poll_status(ServiceContext& context, const Service& service);
 
 }  // namespace puck

@@ -10,8 +10,8 @@
 
 namespace puck {
 
-/// The log of a service: "12:34:56.789 puck-arm info: text", coloured on a terminal. Nobody waits
-/// for whoever reads it, as LineWriter has it. Safe from any thread.
+/// Log of a service: "12:34:56.789 puck-arm info: text", coloured on a terminal. Never waits for
+/// its reader (see LineWriter). Safe from any thread.
 class ServiceLog {
  public:
   ServiceLog(const std::string& name, int descriptor);

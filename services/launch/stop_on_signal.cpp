@@ -10,7 +10,7 @@ StopOnSignal::StopOnSignal() {
   sigemptyset(&signals_);
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
-  // Every thread made from here on inherits the mask, so that only ours hears the signals.
+  // Threads created later inherit the mask, so that only this thread receives the signals.
   pthread_sigmask(SIG_BLOCK, &signals_, &old_mask_);
   thread_ = std::jthread([this] { wait_for_signal(); });
 }
@@ -19,7 +19,7 @@ StopOnSignal::~StopOnSignal() {
   // Wakes the thread if it still waits.
   pthread_kill(thread_.native_handle(), SIGTERM);
   thread_.join();
-  // Whoever pressed Ctrl-C twice has asked for the same once.
+  // Discards repeated signals, as of a second Ctrl-C.
   const timespec at_once{};
   while (sigtimedwait(&signals_, nullptr, &at_once) > 0) continue;
   pthread_sigmask(SIG_SETMASK, &old_mask_, nullptr);

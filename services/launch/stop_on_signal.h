@@ -6,8 +6,8 @@
 
 namespace puck {
 
-/// Turns SIGINT and SIGTERM into a stop request. Make it first: threads that exist already could
-/// still be killed by the signals.
+/// Turns SIGINT and SIGTERM into a stop request. Make it first: threads created before can still be
+/// killed by the signals.
 class StopOnSignal {
  public:
   StopOnSignal();

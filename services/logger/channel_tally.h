@@ -10,8 +10,8 @@
 
 namespace puck {
 
-/// Counts messages by channel. All channels that are not ours count as one, for their names are
-/// anybody's and without end. One thread.
+/// Counts messages by channel. All foreign channels count as one, since their number is unlimited.
+/// One thread.
 class ChannelTally {
  public:
   explicit ChannelTally(std::string_view prefix) {
@@ -34,7 +34,7 @@ class ChannelTally {
   }
 
   std::int64_t total() const { return total_; }
-  /// `what`, then `what.PUCK_EVENTS` for each channel that was counted.
+  /// Adds `what`, then `what.PUCK_EVENTS` for each channel that was counted.
   void report(const std::string& what, StatusReport& report) const {
     report.counters.emplace_back(what, total_);
     for (std::size_t i = 0; i < counts_.size(); ++i) {

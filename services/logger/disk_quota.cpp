@@ -35,14 +35,14 @@ bool begins_as_log(int descriptor, std::int64_t size) {
          begin == kLogMark;
 }
 
-/// Nothing where it is not to be touched.
+/// Returns false for a file that must not be removed.
 bool look_at(const std::filesystem::path& path, OldLog& log) {
-  // Neither a link, nor a pipe that nobody writes into.
+  // Refuses links, and does not block on a pipe without a writer.
   const FileDescriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (!file.is_open() || fstat(file.number(), &status) != 0) return false;
   if (!S_ISREG(status.st_mode) || !begins_as_log(file.number(), status.st_size)) return false;
-  // Whoever writes a log holds its lock.
+  // The writer of a log holds its lock.
   if (flock(file.number(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   constexpr std::int64_t kNanoseconds = 1'000'000'000;
   log.changed_ns = status.st_mtim.tv_sec * kNanoseconds + status.st_mtim.tv_nsec;

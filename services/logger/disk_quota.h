@@ -8,15 +8,15 @@
 
 namespace puck {
 
-/// What the quota did.
+/// Result of enforcing the quota.
 struct QuotaResult {
   std::int64_t files_removed = 0;
-  std::int64_t bytes_left = 0;  ///< Of the rotated files that are there now.
-  std::string problem;          ///< Why it could not do all that it should; empty when it did.
+  std::int64_t bytes_left = 0;  ///< Size of the remaining rotated files.
+  std::string problem;          ///< Reason if the quota could not be enforced; else empty.
 };
 
-/// Removes the oldest rotated logs of these names until the others take no more than `bytes`. Never
-/// one that a logger writes, and nothing that is not a log by its name and by its first bytes.
+/// Removes the oldest rotated logs of these names until the rest takes at most `bytes`. Never
+/// removes a log that is being written, or a file that is no log by its name and first bytes.
 QuotaResult remove_oldest_logs(const LogNames& names, std::int64_t bytes);
 
 }  // namespace puck

@@ -13,14 +13,14 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// One write(2): so much is torn at most when the process is killed within it.
+// Size of one write(2): the most that is torn when the process is killed.
 constexpr std::size_t kLargestWrite = std::size_t{1} << 20;
 constexpr std::chrono::seconds kRetry{1};
 
 LogHeader header_of(std::span<const std::uint8_t> records) {
   const auto header = parse_log_header(records);
   if (!header || header->record_bytes() > records.size()) {
-    throw std::invalid_argument("the queue of the log holds what is no record");
+    throw std::invalid_argument("the log queue holds bytes that are not a record");
   }
   return *header;
 }
@@ -40,7 +40,7 @@ LogFiles::LogFiles(const LoggerParams& params, std::string_view prefix, LogSync&
   }
 }
 
-// A logger that was killed may be started again within the second that its file is named after.
+// A killed logger may be started again in the same second, and so with the same file name.
 void LogFiles::begin_first_file(std::time_t start) {
   const std::filesystem::path first = expand_log_path(params_.path, start);
   if (!params_.overwrite && expand_log_path(params_.path, start + 1) != first) {
@@ -58,7 +58,7 @@ void LogFiles::begin_rotated_file() {
   if (writer_) {
     messages_before_ += writer_->messages();
     bytes_before_ += writer_->bytes();
-    writer_.reset();  // Finished before the next begins.
+    writer_.reset();  // Closed before the next one is opened.
   }
   QuotaResult quota;
   if (params_.quota_bytes > 0) {
@@ -127,12 +127,12 @@ bool LogFiles::belongs_into_next_file(const LogHeader& header, std::size_t run_b
   const std::int64_t with_this =
       writer_->bytes() + static_cast<std::int64_t>(run_bytes + header.record_bytes());
   if (params_.rotate_bytes > 0 && with_this > params_.rotate_bytes) return true;
-  // Either way: a clock that was set back must not make one file last until it has caught up.
+  // Absolute: after a clock was set back, a file must not last until it has caught up.
   return params_.rotate_s > 0 &&
          std::abs(header.utime - file_began_utime_) >= 1'000'000 * params_.rotate_s;
 }
 
-/// Why `bytes` cannot be written now.
+/// Reason why `bytes` cannot be written now.
 std::optional<std::string> LogFiles::obstacle(std::size_t bytes) {
   is_full_ = is_full_ || exceeds_max(bytes);
   if (is_full_) {

@@ -18,28 +18,27 @@
 
 namespace puck {
 
-/// What became of the messages so far.
+/// State of the log's files.
 struct LogProgress {
-  std::string path;           ///< Of the file being written, or of the last one.
+  std::string path;           ///< The file being written, or the last one.
   std::int64_t messages = 0;  ///< Written, in all files.
-  std::int64_t bytes = 0;     ///< Of all files of this run.
-  std::int64_t files = 0;     ///< Begun.
+  std::int64_t bytes = 0;     ///< Size of all files of this run.
+  std::int64_t files = 0;     ///< Files opened.
   std::int64_t files_removed = 0;
-  std::optional<std::string> problem;  ///< Why nothing is written now.
-  std::string quota_problem;           ///< Why the quota is not kept, else empty.
+  std::optional<std::string> problem;  ///< Reason why writing is paused.
+  std::string quota_problem;           ///< Reason why the quota is not kept; else empty.
 };
 
-/// The files of a log: one, or, when it rotates, one after the other, of which the oldest go when
-/// the quota wants it. While there is a problem, messages are counted instead of written; once a
-/// second it tries whether they can be written again. Writer thread only, but for progress() and
-/// not_written().
+/// The files of a log: a single one, or rotated ones, of which the quota removes the oldest. During
+/// a problem, messages are counted instead of written, with a new attempt every second. Writer
+/// thread only, except progress() and not_written().
 class LogFiles {
  public:
-  /// Begins the first file. Throws LogFileError, and std::invalid_argument for a useless path.
+  /// Opens the first file. Throws LogFileError, and std::invalid_argument for an invalid path.
   LogFiles(const LoggerParams& params, std::string_view prefix, LogSync& sync);
 
-  /// Takes the first of these records, as many as are written at a time, and returns their bytes.
-  /// Every other problem than records that are none ends up in progress().
+  /// Writes the first of these records, up to the size of one write, and returns their bytes.
+  /// Throws for malformed records; reports other problems in progress().
   std::size_t write(std::span<std::uint8_t> records);
 
   /// Safe from any thread.
@@ -64,12 +63,12 @@ class LogFiles {
   LogSync& sync_;
   std::optional<LogNames> names_;
   int next_number_ = 0;
-  std::unique_ptr<LogWriter> writer_;  // nullptr: the next file could not be begun.
+  std::unique_ptr<LogWriter> writer_;  // nullptr: the next file could not be opened.
   std::filesystem::path folder_;
   std::int64_t file_began_utime_ = 0;
-  std::int64_t messages_before_ = 0;  // In the files before this one, as are the bytes.
+  std::int64_t messages_before_ = 0;  // In earlier files, as are the bytes.
   std::int64_t bytes_before_ = 0;
-  bool is_full_ = false;  // For good: logger.max_bytes.
+  bool is_full_ = false;  // Permanent: logger.max_bytes.
   Clock::time_point next_try_;
 
   mutable std::mutex mutex_;

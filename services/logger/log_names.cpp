@@ -12,12 +12,12 @@ namespace puck {
 namespace {
 
 constexpr std::size_t kDigits = 6;
-// Of ten million files. More are no number of ours: log.20261121.lcm is what a person named so.
+// Enough for ten million files. More digits are not ours: log.20261121.lcm is a user's name.
 constexpr std::size_t kMostDigits = 7;
 
-/// A file's name without its number, and the number.
+/// A file's name, split into number and rest.
 struct Numbered {
-  std::string name;  ///< As it would be without rotation.
+  std::string name;  ///< Name without rotation.
   int number = 0;
 };
 
@@ -75,8 +75,8 @@ int LogNames::first_free() const {
   return free;
 }
 
-// The name must be what the pattern gives for the very time that it tells: a file that merely
-// resembles ours is somebody else's.
+// The name must be exactly that of the pattern for the time that it contains: a merely similar file
+// belongs to someone else.
 bool LogNames::is_ours(const std::string& file_name) const {
   const auto numbered = split(file_name, ending_);
   if (!numbered) return false;

@@ -6,18 +6,18 @@
 
 namespace puck {
 
-// Memory of the ring becomes real only as it is used.
+// The system provides the ring's memory only when it is used.
 LogQueue::LogQueue(std::size_t capacity_bytes)
     : capacity_(capacity_bytes),
       ring_(std::make_unique_for_overwrite<std::uint8_t[]>(capacity_bytes)) {}
 
 bool LogQueue::push(std::string_view channel, std::int64_t utime,
                     std::span<const std::uint8_t> message) {
-  // Its number is the writer's to give: it knows in which file it will be.
+  // The writer sets the number, which depends on the file.
   const LogHeader header{0, utime, channel.size(), message.size()};
   std::uint8_t* const place = reserve(header.record_bytes());
   if (place == nullptr) return false;
-  // Outside the lock: nobody else sees this place yet.
+  // Outside the lock: no other thread sees this range yet.
   put_log_record({place, header.record_bytes()}, header, channel, message);
   bool was_empty = false;
   {
@@ -27,7 +27,7 @@ bool LogQueue::push(std::string_view channel, std::int64_t utime,
       wrap_ = end_;
       wrapped_ = true;
       end_ = 0;
-      if (begin_ == wrap_) {  // All that was before the wrap has been released meanwhile.
+      if (begin_ == wrap_) {  // All data before the wrap was released meanwhile.
         begin_ = 0;
         wrapped_ = false;
       }
@@ -45,7 +45,7 @@ std::uint8_t* LogQueue::reserve(std::size_t bytes) {
   if (!wrapped_ && begin_ == end_) begin_ = end_ = 0;
   if (wrapped_) return end_ + bytes <= begin_ ? ring_.get() + end_ : nullptr;
   if (end_ + bytes <= capacity_) return ring_.get() + end_;
-  // A record lies in one piece, so what is left before the end of the ring stays unused.
+  // A record is contiguous, so the rest of the ring's end stays unused.
   return bytes <= begin_ ? ring_.get() : nullptr;
 }
 

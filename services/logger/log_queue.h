@@ -12,28 +12,27 @@
 
 namespace puck {
 
-/// Records of a log on their way from the thread of the bus to the thread that writes: a ring of
-/// bytes, so that its memory is bounded whatever the messages are like, and a disk that stands
-/// still costs the bus nothing. Messages are laid down as the file will hold them.
+/// Ring buffer of log records between the bus thread and the writer thread: bounded memory for any
+/// messages, and no wait for a slow disk. Messages are stored in the format of the file.
 class LogQueue {
  public:
   explicit LogQueue(std::size_t capacity_bytes);
 
-  /// False when it does not fit. Bus thread only.
+  /// Returns false if it does not fit. Bus thread only.
   bool push(std::string_view channel, std::int64_t utime, std::span<const std::uint8_t> message);
-  /// Waits, up to `timeout` or a stop, until something is there. Writer thread only.
+  /// Waits, up to `timeout` or a stop, for a record. Writer thread only.
   void wait(std::stop_token stop, std::chrono::milliseconds timeout);
-  /// The oldest records, whole ones, one after the other; empty when there are none. They stay
-  /// there until release(). Writer thread only.
+  /// The oldest records, whole and contiguous; empty without any. Valid until release(). Writer
+  /// thread only.
   std::span<std::uint8_t> front();
-  /// The first `bytes` of front() are done with. Writer thread only.
+  /// Removes the first `bytes` of front(). Writer thread only.
   void release(std::size_t bytes);
 
   std::size_t bytes() const;       ///< Held now. Safe from any thread.
-  std::size_t most_bytes() const;  ///< The most it ever held. Safe from any thread.
+  std::size_t most_bytes() const;  ///< Maximum so far. Safe from any thread.
 
  private:
-  /// Where `bytes` can be laid down; nothing when they do not fit.
+  /// Returns a contiguous range of `bytes`; null if they do not fit.
   std::uint8_t* reserve(std::size_t bytes);
 
   const std::size_t capacity_;

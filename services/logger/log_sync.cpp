@@ -6,8 +6,8 @@
 namespace puck {
 namespace {
 
-// The first byte waits this long, so that the disk is not asked at every message; what it then
-// takes has the rest of the second.
+// The first byte waits this long, so that not every message causes a sync; the sync has the rest of
+// the second.
 constexpr std::chrono::milliseconds kPause{300};
 
 }  // namespace

@@ -13,26 +13,26 @@
 
 namespace puck {
 
-/// Puts what was written on the disk, with fdatasync(2) on a thread of its own: it may take as long
-/// as the disk likes, and the thread that writes must not wait for it, for what is still in its
-/// queue is lost with the process. sync_file_range(2) would not wait either, but leaves the file's
-/// new length and the disk's own cache behind, so that a loss of power could take everything.
+/// Syncs written data to the disk with fdatasync(2) on its own thread. A sync may take long, and
+/// the writer thread must not wait for it, since its queue is lost with the process.
+/// sync_file_range(2) would not block, but does not sync the file's new length or the disk's cache,
+/// so that a loss of power could lose everything.
 class LogSync {
  public:
   using Clock = std::chrono::steady_clock;
 
   LogSync();
-  /// Puts the rest on the disk.
+  /// Syncs the remaining data.
   ~LogSync();
   LogSync(const LogSync&) = delete;
   LogSync& operator=(const LogSync&) = delete;
 
-  /// What has been written into this file shall be on the disk soon. Safe from any thread.
+  /// Requests a sync of all data written to this file. Safe from any thread.
   void request(const std::shared_ptr<OpenLog>& file);
 
-  /// How long what was requested first has been waiting. Safe from any thread.
+  /// Age of the oldest unfinished request. Safe from any thread.
   Clock::duration lag() const;
-  /// Why the newest attempt failed; empty: it did not. Safe from any thread.
+  /// Reason why the newest sync failed; empty: it did not. Safe from any thread.
   std::string problem() const;
 
  private:

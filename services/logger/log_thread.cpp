@@ -10,8 +10,8 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kIdle{500};
-// From the first message to the write that takes it and all that came meanwhile: fifty writes a
-// second instead of one a message, and the most that a SIGKILL costs while the disk keeps up.
+// Collects messages for one write: fifty writes a second instead of one for each message, and the
+// most that a SIGKILL loses while the disk keeps up.
 constexpr milliseconds kGather{20};
 
 }  // namespace

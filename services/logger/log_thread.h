@@ -11,21 +11,21 @@
 
 namespace puck {
 
-/// Carries messages from the thread of the bus to whoever writes them, on a thread of its own, so
-/// that the bus never waits for a disk.
+/// Passes messages from the bus thread to a writer on its own thread, so that the bus never waits
+/// for a disk.
 class LogThread {
  public:
-  /// Writes the first of the whole records that it is given and returns their bytes, at least those
-  /// of one. On the writer thread. Must not throw.
+  /// Writes the first of the given whole records, at least one, and returns their bytes. Writer
+  /// thread only. Must not throw.
   using Write = std::function<std::size_t(std::span<std::uint8_t> records)>;
 
   LogThread(std::size_t queue_bytes, Write write);
 
-  /// False when it does not fit into the queue. Bus thread only.
+  /// Returns false if it does not fit into the queue. Bus thread only.
   bool push(std::string_view channel, std::int64_t utime, std::span<const std::uint8_t> message) {
     return queue_.push(channel, utime, message);
   }
-  /// Returns when all that was pushed has been written. Nothing may be pushed afterwards.
+  /// Returns when all pushed messages are written. Push nothing afterwards.
   void finish();
 
   const LogQueue& queue() const { return queue_; }

@@ -6,7 +6,7 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
-// A file takes the largest message that is ours, and so does the queue.
+// Both hold the largest PUCK message.
 constexpr std::int64_t kSmallestFile = std::int64_t{64} << 10;
 constexpr std::int64_t kSmallestQueue = std::int64_t{1} << 20;
 constexpr std::int64_t kLargestQueue = std::int64_t{16} << 30;
@@ -25,7 +25,7 @@ void check_quota(const Config& config, const LoggerParams& params) {
   const std::size_t name = params.path.rfind('/');
   if (name != std::string::npos && params.path.find('%') < name) {
     config.fail("logger.quota_bytes",
-                "is of one folder, so the folder in logger.path must be without %");
+                "applies to one folder, so the folder in logger.path must not contain %");
   }
 }
 

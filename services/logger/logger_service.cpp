@@ -12,15 +12,15 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kHandle{20};
-// While little comes it is let gather, so that the logger is not woken by every message, which on a
-// busy machine would keep the tracker waiting that hears the same ones. Longer risks that a burst
-// fills the socket; what is more than a little is taken as it comes.
+// At a low rate messages gather for this time, so that the logger does not wake for every message
+// and delay the tracker on a busy machine. With a longer time a burst could fill the socket; at a
+// higher rate there is no wait.
 constexpr milliseconds kGatherMessages{1};
 constexpr std::size_t kLittleBytes = 16'384;
 constexpr milliseconds kLastDrain{50};
-// A loss is told of in STATUS for so long after the last of it.
+// STATUS reports a loss for this time.
 constexpr std::chrono::seconds kTellOfLoss{5};
-// What was written is promised to be on the disk by then.
+// Written data must be on the disk within this time.
 constexpr std::chrono::seconds kLongestLag{1};
 
 }  // namespace
@@ -45,7 +45,7 @@ void LoggerService::run(std::stop_token stop) {
     tell_of_progress();
     poll_status(context_, *this);
   }
-  // What has been received already belongs in the log.
+  // Received messages still belong in the log.
   const auto end = Clock::now() + kLastDrain;
   while (context_.bus.handle(milliseconds(0)) > 0 && Clock::now() < end) continue;
   thread_.finish();
@@ -103,7 +103,7 @@ void LoggerService::account_for_events(std::span<const std::uint8_t> bytes) {
   }
 }
 
-/// What is wrong with the log as it is now.
+/// Present problem of the log.
 std::optional<std::string> LoggerService::find_trouble() const {
   const LogProgress progress = files_.progress();
   if (progress.problem) return "cannot write: " + *progress.problem;

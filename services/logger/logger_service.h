@@ -17,21 +17,21 @@
 
 namespace puck {
 
-/// Writes all that comes on any channel under its prefix, valid or not, to a log that lcm-logplayer
-/// plays. What it cannot write it counts by channel and says: STATUS turns degraded.
+/// Writes all messages on any channel under its prefix, valid or not, to a log for lcm-logplayer.
+/// Counts unwritten messages by channel and then reports STATUS degraded.
 ///
-/// Three threads: this one hears the bus, LogThread writes, LogSync waits for the disk.
+/// Three threads: this one receives, LogThread writes, LogSync waits for the disk.
 class LoggerService : public Service {
  public:
   static LoggerParams read_params(Config& config) { return read_logger_params(config); }
 
-  /// Throws LogFileError when the log cannot be made.
+  /// Throws LogFileError if the log cannot be created.
   LoggerService(const LoggerParams& params, ServiceContext& context);
 
   void run(std::stop_token stop) override;
   void report(StatusReport& report) const override;
 
-  /// Of the file being written.
+  /// Path of the file being written.
   std::string path() const { return files_.progress().path; }
 
  private:
@@ -48,9 +48,9 @@ class LoggerService : public Service {
   LogSync sync_;
   LogFiles files_;
   ChannelTally not_queued_;
-  std::size_t taken_bytes_ = 0;  // since it looked at the bus last
+  std::size_t taken_bytes_ = 0;  // since the last call of handle()
   Clock::time_point queue_was_full_until_{};
-  std::optional<std::string> trouble_;  // As it was told last.
+  std::optional<std::string> trouble_;  // As logged last.
   std::string told_path_;
   std::int64_t packets_rejected_ = 0;
   LossAccount events_;

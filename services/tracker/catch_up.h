@@ -5,20 +5,19 @@
 
 namespace puck {
 
-/// Keeps a receiver that gets more than it can take at the newest. Packets that have waited are
-/// taken all the same as long as the wait may be a hiccup that is soon made up for; when it does
-/// not get shorter, all packets are left out until one comes that has hardly waited. So a queue
-/// never holds more than about kPatienceUs of packets, and is empty as soon after a flood. One
-/// thread.
+/// Keeps an overloaded receiver at the newest data. Late packets are still taken while the delay
+/// may be a short hiccup; if it does not shrink, all packets are skipped until one has hardly
+/// waited. A queue therefore holds at most about kPatienceUs of packets, and is empty as soon after
+/// a flood. One thread.
 class CatchUp {
  public:
-  /// A packet that has waited for longer is behind.
+  /// A packet that has waited longer is late.
   static constexpr std::int64_t kBehindUs = 5'000;
-  /// How long in a row packets may be behind. Longer survives longer hiccups of a busy machine
-  /// without a gap in the events; shorter is at the newest sooner after a flood.
+  /// Longest run of late packets. Larger survives longer hiccups of a busy machine without a gap in
+  /// the events; smaller returns to the newest data sooner after a flood.
   static constexpr std::int64_t kPatienceUs = 50'000;
 
-  /// For every packet, in order: whether it is to be left out. Both times CLOCK_MONOTONIC.
+  /// Call it for every packet in order: whether to skip it. Both times CLOCK_MONOTONIC.
   bool leaves_out(std::int64_t received_us, std::int64_t now_us);
 
  private:

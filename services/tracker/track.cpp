@@ -17,7 +17,7 @@ class LiveTrack final : public Track {
   void update(const EventPacket& packet, const PacketOrigin& origin, bool more_waiting) override {
     tracker_.update(packet, origin, more_waiting);
   }
-  void poll() override {}  // Its second thread does that.
+  void poll() override {}  // The second thread does it.
   std::int64_t events_thinned() const override { return tracker_.surface.events_thinned(); }
 
  private:

@@ -12,22 +12,21 @@
 
 namespace puck {
 
-/// One run of one camera, as the thread sees it that takes its packets.
+/// Tracking of one run of one camera, as used by the thread that receives its packets.
 class Track {
  public:
   virtual ~Track() = default;
 
-  /// Takes the next packet, which must not be empty. `more_waiting`: others have come meanwhile.
+  /// Takes the next packet, which must not be empty. `more_waiting`: more packets wait.
   virtual void update(const EventPacket& packet, const PacketOrigin& origin, bool more_waiting) = 0;
-  /// To be called again and again, also when no packet comes.
+  /// Call it repeatedly, also without packets.
   virtual void poll() = 0;
-  /// Events kept from the tracking because it was behind, so far.
+  /// Number of events thinned out because the tracking was behind.
   virtual std::int64_t events_thinned() const = 0;
 };
 
-/// In two threads, or, if it is to be reproducible, step by step in the caller's. `pipeline`
-/// instead of the one in `params`. Throws std::invalid_argument, naming the key, when a parameter
-/// is out of range.
+/// Uses two threads, or only the caller's if reproducible. `pipeline` replaces that of `params`.
+/// Throws std::invalid_argument that names the key when a parameter is out of its range.
 std::unique_ptr<Track> make_track(SensorSize sensor, const PipelineParams& pipeline,
                                   const TrackerServiceParams& params,
                                   TrackingThread::Publish publish);

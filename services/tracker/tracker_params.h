@@ -16,10 +16,10 @@ struct TrackerServiceParams {
   bool has_own_size_model = false;  ///< From tracker.size_model; else that of the paper's authors.
   PixelMask hot_pixels;
   TrackingThreadParams thread;
-  bool reproducible = false;  ///< Key tracker.reproducible: a SteppedTrack instead of two threads.
+  bool reproducible = false;  ///< Key tracker.reproducible: SteppedTrack, one thread.
 };
 
-/// Reads the keys of [tracker]. A preset gives the defaults of all that comes after it. Throws
+/// Reads the keys of [tracker]. The preset gives the defaults of all other keys. Throws
 /// ConfigError.
 TrackerServiceParams read_tracker_params(Config& config);
 

@@ -22,14 +22,14 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kHandle{20};
 constexpr std::int64_t kSilentUs = 1'000'000;
-// A flood is told for so long after its end.
+// STATUS reports an overload for this time after its end.
 constexpr std::int64_t kFloodToldUs = 1'000'000;
-// A camera that sees nothing move still has noise; one that sends nothing for so long may be dead.
+// A camera has noise in a still scene, too; after a longer silence it may be dead.
 constexpr milliseconds kRestEnds{500};
-// Packets overlap by less; a sensor's clock that steps back by more has been started anew. Believed
-// once in as long a time, so that clocks that jump to and fro do not keep the tracker busy.
+// Packets overlap by less; a larger step back is a restarted clock. Accepted at most once in this
+// time, so that jumping clocks do not keep the tracker busy.
 constexpr std::int64_t kClockRestartedUs = 1'000'000;
-// A packet published longer ago, by its camera's clock, comes from a log that is played.
+// An older packet, by its camera's clock, comes from a replayed log.
 constexpr std::int64_t kLiveUs = 200'000;
 
 std::int64_t utime_of(std::chrono::system_clock::time_point time) {
@@ -46,8 +46,8 @@ StatusLatency named(const char* name, const LatencyHistogram& histogram) {
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
     : params_(params), context_(context) {
   context_.peers.need({"puck-camera"});
-  // Parameters that cannot work are refused at the start, not with the first packet.
-  // On the largest sensor, since it is not known yet how far the detection region may reach.
+  // Invalid parameters must fail at the start, not with the first packet. The trial uses the
+  // largest sensor, since the limits of the detection region are not known yet.
   const SurfaceTracker trial({SensorSize::kMax, SensorSize::kMax}, params.pipeline,
                              params.size_model);
   context_.bus.subscribe<EventPacketView>(
@@ -55,7 +55,7 @@ TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContex
 }
 
 void TrackerService::run(std::stop_token stop) {
-  // The camera, above all, is not to keep its packets from us until it has prepared the next one.
+  // Lets the camera pass on a packet before it prepares the next one.
   take_short_turns();
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
@@ -83,7 +83,7 @@ void TrackerService::receive(const EventPacketView& packet, const Receipt& recei
         ++dropped_packets_;
         return;
       }
-      // Old numbers after a silence: a log is played once more.
+      // Old numbers after a silence: a log is replayed.
       publisher_ = {};
       publisher_.hear(packet.session, packet.seq, receipt.monotonic_us);
       begin(packet, receipt);
@@ -121,7 +121,7 @@ void TrackerService::take(const EventPacketView& packet, const Receipt& receipt)
 
   PacketOrigin origin = origin_of(packet, receipt);
   if (!origin.is_live) ++packets_not_live_;
-  // What came while it waited waits behind it: packets as long as this one, if there are any.
+  // Time in whole packets that waited behind this one while it waited itself.
   const std::int64_t waited_us = host_monotonic_us() - receipt.monotonic_us;
   const std::int64_t length_us = std::max<std::int64_t>(1, events_.newest() - newest_event_);
   origin.queued_us = waited_us / length_us * length_us;
@@ -130,8 +130,8 @@ void TrackerService::take(const EventPacketView& packet, const Receipt& receipt)
   track_->update(events_, origin, receipt.more_waiting);
 }
 
-// A packet is skipped only when another one comes: the newest is what matters most. Until then it
-// lies here as it came, so that a queue is gone through quickly.
+// A packet is skipped only when another one comes, since the newest matters most. Until then it is
+// kept without unpacking, so that a queue is skipped quickly.
 void TrackerService::hold(const EventPacketView& packet, const Receipt& receipt) {
   held_data_.assign(packet.data.begin(), packet.data.end());
   held_packet_ = packet;
@@ -189,7 +189,7 @@ void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt
                       [this](const TrackedEstimate& tracked) { publish(tracked); });
 }
 
-// A camera that nobody calibrated for is followed all the same, as well as it can be.
+// A camera without matching calibration is tracked as well as possible.
 void TrackerService::check_calibration() {
   if (!params_.has_own_size_model) {
     context_.log.warn(
@@ -234,12 +234,12 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
   puck_estimate_t message = to_message(tracked.estimate, sensor_);
   const PacketOrigin& origin = tracked.origin;
   message.events_session = origin.session;
-  // Nobody knows whether a puck still rests where it did once its camera has fallen silent.
+  // After the camera has fallen silent, a resting puck may have moved.
   if (tracked.input_age > kRestEnds) message.flags &= ~puck_estimate_t::FLAG_RESTING;
   if (origin.is_live && !origin.is_recorded) message.flags |= puck_estimate_t::FLAG_LIVE;
   if (origin.sensor_zero_utime != 0) {
     const std::int64_t utime = origin.sensor_zero_utime + tracked.estimate.newest_event.us;
-    // What no clock says is not known; said on, it would keep the estimate from being published.
+    // An impossible time counts as unknown, since it would prevent publication.
     if (utime >= 0 && utime <= kMostOnWire) message.event_utime = utime;
   }
   message.packet_received_utime = origin.received_utime;
@@ -255,8 +255,8 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
   message.events_dropped = origin.counters.events_dropped;
   context_.bus.publish(message);
 
-  // Only the first estimate with a new event says how long that event took; the first word of a
-  // track rests on none.
+  // Only the first estimate with a new event gives its latency; the first one of a track is based
+  // on no event.
   if (tracked.estimate.events_applied == 0) return;
   if (tracked.estimate.newest_event <= published_event_) return;
   published_event_ = tracked.estimate.newest_event;
@@ -267,7 +267,7 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
         std::chrono::duration_cast<std::chrono::microseconds>(tracked.packet_to_look).count());
   }
   backlog_.record(message.backlog_us);
-  // Of a log, or by a clock that nobody knows, the difference would say nothing.
+  // For a log or an unknown clock the difference is meaningless.
   if (origin.is_live && message.event_utime != 0) {
     sensor_to_estimate_.record(message.utime - message.event_utime);
   }

@@ -19,16 +19,15 @@
 
 namespace puck {
 
-/// The paper's Figure 2. The thread that runs the service is its first thread: it takes packets of
-/// events from the bus and updates the EROS surface event by event. The second, a TrackingThread,
-/// looks at the newest surface as fast as it can and publishes where the puck is.
+/// The paper's Figure 2. The service's own thread receives event packets from the bus and updates
+/// the EROS surface event by event. The second one, a TrackingThread, searches the newest surface
+/// as fast as it can and publishes estimates.
 ///
-/// It follows one publisher of events: the first that it hears, until that one has been silent for
-/// 500 ms. With another publisher, another run of the same, or a sensor's clock that begins anew,
-/// everything starts anew. When events come faster than it can take them it leaves out whole
-/// packets and keeps to the newest.
+/// Follows one publisher of events: the first one heard, until it has been silent for 500 ms. All
+/// state is reset for another publisher, another run of the same one, or a restarted sensor clock.
+/// In an overload it skips whole packets to keep to the newest events.
 ///
-/// With tracker.reproducible there is only the first thread, and nothing is left out.
+/// With tracker.reproducible there is only the first thread, and no packet is skipped.
 class TrackerService : public Service {
  public:
   static TrackerServiceParams read_params(Config& config) { return read_tracker_params(config); }
@@ -59,7 +58,7 @@ class TrackerService : public Service {
   SinglePublisher publisher_;
   LossAccount packets_;
   CatchUp catch_up_;
-  EventPacketView held_packet_;  // the newest, which may be skipped …
+  EventPacketView held_packet_;  // the newest one, which may be skipped …
   std::vector<std::uint8_t> held_data_;
   Receipt held_receipt_;
   bool holds_packet_ = false;  // … while this is true
@@ -68,29 +67,29 @@ class TrackerService : public Service {
   Timestamp newest_event_;
   bool masks_hot_pixels_ = false;
   std::int64_t events_received_ = 0;
-  std::int64_t events_thinned_ = 0;  // kept from the tracking thread, which was behind
+  std::int64_t events_thinned_ = 0;  // thinned out because the tracking thread was behind
   std::int64_t events_masked_ = 0;
-  std::int64_t packets_skipped_ = 0;  // left out to keep to the newest
+  std::int64_t packets_skipped_ = 0;  // skipped to keep to the newest
   std::int64_t events_skipped_ = 0;
-  std::int64_t skipped_us_ = 0;        // CLOCK_MONOTONIC, the last of them; 0: never
+  std::int64_t skipped_us_ = 0;        // CLOCK_MONOTONIC of the last skip; 0: none
   std::int64_t others_packets_ = 0;    // of publishers that are not followed
   std::int64_t packets_not_live_ = 0;  // of a log, or of a camera whose clock is not known
-  std::int64_t dropped_packets_ = 0;   // late, or older than what is on the surface
+  std::int64_t dropped_packets_ = 0;   // late, or older than the surface
   std::int64_t rejected_packets_ = 0;  // malformed
   std::int64_t heard_us_ = 0;          // CLOCK_MONOTONIC; 0: never
-  std::int64_t began_us_ = 0;          // CLOCK_MONOTONIC, of this track
+  std::int64_t began_us_ = 0;          // CLOCK_MONOTONIC, start of this track
 
-  PacketWatch watch_;  // both threads
+  PacketWatch watch_;  // used by both threads
 
-  // Second thread; the histograms may be read from both.
+  // Second thread; both threads may read the histograms.
   Timestamp published_event_{-1};
-  std::chrono::steady_clock::time_point published_packet_;  // its receipt
+  std::chrono::steady_clock::time_point published_packet_;  // time of its receipt
   LatencyHistogram packet_to_look_;
   LatencyHistogram packet_to_estimate_;
-  LatencyHistogram sensor_to_estimate_;  // of live events: corrected for the camera's clock
+  LatencyHistogram sensor_to_estimate_;  // live events only, corrected for the camera's clock
   LatencyHistogram backlog_;
 
-  std::unique_ptr<Track> track_;  // last: its thread uses what stands above
+  std::unique_ptr<Track> track_;  // last: its thread uses the members above
 };
 
 }  // namespace puck

@@ -329,7 +329,7 @@ TEST_CASE("Encoders that are no numbers, or of other joints, are a fault and mov
        {std::pair{JointAngles(std::array<double, 7>{0, 0, nan, 0, 0, 0, 0}), "not finite"},
         std::pair{JointAngles(std::array<double, 7>{1e308, -1e308, 0, 0, 0, 0, 0}),
                   "out of the possible range"},
-        std::pair{JointAngles(std::array<double, 3>{0, 0, 0}), "not those of the joint table"}}) {
+        std::pair{JointAngles(std::array<double, 3>{0, 0, 0}), "not that of the joint table"}}) {
     ScriptedArm arm(0);
     arm.bench.play(200, 0.05);
     arm.script.follows = false;

@@ -100,10 +100,10 @@ TEST_CASE("a channel name has up to 63 bytes and ends within the datagram") {
   CHECK(too_long.has_magic);
   CHECK(bad(whole_message(std::string(65'000, 'C'), "", false)).why ==
         "has a channel name of more than 63 bytes");
-  CHECK(bad(whole_message("PUCK_STATUS", "", false)).why == "has a channel name that does not end");
-  CHECK(bad(whole_message("", "", false)).why == "has a channel name that does not end");
+  CHECK(bad(whole_message("PUCK_STATUS", "", false)).why == "has an unterminated channel name");
+  CHECK(bad(whole_message("", "", false)).why == "has an unterminated channel name");
   CHECK(bad(whole_message(std::string(63, 'C'), "", false)).why ==
-        "has a channel name that does not end");
+        "has an unterminated channel name");
 }
 
 TEST_CASE("what is shorter than a header is bad, at every length") {
@@ -148,7 +148,7 @@ TEST_CASE("only the first fragment has a channel") {
   CHECK(std::get<MessageFragment>(next).offset == 3);
   CHECK(text_of(std::get<MessageFragment>(next).payload) == "de");
 
-  CHECK(bad(fragment({}, "CH")).why == "has a channel name that does not end");
+  CHECK(bad(fragment({}, "CH")).why == "has an unterminated channel name");
 }
 
 TEST_CASE("a fragment must lie within its message, also where 32 bits wrap") {
