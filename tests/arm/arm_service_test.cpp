@@ -116,7 +116,7 @@ int operate(const std::string& word, const std::string& url) {
   return by_hand.run({.url = url}, {}).value_or(-1);
 }
 
-TEST_CASE("The arm service moves on commands and estimates from the bus and says where it is") {
+TEST_CASE("The arm service moves on commands and estimates from the bus and reports its position") {
   RunningArm arm;
   // With the sessions of both: an arm that is held up forgets them until new ones come.
   const std::optional<arm_state_t> state = arm.comes_to(0.2);
@@ -125,7 +125,7 @@ TEST_CASE("The arm service moves on commands and estimates from the bus and says
   CHECK(state->line_max_m == 0.3);
 }
 
-TEST_CASE("The arm sleeps from step to step however many estimates come") {
+TEST_CASE("The arm service sleeps between steps at any rate of estimates") {
   ServiceBench bench;
   WakeUpTally tally;
   Config config;
@@ -144,7 +144,7 @@ TEST_CASE("The arm sleeps from step to step however many estimates come") {
   CHECK(tally.wake_ups() < tally.messages / 2);
 }
 
-TEST_CASE("In a flood the arm handles messages between its steps, too, but rests before each") {
+TEST_CASE("In a flood the arm handles messages between its steps, but sleeps before each step") {
   ServiceBench bench;
   WakeUpTally tally;
   std::atomic<bool> all_sent = false;
@@ -202,7 +202,7 @@ std::optional<arm_state_t> last_of_a_fast_arm() {
   return arm.counter("pauses") ? std::nullopt : arm.state();
 }
 
-TEST_CASE("The arm service brakes before it ends, commands or not") {
+TEST_CASE("The arm service brakes before it ends, with or without commands") {
   std::optional<arm_state_t> last;
   for (int attempt = 0; attempt < 30 && !last; ++attempt) last = last_of_a_fast_arm();
   REQUIRE(last.has_value());
@@ -212,7 +212,7 @@ TEST_CASE("The arm service brakes before it ends, commands or not") {
   CHECK(last->faults == 0);
 }
 
-TEST_CASE("The arm follows a bridge and a tracker whose clock is hours away, once they answer") {
+TEST_CASE("The arm follows a bridge and a tracker with clocks hours away, once they answer") {
   constexpr std::int64_t kHourUs = 3'600'000'000;
   const std::string url = private_lcm_url();
   RunningArm arm(url);
@@ -244,7 +244,7 @@ TEST_CASE("The arm follows a bridge and a tracker whose clock is hours away, onc
   CHECK(arm.counter("refused_old") > 50);
 }
 
-TEST_CASE("A second bridge and tracker, and commands for another arm, are counted by name") {
+TEST_CASE("A second bridge, a second tracker and commands for another arm are counted by name") {
   const std::string url = private_lcm_url();
   RunningArm arm(url);
   REQUIRE(arm.moves_to(0.2));
@@ -298,7 +298,7 @@ TEST_CASE("puck-arm --stop and --reset fail when no arm confirms them") {
   CHECK(operate("--reset", url) == 1);
 }
 
-TEST_CASE("puck-arm --stop and --reset are not confirmed by what another arm, or a log, says") {
+TEST_CASE("puck-arm --stop and --reset are not confirmed by another arm or an arm in a log") {
   const std::string url = private_lcm_url();
   // An arm that was stopped by somebody else and hears nobody, and one of a log that moves.
   const std::jthread others([&](const std::stop_token& stop) {
@@ -321,7 +321,7 @@ TEST_CASE("puck-arm --stop and --reset are not confirmed by what another arm, or
   CHECK(operate("--reset", url) == 1);
 }
 
-TEST_CASE("Arm settings that cannot be are refused by name") {
+TEST_CASE("Impossible arm settings are refused by name") {
   const auto refusal_of = [](const std::string& text) -> std::string {
     try {
       Config config = Config::from_text(text, "arm.toml");
@@ -341,7 +341,7 @@ TEST_CASE("Arm settings that cannot be are refused by name") {
         std::string::npos);
 }
 
-TEST_CASE("A real arm does not start on a bus without a key, unless that is allowed") {
+TEST_CASE("A real arm needs a key on its bus, unless the settings allow a bus without one") {
   const auto refusal_of = [](const BackEndParams& params, bool authenticated) -> std::string {
     try {
       make_back_end(params, {}, authenticated);
@@ -365,7 +365,7 @@ TEST_CASE("A real arm does not start on a bus without a key, unless that is allo
   CHECK_THROWS_AS(bench.make<ArmService>(params), std::invalid_argument);
 }
 
-TEST_CASE("The loop keeps its pace while messages come, and says how late its steps were") {
+TEST_CASE("The loop keeps its period under messages, and reports the delay of its steps") {
   RunningArm arm;
   CHECK(arm.moves_to(0.2));
   arm.bench.stop();

@@ -63,7 +63,7 @@ TEST_CASE("the particles are updated every π·R events near the puck, and far o
   CHECK(updated.score > 0);
 }
 
-TEST_CASE("particles without any support have three hundredths of the best likelihood") {
+TEST_CASE("particles without any support have 3 % of the best likelihood") {
   ParticleFilterParams params;
   params.shape = TemplateShape::kReference;
   // Without the ring that the puck was detected by.
@@ -101,7 +101,7 @@ TEST_CASE("a particle filter follows the puck with either template") {
   }
 }
 
-TEST_CASE("a window that holds 30 events more than are used is cut, but not below 300") {
+TEST_CASE("a window with 30 unused events is shortened, but not below 300") {
   const ParticleFilterParams params;
   CHECK(events_to_keep(530, 500, params) == 530);
   CHECK(events_to_keep(532, 500.9, params) == 500);

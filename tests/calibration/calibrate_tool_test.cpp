@@ -72,7 +72,7 @@ TEST_CASE("puck-calibrate size writes a size model and prints its residuals") {
   CHECK(contains(written, "puck-calibrate size a.csv --output size.toml"));
 }
 
-TEST_CASE("puck-calibrate size names bad cells by line and mistaken rows by number") {
+TEST_CASE("puck-calibrate size names malformed cells by line and implausible rows by number") {
   const Tool tool;
   tool.write("blank.csv", "t_us,x,y,width,height\n0,1,,20,10\n");
   CHECK(tool.run("size blank.csv --output size.toml") == 1);
@@ -134,7 +134,7 @@ TEST_CASE("puck-calibrate table raises the plane to the puck's middle and finds 
   CHECK(contains(tool.read("said"), "c.csv: the principal point is unknown"));
 }
 
-TEST_CASE("The simulated table's calibration is what its own command makes, and true") {
+TEST_CASE("The simulated table's calibration equals its command's output, and is true") {
   const Tool tool;
   tool.write("simulated_table.csv", shipped("simulated_table.csv"));
   const std::string file = shipped("simulated_table.toml");
@@ -200,7 +200,7 @@ void write_log(const fs::path& path, const std::vector<TrackPoint>& track,
   }
 }
 
-TEST_CASE("puck-calibrate motion fits a log, and an export, and replaces what the table had") {
+TEST_CASE("puck-calibrate motion fits a log and an export, and replaces the table's old motion") {
   const Tool tool;
   const std::string table = shipped("simulated_table.toml");
   tool.write("table.toml", table);
@@ -237,8 +237,7 @@ TEST_CASE("puck-calibrate motion fits a log, and an export, and replaces what th
   CHECK(std::abs(from_log->rail_restitution - PhysicsParams{}.rail_normal_keep) < 0.005);
 }
 
-TEST_CASE(
-    "puck-calibrate motion refuses a head that turns, columns it does not know, and no puck") {
+TEST_CASE("puck-calibrate motion refuses a turning head, unknown columns and a missing puck") {
   const Tool tool;
   tool.write("table.toml", shipped("simulated_table.toml"));
   const TableCalibration calibration = read_table_file(tool.path("table.toml"));
@@ -267,7 +266,7 @@ TEST_CASE("puck-calibrate refuses degenerate input with one line that names the 
   CHECK(tool.read("size.toml").empty());
 }
 
-TEST_CASE("puck-calibrate lag adds what it found to the size model, or replaces it") {
+TEST_CASE("puck-calibrate lag adds its result to the size model, or replaces it") {
   const Tool tool;
   REQUIRE(tool.run("puck-simulate", "--output game --seconds 2 --seed 5") == 0);
   REQUIRE(tool.run("size game.annotations.csv --output size.toml") == 0);
@@ -325,7 +324,7 @@ TEST_CASE("puck-calibrate lag adds what it found to the size model, or replaces 
   CHECK(contains(tool.read("said"), "no steady motion of 60 px/s or more"));
 }
 
-TEST_CASE("puck-calibrate hot-pixels writes a mask and says how much it masks") {
+TEST_CASE("puck-calibrate hot-pixels writes a mask and prints the number of masked pixels") {
   const Tool tool;
   std::string events;
   for (int ms = 0; ms < 2000; ms += 4) {
@@ -356,7 +355,7 @@ TEST_CASE("puck-calibrate exits with 1 for a missing file and 2 for a wrong comm
   CHECK(tool.run("--help") == 0);
 }
 
-TEST_CASE("puck-calibrate arm writes a joint table and prints what it lets the mallet do") {
+TEST_CASE("puck-calibrate arm writes a joint table and prints the mallet's limits") {
   const Tool tool;
   std::string rows = "y_m,joint_0_deg,joint_1_deg\n";
   std::string table;

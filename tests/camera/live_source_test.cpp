@@ -81,7 +81,7 @@ class Live {
   LiveSource source_;
 };
 
-TEST_CASE("a live source hands on all that is fetched in time, small pieces joined") {
+TEST_CASE("a live source delivers everything if fetched in time, and joins small pieces") {
   Live live(chunks_of(100, 200), 4);
   const auto taken = live.take_all();
   REQUIRE(taken.size() == 3);  // 81 pieces of 100 events fit into 8192.
@@ -101,7 +101,7 @@ TEST_CASE("a live source hands on all that is fetched in time, small pieces join
   CHECK(live.source_.warnings() == std::vector<std::string>{"all is well"});
 }
 
-TEST_CASE("a live source that is not fetched keeps the newest chunks, and counts what it let go") {
+TEST_CASE("without fetching, a live source keeps the newest chunks and counts the dropped ones") {
   Live live(chunks_of(8000, 10), 3);
   const auto taken = live.take_all();
   REQUIRE(taken.size() == 3);
@@ -111,7 +111,7 @@ TEST_CASE("a live source that is not fetched keeps the newest chunks, and counts
   CHECK(live.source_.events_dropped() == 7 * 8000 + 3);
 }
 
-TEST_CASE("that a clock is new is told even where its first events were let go") {
+TEST_CASE("a new clock is reported even if its first events were dropped") {
   Live live(chunks_of(8000, 10), 3);
   const auto taken = live.take_all();
   REQUIRE(taken.size() == 3);
@@ -119,7 +119,7 @@ TEST_CASE("that a clock is new is told even where its first events were let go")
   CHECK_FALSE(taken[1].new_clock);
 }
 
-TEST_CASE("what a live source throws comes after all that it brought before") {
+TEST_CASE("a live source's exception follows all of its earlier events") {
   Live live(chunks_of(8000, 2), 3, true);
   EventSource::Chunk chunk;
   CHECK(live.source_.next(chunk) == EventSource::Outcome::kEvents);
@@ -127,7 +127,7 @@ TEST_CASE("what a live source throws comes after all that it brought before") {
   CHECK_THROWS_WITH_AS(live.source_.next(chunk), "the cable is out", EventFileError);
 }
 
-TEST_CASE("a pipe that nobody fetches from never blocks, and its newest events are at hand") {
+TEST_CASE("a pipe without fetching never blocks, and its newest events stay available") {
   constexpr int kEvents = 500'000;
   constexpr std::size_t kChunks = 4;
   const CameraFolder folder;
@@ -175,7 +175,7 @@ TEST_CASE("a pipe that nobody fetches from never blocks, and its newest events a
   CHECK(events.size() < kEvents / 2);
 }
 
-TEST_CASE("a limit lets a mean rate through, and makes up for no more than a millisecond") {
+TEST_CASE("a limit allows a mean rate, and a burst of at most a millisecond") {
   using Clock = PublishLimit::Clock;
   PublishLimit limit(2);
   const Clock::time_point start{std::chrono::seconds(100)};

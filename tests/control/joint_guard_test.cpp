@@ -24,7 +24,7 @@ class GuardedJoints {
   JointGuard guard{{kLimits, kLimits}};
 };
 
-TEST_CASE("A motion within the limits is let through at even and uneven times, to its limits") {
+TEST_CASE("A motion within the limits passes at even and uneven times, up to its limits") {
   for (const bool even : {true, false}) {
     GuardedJoints joints;
     JerkLimitedMotion motion(kLimits, 0);
@@ -38,7 +38,7 @@ TEST_CASE("A motion within the limits is let through at even and uneven times, t
   }
 }
 
-TEST_CASE("Each limit of each joint is kept by itself") {
+TEST_CASE("Each limit of each joint is checked separately") {
   GuardedJoints joints;
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -38,7 +38,7 @@ void hear(HostClocks& clocks, const Exchange& exchange) {
 
 }  // namespace
 
-TEST_CASE("a clock that is ahead or behind is measured to half the round trip") {
+TEST_CASE("another clock's offset is measured to half the round trip") {
   for (const std::int64_t ahead_us : {0, 700'000, -700'000}) {
     HostClocks clocks(kOurSession);
     clocks.sent({1'000'000, 1'000'000});
@@ -53,7 +53,7 @@ TEST_CASE("a clock that is ahead or behind is measured to half the round trip") 
   }
 }
 
-TEST_CASE("the shortest round trip counts") {
+TEST_CASE("the exchange with the shortest round trip counts") {
   HostClocks clocks(kOurSession);
   clocks.sent({1'000'000, 1'000'000});
   clocks.sent({2'000'000, 2'000'000});
@@ -64,7 +64,7 @@ TEST_CASE("the shortest round trip counts") {
   CHECK(clocks.offsets(kNow).at(kAddress).within_us == 21);
 }
 
-TEST_CASE("pongs to others, to pings never sent, and impossible ones are not believed") {
+TEST_CASE("pongs to others, to unknown pings, and impossible ones are ignored") {
   HostClocks clocks(kOurSession);
   clocks.sent({1'000'000, 1'000'000});
   hear(clocks, {.session = kOurSession + 1});
@@ -74,7 +74,7 @@ TEST_CASE("pongs to others, to pings never sent, and impossible ones are not bel
   CHECK(clocks.offsets(kNow).empty());
 }
 
-TEST_CASE("a clock that is surely apart by more than 100 ms is told, with what sets it") {
+TEST_CASE("a clock that is certainly off by more than 100 ms is reported, with a remedy") {
   Facts facts = healthy_facts();
   facts.clock_offsets[kAddress] = {"robot", 99'000, 500};
   CHECK(count_of(check_clocks(facts), Verdict::kOk) == 1);
@@ -88,7 +88,7 @@ TEST_CASE("a clock that is surely apart by more than 100 ms is told, with what s
   CHECK(check_clocks(facts).front().mend.empty());
 }
 
-TEST_CASE("without an answer, the age of messages bounds the clock, on one side") {
+TEST_CASE("without an answer, the age of messages bounds the clock's offset on one side") {
   Facts facts = healthy_facts();
   service_status_t status = a_status(1, "puck-arm");
   hear_status(facts.traffic, {kAddress, 5000}, status);
@@ -100,7 +100,7 @@ TEST_CASE("without an answer, the age of messages bounds the clock, on one side"
   CHECK(check_clocks(facts).front().mend == "ssh 10.0.0.9 sudo timedatectl set-ntp true");
 }
 
-TEST_CASE("this host has one clock") {
+TEST_CASE("the clock of this host needs no comparison") {
   Facts facts = healthy_facts();
   hear_status(facts.traffic, {"10.0.0.2", 5000}, a_status(1, "puck-arm"));
   facts.clock_offsets["10.0.0.2"] = {"here", 500'000, 1};

@@ -111,7 +111,7 @@ Followed follow_ellipse(const std::filesystem::path& recordings,
   return followed;
 }
 
-TEST_CASE("the ellipse among other shapes is tracked with a size and a lean given by hand") {
+TEST_CASE("the ellipse among other shapes is tracked with a given size and lean") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   const Followed ellipse = follow_ellipse(*recordings, {});

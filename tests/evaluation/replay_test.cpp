@@ -92,7 +92,7 @@ bool notes(const ReplayComparison& comparison, const std::string& part) {
                      [&](const std::string& note) { return note.find(part) != std::string::npos; });
 }
 
-TEST_CASE("a run that was recorded whole is made again to the bit") {
+TEST_CASE("a whole recorded run is reproduced to the bit") {
   const ReplayComparison result = replay({});
   CHECK(result.estimates == 50);
   CHECK(result.repeated == 50);
@@ -104,7 +104,7 @@ TEST_CASE("a run that was recorded whole is made again to the bit") {
   CHECK(result.notes.empty());
 }
 
-TEST_CASE("a tracker that joined late is made again from the packet with which it began") {
+TEST_CASE("a late tracker's run is reproduced from its first packet") {
   const ReplayComparison result = replay({.heard_from = 38});
   CHECK(result.estimates == 38);
   CHECK(result.equal == 38);
@@ -118,7 +118,7 @@ TEST_CASE("an estimate that differs in its last bit is not equal") {
   CHECK(*result.max_difference_px < 1e-9);
 }
 
-TEST_CASE("a packet that the tracker lost, or the log, is told, and the estimates stay close") {
+TEST_CASE("a packet lost by the tracker or the log is reported, and the estimates stay close") {
   const ReplayComparison lost = replay({.lost_to_tracker = 91});
   CHECK(lost.estimates == 50);
   CHECK(lost.equal < 50);
@@ -134,7 +134,7 @@ TEST_CASE("a packet that the tracker lost, or the log, is told, and the estimate
   CHECK(notes(missing, "1 estimates rest on other events than the log holds"));
 }
 
-TEST_CASE("an estimate that the log does not have is told") {
+TEST_CASE("an estimate missing from the log is reported") {
   CHECK(notes(replay({.estimate_missing = 60}), "1 estimates are missing in the log"));
 }
 

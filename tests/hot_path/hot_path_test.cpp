@@ -97,14 +97,14 @@ void play(LiveTracker& tracker, const Said& said, const std::vector<EventPacket>
 
 }  // namespace
 
-TEST_CASE("what asks for memory is counted") {
+TEST_CASE("memory allocations are counted") {
   const std::int64_t before = test::own_allocations();
   const auto memory = std::make_unique<int>(1);
   const std::vector<int> more(10);
   CHECK(test::own_allocations() - before == 2);
 }
 
-TEST_CASE("a second of tracking asks for no memory, neither thread") {
+TEST_CASE("a second of tracking allocates nothing, in either thread") {
   std::vector<EventPacket> packets;
   for (int i = 0; i < kWarmUpPackets + kPackets; ++i) {
     EventPacket packet = packet_of(i + 1);
@@ -141,7 +141,7 @@ TEST_CASE("a second of tracking asks for no memory, neither thread") {
   }
 }
 
-TEST_CASE("what a search found, however much and late, is taken up without asking for memory") {
+TEST_CASE("search results of any number and age are taken without an allocation") {
   const PipelineParams params = preset_params(Preset::kDefault);
   ContourPipeline pipeline(kSensor, params.contour, {}, kSizeModel);
   const EventPacket packet = packet_of(1);

@@ -26,7 +26,7 @@ struct Expected {
   double rounding_s = 0;  // … and by how much.
 };
 
-TEST_CASE("real recordings have the events, times and geometry that their manifest says") {
+TEST_CASE("real recordings have the events, times and geometry of their manifest") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   const std::filesystem::path& folder = *recordings;
@@ -83,7 +83,7 @@ TEST_CASE("recordings of other formats are refused by name") {
   CHECK(contains(refusal("ncars_td.dat"), "is a Prophesee DAT file; expected"));
 }
 
-TEST_CASE("the truth beside a real recording reads, and lies within the recording") {
+TEST_CASE("the truth of a real recording is readable, and lies within the recording") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   const std::filesystem::path& folder = *recordings;

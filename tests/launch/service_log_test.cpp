@@ -57,7 +57,7 @@ TEST_CASE("A log is written whole and in order before it ends") {
   CHECK(text == expected);
 }
 
-TEST_CASE("A log that nobody reads keeps nobody waiting, counts what it loses, and ends") {
+TEST_CASE("An unread log delays no service, counts its lost lines, and ends") {
   const StuckPipe pipe;
   ServiceLog log("test", pipe.descriptor());
   // Whoever waited for the reader would wait for ever.
@@ -67,7 +67,7 @@ TEST_CASE("A log that nobody reads keeps nobody waiting, counts what it loses, a
   CHECK(log.lost_lines() <= 5000 - LineWriter::kMostLines);
 }
 
-TEST_CASE("A log whose reader is gone ends no service") {
+TEST_CASE("A log with a closed reader ends no service") {
   Pipe pipe;
   ServiceLog log("test", pipe.ends[1]);
   pipe.close_end(0);
@@ -75,7 +75,7 @@ TEST_CASE("A log whose reader is gone ends no service") {
   CHECK(log.lost_lines() == 0);
 }
 
-TEST_CASE("A line of the log says when, who and how serious, without colours in a file") {
+TEST_CASE("A log line gives time, name and level, without colours in a file") {
   Pipe pipe;
   {
     ServiceLog log("puck-test", pipe.ends[1]);

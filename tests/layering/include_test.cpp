@@ -141,7 +141,7 @@ Names missing_headers(const std::map<std::string, Source>& all, const Source& so
 
 }  // namespace
 
-TEST_CASE("every source includes the standard headers that it needs, or what includes them") {
+TEST_CASE("every source includes its standard headers, directly or through its own header") {
   const std::map<std::string, Source> all = sources();
   CHECK(all.size() > 1000);
   for (const auto& [path, source] : all) {
@@ -151,7 +151,7 @@ TEST_CASE("every source includes the standard headers that it needs, or what inc
   }
 }
 
-TEST_CASE("a standard header that is missing is noticed, one that another header has is not") {
+TEST_CASE("a missing standard header is found, one through another header is accepted") {
   const Source header{{"vector"}, {"vector"}};
   const std::map<std::string, Source> all{{"common/a.h", header}};
   CHECK(missing_headers(all, {{}, {"vector", "sort"}}) == Names{"algorithm", "vector"});

@@ -125,7 +125,7 @@ TEST_CASE("only messaging includes LCM's headers") {
   }
 }
 
-TEST_CASE("services and tools never include one another, but for what all of them share") {
+TEST_CASE("services and tools never include one another, except their common part") {
   for (const std::string top : {"services", "tools"}) {
     for (const std::string& folder : folders_below(source_dir() / top)) {
       for (const Include& include : includes_below(source_dir() / top / folder)) {
@@ -142,7 +142,7 @@ TEST_CASE("services and tools never include one another, but for what all of the
   }
 }
 
-TEST_CASE("the reader of include lines finds what it looks for") {
+TEST_CASE("the reader of include lines finds includes") {
   const auto includes = includes_below(source_dir() / "common" / "vision");
   CHECK(includes.size() > 40);
   CHECK(folder_of("common/vision/region.h", "common") == "vision");

@@ -45,7 +45,7 @@ LoggedPackets read_log(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("a logger that is killed leaves all that it said it wrote, in a log that plays") {
+TEST_CASE("a killed logger leaves all messages that it reported as written, in a playable log") {
   const TemporaryFolder folder;
   std::mt19937 random(std::random_device{}());
   for (int kill = 0; kill < 3; ++kill) {

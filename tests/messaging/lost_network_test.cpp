@@ -34,7 +34,7 @@ bool hears_itself(Bus& bus, int& heard) {
 
 }  // namespace
 
-TEST_CASE("a bus hears again when its network was away and has come back") {
+TEST_CASE("a bus receives again after its network was away and has returned") {
   in_network_of_its_own([] {
     REQUIRE(plug_in());
     Bus bus({.url = private_lcm_url()});

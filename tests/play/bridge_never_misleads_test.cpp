@@ -77,7 +77,7 @@ struct Heard {
   std::int64_t event_us = 0;  // by the same
 };
 
-TEST_CASE("Whatever arrives, no command is sent that a good, live estimate does not bear") {
+TEST_CASE("Whatever arrives, every command is based on a good, live estimate") {
   int commands = 0;
   int refused = 0;
   int blind_steps = 0;

@@ -30,7 +30,7 @@ int saves_of(const std::vector<ShotOutcome>& outcomes) {
   }));
 }
 
-TEST_CASE("Each shot is a shot, at the speed asked for, and hits the line within the goal") {
+TEST_CASE("Each shot has the specified speed, and hits the line within the goal") {
   const PlaySetup setup = fast_shots();
   const TableGeometry& table = setup.world.table;
   const auto shots = find_shots(setup, 1, kShots, 2);
@@ -45,7 +45,7 @@ TEST_CASE("Each shot is a shot, at the speed asked for, and hits the line within
   }
 }
 
-TEST_CASE("The same seed plays the same shots to the bit, however many threads play them") {
+TEST_CASE("The same seed plays the same shots to the bit, with any number of threads") {
   const PlaySetup setup = fast_shots();
   const auto shots = find_shots(setup, 1, kShots, 1);
   const auto again = find_shots(setup, 1, kShots, 3);
@@ -60,8 +60,7 @@ TEST_CASE("The same seed plays the same shots to the bit, however many threads p
   }
 }
 
-TEST_CASE(
-    "A shot seen by PUCK itself is the same to the bit, too, and the same as without images") {
+TEST_CASE("A shot tracked by PUCK itself is reproducible to the bit, with or without images") {
   PlaySetup setup = fast_shots();
   const auto shots = find_shots(setup, 1, 1, 1);
   const auto without = play_shots(setup, shots, 1);
@@ -74,7 +73,7 @@ TEST_CASE(
   CHECK_FALSE(equal(first[0], without[0]));
 }
 
-TEST_CASE("A robot that hears nothing saves just what hits a mallet in the middle") {
+TEST_CASE("A robot without estimates saves only shots at a mallet in the middle") {
   PlaySetup setup = fast_shots();
   setup.link.loss_percent = 100;
   const auto shots = find_shots(setup, 1, kShots, 2);
@@ -93,7 +92,7 @@ TEST_CASE("A robot that hears nothing saves just what hits a mallet in the middl
   CHECK(goals > kShots / 5);
 }
 
-TEST_CASE("An arm without limits that hears at once saves nearly all, and the bound says all") {
+TEST_CASE("An arm without limits or latency saves nearly all shots, and the bound all") {
   PlaySetup setup = fast_shots();
   setup.arm.arm = {.max_speed_m_s = 20, .max_acceleration_m_s2 = 1000, .max_jerk_m_s3 = 1e6};
   setup.link.latency_us = 0;
@@ -104,7 +103,7 @@ TEST_CASE("An arm without limits that hears at once saves nearly all, and the bo
   CHECK(saves_of(play_shots(setup, shots, 2)) >= kShots - 1 - kShots / 20);
 }
 
-TEST_CASE("Who hears late saves less") {
+TEST_CASE("A larger latency saves fewer shots") {
   PlaySetup setup = fast_shots();
   const auto shots = find_shots(setup, 1, kShots, 2);
   const int at_once = saves_of(play_shots(setup, shots, 2));
@@ -112,7 +111,7 @@ TEST_CASE("Who hears late saves less") {
   CHECK(saves_of(play_shots(setup, shots, 2)) < at_once);
 }
 
-TEST_CASE("A whole game counts as its referee does, and plays for as long as it is asked to") {
+TEST_CASE("A whole game's counts equal its referee's, and it lasts the specified time") {
   PlaySetup setup = fast_shots();
   setup.world.game = {};
   const double seconds = 1.5 * kShots;
@@ -127,7 +126,7 @@ TEST_CASE("A whole game counts as its referee does, and plays for as long as it 
   CHECK(again.saves == game.saves);
 }
 
-TEST_CASE("The fit of the errors finds what the model was told") {
+TEST_CASE("The fit of the errors recovers the model's parameters") {
   PlaySetup setup = fast_shots();
   setup.errors = {.sigma_x_px = 0.3,
                   .sigma_y_px = 0.2,
@@ -157,8 +156,7 @@ TEST_CASE("The fit of the errors finds what the model was told") {
   CHECK(fit.loss_us == within(0.6, 8'000));
 }
 
-TEST_CASE("The errors that are built in are about those that PUCK makes on events" *
-          doctest::skip(kIsSanitized)) {
+TEST_CASE("The built-in errors are about those of PUCK on events" * doctest::skip(kIsSanitized)) {
   PlaySetup setup = fast_shots();
   const EstimateErrorParams built_in = setup.errors;
   setup.source = EstimateSource::kEvents;
@@ -200,7 +198,7 @@ TEST_CASE("A sweep plays the same shots at each of its points") {
   CHECK(sweep.points[2].figures.save_percent() == sweep.points[2].figures.waiting_percent());
 }
 
-TEST_CASE("Every sweep that the help names has its points, and no other") {
+TEST_CASE("The help names exactly the existing sweeps") {
   const PlaySetup setup = fast_shots();
   for (const char* name : {"latency", "speed", "rate", "loss"}) {
     CHECK(plan_sweep(name, setup, 15).points.size() > 20);

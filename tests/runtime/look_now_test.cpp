@@ -53,7 +53,7 @@ LiveTracker tracker_for(Publishers& publishers) {
 
 }  // namespace
 
-TEST_CASE("a packet behind which nothing waits is answered before its update returns") {
+TEST_CASE("a packet with none waiting behind it is answered before its update returns") {
   Publishers publishers;
   LiveTracker tracker = tracker_for(publishers);
   int i = 0;
@@ -75,7 +75,7 @@ TEST_CASE("a packet behind which nothing waits is answered before its update ret
   CHECK(publishers.by_event_thread >= answered);
 }
 
-TEST_CASE("while packets wait every step is the tracking thread's") {
+TEST_CASE("while packets wait the tracking thread makes every step") {
   Publishers publishers;
   LiveTracker tracker = tracker_for(publishers);
   for (int i = 1; i <= kPackets; ++i) {
@@ -87,7 +87,7 @@ TEST_CASE("while packets wait every step is the tracking thread's") {
   CHECK(publishers.by_tracking_thread > 0);
 }
 
-TEST_CASE("whoever makes the steps, none is forgotten") {
+TEST_CASE("no step is missed, whichever thread makes it") {
   Publishers publishers;
   LiveTracker tracker = tracker_for(publishers);
   for (int i = 1; i <= 2000; ++i) {

@@ -26,7 +26,7 @@ int nice_value() { return getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()))
 
 }  // namespace
 
-TEST_CASE("a thread that takes short turns, and those that it starts, keep their priority") {
+TEST_CASE("a thread with short time slices, and threads that it starts, keep their priority") {
   std::thread([] {
     CHECK(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 5) == 0);
     const auto before_ns = turn_ns();
@@ -40,7 +40,7 @@ TEST_CASE("a thread that takes short turns, and those that it starts, keep their
   }).join();
 }
 
-TEST_CASE("a thread behind others takes usual turns, whatever whoever started it took") {
+TEST_CASE("a background thread has usual time slices, whatever its parent has") {
   std::thread([] {
     const auto usual_ns = turn_ns();
     take_short_turns();
@@ -54,7 +54,7 @@ TEST_CASE("a thread behind others takes usual turns, whatever whoever started it
   }).join();
 }
 
-TEST_CASE("a thread behind others has no more weight than before") {
+TEST_CASE("a background thread has no more weight than before") {
   std::thread([] {
     CHECK(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 15) == 0);
     take_turns_behind_others();

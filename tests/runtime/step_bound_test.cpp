@@ -115,7 +115,7 @@ struct Threads {
 
 }  // namespace
 
-TEST_CASE("a slow step holds the event thread up once, and quick ones come back to it") {
+TEST_CASE("a slow step delays the event thread once; quick steps return to it") {
   Conduct conduct;
   Threads threads(conduct, {});
   REQUIRE(threads.comes_to_event_thread());
@@ -131,7 +131,7 @@ TEST_CASE("a slow step holds the event thread up once, and quick ones come back 
   CHECK(threads.comes_to_event_thread());
 }
 
-TEST_CASE("without a track no step is the event thread's") {
+TEST_CASE("without a track the event thread makes no step") {
   for (const TrackState state : {TrackState::kSearching, TrackState::kLost}) {
     Conduct conduct;
     conduct.state = state;
@@ -162,7 +162,7 @@ TEST_CASE("the event thread takes a few of many events and leaves the others to 
   CHECK(most == 1);
 }
 
-TEST_CASE("what comes too soon after an estimate is published when its time has come") {
+TEST_CASE("an estimate due too early is published at its time") {
   Conduct conduct;
   Threads threads(
       conduct,

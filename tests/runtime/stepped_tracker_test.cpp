@@ -37,7 +37,7 @@ bool is_equal(const PuckEstimate& a, const PuckEstimate& b) {
          std::memcmp(a.covariance.data(), b.covariance.data(), sizeof a.covariance) == 0;
 }
 
-TEST_CASE("every estimate of a stepped tracker can be made again, to the bit, from its count") {
+TEST_CASE("every estimate of a stepped tracker is reproducible to the bit from its count") {
   for (const Preset preset : {Preset::kDefault, Preset::kCorrelation}) {
     const PipelineParams params = preset_params(preset);
     Published published;
@@ -72,7 +72,7 @@ TEST_CASE("every estimate of a stepped tracker can be made again, to the bit, fr
   }
 }
 
-TEST_CASE("a stepped tracker answers the last packet when it may, and repeats itself in silence") {
+TEST_CASE("a stepped tracker answers the last packet in time, and repeats itself in silence") {
   Published published;
   SteppedTracker stepped(kSensor, preset_params(Preset::kCorrelation), kSizeModel,
                          {.max_publish_hz = 50},

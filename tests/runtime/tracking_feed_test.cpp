@@ -72,7 +72,7 @@ class LivingPipeline final : public TrackingPipeline {
 
 }  // namespace
 
-TEST_CASE("single events come in order, in pieces, and never later than the step that shows them") {
+TEST_CASE("single events arrive in order, in pieces, and before the step on their snapshot") {
   const Region region{40, 30, 60, 60};
   SharedSurface surface(kSensor, {});
   Published published;
@@ -113,7 +113,7 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
   }
 }
 
-TEST_CASE("a tracking thread that falls behind gets fewer events, and the others are counted") {
+TEST_CASE("a slow tracking thread gets fewer events, and the others are counted") {
   SharedSurface surface(kSensor, {});
   Published published;
   Life life;
@@ -154,7 +154,7 @@ TEST_CASE("a tracking thread that falls behind gets fewer events, and the others
   CHECK(life.event_times.back() > 10'000);
 }
 
-TEST_CASE("the tracking and its heartbeat go on while a large surface is searched") {
+TEST_CASE("tracking and its heartbeat continue during a search of a large surface") {
   // A search of all of it takes far longer than the surface's copy, with some twenty steps in
   // between, and some hundred times as long as a step.
   constexpr SensorSize kLarge{SensorSize::kMax, SensorSize::kMax};
@@ -179,7 +179,7 @@ TEST_CASE("the tracking and its heartbeat go on while a large surface is searche
   CHECK(published.count() >= 10);
 }
 
-TEST_CASE("a search that ends when there is nothing new is told all the same") {
+TEST_CASE("the result of a search is published even without new events") {
   const PipelineParams params = preset_params(Preset::kCorrelation);
   // A small one is searched at once, a large one by the worker.
   for (const SensorSize sensor : {SensorSize{120, 100}, SensorSize{640, 480}}) {

@@ -19,7 +19,7 @@ using namespace test;
 
 }  // namespace
 
-TEST_CASE("the two threads follow the puck and stamp estimates with the packet they rest on") {
+TEST_CASE("the two threads follow the puck and stamp estimates with their newest packet") {
   const PipelineParams params = preset_params(Preset::kCorrelation);
   SharedSurface surface(kSensor, params.eros);
   Published published;
@@ -57,7 +57,7 @@ TEST_CASE("the two threads follow the puck and stamp estimates with the packet t
   CHECK(last.backlog_events == 0);
 }
 
-TEST_CASE("the tracking thread sleeps while nothing is new, but never falls silent") {
+TEST_CASE("the tracking thread sleeps without new events, but publishes its heartbeat") {
   SharedSurface surface(kSensor, {});
   Published published;
   const TrackingThread thread(surface, default_pipeline(), default_search(),
@@ -71,7 +71,7 @@ TEST_CASE("the tracking thread sleeps while nothing is new, but never falls sile
   }
 }
 
-TEST_CASE("estimates are published no more often than asked for") {
+TEST_CASE("estimates are published at most at the requested rate") {
   SharedSurface surface(kSensor, {});
   Published published;
   const auto begin = std::chrono::steady_clock::now();
@@ -92,7 +92,7 @@ TEST_CASE("estimates are published no more often than asked for") {
   CHECK(published.count() >= 2);
 }
 
-TEST_CASE("a tracking thread ends promptly when it is destroyed asleep") {
+TEST_CASE("a sleeping tracking thread ends promptly when it is destroyed") {
   SharedSurface surface(kSensor, {});
   {
     const TrackingThread thread(surface, default_pipeline(), default_search(), {},

@@ -31,7 +31,7 @@ TEST_CASE("A flickering lamp adds its filtered ln to every response") {
   }
 }
 
-TEST_CASE("Flicker makes all pixels fire in step, and a weak one makes none fire") {
+TEST_CASE("Strong flicker makes all pixels fire in step, weak flicker none") {
   SensorBench::Set set;
   set.sensor.noise_hz = 0;
   set.sensor.hot_pixel_fraction = 0;

@@ -31,7 +31,7 @@ double luminance_at(const SimulationParams& params, double x_m, double y_m) {
 
 }  // namespace
 
-TEST_CASE("A puck whose side is as bright as the table shows only its top") {
+TEST_CASE("A puck with a side as bright as the table shows only its top") {
   SimulationParams params = small_world();
   params.scene.puck_luminance = 0.85;
   params.scene.puck_side_luminance = params.scene.table_luminance;
@@ -57,7 +57,7 @@ TEST_CASE("A puck whose side is as bright as the table shows only its top") {
   CHECK(bottom == doctest::Approx(0.6).epsilon(0.02));
 }
 
-TEST_CASE("A ring printed on the puck lies on its face, and nowhere else") {
+TEST_CASE("A ring printed on the puck lies on its face only") {
   SimulationParams params = small_world();
   const auto light_of = [&] {
     SimulatedTable table(params);
@@ -90,7 +90,7 @@ TEST_CASE("A ring printed on the puck lies on its face, and nowhere else") {
   CHECK(printed(x, y) < std::log(0.35f));
 }
 
-TEST_CASE("A printed ring that the puck's face cannot hold is refused, if there is one") {
+TEST_CASE("A printed ring too large for the puck's face is refused") {
   SimulationParams params = small_world();
   params.scene.puck_print_radius_m = params.table.puck_radius_m;
   CHECK_NOTHROW(check(params));
@@ -126,7 +126,7 @@ TEST_CASE("Logos stand on the plain table, away from the markings") {
   CHECK(area_m2 == doctest::Approx(8 * logo_m2).epsilon(0.01));
 }
 
-TEST_CASE("A 15 m/s shot's events do not depend on how much is computed at once") {
+TEST_CASE("A 15 m/s shot's events do not depend on the computation's slice length") {
   // 25 µs a slice: nothing moves more than 0.2 px between two drawings.
   const auto events_by_ms = [](std::int64_t slice_us) {
     SimulationParams params = quiet_world();
@@ -158,7 +158,7 @@ TEST_CASE("A 15 m/s shot's events do not depend on how much is computed at once"
   CHECK(different < 0.01 * all);
 }
 
-TEST_CASE("A puck that leaves the image at the near side is not visible, and comes back") {
+TEST_CASE("A puck that leaves the image at the near side is not visible, and returns") {
   SimulationParams params = quiet_world();
   params.camera.pitch_deg = 18;
   params.moving_camera = true;
@@ -199,7 +199,7 @@ TEST_CASE("Dim light makes the same edge's events later") {
   CHECK(events_of(30) < events_of(300));
 }
 
-TEST_CASE("All difficulties at once, and still the same seed gives the same events") {
+TEST_CASE("With all difficulties at once the same seed gives the same events") {
   SimulationParams params = small_world(6);
   params.moving_camera = true;
   params.scene.puck_luminance = 0.75;

@@ -72,11 +72,11 @@ int count_of_wrong_pixels(bool moving) {
 
 }  // namespace
 
-TEST_CASE("A picture kept up to date by its changes is the picture drawn afresh: still camera") {
+TEST_CASE("An incremental picture equals a full one: still camera") {
   CHECK(count_of_wrong_pixels(false) == 0);
 }
 
-TEST_CASE("A picture kept up to date by its changes is the picture drawn afresh: moving camera") {
+TEST_CASE("An incremental picture equals a full one: moving camera") {
   CHECK(count_of_wrong_pixels(true) == 0);
 }
 

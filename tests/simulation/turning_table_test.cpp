@@ -17,7 +17,7 @@ namespace {
 constexpr SensorSize kSensor{640, 480};
 constexpr double kHalfPuckM = 0.006;
 
-TEST_CASE("A turned table camera sees what the simulated camera sees") {
+TEST_CASE("A turned table camera sees the same as the simulated camera") {
   const CameraView home(CameraParams{}, kSensor);
   const TableCamera camera(home.table_from_image(0), {home.focal_px(), home.principal_point(), {}});
   for (const HeadPose pose : {HeadPose{3, -1, 0.5}, HeadPose{-20, 10, -8}, HeadPose{0, 0, 30}}) {

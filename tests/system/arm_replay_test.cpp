@@ -37,8 +37,7 @@ double span_while_played(RunningGame& game, const std::filesystem::path& log) {
 
 }  // namespace
 
-TEST_CASE(
-    "a log full of commands moves no arm: not the one that it was recorded with, nor another") {
+TEST_CASE("a log full of commands moves no arm, neither its own nor another") {
   RunningGame game(new_lcm_url());
   game.start_all();
   REQUIRE(game.until([&] { return game.plays(); }));

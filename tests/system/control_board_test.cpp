@@ -44,7 +44,7 @@ bool moves(RunningGame& game) {
 
 }  // namespace
 
-TEST_CASE("A control board plays, stands still at fault when it fails, and plays after a reset") {
+TEST_CASE("A control board plays, stops on a fault, and plays after a reset") {
   // As an iCub's arm, of whose part the hand's joints are not ours.
   constexpr std::size_t kArmJoints = 7;
   TestBoard board({.axes = 16});

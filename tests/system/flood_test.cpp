@@ -20,7 +20,7 @@ constexpr double kMostGrowthMb = 100;
 
 }  // namespace
 
-TEST_CASE("a flood neither silences the tracker nor fills its memory, and is behind it at once") {
+TEST_CASE("the tracker keeps publishing in a flood with bounded memory, and recovers at once") {
   const std::string url = new_lcm_url();
   BusListener bus(url);
   // Wide windows make every event cost more, so that this machine can send several times as many

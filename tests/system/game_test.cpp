@@ -90,7 +90,7 @@ TEST_CASE("Ctrl-C in the middle of a game ends the demo, and leaves nothing behi
   check_nothing_is_left(demo, folder);
 }
 
-TEST_CASE("the demo refuses options that it does not know") {
+TEST_CASE("the demo refuses unknown options") {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--fast"}, {"--seconds"}, {"--seconds", "long"}}) {
     std::vector<std::string> command{"tools/demo.sh"};
@@ -117,7 +117,7 @@ TEST_CASE("tools/play.sh --real-time plays through the services, on events") {
   CHECK(json["shots"].get<int>() >= json["saves"].get<int>());
 }
 
-TEST_CASE("tools/play.sh refuses at once what does not go with --real-time") {
+TEST_CASE("tools/play.sh refuses options incompatible with --real-time at once") {
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--shots", "5"},
                                                   {"--source", "truth"},
                                                   {"--max-speed", "99"},

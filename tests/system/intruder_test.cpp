@@ -161,7 +161,7 @@ std::int64_t messages_for_lcm(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("no attack stops a game, grows a service, goes uncounted or spoils the log") {
+TEST_CASE("no attack stops a game, grows a service, goes uncounted or damages the log") {
   const TemporaryFolder folder;
   Game game(folder);
   // What each may reserve for datagrams that wait, and the names of 40000 channels; and what may
@@ -191,7 +191,7 @@ TEST_CASE("no attack stops a game, grows a service, goes uncounted or spoils the
   CHECK(messages_for_lcm(log) == content.messages);
 }
 
-TEST_CASE("a log of an attack is played by lcm-logplayer to its end") {
+TEST_CASE("lcm-logplayer plays a log of an attack to its end") {
   const TemporaryFolder folder;
   {
     Game game(folder);

@@ -29,7 +29,7 @@ int operator_stop(const std::string& url, const std::vector<std::string>& settin
 
 }  // namespace
 
-TEST_CASE("with a key the game goes on, and a machine without it is not heard, not even its stop") {
+TEST_CASE("with a key the game continues, and a machine without it is ignored, even its stop") {
   const TemporaryFolder folder;
   const std::string url = new_lcm_url();
   const std::string key = make_key(folder);

@@ -35,8 +35,9 @@ struct SimulatedGame {
 // own; the track is then off by 6 to 16 px with all packets or without some, and how soon it is
 // found again turns on single events. That decides the mean of four seconds; so what is held to 10
 // % there is the median, and that no more of the puck is lost.
-TEST_CASE("the loss of 1 % of the packets costs less than 10 % of accuracy, camera still or not" *
-          doctest::test_suite("deep")) {
+TEST_CASE(
+    "the loss of 1 % of the packets costs less than 10 % of accuracy, camera still or moving" *
+    doctest::test_suite("deep")) {
   const std::vector<SimulatedGame> games{
       {.options = {"--seed", "1", "--seconds", "8"}, .holds_mean = true},
       {.options = {"--seed", "2", "--seconds", "4", "--moving"}}};

@@ -92,7 +92,7 @@ void play(const std::filesystem::path& recordings, const Recording& recording) {
   CHECK(run.estimates.back().events_applied == recording.events);
 }
 
-TEST_CASE("real recordings reach the tracker whole, and it answers") {
+TEST_CASE("real recordings reach the tracker whole, and it publishes estimates") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   play(*recordings, {.file = "walking_640x480_evt3.extracted.raw",

@@ -119,7 +119,7 @@ TEST_CASE("a recorded game gives the same track again, live by either player and
                                                 << ", offline " << offline_px);
 }
 
-TEST_CASE("what a reproducible tracker said is made again offline, to the bit") {
+TEST_CASE("a reproducible tracker's estimates are recomputed offline, to the bit") {
   const TemporaryFolder folder;
   const auto log = folder / "game.lcm";
   record_game(log, {"tracker.reproducible=true"});
@@ -142,7 +142,7 @@ TEST_CASE("what a reproducible tracker said is made again offline, to the bit") 
   CHECK(bounded.errors.find("differs by more than 1e-06 px") != std::string::npos);
 }
 
-TEST_CASE("a replay of what is no log, or by a tracker that the service does not run, is refused") {
+TEST_CASE("a replay is refused without a log, or with a tracker that the service does not run") {
   const TemporaryFolder folder;
   const Finished no_log = replay_offline(folder.write("a.txt", "1 2 3 1\n"), {});
   CHECK(no_log.exit_code == 1);

@@ -53,7 +53,7 @@ TEST_CASE("the STATUS of each service fits one frame in a game") {
   }
 }
 
-TEST_CASE("--check says 1 for a service that does not run") {
+TEST_CASE("--check exits with 1 for a service that is not running") {
   const std::string url = new_lcm_url();
   std::vector<std::unique_ptr<ChildProcess>> checks;
   for (const std::string& service : kServices) {
@@ -64,7 +64,8 @@ TEST_CASE("--check says 1 for a service that does not run") {
   for (auto& check : checks) CHECK(check->wait_for(std::chrono::seconds(20)) == 1);
 }
 
-TEST_CASE("--check says 0 while a service runs; SIGTERM and SIGINT end it with a last STATUS") {
+TEST_CASE(
+    "--check exits with 0 for a running service; SIGTERM and SIGINT end it with a last STATUS") {
   for (const int signal : {SIGTERM, SIGINT}) {
     for (const std::string& service : kServices) {
       CAPTURE(service);
@@ -93,7 +94,7 @@ TEST_CASE("--check says 0 while a service runs; SIGTERM and SIGINT end it with a
   }
 }
 
-TEST_CASE("A service whose log nobody reads works all the same, and SIGTERM ends it") {
+TEST_CASE("A service with an unread log works, and SIGTERM ends it") {
   for (const std::string& service : kServices) {
     CAPTURE(service);
     const TemporaryFolder folder;
@@ -115,7 +116,7 @@ TEST_CASE("A service whose log nobody reads works all the same, and SIGTERM ends
   }
 }
 
-TEST_CASE("An arm whose log nobody reads plays, and comes to rest when SIGTERM ends it") {
+TEST_CASE("An arm with an unread log plays, and comes to rest when SIGTERM ends it") {
   const StuckPipe nobody;
   RunningGame game(new_lcm_url());
   for (const char* name : {"puck-tracker", "puck-bridge", "puck-camera"}) game.start(name);
@@ -142,7 +143,7 @@ TEST_CASE("An arm whose log nobody reads plays, and comes to rest when SIGTERM e
   CHECK_FALSE(was_held_up);
 }
 
-TEST_CASE("A start that fails ends, though nobody reads why") {
+TEST_CASE("A failed start ends, even if its output is not read") {
   const StuckPipe nobody;
   ChildProcess child({program("puck-arm"), "--set", "arm.mode=dance"},
                      {.folder = source_folder(), .errors = nobody.path()});

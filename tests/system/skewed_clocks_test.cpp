@@ -23,7 +23,7 @@ std::int64_t offset_said(const RunningGame& game, const std::string& who,
 
 }  // namespace
 
-TEST_CASE("with clocks hours and days apart the game is played, and latencies stay what they are") {
+TEST_CASE("with clocks hours and days apart the game is played, and latencies are unchanged") {
   RunningGame game(new_lcm_url());
   game.set_clock("puck-camera", "-2d");
   game.set_clock("puck-tracker", "-3h");

@@ -65,8 +65,7 @@ bool says(const RunningGame& game, const std::string& who, const std::string& wh
 
 }  // namespace
 
-TEST_CASE(
-    "each service that is killed and started again is part of the game; the others carry on") {
+TEST_CASE("each killed and restarted service rejoins the game; the others continue") {
   RunningGame game(new_lcm_url());
   game.start_all();
   REQUIRE(game.until([&] { return game.plays(); }));
@@ -99,8 +98,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "a frozen service is named by those that need it, the arm stands still, the game goes on") {
+TEST_CASE("a frozen service is named by its dependents, the arm stops, the game continues") {
   RunningGame game(new_lcm_url());
   game.start_all();
   REQUIRE(game.until([&] { return game.plays(); }));

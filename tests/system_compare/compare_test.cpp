@@ -54,7 +54,7 @@ std::string compare(const TemporaryFolder& folder) {
 
 }  // namespace
 
-TEST_CASE("the comparison runs every tracker on every set, and a second time from its results") {
+TEST_CASE("the comparison runs every tracker on every set, and again from its stored results") {
   const TemporaryFolder folder;
   const std::string told = compare(folder);
   CHECK(told.find("still 1001, default: ") != std::string::npos);
@@ -102,7 +102,7 @@ TEST_CASE("the comparison runs every tracker on every set, and a second time fro
   CHECK(Json::parse(read_text(folder / "out/comparison.json")) == json);
 }
 
-TEST_CASE("the script says how it is used") {
+TEST_CASE("the script prints its usage") {
   const Finished help = run_program({source_folder() / "tools/compare.sh", "--help"});
   CHECK(help.exit_code == 0);
   CHECK(help.output.find("--sequences N") != std::string::npos);

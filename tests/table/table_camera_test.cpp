@@ -26,7 +26,7 @@ TEST_CASE("A camera that looks down sees the nearer table in its middle") {
         doctest::Approx(0.6 / std::tan(33 * kDegree) - 0.6));
 }
 
-TEST_CASE("At home a turning camera sees what a fixed one sees") {
+TEST_CASE("At home a turning camera equals a fixed one") {
   const TableView view = *TableCamera(test_camera(), kCamera).view_at({});
   for (const Pixel pixel : {Pixel{0, 0}, Pixel{320, 240}, Pixel{639, 479}, Pixel{100, 400}}) {
     const TablePoint expected = *test_camera().to_table(pixel);
@@ -50,7 +50,7 @@ TEST_CASE("Yaw to the right moves the table to the left in the image, roll turns
   CHECK(seen.y == doctest::Approx(240 - 100 * std::cos(5 * kDegree)));
 }
 
-TEST_CASE("Turned so far that the table's origin is behind it, the camera still sees the far end") {
+TEST_CASE("With the table's origin behind it, a turned camera still sees the far end") {
   const TableCamera camera(test_camera(), kCamera);
   HeadPose up;
   up.pitch_deg = 28;

@@ -7,14 +7,14 @@
 
 namespace puck {
 
-TEST_CASE("packets that hardly wait are all taken") {
+TEST_CASE("packets with a short wait are all taken") {
   CatchUp catch_up;
   for (int i = 0; i < 1000; ++i) {
     CHECK_FALSE(catch_up.leaves_out(i * 1000, i * 1000 + CatchUp::kBehindUs));
   }
 }
 
-TEST_CASE("a hiccup that is made up for costs no packet") {
+TEST_CASE("a short delay that is made up for costs no packet") {
   CatchUp catch_up;
   // 40 ms of packets lie in the queue; each is taken in half the time in which it came.
   for (int i = 0; i < 70; ++i) {
@@ -23,7 +23,7 @@ TEST_CASE("a hiccup that is made up for costs no packet") {
   }
 }
 
-TEST_CASE("a queue that does not get shorter is dropped whole, down to the newest packet") {
+TEST_CASE("a queue that does not shrink is dropped whole, down to the newest packet") {
   CatchUp catch_up;
   const std::int64_t began_us = 20'000;
   CHECK_FALSE(catch_up.leaves_out(0, began_us));
@@ -37,7 +37,7 @@ TEST_CASE("a queue that does not get shorter is dropped whole, down to the newes
   CHECK_FALSE(catch_up.leaves_out(now_us, now_us + 30'000));
 }
 
-TEST_CASE("a flood of five times what can be taken never lies in the queue for long") {
+TEST_CASE("in a flood of five times the capacity no packet waits for long") {
   CatchUp catch_up;
   constexpr std::int64_t kEveryUs = 100;
   constexpr std::int64_t kTakesUs = 500;

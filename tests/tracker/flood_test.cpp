@@ -34,7 +34,7 @@ bool answers(const RunningTracker& tracker, std::int64_t t_us) {
 
 }  // namespace
 
-TEST_CASE("a tracker that is flooded keeps to the newest events, and counts those that it skips") {
+TEST_CASE("a flooded tracker keeps to the newest events, and counts the skipped ones") {
   RunningTracker tracker;
   std::int64_t t_us = 1000;
   EventPacket crowd = crowd_at(t_us);

@@ -29,7 +29,7 @@ using namespace test;
 
 }  // namespace
 
-TEST_CASE("events come in and estimates go out, with the chain of times") {
+TEST_CASE("the service receives events and publishes estimates, with the chain of times") {
   RunningTracker tracker;
   Pixel truth;
   for (int i = 1; i <= 200; ++i) {
@@ -60,13 +60,13 @@ TEST_CASE("events come in and estimates go out, with the chain of times") {
         static_cast<std::int64_t>(tracker.bus().counters<puck_estimate_t>().published));
 }
 
-TEST_CASE("a tracker without events says nothing of a puck") {
+TEST_CASE("a tracker without events reports no puck") {
   RunningTracker tracker;
   std::this_thread::sleep_for(milliseconds(50));
   CHECK(tracker.estimates().empty());
 }
 
-TEST_CASE("a packet from before the newest event and one of another sensor are dropped") {
+TEST_CASE("an out-of-order packet and one of another sensor are dropped") {
   RunningTracker tracker;
   tracker.publish(puck_at({80, 60}, 10'000));
   tracker.publish(puck_at({80, 60}, 5'000));
@@ -80,7 +80,7 @@ TEST_CASE("a packet from before the newest event and one of another sensor are d
   CHECK(counter(tracker.service(), "events_received") == 2 * 150);
 }
 
-TEST_CASE("events of masked pixels are dropped and counted, but not by another sensor's mask") {
+TEST_CASE("masked events are dropped and counted, but not by another sensor's mask") {
   const TemporaryFolder folder;
   const auto settings = [&](SensorSize sensor) {
     const std::vector<PixelPlace> pixels{{1, 1}, {2, 1}};
@@ -103,7 +103,7 @@ TEST_CASE("events of masked pixels are dropped and counted, but not by another s
   CHECK(masked_of({640, 480}) == 0);
 }
 
-TEST_CASE("a sensor's clock that begins anew begins a new track, and is not waited for") {
+TEST_CASE("a sensor's restarted clock begins a new track without delay") {
   RunningTracker tracker;
   tracker.publish(puck_at({80, 60}, 10'000'000));
   REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 10'000'000; }));
@@ -126,7 +126,7 @@ TEST_CASE("a clock that jumps to and fro does not begin a track with every packe
   CHECK(counter(tracker.service(), "packets_received") == 100);
 }
 
-TEST_CASE("a detection region of a large sensor is taken at the start, and left on a small one") {
+TEST_CASE("a detection region beyond a small sensor is ignored") {
   RunningTracker tracker("detection_region = [1000, 600, 100, 100]\n");
   tracker.publish(puck_at({80, 60}, 10'000));
   REQUIRE(
@@ -134,7 +134,7 @@ TEST_CASE("a detection region of a large sensor is taken at the start, and left 
   CHECK(std::abs(tracker.estimates().back().x_px - 80) < 2);
 }
 
-TEST_CASE("a log that is played twice is followed twice") {
+TEST_CASE("a log that is played twice is tracked twice") {
   const std::string url = private_lcm_url();
   ServiceBench bench(url);
   std::mutex mutex;
@@ -181,7 +181,7 @@ TEST_CASE("a log that is played twice is followed twice") {
   bench.stop();
 }
 
-TEST_CASE("a camera that tells an impossible time of its sensor's start is tracked without it") {
+TEST_CASE("a camera with an impossible start time of its sensor is tracked without it") {
   RunningTracker tracker;
   tracker.publish(puck_at({80, 60}, 1000), std::int64_t{1} << 53);
   CHECK(tracker.eventually(
@@ -189,8 +189,7 @@ TEST_CASE("a camera that tells an impossible time of its sensor's start is track
   CHECK(tracker.bus().counters<puck_estimate_t>().publish_failures == 0);
 }
 
-TEST_CASE(
-    "a second publisher of events is counted and named, by its address where it has no STATUS") {
+TEST_CASE("a second publisher of events is counted and named, by its address without a STATUS") {
   const std::string url = private_lcm_url();
   ServiceBench bench(url);
   std::ostringstream log;
@@ -234,7 +233,7 @@ TEST_CASE(
         std::string::npos);
 }
 
-TEST_CASE("the camera's clock may be hours away: times and latency are by the tracker's") {
+TEST_CASE("with the camera's clock hours away times and latency are by the tracker's clock") {
   constexpr std::int64_t kHourUs = 3'600'000'000;
   const std::string url = private_lcm_url();
   ServiceBench bench(url);
@@ -297,7 +296,7 @@ TEST_CASE("the camera's clock may be hours away: times and latency are by the tr
   }
 }
 
-TEST_CASE("a puck at rest is said to rest only as long as its camera is heard") {
+TEST_CASE("a resting puck is reported only while its camera is heard") {
   RunningTracker tracker;
   const auto is_resting = [](const puck_estimate_t& e) {
     return (e.flags & puck_estimate_t::FLAG_RESTING) != 0;
@@ -316,7 +315,7 @@ TEST_CASE("a puck at rest is said to rest only as long as its camera is heard") 
   CHECK(tracker.estimates().back().state == puck_estimate_t::STATE_TRACKING);
 }
 
-TEST_CASE("an estimate that rests on no packet says nothing of how long packets wait") {
+TEST_CASE("an estimate without a packet has no waiting time") {
   const TemporaryFolder folder;
   const std::vector<PixelPlace> masked{{1, 1}};
   write_pixel_mask_file(folder / "mask.toml", PixelMask(kSensor, masked), "");
@@ -350,7 +349,7 @@ TEST_CASE("an estimate that rests on no packet says nothing of how long packets 
   }
 }
 
-TEST_CASE("estimates keep coming while there are no more events") {
+TEST_CASE("estimates continue after the last event") {
   RunningTracker tracker;
   tracker.publish(puck_at({80, 60}, 10'000));
   REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 10'000; }));

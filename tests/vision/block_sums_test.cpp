@@ -57,7 +57,7 @@ TEST_CASE("on every instruction set no rectangle is brighter than the blocks tha
   });
 }
 
-TEST_CASE("a rectangle's bound counts the blocks that it can touch, and no more") {
+TEST_CASE("a rectangle's bound counts only blocks that it can touch") {
   Image<std::uint8_t> white(64, 64);
   std::fill_n(white.row(0), 64 * 64, std::uint8_t{255});
   BlockSums blocks;
@@ -68,7 +68,7 @@ TEST_CASE("a rectangle's bound counts the blocks that it can touch, and no more"
   CHECK(blocks.most_in(10, 9) == 24 * 16 * 255);
 }
 
-TEST_CASE("no response is below the bound that the blocks give, blurred or not") {
+TEST_CASE("no response is below the blocks' bound, blurred or not") {
   for (const Preset preset : {Preset::kReference, Preset::kPaper}) {
     const KernelBank bank(preset_params(preset).kernels);
     for (const PuckSize size : {PuckSize{9, 9}, {21, 13}, {45, 39}}) {

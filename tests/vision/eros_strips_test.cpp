@@ -84,7 +84,7 @@ TEST_CASE("the largest sensor holds events in all of its corners") {
   CHECK(strips.at(1, 1) == 0);
 }
 
-TEST_CASE("a cleared part is dark and its neighbours are not touched") {
+TEST_CASE("a cleared part is dark and its neighbours are unchanged") {
   const SensorSize size{40, 30};
   ErosStrips strips(size, 5);
   ErosStrips before(size, 5);

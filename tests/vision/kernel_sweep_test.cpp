@@ -100,7 +100,7 @@ void check_sums(const PlainSums& expected) {
 
 }  // namespace
 
-TEST_CASE("on every instruction set the sums over a kernel's shapes are those pixel by pixel") {
+TEST_CASE("on every instruction set the sums over a kernel's shapes equal those pixel by pixel") {
   std::vector<KernelBank> banks;
   for (const Preset preset : {Preset::kReference, Preset::kPaper, Preset::kCorrelation}) {
     banks.emplace_back(preset_params(preset).kernels);
@@ -123,8 +123,7 @@ TEST_CASE("on every instruction set the sums over a kernel's shapes are those pi
   });
 }
 
-TEST_CASE(
-    "on every instruction set nothing overflows on a white picture with the largest kernels") {
+TEST_CASE("on every instruction set a white picture with the largest kernels does not overflow") {
   const KernelBank bank(preset_params(Preset::kCorrelation).kernels);
   const EllipseKernel& largest = bank.nearest({1e9, 1e9});
   REQUIRE(largest.width() == 91);
@@ -150,7 +149,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("on every instruction set a blurred surface gives the same responses, at borders too") {
+TEST_CASE("on every instruction set a blurred surface gives the same responses, even at borders") {
   const Image<std::uint8_t> surface = test::noise(90, 70, 3);
   const Region place{20, 10, 90, 70};
   const KernelBank bank(preset_params(Preset::kReference).kernels);

@@ -81,7 +81,7 @@ void compare_at(ErosSurface& surface, Pixel expected, PuckSize size, Agreement& 
 
 }  // namespace
 
-TEST_CASE("the step finds OpenCV's maximum on random surfaces, all but a rare near tie") {
+TEST_CASE("the step finds OpenCV's maximum on random surfaces, except for a rare near tie") {
   constexpr int kRounds = kIsSanitized ? 16 : 60;
   std::mt19937 random(8);
   Agreement agreement;

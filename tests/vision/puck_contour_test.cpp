@@ -34,7 +34,7 @@ TEST_CASE("The distance from the contour is exact along the axes and outward nor
   CHECK(std::hypot(oblique.normal_x, oblique.normal_y) == doctest::Approx(1));
 }
 
-TEST_CASE("The very middle of a ring lies inside, and so does that of one that is drawn out") {
+TEST_CASE("The centre of a ring lies inside, even with straight sides") {
   CHECK(ContourRing{.semi_x = 15, .semi_y = 8}.offset(0, 0, 0).distance_px < -8);
   const ContourRing drawn_out{.semi_x = 15, .semi_y = 8, .half_wall = 3};
   for (const double dy : {-2.9, 0.0, 2.9}) {
@@ -53,7 +53,7 @@ TEST_CASE("The twelve sectors of a ring cover 30 degrees each") {
   for (const int count : counts) CHECK(count == 30);
 }
 
-TEST_CASE("Beside the middle the ring leans as the perspective asks, and keeps its width") {
+TEST_CASE("Beside the middle the ring is sheared by perspective, and keeps its width") {
   const PuckContour contour(kOddWidthSensor, kPlane, kExact, true);
   const Pixel beside{520, 200};
   const ContourRing ring = contour.ring_at(beside, 0);
@@ -69,7 +69,7 @@ TEST_CASE("Without a slope in the size model there is no horizon and no shear") 
   CHECK(PuckContour(kOddWidthSensor, kPlane, kExact, false).ring_at({600, 240}, 0).shear == 0);
 }
 
-TEST_CASE("An ellipse that is turned in its box lies on the ring of that box and lean") {
+TEST_CASE("An ellipse rotated in its box equals the ring of that box and lean") {
   constexpr double kLong = 18;
   constexpr double kShort = 9;
   constexpr double kLean_deg = -25;
@@ -94,7 +94,7 @@ TEST_CASE("An ellipse that is turned in its box lies on the ring of that box and
   CHECK(ring.offset(at(0).x, -at(0).y, 0).distance_px > 4);
 }
 
-TEST_CASE("A ring that leans further than its box can hold stays within the box") {
+TEST_CASE("A ring with a lean too large for its box stays within the box") {
   for (const PuckSize size : {PuckSize{33, 23}, {20, 5}, {4, 3}}) {
     CAPTURE(size.width);
     PuckSizeModel box;
@@ -131,13 +131,13 @@ TEST_CASE("A side wall without events leaves a lower ring, higher up") {
   CHECK(ring.rise == doctest::Approx(0.1 * 31));
 }
 
-TEST_CASE("The other opinion on the side wall is the opposite of the calibrated one") {
+TEST_CASE("The other assumption on the side wall is the opposite of the calibrated one") {
   CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0, 0}, true).other_wall_share() > 0.1);
   CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0.15, 0}, true).other_wall_share() == 0);
   CHECK(PuckContour(kOddWidthSensor, kFlat, {0, -0.15, 0}, true).other_wall_share() == 0);
 }
 
-TEST_CASE("The other opinion on the side wall goes by what the annotations outline") {
+TEST_CASE("The other assumption on the side wall depends on the annotations' outline") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   const double tilted = std::cos(model.disc->tilt_deg() * std::numbers::pi / 180);
@@ -164,7 +164,7 @@ double face_sides_slope(const ContourRing& face) {
   return slanted * face.semi_y / (face.semi_x * face.semi_x + slanted * slanted);
 }
 
-TEST_CASE("A wall that shows below the face draws its outline out") {
+TEST_CASE("A wall visible below the face extends its outline downwards") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   model.disc->thickness = 0;
@@ -215,7 +215,7 @@ TEST_CASE("A wall that shows below the face draws its outline out") {
   }
 }
 
-TEST_CASE("A wall that the annotations leave out is as high as it is found to be, by where it is") {
+TEST_CASE("An omitted wall has its estimated height, scaled by its place") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   const PuckSizeModel whole = model;
@@ -242,7 +242,7 @@ TEST_CASE("A wall that the annotations leave out is as high as it is found to be
 }
 
 TEST_CASE(
-    "How fast the head's turn moves the image goes with the lens, which the puck's size tells") {
+    "The image's speed under a head turn scales with the lens, estimated from the puck's size") {
   const PuckContour contour(kOddWidthSensor, kFlat, kExact, true);
   CHECK(contour.turning_px_s() == doctest::Approx(270));
   // The same lens before half as many pixels, each twice as large.
@@ -253,7 +253,7 @@ TEST_CASE(
         doctest::Approx(395.55));
 }
 
-TEST_CASE("A size model that promises no size still gives a ring") {
+TEST_CASE("A size model without any size still gives a ring") {
   const PuckContour contour(kOddWidthSensor, {-50, 0, 0, -20, 0, 0}, kExact, true);
   CHECK(contour.turning_px_s() == doctest::Approx(36));
   const ContourRing ring = contour.ring_at({320, 240}, 0);

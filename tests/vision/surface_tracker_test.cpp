@@ -68,7 +68,7 @@ using Pieces = std::vector<std::vector<std::int64_t>>;
 
 }  // namespace
 
-TEST_CASE("events are cut at the multiples of the period, which end their pieces") {
+TEST_CASE("events are divided at the multiples of the period, which end their pieces") {
   const std::vector<Event> events{{0, 0, 0, 0},  {0, 0, 0, 5},  {0, 0, 0, 10},
                                   {0, 0, 0, 10}, {0, 0, 0, 11}, {0, 0, 0, 20},
                                   {0, 0, 0, 21}, {0, 0, 0, 49}, {0, 0, 0, 1000}};
@@ -85,7 +85,7 @@ TEST_CASE("events are cut at the multiples of the period, which end their pieces
   CHECK(pieces_of(0, 0).size() == 1);
 }
 
-TEST_CASE("a pipeline gets the events of its region in pieces, and nothing without any") {
+TEST_CASE("a pipeline gets the events of its region in pieces, and no empty piece") {
   Record record;
   SurfaceTracker tracker = tracker_with(record, {10, 10, 20, 20}, 100, {});
   tracker.update({{50},
@@ -102,7 +102,7 @@ TEST_CASE("a pipeline gets the events of its region in pieces, and nothing witho
   CHECK(record.results.empty());
 }
 
-TEST_CASE("a search is made at once, on the surface as it was when it was wanted") {
+TEST_CASE("a search is made at once, on the surface of its request") {
   const Pixel puck{80, 60};
   const std::vector<Event> ring =
       test::contour_events(kSmallSensor, puck, kSmallSizeModel.at(puck), 150);
@@ -126,7 +126,7 @@ TEST_CASE("a search is made at once, on the surface as it was when it was wanted
   }
 }
 
-TEST_CASE("a search for what is fresh does not see a puck that has made no events for 40 ms") {
+TEST_CASE("a search of recent pixels does not see a puck without events for 40 ms") {
   const Pixel puck{80, 60};
   for (const bool fresh_only : {false, true}) {
     CAPTURE(fresh_only);
@@ -144,7 +144,7 @@ TEST_CASE("a search for what is fresh does not see a puck that has made no event
   }
 }
 
-TEST_CASE("with a delay the answer of a search comes so long after its snapshot, and no earlier") {
+TEST_CASE("with a delay the result of a search comes that much after its snapshot, not earlier") {
   const Region all = Region::all_of(kSmallSensor);
   Record record;
   SurfaceTracker tracker = tracker_with(record, all, 1000, {.region = all}, false, 5'000);

@@ -21,7 +21,8 @@ JointAngles deg(double first, double second) { return JointAngles(std::array{fir
 
 }  // namespace
 
-TEST_CASE("the first set-point begins at the encoders, the following at the one before or there") {
+TEST_CASE(
+    "the first set-point begins at the encoders, each later one at its predecessor or there") {
   const YarpParams params = two_joints();
   SetPointGate gate(params);
   const JointAngles encoders = deg(5, 40);
@@ -41,7 +42,7 @@ TEST_CASE("the first set-point begins at the encoders, the following at the one 
         "the set-point of joint 1, 8 deg, does not begin at its encoder, 5 deg");
 }
 
-TEST_CASE("a restart has the next set-point begin at the encoders") {
+TEST_CASE("after a restart the next set-point begins at the encoders") {
   const YarpParams params = two_joints();
   SetPointGate gate(params);
   CHECK(gate.refusal(deg(5, 40), deg(5, 40)).empty());
@@ -50,7 +51,7 @@ TEST_CASE("a restart has the next set-point begin at the encoders") {
   CHECK(!gate.refusal(deg(5, 43), deg(5, 40)).empty());
 }
 
-TEST_CASE("nothing that is not finite, outside the limits or of other joints goes out") {
+TEST_CASE("set-points that are not finite, outside the limits or of other joints are not sent") {
   const YarpParams params = two_joints();
   const JointAngles encoders = deg(5, 40);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -68,13 +69,13 @@ TEST_CASE("nothing that is not finite, outside the limits or of other joints goe
   }
 }
 
-TEST_CASE("an arm that was never read takes no set-points") {
+TEST_CASE("an arm without a reading takes no set-points") {
   const YarpParams params = two_joints();
   SetPointGate gate(params);
   CHECK(!gate.refusal(deg(5, 40), JointAngles()).empty());
 }
 
-TEST_CASE("settings of the board that cannot be are refused by name") {
+TEST_CASE("impossible settings of the board are refused by name") {
   const auto refusal = [](auto change) {
     YarpParams params = two_joints();
     change(params);

@@ -190,7 +190,7 @@ TEST_CASE("The back end drives some joints of a part and leaves the others alone
   CHECK(board.unreadable() == 0);
 }
 
-TEST_CASE("The back end understands a board that sends its bytes one by one") {
+TEST_CASE("The back end understands a board that sends single bytes") {
   TestBoard board;
   board.set_trouble(BoardTrouble::kByteAtATime);
   Loop loop(params_for(board));
@@ -198,7 +198,7 @@ TEST_CASE("The back end understands a board that sends its bytes one by one") {
   CHECK(loop.counters().failures == 0);
 }
 
-TEST_CASE("The back end waits for late answers as long as it is patient") {
+TEST_CASE("The back end waits for late answers within its time limit") {
   TestBoard board({.late_ms = 5});
   board.set_trouble(BoardTrouble::kRequestsLate);
   Loop loop(params_for(board));
@@ -229,7 +229,7 @@ TEST_CASE("An arm that stands still is no fault") {
   CHECK(loop.counters().failures == 0);
 }
 
-TEST_CASE("Whatever the name server does, it is a fault with its reason, and mends itself") {
+TEST_CASE("Every failure of the name server is a fault with its reason, and ends by itself") {
   for (const BoardFailure& each :
        {BoardFailure{BoardTrouble::kNamesMute, "the name server: no answer in time"},
         BoardFailure{
@@ -251,7 +251,7 @@ TEST_CASE("Whatever the name server does, it is a fault with its reason, and men
   }
 }
 
-TEST_CASE("A board that fails from the beginning is a fault with its reason, and never moved") {
+TEST_CASE("A board that fails from the beginning is a fault with its reason, and is never moved") {
   for (const BoardFailure& each : with_lasting(
            {{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get axes\" with [fail]"},
             {BoardTrouble::kRequestsNak, "rpc:i: it refused \"get axes\" with [nak]"},
@@ -273,7 +273,7 @@ TEST_CASE("A board that fails from the beginning is a fault with its reason, and
   }
 }
 
-TEST_CASE("A board that fails in a game is a fault with its reason, and connected to again") {
+TEST_CASE("A board that fails in a game is a fault with its reason, and is reconnected") {
   for (const BoardFailure& each : with_lasting(
            {{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get icmd cmds\" with [fail]"},
             {BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get icmd cmds\""},
@@ -300,7 +300,7 @@ TEST_CASE("A board that fails in a game is a fault with its reason, and connecte
   }
 }
 
-TEST_CASE("A connection only reads until the first set-point, and one refused takes no joints") {
+TEST_CASE("A connection only reads until the first set-point, and a refused one takes no joints") {
   TestBoard board;
   {
     Loop loop(params_for(board));
@@ -315,7 +315,7 @@ TEST_CASE("A connection only reads until the first set-point, and one refused ta
   CHECK(board.mode_requests() == 0);
 }
 
-TEST_CASE("An emergency stop lasts until set-points are given again") {
+TEST_CASE("An emergency stop lasts until set-points are sent again") {
   TestBoard board;
   {
     Loop loop(params_for(board));
@@ -353,7 +353,7 @@ TEST_CASE("An emergency stop lasts until set-points are given again") {
   CHECK(board.mode_requests() == 14);
 }
 
-TEST_CASE("Joints that do not change their mode are a fault, and never moved") {
+TEST_CASE("Joints that do not change their mode are a fault, and are never moved") {
   TestBoard board;
   board.set_trouble(BoardTrouble::kModesStay);
   Loop loop(params_for(board));
@@ -364,7 +364,7 @@ TEST_CASE("Joints that do not change their mode are a fault, and never moved") {
   CHECK(board.set_points() == 0);
 }
 
-TEST_CASE("Joints that move while they are taken are not sent back") {
+TEST_CASE("Joints that move while they are taken are not moved back") {
   TestBoard board;
   board.set_trouble(BoardTrouble::kModesStay);
   Loop loop(params_for(board));
@@ -384,7 +384,7 @@ TEST_CASE("Joints that move while they are taken are not sent back") {
   CHECK(board.set_points() == 0);
 }
 
-TEST_CASE("A set-point does not outlive its loop's silence while joints are taken") {
+TEST_CASE("A set-point expires with its loop's silence while joints are taken") {
   for (const bool withdraws : {false, true}) {
     CAPTURE(withdraws);
     bool was_in_time = false;
@@ -415,7 +415,7 @@ TEST_CASE("A set-point does not outlive its loop's silence while joints are take
   }
 }
 
-TEST_CASE("Set-points that were held up do not jump") {
+TEST_CASE("Delayed set-points do not make the arm jump") {
   TestBoard board;
   Loop loop(params_for(board));
   REQUIRE(loop.moves_to(5));
@@ -427,7 +427,7 @@ TEST_CASE("Set-points that were held up do not jump") {
 }
 
 TEST_CASE(
-    "A board that reads no set-points is a fault, and the newest set-point replaced the rest") {
+    "A board that reads no set-points is a fault, and the newest set-point replaces the others") {
   TestBoard board;
   YarpParams params = params_for(board);
   params.silent_ms = 150;
@@ -444,7 +444,7 @@ TEST_CASE(
   CHECK(loop.counters().set_points_replaced > 0);
 }
 
-TEST_CASE("A board that dies and comes back elsewhere is found again") {
+TEST_CASE("A board that dies and restarts at another address is found again") {
   TestBoard board;
   Loop loop(params_for(board));
   REQUIRE(loop.moves_to(5));
@@ -455,7 +455,7 @@ TEST_CASE("A board that dies and comes back elsewhere is found again") {
   CHECK(loop.moves_to(7));
 }
 
-TEST_CASE("Nothing is sent after a failure until the loop begins anew at the encoders") {
+TEST_CASE("Nothing is sent after a failure until the loop restarts at the encoders") {
   TestBoard board;
   Loop loop(params_for(board));
   REQUIRE(loop.moves_to(5));
@@ -482,7 +482,8 @@ TEST_CASE("Nothing is sent after a failure until the loop begins anew at the enc
   CHECK(loop.moves_to(38));
 }
 
-TEST_CASE("What is not finite, outside the limits or of other joints never leaves this machine") {
+TEST_CASE(
+    "Set-points that are not finite, outside the limits or of other joints never leave the host") {
   TestBoard board;
   Loop loop(params_for(board));
   REQUIRE(loop.moves_to(5));
@@ -503,7 +504,7 @@ TEST_CASE("What is not finite, outside the limits or of other joints never leave
   CHECK(loop.counters().connections == 1);
 }
 
-TEST_CASE("A board that comes up later, and then calibrates, is waited for and left alone") {
+TEST_CASE("A board that starts later, and then calibrates, is waited for and left alone") {
   TestBoard board;
   board.die();
   Loop loop(params_for(board));
@@ -567,7 +568,7 @@ void check_not_taken_from_cal(TestBoard& board, Loop& loop) {
   CHECK(board.set_points() == 0);
 }
 
-TEST_CASE("What was asked before the joints were wanted does not say that they may be taken") {
+TEST_CASE("Answers from before the joints were wanted do not allow taking them") {
   TestBoard board({.late_ms = 1000});
   YarpParams params = params_for(board);
   params.check_modes_ms = 10;
@@ -579,7 +580,7 @@ TEST_CASE("What was asked before the joints were wanted does not say that they m
   check_not_taken_from_cal(board, loop);
 }
 
-TEST_CASE("Nor does what was asked before they were withdrawn and wanted again") {
+TEST_CASE("Nor do answers from before they were withdrawn and wanted again") {
   TestBoard board({.late_ms = 1000});
   YarpParams params = params_for(board);
   params.check_modes_ms = 10'000;
@@ -623,7 +624,7 @@ TEST_CASE("A hardware fault before the first set-point is a fault, and only a pe
   }
 }
 
-TEST_CASE("A board that will never fit is a fault before the first connection, and stays one") {
+TEST_CASE("An incompatible board is a fault before the first connection, and stays one") {
   TestBoard board;
   YarpParams wide = params_for(board);
   wide.highest_deg[2] = 91;
@@ -668,7 +669,7 @@ milliseconds time_to_end(std::optional<Loop>& loop) {
   return std::chrono::duration_cast<milliseconds>(std::chrono::steady_clock::now() - began);
 }
 
-TEST_CASE("An arm that ends leaves its joints where they are, in position mode") {
+TEST_CASE("An arm that ends leaves its joints in place, in position mode") {
   CHECK(leaves_rightly([] {
     TestBoard board({.axes = 8});
     std::optional<Loop> loop(std::in_place, params_for(board));
@@ -682,7 +683,7 @@ TEST_CASE("An arm that ends leaves its joints where they are, in position mode")
   }));
 }
 
-TEST_CASE("An arm that ends does not undo an emergency stop that it has not noticed yet") {
+TEST_CASE("An arm that ends does not undo an unnoticed emergency stop") {
   CHECK(leaves_rightly([] {
     TestBoard board;
     YarpParams params = params_for(board);
@@ -698,7 +699,7 @@ TEST_CASE("An arm that ends does not undo an emergency stop that it has not noti
   }));
 }
 
-TEST_CASE("A stop does not wait for a board, whatever it is asked for") {
+TEST_CASE("A stop does not wait for a board, in any state of its requests") {
   constexpr int kTooLongMs = 60'000;
   const auto stops = [](BoardTrouble trouble, BoardTrouble later) {
     TestBoard board;
@@ -724,7 +725,7 @@ TEST_CASE("A stop does not wait for a board, whatever it is asked for") {
   stops(BoardTrouble::kNone, BoardTrouble::kRequestsMute);
 }
 
-TEST_CASE("A host that is not there ends the start with its name") {
+TEST_CASE("An unknown host ends the start with its name") {
   TestBoard board;
   YarpParams params = params_for(board);
   params.host = "no such host";
@@ -736,7 +737,7 @@ TEST_CASE("A host that is not there ends the start with its name") {
 }
 
 TEST_CASE(
-    "The test board drops text set-points and dies of text on its state port, as a real one") {
+    "The test board drops text set-points and dies of text on its state port, like a real one") {
   TestBoard board;
   Waker waker;
   const Waiter waiter({}, waker);
