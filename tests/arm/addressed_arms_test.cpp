@@ -29,12 +29,12 @@ struct Bench {
 TEST_CASE("Only arms that heard a stop confirm it") {
   Bench bench(arm_command_t::MODE_STOP);
   CHECK(!bench.arms.confirm(bench.now));
-  // Stopped, but before, or by somebody else.
+  // Stopped, but before this stop, or by another operator.
   bench.say(1, arm_state_t::STATE_STOPPED, 0);
   CHECK(!bench.arms.confirm(bench.now));
   bench.say(1, arm_state_t::STATE_STOPPED, kOther);
   CHECK(!bench.arms.confirm(bench.now));
-  // It heard the stop, and goes on.
+  // It heard the stop, but continues.
   bench.say(1, arm_state_t::STATE_MOVING, kOperator);
   CHECK(!bench.arms.confirm(bench.now));
   bench.say(1, arm_state_t::STATE_STOPPED, kOperator);

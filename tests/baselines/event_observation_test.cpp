@@ -41,7 +41,7 @@ TEST_CASE("a particle looks back only as far as increases its likelihood") {
   push(window, kOnRing, 30);
   push(window, kInside, 20);
   push(window, kOnRing, 50);
-  // The 20 inside cost 40, which the 30 before them do not bring back.
+  // The 20 inside cost 40, more than the 30 before them add.
   const EventObservation observed = observe_reference(window, kParticle);
   CHECK(observed.likelihood == doctest::Approx(50));
   CHECK(observed.used_events == 49);

@@ -20,7 +20,7 @@ double sum_of_weights(const ParticleSet& set) {
   return sum;
 }
 
-// Nearly no weight but on particle `index`.
+// Nearly all weight on particle `index`.
 std::vector<double> likelihoods_for(std::size_t index, std::size_t count) {
   std::vector<double> likelihoods(count, 1e-30);
   likelihoods[index] = 1;

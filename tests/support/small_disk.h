@@ -10,8 +10,7 @@
 
 namespace puck {
 
-/// A disk of a few MB in memory, for tests that fill it; removed with the test. Only root can mount
-/// one.
+/// A disk of a few MB in memory that a test can fill. Only root can mount one.
 class SmallDisk {
  public:
   explicit SmallDisk(std::int64_t bytes)

@@ -63,7 +63,6 @@ struct TestBoardParams {
 /// real ones: set-points sent as text are dropped silently, text to state:o kills the board, NaN is
 /// accepted, and joints are at their set-points at the next reading. A thread of its own; all calls
 /// are safe from any thread.
-/// calls are safe from any thread.
 class TestBoard {
  public:
   explicit TestBoard(const TestBoardParams& params = {});
