@@ -119,7 +119,7 @@ TEST_CASE("Impossible bridge settings are refused by name, a missing table by it
   std::filesystem::remove(table);
 }
 
-// The file with those keys set that it leaves to the table.
+// The file with the keys set that it leaves to the table.
 std::string bridge_toml_in_full() {
   std::ostringstream text;
   text << std::ifstream(source_folder() / "config/bridge.toml").rdbuf();

@@ -93,7 +93,7 @@ TEST_CASE("puck-calibrate size names malformed cells by line and implausible row
   CHECK(contains(said, "20 annotations, 1 left out"));
   CHECK(contains(said, "row 7 (t 6 us, at 180.0, 120.0): 90.0 x 17.0 px"));
   CHECK(contains(said, "disc on a plane"));
-  // These sizes are Equation (2)'s, which the disc explains worse.
+  // These sizes follow Equation (2), which the disc fits worse.
   CHECK(contains(said, "the disc is not written"));
   CHECK_FALSE(contains(tool.read("size.toml"), "[disc]"));
   CHECK(contains(said, "warning: the centres span only 89 %"));
@@ -207,7 +207,7 @@ TEST_CASE("puck-calibrate motion fits a log and an export, and replaces the tabl
   const TableCalibration calibration = read_table_file(tool.path("table.toml"));
   FlownGame game;
   game.seconds = 45;
-  if (kIsSanitized) game.period_us = 10'000;  // A fit takes as long as it has places.
+  if (kIsSanitized) game.period_us = 10'000;  // A fit's time grows with its places.
   const std::vector<TrackPoint> track = game.track();
   std::ostringstream rows;
   rows.precision(17);

@@ -17,8 +17,8 @@ namespace {
 constexpr SensorSize kSensor{640, 480};
 constexpr PuckSizeModel kSize{40, 0, 0, 28, 0, 0};
 
-// A puck that goes round in a circle, ever faster where asked for, and the events of its contour by
-// a known calibration.
+// A puck on a circle, optionally with growing speed, and the events of its contour by a known
+// calibration.
 struct Circling {
   double speed_px_s = 1500;
   double faster_px_s2 = 0;
@@ -62,7 +62,7 @@ struct Circling {
       const Pixel c = centre_at((t_us - calibration.lag_us) * 1e-6);
       const double heading = angle_at(t_us * 1e-6) + std::numbers::pi / 2;
       const double beside = share(random) < beside_per_ms / (events_per_ms + beside_per_ms) ? 5 : 0;
-      // An edge makes events as fast as it sweeps over the image.
+      // The rate of an edge's events is proportional to the area that it sweeps.
       double angle = turn(random);
       double nx = 0;
       double ny = 0;

@@ -17,11 +17,11 @@ namespace {
 
 constexpr SensorSize kTinySensor{64, 48};
 
-// Events in any order, handed over in the order of their times.
+// Events in any order, returned in the order of their times.
 class Recording {
  public:
   void add(double t_us, int x, int y) { events_.push_back({t_us, {x, y}}); }
-  // At random times, so often on average.
+  // At random times with this mean rate.
   void add_noise(int x, int y, double rate_hz, double seconds) {
     std::exponential_distribution<double> gap(rate_hz);
     for (double t = gap(random_); t < seconds; t += gap(random_)) add(1e6 * t, x, y);

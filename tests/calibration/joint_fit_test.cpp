@@ -14,7 +14,7 @@
 namespace puck {
 namespace {
 
-// One joint that grows, one that turns round.
+// One joint that grows, one that changes its direction.
 std::vector<JointPair> pairs(double noise_deg = 0) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> noise(0, 1);
@@ -51,7 +51,7 @@ TEST_CASE("Joints are fitted along the line, and monotone joints stay monotone")
   table.at(0.111, deg);
   CHECK(deg[0] == doctest::Approx(20 + 60 * 0.111 + 40 * 0.111 * 0.111));
   CHECK(deg[1] == doctest::Approx(5 + 80 * 0.111 * 0.111));
-  // What was measured, and the margin.
+  // The measured value and the margin.
   CHECK(table.limits(1).highest == doctest::Approx(5 + 80 * 0.09 + 2));
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("Noise is reported as residuals, and a monotone joint stays monotone")
   CHECK(fit.residuals[0].rms_deg == doctest::Approx(0.07).epsilon(0.4));
   CHECK(JointTable(fit.table).is_monotone(0));
 
-  // A step, between and beside which a spline would swing past what was measured.
+  // A step, at which a spline would overshoot the measured values.
   std::vector<JointPair> step;
   for (int i = 0; i <= 20; ++i) {
     step.push_back({0.02 * i, {i + (i > 10 ? 40.0 : 0.0), 2.0 * i}});

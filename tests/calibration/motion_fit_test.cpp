@@ -22,7 +22,7 @@ namespace puck {
 namespace {
 
 constexpr double kSeconds = kIsSanitized ? 60 : 90;
-// A fit takes as long as it has places.
+// A fit's time grows with its places.
 constexpr std::int64_t kPeriodUs = kIsSanitized ? 10'000 : 2'000;
 
 MotionFit fit_of(const FlownGame& game) {
@@ -73,7 +73,7 @@ TEST_CASE("The fit recovers a simulated game's motion within its standard errors
 
 TEST_CASE("The fit recovers the motion of a dull and a lively table, with a slow tracker") {
   const std::array tables{PhysicsParams{0.05, 0.95, 0.98}, PhysicsParams{0.6, 0.6, 0.7}};
-  // For sanitizers one is as good as two.
+  // Under sanitizers one is enough.
   for (const PhysicsParams& physics : std::span(tables).last(kIsSanitized ? 1 : 2)) {
     FlownGame game;
     game.seconds = 90;  // A dull table has few bounces.
@@ -154,7 +154,7 @@ TEST_CASE("Too little data is refused with the reason") {
   game.seconds = 10;
   CHECK(contains(refusal_of_track(game.track()), "have a bounce at a rail, of"));
 
-  // Bounces straight on, so that nothing is known of the speed along the rail.
+  // Perpendicular bounces only, so that the speed along the rail is undetermined.
   const PuckMotion motion(TableGeometry{});
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0, 0.0004);

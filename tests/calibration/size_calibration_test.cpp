@@ -87,7 +87,7 @@ TEST_CASE("annotations of the face alone give a disc without thickness, with any
   std::vector<Annotation> annotations = camera.annotations();
   int half = 1;
   for (Annotation& a : annotations) {
-    // A wall of less than nothing would explain these.
+    // Only a wall of negative height would explain these.
     a.size.height -= 0.4 + 0.4 * half;
     half = -half;
   }
@@ -173,7 +173,7 @@ TEST_CASE("too few annotations, or sizes without growth towards the camera, dete
   // The first rows lie on two lines: enough for Equation (2).
   annotations.resize(7);
   CHECK_FALSE(calibrate_size(annotations, kAnnotatedSensor).model.disc.has_value());
-  // The disc explains them better, and yet tells nothing of the camera.
+  // The disc fits them better, but does not determine the camera.
   const DiscModel flat{.width_0 = 30,
                        .width_y = 0.0045,
                        .face_on_px = 60,

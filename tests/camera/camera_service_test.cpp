@@ -48,7 +48,7 @@ TEST_CASE("no packet is published before its events have happened") {
   REQUIRE(run.packets_.size() > 50);
   const std::int64_t zero_utime = run.packets_.front().sensor_zero_utime;
   for (const event_packet_t& packet : run.packets_) {
-    // Both clocks are read a moment apart when the plan is made.
+    // The plan reads the two clocks one after the other.
     constexpr std::int64_t kClocksApartUs = 1000;
     CHECK(packet.utime + kClocksApartUs >=
           packet.sensor_zero_utime + packet.first_event_us + packet.duration_us);
@@ -63,7 +63,7 @@ TEST_CASE("packets due every 150 us are published one by one") {
   CameraRun run(file_settings(folder / "a.raw", "flush_us = 150\n"));
   run.run();
   REQUIRE(run.packets_.size() > 1000);
-  // Where the machine was busy for a moment they come in bursts all the same: the best 3 ms count.
+  // A busy machine may still send bursts: the best 3 ms count.
   constexpr std::size_t kPart = 20;
   std::size_t fewest_at_once = kPart;
   for (std::size_t first = 1; first + kPart <= run.packets_.size(); first += kPart) {
@@ -150,7 +150,7 @@ TEST_CASE("events outside the sensor are counted in every packet and in STATUS")
 
 TEST_CASE("a stream above the publishing limit loses its oldest events, with a warning") {
   const CameraFolder folder;
-  // 2.4 s of publishing at the limit, sent as fast as it goes.
+  // 2.4 s of publishing at the limit, sent without pacing.
   constexpr int kEvents = 1'200'000;
   write_recording(folder / "a.raw", even_events(kEvents, 0, 1));
   const TcpServer server;
@@ -158,7 +158,7 @@ TEST_CASE("a stream above the publishing limit loses its oldest events, with a w
                 std::to_string(server.port()) + "\narrival_limit_mev_s = 0.5\n");
   const std::string bytes = read_text(folder / "a.raw");
   std::jthread sender([&] { server.serve(bytes); });
-  // The newest events come last, whatever was lost before them.
+  // The newest events come last, after any loss.
   run.stop_when_ = [&] { return run.events_.back().t_us == kEvents - 1; };
   run.run();
   REQUIRE(!run.events_.empty());
@@ -197,7 +197,7 @@ TEST_CASE("the simulated table publishes events, truth and head") {
   CHECK(run.truths_us_[0] == 0);
   CHECK(run.truths_us_[1] == 1000);
   CHECK(run.heads_ == static_cast<int>(run.truths_us_.size()));
-  // Truth of a moment comes no later than events after it: at most a packet's age ahead of them.
+  // Truth is published before the later events: at most a packet's age ahead of them.
   CHECK(run.truths_us_.back() + 2000 >= run.events_.back().t_us);
 }
 

@@ -17,7 +17,7 @@
 namespace puck {
 namespace {
 
-/// What a script says, then the end or a failure. `done` turns true when it was asked for that.
+/// Plays a script, then the end or a failure. `done` becomes true on the call after the script.
 class ScriptedSource final : public EventSource {
  public:
   ScriptedSource(std::deque<Chunk> script, bool fails, std::atomic<bool>& done)
@@ -153,7 +153,7 @@ TEST_CASE("a pipe without fetching never blocks, and its newest events stay avai
     DescriptorEvents events_;
   };
   LiveSource live(std::make_unique<PipeSource>(ends[0]), kChunks);
-  // Would wait for ever if the other end were not read.
+  // A write without a reader would block for ever.
   std::size_t written = 0;
   while (written < bytes.size()) {
     const ssize_t count = write(ends[1], bytes.data() + written, bytes.size() - written);
@@ -164,7 +164,7 @@ TEST_CASE("a pipe without fetching never blocks, and its newest events stay avai
 
   std::vector<SeenEvent> events;
   EventSource::Chunk chunk;
-  // The last bytes may still be on their way: what comes until the end is more than the queue held.
+  // The last bytes may still be in the pipe: together more than the queue held.
   for (auto outcome = live.next(chunk); outcome != EventSource::Outcome::kEnd;
        outcome = live.next(chunk)) {
     if (outcome == EventSource::Outcome::kEvents) append_seen(chunk.packet, events);
@@ -180,7 +180,7 @@ TEST_CASE("a limit allows a mean rate, and a burst of at most a millisecond") {
   PublishLimit limit(2);
   const Clock::time_point start{std::chrono::seconds(100)};
   CHECK(limit.due() <= start);
-  // 2000 events at 2 Mev/s take a ms, the one that may be made up for.
+  // 2000 events at 2 Mev/s take 1 ms, which is the longest burst.
   limit.count(2000, start);
   CHECK(limit.due() == start);
   limit.count(2000, start);

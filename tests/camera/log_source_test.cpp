@@ -49,7 +49,7 @@ TEST_CASE("a log is played whole, at its sensor times, as a session of this came
     REQUIRE(run.packets_[i].session == run.bus_.session());
     REQUIRE(run.packets_[i].seq == static_cast<std::int64_t>(i));
   }
-  // Its sensor's zero is a time of this host, not of the one that recorded it, which was near 0.
+  // Its sensor's zero is a time of this host; on the recording host it was near 0.
   CHECK(run.packets_.back().sensor_zero_utime > 1'000'000'000'000'000);
   CHECK(run.last_counter("events_sent") == 4000);
   CHECK(run.last_counter("events_dropped") == 0);

@@ -1,4 +1,4 @@
-// The camera's small parts, which know no bus and no clock of their own.
+// The camera's small parts without a bus or a clock.
 #include <doctest/doctest.h>
 
 #include "services/camera/event_batcher.h"

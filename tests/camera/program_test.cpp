@@ -17,7 +17,7 @@
 namespace puck {
 namespace {
 
-// On a bus that nobody else hears. What stdin has to say is in the file `input`.
+// Runs the camera on a bus of its own, with the file `input` on stdin.
 Finished run_camera(std::vector<std::string> arguments, const std::filesystem::path& input = {}) {
   const std::string program = program_path("puck-camera");
   arguments.insert(arguments.begin(), {program, "--lcm-url", "memq://"});

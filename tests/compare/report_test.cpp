@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A folder with what runs left behind.
+// A folder with the results of runs.
 class Runs {
  public:
   void add(const std::string& set, int seed, const std::string& contestant, const Json& figures) {

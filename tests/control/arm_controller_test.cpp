@@ -35,7 +35,7 @@ TEST_CASE("The arm stops within its limits when the commands end") {
   bench.play(60, 0.3);
   CHECK(bench.arm.velocity_m_s() > 0.5);
   const double target_before = bench.arm.state().target_m;
-  // Estimates go on, commands do not. 100 ms until it brakes, and at most 1.5/20 + 3 * 20/2000 s to
+  // Estimates continue, commands end. 100 ms until it brakes, and at most 1.5/20 + 3 * 20/2000 s to
   // rest from any state.
   for (int i = 0; i < 99; ++i) {
     bench.arm.hear(bench.estimate(), bench.now, bench.sender);

@@ -17,14 +17,14 @@
 namespace puck {
 namespace {
 
-// Joints that do what the test says: follow at once unless told otherwise.
+// Scripted joints, which follow at once by default.
 class ScriptedBackEnd : public ArmBackEnd {
  public:
   struct Script {
     std::optional<JointAngles> at;  // the encoders
     bool follows = true;
     bool speaks = true;
-    std::optional<std::int64_t> stamp_us;  // of readings, when it stands still
+    std::optional<std::int64_t> stamp_us;  // of readings, if constant
     std::string fault;
     std::string awaited;
     bool holds = true;
@@ -119,7 +119,7 @@ TEST_CASE("A stopped arm takes no joints before a reset, whatever its back end r
     CHECK(arm.script.sent.empty());
     CHECK(arm.script.withdrawals > 0);
     CHECK(arm.bench.arm.state().state == arm_state_t::STATE_STOPPED);
-    // Not ours, so nobody else's hand on it is a fault.
+    // Joints that the arm has not taken may be moved by others without a fault.
     arm.script.at = joints_at(0.2);
     arm.bench.play(200, 0.1);
     CHECK(!arm.is_faulty());
@@ -231,7 +231,7 @@ TEST_CASE("An arm off the line moves to it slowly, only on request, and then pla
   CHECK(arm.bench.arm.state().state == arm_state_t::STATE_MOVING);
   const double on_the_way = (*arm.script.at)[1];
   CHECK(on_the_way < from);
-  // 10 deg/s and no faster.
+  // At most 10 deg/s.
   CHECK(on_the_way > from - 3);
   arm.bench.run(400);
   const double stopped = (*arm.script.at)[1];
@@ -266,7 +266,7 @@ TEST_CASE("A joint that does not follow is a fault: the set-points stop until a 
   CHECK(arm.bench.stands());
   CHECK(arm.bench.arm.state().faults == 1);
   CHECK(arm.bench.arm.motion().line().state().position < 0.1);
-  // It begins anew where the encoders are, not where the set-points were.
+  // It restarts at the encoders, not at the last set-points.
   arm.script.follows = true;
   const JointAngles at = *arm.script.at;
   arm.script.sent.clear();

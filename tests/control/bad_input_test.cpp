@@ -21,7 +21,7 @@ class FollowBench : public ArmBench {
     puck_estimate_t message = estimate();
     message.x_px = pixel.x;
     message.y_px = pixel.y;
-    // A tracker that is wrong swears that it is certain.
+    // A wrong tracker claims certainty.
     message.score = 1;
     arm.hear(message, now, sender);
     run(1);
@@ -176,7 +176,7 @@ TEST_CASE("While a tracker restarts the arm rests, until bridge and arm follow t
     bench.arm.hear(command, bench.now, bench.sender);
     bench.run(1);
   };
-  // Nobody leaves a tracker for a new one before it has been silent for half a second.
+  // A tracker is replaced only after half a second of silence.
   for (int i = 0; i < 490; ++i) say(4001, ArmBench::kTrackerSession, 0.3);
   CHECK(bench.arm.estimates(TrackWatch::Verdict::kOtherPublisher) == 490);
   CHECK(bench.arm.state().reason == "no live track");

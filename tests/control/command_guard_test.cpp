@@ -68,11 +68,11 @@ TEST_CASE("The age of a command is measured by its sender's clock, even hours aw
     arm_command_t command = bench.command(0);
     command.utime -= 195'000;
     CHECK(bench.hear(command) == CommandRefusal::kNone);
-    // 5 ms older it may be 200 ms old: the offset is not better known.
+    // 5 ms older it may be 200 ms old, within the offset's bound.
     command = bench.command(0);
     command.utime -= 195'001;
     CHECK(bench.hear(command) == CommandRefusal::kOld);
-    // What would be of now by our clock.
+    // A live time by our clock.
     command.utime = bench.now.utime;
     CHECK(bench.hear(command) ==
           (ahead_us > 0 ? CommandRefusal::kOld : CommandRefusal::kFromFuture));
@@ -120,7 +120,7 @@ TEST_CASE("A target slightly beyond the line is clamped to its end, a distant on
         CommandRefusal::kNotFinite);
   CHECK(bench.hear(bench.command(std::numeric_limits<double>::infinity())) ==
         CommandRefusal::kNotFinite);
-  // What was refused does not replace what was taken.
+  // A refused command does not replace an accepted one.
   CHECK(bench.current()->target_m == 0.30);
   CHECK(bench.guard.refused() == 4);
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kSecondUs = 1'000'000;
 
-// A watch and a camera whose time the test sets, with an estimate each millisecond.
+// A watch and a camera with a simulated time and an estimate each millisecond.
 struct Bench {
   void run(std::int64_t ms, double rate = 1, bool has_events = true) {
     for (std::int64_t i = 0; i < ms; ++i) {
@@ -84,7 +84,7 @@ TEST_CASE("Sensor time may stand still while no puck moves, and then catch up") 
   bench.sensor_us += 10'000 * 1000;
   bench.run(1000);
   CHECK(bench.doubted_ms == 0);
-  // Also when it stood from the beginning.
+  // Even from the beginning.
   Bench other;
   other.run(10'000, 0, false);
   other.sensor_us += 10'000 * 1000;
@@ -127,7 +127,7 @@ TEST_CASE("The arm stops while the sensor's time is invalid, and plays again aft
   play(20'000, 1, false);
   CHECK(!bench.stands());
 
-  // A camera that begins anew with every estimate.
+  // A camera that restarts with every estimate.
   play(300, 1, true);
   CHECK(is_still());
   play(300, 1, false);

@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// All joints at rest but the first, which is told where to go.
+// All joints at rest except the first, which gets set-points.
 class Plant {
  public:
   explicit Plant(const SimulatedBackEndParams& params)

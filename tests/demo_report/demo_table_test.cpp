@@ -60,7 +60,7 @@ TEST_CASE("the table warns of counters that did not fit into STATUS") {
 TEST_CASE("the table counts shots that were neither saved nor goals") {
   CHECK(contains(demo_table(game_of(9, 6, 1)), "2 shots neither saved nor in"));
   CHECK_FALSE(contains(demo_table(game_of(8, 7, 1)), "neither saved"));
-  // Saved, and in by a rail.
+  // Saved, and in the goal by a rail.
   CHECK_FALSE(contains(demo_table(game_of(1, 1, 1)), "neither saved"));
 }
 

@@ -8,11 +8,11 @@ namespace {
 
 constexpr std::int64_t kOurSession = 77;
 const std::string kAddress = "10.0.0.9";
-// In these tests both of our clocks show the same.
+// Both of our clocks have the same value in these tests.
 constexpr HostNow kNow{2'050'040, 2'050'040};
 
-/// A STATUS that came at `heard` of our clock, and answers the ping of `ping`; `ahead` is how far
-/// the other clock is, `out` and `back` the times on the way, `there` how long it took to answer.
+/// A STATUS received at `heard` by our clock, in answer to the ping of `ping`; the other clock is
+/// ahead by `ahead`, the ways take `out` and `back`, the answer `there`.
 struct Exchange {
   std::int64_t ping_us = 1'000'000;
   std::int64_t ahead_us = 0;
@@ -45,8 +45,8 @@ TEST_CASE("another clock's offset is measured to half the round trip") {
     hear(clocks, {.ahead_us = ahead_us, .out_us = 300, .back_us = 100});
     const HostClock offset = clocks.offsets(kNow).at(kAddress);
     CHECK(offset.host == "robot");
-    // Half the round trip, the drift of a second, and for clocks that cannot be told apart how far
-    // they seemed to be.
+    // Half the round trip, the drift of a second, and for indistinguishable clocks the measured
+    // difference.
     CHECK(offset.within_us >= 200);
     CHECK(offset.within_us <= 200 + 110 + 100);
     CHECK(std::llabs(offset.offset_us - ahead_us) <= offset.within_us);
@@ -83,7 +83,7 @@ TEST_CASE("a clock that is certainly off by more than 100 ms is reported, with a
   CHECK(apart.verdict == Verdict::kNote);
   CHECK(says(apart, "150.000 ms behind, to within 0.500 ms"));
   CHECK(apart.mend == "ssh 10.0.0.9 sudo timedatectl set-ntp true");
-  // So slow an answer says nothing.
+  // So slow an answer proves nothing.
   facts.clock_offsets[kAddress] = {"robot", 150'000, 80'000};
   CHECK(check_clocks(facts).front().mend.empty());
 }

@@ -1,4 +1,4 @@
-// The real program on networks that the tests make, break, and mend with the command that it says.
+// The real program on networks that the tests make, break and repair with its suggested command.
 #include <chrono>
 #include <cstdlib>
 #include <string>
@@ -34,7 +34,7 @@ struct Diagnosis {
     }
     return checks;
   }
-  /// All that is said about one thing.
+  /// All text of one check.
   std::string text(const std::string& check) const {
     std::string text;
     for (const json& finding : report["findings"]) {
@@ -42,7 +42,7 @@ struct Diagnosis {
     }
     return text;
   }
-  /// Of several, the first that has this in it.
+  /// The command of the first finding that contains `part`.
   std::string mend(const std::string& check, const std::string& part = {}) const {
     for (const json& finding : report["findings"]) {
       if (finding["check"] != check || finding["verdict"] != "wrong") continue;
@@ -188,7 +188,7 @@ TEST_CASE("packets above a small MTU are reported, and the suggested setting rep
 TEST_CASE("a receive buffer that the kernel refuses is reported") {
   in_network_of_its_own([] {
     join_network();
-    // More than any machine's limit. What mends it belongs to the host and is not for tests.
+    // Above any machine's limit. The remedy changes the host, so no test runs it.
     const Diagnosis broken = diagnose({"--lcm-url", kUrl + "&recv_buf_size=1073741823"});
     check_only_wrong(broken, {"buffer"});
     CHECK(broken.mend("buffer") == "sysctl -w net.core.rmem_max=1073741823");
@@ -243,7 +243,7 @@ TEST_CASE("ttl 0 beside other machines is reported, and the suggested URL repair
     CHECK(ours.text("ttl").find("10.9.8.2 is heard") != std::string::npos);
     check_well(diagnose({"--lcm-url", argument_of(ours.mend("ttl"), "--lcm-url")}));
 
-    // The doctor is asked for the right bus, but a service here is not on it.
+    // The doctor checks the right bus, but a service here is not on it.
     const BackgroundWork here(service("puck-arm", kUrlThisHost));
     const Diagnosis theirs = diagnose();
     check_only_wrong(theirs, {"ttl"});

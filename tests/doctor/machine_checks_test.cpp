@@ -1,4 +1,4 @@
-// What is wrong with a machine, from facts that are made up.
+// Findings on a machine, from invented facts.
 #include "tests/doctor/doctor_bench.h"
 
 namespace puck {
@@ -19,7 +19,7 @@ TEST_CASE("on a healthy machine every check passes") {
   const Findings findings = examine(healthy_facts());
   CHECK(findings.size() == 16);
   CHECK(count_of(findings, Verdict::kWrong) == 0);
-  CHECK(count_of(findings, Verdict::kNote) == 1);  // No service speaks.
+  CHECK(count_of(findings, Verdict::kNote) == 1);  // No service publishes.
 }
 
 TEST_CASE("for a missing route to the group a route over an active interface is suggested") {
@@ -31,7 +31,7 @@ TEST_CASE("for a missing route to the group a route over an active interface is 
   CHECK(wrong.mend == "ip route replace 224.0.0.0/4 dev eth0");
   facts.is_root = false;
   CHECK(the_wrong_one(check_route(facts)).mend == "sudo ip route replace 224.0.0.0/4 dev eth0");
-  // All that hangs on it is not wrong in itself.
+  // Dependent checks do not fail as well.
   for (const auto check : {check_interface, check_mtu, check_membership, check_self_test}) {
     CHECK(count_of(check(facts), Verdict::kWrong) == 0);
   }
@@ -80,7 +80,7 @@ TEST_CASE("an interface must be up, do multicast, have a link and an address") {
   Facts no_address = healthy_facts();
   eth0(no_address).addresses.clear();
   CHECK(says(the_wrong_one(check_interface(no_address)), "no IPv4 address"));
-  // lo has no multicast flag and does without.
+  // lo has no multicast flag and needs none.
   CHECK(count_of(check_interface(loopback_facts()), Verdict::kOk) == 1);
 }
 

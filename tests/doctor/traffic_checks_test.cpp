@@ -1,4 +1,4 @@
-// What is wrong with what is heard.
+// Findings on the received traffic.
 #include "tests/doctor/doctor_bench.h"
 
 namespace puck {
@@ -155,7 +155,7 @@ TEST_CASE("two services of a kind are an error, unless one has stopped or has an
   second.state = service_status_t::STATE_RUNNING;
   hear_status(facts.traffic, kOtherHost, second);
   CHECK(the_wrong_one(check_services(facts)).mend == "ssh 10.0.0.9 kill 102");
-  // It fell silent while the other went on.
+  // It fell silent while the other one continued.
   facts.end_utime += 1'500'000;
   hear_status(facts.traffic, kThisHost, older, 1, "PUCK_STATUS", facts.end_utime);
   CHECK(count_of(check_services(facts), Verdict::kWrong) == 0);

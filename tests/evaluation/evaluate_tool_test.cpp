@@ -45,7 +45,7 @@ std::filesystem::path recording_of(const TemporaryFolder& folder,
   return path;
 }
 
-// Two events so far apart.
+// Two events at this distance in time.
 std::filesystem::path recording_with_pause(const TemporaryFolder& folder, std::int64_t pause_us) {
   return recording_of(folder, {1000, 1000 + pause_us});
 }
@@ -79,8 +79,8 @@ TEST_CASE("a recording with a damaged time is refused and ends") {
 
 TEST_CASE("in real time the ticks are those with events, and no wait exceeds the run") {
   const TemporaryFolder folder;
-  // The first packet comes when the tracking thread has said its first word, the last one late
-  // enough for an answer to those before it.
+  // The first packet comes after the tracking thread's first estimate, the last one late enough for
+  // an answer to those before it.
   const auto events = open_event_file(recording_of(folder, {1000, 1499, 301'000}));
   const auto began = std::chrono::steady_clock::now();
   std::vector<EvaluatedTick> ticks;

@@ -14,7 +14,7 @@
 namespace puck {
 namespace {
 
-// Too small a sensor for a close-up of its puck: nothing covers the rest.
+// Too small a sensor for a close-up, which would cover the rest.
 constexpr SensorSize kSmall{64, 48};
 constexpr Timestamp kNow{1'000'000};
 

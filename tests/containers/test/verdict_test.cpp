@@ -24,7 +24,7 @@ constexpr std::int64_t kCamera = 14;
 constexpr std::int64_t kLogger = 15;
 constexpr std::int64_t kSecondTracker = 21;
 
-/// A game of 4 s, said by hand: times in ms since its start.
+/// A scripted game of 4 s: times in ms since its start.
 class GameScript {
  public:
   GameScript() {
@@ -35,7 +35,7 @@ class GameScript {
     status("puck-logger", kLogger, 0);
   }
 
-  /// The arm's, which misses somebody.
+  /// The arm's STATUS, with a missing peer.
   void miss(const std::string& service, std::int64_t at_ms) {
     status("puck-arm", kArm, at_ms).state_text = service + " on x, pid 1, is silent";
   }
@@ -58,7 +58,7 @@ class GameScript {
     hear(session, at_ms);
     record.log.estimates.push_back({at(at_ms), estimate});
   }
-  /// That follows the bridge and a tracker; tracker 0: holds for want of one.
+  /// An arm that follows the bridge and a tracker; tracker 0: holds without one.
   void arm(std::int64_t at_ms, std::int64_t tracker) {
     arm_state_t state{};
     state.session = kArm;
@@ -69,7 +69,7 @@ class GameScript {
     hear(kArm, at_ms);
     record.log.arm_states.push_back({at(at_ms), state});
   }
-  /// Tracker and arm in the usual course of a game, every 10 ms.
+  /// Tracker and arm in a normal game, every 10 ms.
   void play(std::int64_t from_ms, std::int64_t to_ms, std::int64_t tracker) {
     for (std::int64_t ms = from_ms; ms < to_ms; ms += 10) {
       estimate(tracker, ms);
@@ -77,7 +77,7 @@ class GameScript {
       hear(kBridge, ms);
     }
   }
-  /// The arm alone, out of data.
+  /// The arm alone, without data.
   void hold(std::int64_t from_ms, std::int64_t to_ms) {
     for (std::int64_t ms = from_ms; ms < to_ms; ms += 10) arm(ms, 0);
   }
@@ -122,7 +122,7 @@ GameScript cut_off_tracker() {
   game.play(0, 1000, kTracker);
   game.hold(1100, 3500);
   game.miss("puck-tracker", 1400);
-  // Its STATUS leaves at once when the network is back; what it says of events takes longer.
+  // Its STATUS is sent as soon as the network is back; its estimates take longer.
   game.status("puck-tracker", kTracker, 3300);
   return game;
 }
@@ -207,7 +207,7 @@ TEST_CASE("a tracker that receives again after its network has returned passes")
 TEST_CASE(
     "a tracker that receives nothing after its network has returned fails, even if it publishes") {
   GameScript game = cut_off_tracker();
-  // Estimates that rest on the last events from before the cut.
+  // Estimates on the last events from before the cut.
   for (std::int64_t ms = 3310; ms < 4000; ms += 20) {
     game.estimate(kTracker, ms);
     game.record.log.estimates.back().message.sensor_us = 990 * kMs;
@@ -248,7 +248,7 @@ TEST_CASE("no loss requires as many events received as sent") {
   };
   CHECK(judge(1000));
   CHECK_FALSE(judge(999));
-  // A counter that is not there has not been looked at.
+  // A missing counter is not accepted as 0.
   CHECK_FALSE(judge(1000, "packets_lost_by_another_name"));
 }
 
