@@ -123,7 +123,7 @@ TEST_CASE("written events are read back to the bit") {
         CAPTURE(start_us);
         const std::vector<PlainEvent> events = hard_events(sensor, start_us);
         const auto writer = make_event_writer(folder / name, "", sensor);
-        // In packets that cut through what belongs together.
+        // In packets that divide rows and vectors.
         for (std::size_t i = 0; i < events.size(); i += 13) {
           const auto first = events.begin() + static_cast<std::ptrdiff_t>(i);
           const auto last =

@@ -135,7 +135,7 @@ TEST_CASE("EVT2 words in runs give the same events and counts as one by one") {
     }
     const auto bytes = bytes_of(words);
     Evt2Decoder one_by_one(kSensor);
-    // A word that comes in pieces cannot be part of a run.
+    // A divided word cannot be part of a run.
     const auto expected = decode_all(one_by_one, bytes, 1);
     REQUIRE(!expected.empty());
     for (const std::size_t piece :

@@ -175,7 +175,7 @@ TEST_CASE("the number of held-back events is bounded") {
   CHECK(packet.events.size() == 70000);
 }
 
-/// Words as a camera sends them, `oddities` in 1000 of which are anything at all.
+/// A camera's words, of which `oddities` in 1000 are arbitrary.
 std::vector<std::uint16_t> random_words(std::mt19937& random, unsigned oddities) {
   std::vector<std::uint16_t> words;
   unsigned time = 0;
@@ -214,10 +214,10 @@ TEST_CASE(
       CAPTURE(oddities);
       CAPTURE(round);
       const auto bytes = bytes_of(random_words(random, oddities));
-      // A sensor that ends within vectors, and one on which every coordinate is inside.
+      // A sensor that ends within vectors, and one that contains every coordinate.
       for (const SensorSize sensor : {SensorSize{300, 200}, SensorSize{2048, 2048}}) {
         Evt3Decoder one_by_one(sensor);
-        // A word that comes in two pieces cannot be part of a run.
+        // A divided word cannot be part of a run.
         const auto expected = decode_all(one_by_one, bytes, 1);
         REQUIRE(!expected.empty());
         with_each_simd_target([&](const std::string& target) {

@@ -1,5 +1,5 @@
-// Real recordings, made by others; what is expected of each comes from their MANIFEST.md, the first
-// times from their bytes.
+// Real recordings by others; the expected values are from their MANIFEST.md, the first times from
+// their bytes.
 #include "tests/support/recordings.h"
 
 #include <cmath>
@@ -22,8 +22,8 @@ struct Expected {
   SensorSize sensor;
   std::size_t events = 0;
   std::int64_t first_us = 0;
-  double span_s = 0;      // As the manifest rounds it …
-  double rounding_s = 0;  // … and by how much.
+  double span_s = 0;      // From the manifest, rounded …
+  double rounding_s = 0;  // … to this precision.
 };
 
 TEST_CASE("real recordings have the events, times and geometry of their manifest") {

@@ -1,4 +1,4 @@
-// The text log of an IIT camera, in its three encodings; and what may be wrong with one.
+// The text log of an IIT camera in its three encodings, and damaged ones.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -220,14 +220,14 @@ TEST_CASE("after a counter's reset time continues, and nothing is lost") {
   for (std::size_t i = 0; i < packets.size(); ++i) {
     (i < 20 ? encoder : again).add(packet_of(packets[i]), kPacketUs);
   }
-  // The second count begins 20 ms after its own zero; its host times are those of the log.
+  // The second count begins 20 ms after its own zero; its host times continue the log's.
   const ReadLog log = read_log(encoder.text() + again.text());
   CHECK(log.counters.time_glitches == 0);
   REQUIRE(log.events.size() == events.size());
   CHECK(std::abs(log.events.back().t_us - events.back().t_us) <= 1000);
 }
 
-// The time of one line of the log, counted from 0, moved by so many seconds.
+// Moves the time of one line of the log, counted from 0, by so many seconds.
 std::string with_host_time_moved(const std::string& text, int line, double by_s) {
   std::istringstream lines(text);
   std::string moved;
@@ -296,7 +296,7 @@ TEST_CASE("truncated lines, lines of other sensors and short lines do not change
     CHECK(read_log(samples + text).events == events);
     CHECK(read_log(text.substr(0, text.find('\n'))).events.size() == kEventsInPacket);
   }
-  // Sorted as a sensor that is read out row by row sorts them.
+  // In the order of a sensor that is read out row by row.
   std::vector<PlainEvent> sorted = events;
   std::sort(sorted.begin(), sorted.end(), [](const PlainEvent& a, const PlainEvent& b) {
     return std::pair(a.y, a.x) < std::pair(b.y, b.x);

@@ -18,7 +18,7 @@ namespace {
 
 using test::counter;
 
-/// A log whose lines can be read.
+/// A log with readable lines.
 struct ReadableLog {
   std::ostringstream text;
   spdlog::logger log{"test", std::make_shared<spdlog::sinks::ostream_sink_mt>(text)};

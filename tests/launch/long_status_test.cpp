@@ -16,7 +16,7 @@
 namespace puck {
 namespace {
 
-/// Has more counters of its own than a frame has room for.
+/// Has more counters of its own than fit into a frame.
 class TalkativeService : public Service {
  public:
   void run(std::stop_token) override {}
@@ -29,7 +29,7 @@ class TalkativeService : public Service {
   int counters = 0;
 };
 
-/// A service among six others whose names are as long as names may be.
+/// A service among six others with names of the greatest length.
 struct LoudNetwork {
   LoudNetwork() {
     bench.bus.subscribe<head_state_t>([](const head_state_t&, const Receipt&) {});

@@ -8,7 +8,7 @@
 namespace puck {
 namespace {
 
-/// Services that speak every 100 ms, and a puck-tracker that looks at them every 20 ms.
+/// Services with a STATUS every 100 ms, and a puck-tracker that checks them every 20 ms.
 class PeerBench {
  public:
   struct Speaker {

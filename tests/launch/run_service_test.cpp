@@ -15,14 +15,14 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// What a test service did, for the test to look at.
+/// Records the actions of a test service.
 struct Diary {
   int volume = -1;
   std::vector<int> states;  ///< Of the statuses published.
   bool stopped = false;
 };
 
-/// Runs until a signal comes, which it sends itself.
+/// Runs until a signal, which it sends itself.
 class SelfStoppingService : public Service {
  public:
   SelfStoppingService(Diary& diary, ServiceContext& context) : diary_(diary), context_(context) {

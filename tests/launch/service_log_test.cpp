@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// All that a pipe gives until its writers are gone.
+// All output of a pipe until its writers have closed it.
 std::string read_all(int descriptor) {
   std::string text;
   std::array<char, 4096> piece{};
@@ -60,7 +60,7 @@ TEST_CASE("A log is written whole and in order before it ends") {
 TEST_CASE("An unread log delays no service, counts its lost lines, and ends") {
   const StuckPipe pipe;
   ServiceLog log("test", pipe.descriptor());
-  // Whoever waited for the reader would wait for ever.
+  // Waiting for the reader would block for ever.
   for (int i = 0; i < 5000; ++i) log.logger().info("line {}", i);
   // The writer may hold one line already.
   CHECK(log.lost_lines() >= 5000 - LineWriter::kMostLines - 1);

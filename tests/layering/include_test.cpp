@@ -1,5 +1,4 @@
-// Builds precompile the standard library's usual headers, so no compiler misses one that is
-// missing.
+// Builds precompile the usual standard headers, so the compiler does not notice a missing one.
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -21,7 +20,7 @@ namespace fs = std::filesystem;
 
 using Names = std::set<std::string>;
 
-// A header of the standard library, and some of what it alone declares.
+// Standard headers, and some names that only they declare.
 const std::vector<std::pair<std::string, Names>> kDeclared{
     {"algorithm",
      {"sort",      "min",           "max",       "clamp",       "find_if",     "any_of",
@@ -61,7 +60,7 @@ const std::vector<std::pair<std::string, Names>> kDeclared{
     {"variant", {"variant", "visit", "get_if", "monostate", "holds_alternative"}},
     {"vector", {"vector"}}};
 
-// Headers that have another one's names by their own interface.
+// Headers that provide another one's names by their own interface.
 const std::map<std::string, Names> kGivenBy{
     {"mutex", {"condition_variable"}},
     {"stop_token", {"thread", "condition_variable"}},
@@ -71,7 +70,7 @@ const std::map<std::string, Names> kGivenBy{
 
 struct Source {
   Names includes;
-  Names names;  // What stands behind `std::`.
+  Names names;  // Names after `std::`.
 };
 
 Names names_in(const std::string& line) {
@@ -96,7 +95,7 @@ Source source_of(std::istream& text) {
   return source;
 }
 
-// By their paths as include lines have them.
+// By their paths in include lines.
 std::map<std::string, Source> sources() {
   std::map<std::string, Source> found;
   const fs::path root = source_folder();
@@ -111,7 +110,7 @@ std::map<std::string, Source> sources() {
   return found;
 }
 
-// All that a source includes, also by other sources of the project.
+// All direct and indirect includes of a source.
 void add_included(const std::map<std::string, Source>& all, const Source& source, Names& included) {
   for (const std::string& include : source.includes) {
     if (!included.insert(include).second) continue;

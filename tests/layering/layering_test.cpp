@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct Include {
   fs::path file;
   int line = 0;
-  std::string target;  // what stands between the quotes or brackets
+  std::string target;  // the text between the quotes or brackets
 };
 
 fs::path source_dir() { return source_folder(); }
@@ -50,7 +50,7 @@ std::vector<std::string> folders_below(const fs::path& folder) {
   return names;
 }
 
-// The folder below `top` that an include of the project names; empty when it names none.
+// The folder below `top` of a project include; empty for any other include.
 std::string folder_of(const std::string& target, const std::string& top) {
   const fs::path path(target);
   auto part = path.begin();
@@ -63,7 +63,7 @@ bool begins_with_any(const std::string& target, const std::vector<std::string>& 
                      [&](const std::string& p) { return target.starts_with(p); });
 }
 
-// What each folder of common/ may include of the others.
+// Allowed includes of each folder of common/ from the others.
 const std::map<std::string, std::set<std::string>> kAllowed{
     {"events", {}},
     {"vision", {"events"}},

@@ -1,4 +1,4 @@
-// The real puck-log on logs that are whole, damaged, or none at all.
+// The real puck-log on intact and damaged logs, and on other files.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -38,8 +38,8 @@ void put(LogWriter& writer, std::int64_t utime, Message message) {
   writer.write(name_of(kChannelOf<Message>), utime, bytes);
 }
 
-/// One second: 101 packets of 1000 events, one of them lost, from two runs of the camera; heads
-/// with a gap of 500 ms; a message of somebody else.
+/// One second: 101 packets of 1000 events, one of them lost, from two sessions of the camera; heads
+/// with a gap of 500 ms; a foreign message.
 void write_known_log(const std::filesystem::path& path) {
   LogWriter writer(path);
   EventPacker packer({.sensor = {640, 480}, .packet_bytes = EventPackerParams::kMaxBytes});
@@ -224,7 +224,7 @@ TEST_CASE("export writes a table for each channel, with equal numbers of cells i
   const auto csv = folder / "csv";
   const Finished finished = puck_log({"export", folder / "a.lcm", "--output", csv});
   CHECK(finished.exit_code == 0);
-  // Where no folder is named, it has the log's name.
+  // Without a folder name it uses the log's name.
   CHECK(puck_log({"export", folder / "a.lcm"}).exit_code == 0);
   CHECK(read_text(folder / "a-csv" / "PUCK_HEAD.csv") == read_text(csv / "PUCK_HEAD.csv"));
   for (const Channel channel : kAllChannels) {

@@ -1,4 +1,4 @@
-// The real puck-logger, killed while it writes.
+// The real puck-logger, killed during a write.
 #include <csignal>
 #include <random>
 #include <thread>
@@ -38,7 +38,7 @@ LoggedPackets read_log(const std::filesystem::path& path) {
     ++logged.packets;
   }
   logged.lost = account.counters().lost;
-  // At most the write that it was killed in is torn.
+  // At most the last write is torn.
   CHECK(reader.bytes_skipped() <= 1 << 20);
   return logged;
 }

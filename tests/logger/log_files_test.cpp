@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kRecordBytes = 28 + 11 + 1000 - 39;
 
-/// Messages of 1000 bytes with all that belongs to them in a log; a second from each to the next.
+/// Messages of 1000 bytes with their headers in a log, a second apart.
 std::vector<std::uint8_t> records(int count, int first = 0) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(count) * kRecordBytes);
   const std::vector<std::uint8_t> message(kRecordBytes - 39);
@@ -52,8 +52,8 @@ std::vector<std::string> names_in(const TemporaryFolder& folder) {
   return names;
 }
 
-/// While it lives, this program may read the folder but not change it; root becomes nobody for
-/// that.
+/// While it exists, this program may read the folder but not change it; for that, root becomes
+/// nobody.
 class NobodysRights {
  public:
   explicit NobodysRights(const std::filesystem::path& folder) : folder_(folder) {
@@ -165,7 +165,7 @@ TEST_CASE("the quota removes only the oldest files of this log") {
     CHECK(bytes <= 350'000);
   }
   auto expected = foreign;
-  // Two whole files are left beside the newest: with a third the newest could not become full.
+  // Two whole files stay beside the newest: a third would leave no room for the newest.
   expected.insert(expected.end(), {"a.000010.lcm", "a.000011.lcm", "a.000012.lcm"});
   std::sort(expected.begin(), expected.end());
   CHECK(names_in(folder) == expected);

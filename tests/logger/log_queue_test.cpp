@@ -20,7 +20,7 @@ std::vector<std::uint8_t> message(std::size_t bytes, int number) {
   return std::vector<std::uint8_t>(bytes, static_cast<std::uint8_t>(number));
 }
 
-/// Takes the oldest record out; its time, or -1 when there is none.
+/// Removes the oldest record and returns its time; -1 from an empty queue.
 std::int64_t take(LogQueue& queue) {
   const auto records = queue.front();
   if (records.empty()) return -1;

@@ -34,7 +34,7 @@ TEST_CASE("while the disk blocks the bus continues, and queued messages are writ
   });
   const std::vector<std::uint8_t> message(1000);
   std::vector<std::int64_t> accepted;
-  // Were one of these to wait for the disk, the test would hang.
+  // A wait for the disk would block the test here.
   for (int i = 0; i < 1000; ++i) {
     if (thread.push("PUCK_EVENTS", i, message)) accepted.push_back(i);
   }

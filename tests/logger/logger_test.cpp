@@ -23,7 +23,7 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-/// A logger within the test, on a bus that hears only itself.
+/// A logger within the test, on a bus of its own.
 struct LoggerBench {
   Bus bus{BusParams{.url = "memq://"}};
   StatusReporter status{bus, "puck-logger"};
@@ -38,7 +38,7 @@ struct LoggerBench {
     REQUIRE(bus.start({}, [](const std::string&) {}));
   }
 
-  /// Lets it write what was published so far.
+  /// Lets it write the messages published so far.
   void run() {
     std::stop_source stop;
     stop.request_stop();
@@ -60,7 +60,7 @@ void publish_events(Bus& bus, int packets) {
   }
 }
 
-/// How many messages of each channel.
+/// Number of messages of each channel.
 std::map<std::string, int> channels_in(const std::filesystem::path& path) {
   LogReader reader(path);
   std::map<std::string, int> channels;
@@ -110,7 +110,7 @@ TEST_CASE("the logger counts event packets and missing events") {
   for (int i = 0; i < 5; ++i) {
     packer.pack({i}, std::vector<Event>(10), [&](const event_packet_t& packet) {
       event_packet_t sent = packet;
-      // The bus refuses this one, but has numbered it.
+      // The bus refuses this one, but uses its number.
       if (i == 2) sent.encoding = 9;
       bench.bus.publish(sent);
     });

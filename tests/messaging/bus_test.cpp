@@ -40,7 +40,7 @@ bool is_given_large_buffer() {
   return given >= kBytes;
 }
 
-/// Publishes any bytes at all, as a stranger would.
+/// Publishes arbitrary bytes.
 class Stranger {
  public:
   explicit Stranger(const std::string& url) : lcm_(lcm_create(url.c_str())) {}
@@ -246,7 +246,7 @@ TEST_CASE("unread packets wait in the socket up to its capacity") {
     while (receiver.handle(milliseconds(50)) > 0) {
     }
   };
-  // Twice the socket's buffer of 4 MB at most: what nobody reads waits there and nowhere else.
+  // Twice the socket's buffer of 4 MB at most: unread packets wait there only.
   publish_unread(60'000, 1'000);
   handle_all();
   CHECK(received() > 0);

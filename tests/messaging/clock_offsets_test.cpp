@@ -13,10 +13,10 @@ namespace {
 constexpr std::int64_t kSecond = 1'000'000;
 constexpr std::int64_t kHour = 3600 * kSecond;
 
-/// Our host, and others with clocks of their own, all as the test says.
+/// Simulated clocks of our host and of others.
 class ClockBench {
  public:
-  /// One ping and its answer; `there_us` and `back_us` are what the ways take.
+  /// One ping and its answer; `there_us` and `back_us` are the delays of the two ways.
   bool exchange(std::int64_t session, std::int64_t ahead_us, std::int64_t there_us,
                 std::int64_t back_us) {
     offsets.ping(now);
@@ -52,7 +52,7 @@ TEST_CASE("the offset of a clock hours away is known after one answer, to half t
     CAPTURE(ahead_us);
     ClockBench bench;
     CHECK_FALSE(bench.offsets.offset_of(7, bench.now));
-    // The way there takes 400 µs, the way back nothing: as wrong as it can be.
+    // The way there takes 400 µs, the way back nothing: the largest error.
     REQUIRE(bench.exchange(7, ahead_us, 400, 0));
     const ClockOffset clock = bench.clock(7);
     CHECK(clock.ahead_us == ahead_us + 200);
@@ -80,7 +80,7 @@ TEST_CASE("a clock treated as ours has the measurement's uncertainty as its boun
   const ClockOffset clock = bench.clock(7);
   CHECK(clock.ahead_us == 0);
   CHECK(clock.uncertainty_us >= 280'000);
-  // 240 ms old: that must not count as certain to be younger than 200 ms.
+  // 240 ms old: not certainly younger than 200 ms.
   const std::int64_t sent_utime = bench.now.utime + 280'000 - 240'000;
   CHECK(freshness_of(sent_utime, bench.now, clock, 200'000) == Freshness::kClockUnknown);
 }
@@ -175,7 +175,7 @@ TEST_CASE("answers to unknown or old questions, and contradictory ones, are refu
   };
   CHECK(refused([](ClockAnswer& a) { a.ping_utime += 1; }));
   CHECK(refused([](ClockAnswer& a) { a.ping_utime = 0; }));
-  // It waited there for longer than it was away.
+  // It waited there for longer than the round trip took.
   CHECK(refused([](ClockAnswer& a) { a.answered_utime += 60'000; }));
   CHECK(refused([](ClockAnswer& a) { a.answered_utime -= 60'000; }));
   CHECK(refused([](ClockAnswer& a) { a.received_utime = -1; }));

@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// In memory of its own to the last byte, so that a sanitizer sees the first read beyond.
+/// Parses a copy of exactly this size, so that a sanitizer sees a read beyond.
 Datagram parse_exactly(const Bytes& bytes, std::unique_ptr<std::uint8_t[]>& memory) {
   memory = std::make_unique<std::uint8_t[]>(bytes.size());
   std::copy(bytes.begin(), bytes.end(), memory.get());
@@ -65,7 +65,7 @@ BadDatagram bad(const Bytes& bytes) {
   std::unique_ptr<std::uint8_t[]> memory;
   const Datagram datagram = parse_exactly(bytes, memory);
   REQUIRE(std::holds_alternative<BadDatagram>(datagram));
-  return std::get<BadDatagram>(datagram);  // Its words are constants: they outlive the bytes.
+  return std::get<BadDatagram>(datagram);  // Its text is constant and outlives the bytes.
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST_CASE("missing, late, duplicate and malformed packets of a log are counted, 
   CHECK(starts_of(log) == std::vector<std::int64_t>{1000, 3000, 4000});
   CHECK(log.counters().packets_missing == 1);
   CHECK(log.counters().events_missing == 20);
-  // The last packet has the number that the one from before had taken.
+  // The last packet has a number that the one before has used.
   CHECK(log.counters().packets_late == 4);
   CHECK(log.counters().packets_malformed == 1);
   CHECK(tells(log, "1 packets of events missing; together with late packets, 20 events"));

@@ -20,7 +20,7 @@ MessageFragment part(std::uint16_t index, std::uint16_t fragments, std::uint32_t
           .payload = {bytes + offset, size}};
 }
 
-/// Feeds fragments in order; the text of the message that comes out of it, or what is wrong.
+/// Feeds fragments in order; returns the text of the complete message, or the error.
 std::string assembled(FragmentAssembly& assembly, const std::vector<MessageFragment>& fragments,
                       const Sender& sender = kSender) {
   std::string result;

@@ -53,7 +53,7 @@ void overwrite_bytes(const std::filesystem::path& path, long offset, const std::
 
 constexpr int kRecordBytes = 28 + 6 + 100;
 
-/// Records of many lengths: one that is a flipped bit of another's, none, one that holds the mark.
+/// Records of many lengths: one differs from another by a bit, one is empty, one holds the mark.
 std::vector<LogRecord> various_records() {
   std::vector<LogRecord> records;
   const std::vector<std::size_t> lengths{92, 0, 1, 28, 92, 220, 7, 60};
@@ -90,8 +90,8 @@ bool is_same(const LogRecord& a, const LogRecord& b) {
   return a.utime == b.utime && a.channel == b.channel && a.bytes == b.bytes;
 }
 
-/// Whether all of `expected` but the one at `hit` were read, in order, with at most what `hit`
-/// became between them.
+/// Whether all of `expected` except the one at `hit` were read, in order, with at most a damaged
+/// form of `hit` between them.
 bool lost_only(std::size_t hit, const std::vector<LogRecord>& read,
                const std::vector<LogRecord>& expected) {
   if (read.size() + 1 < expected.size() || read.size() > expected.size()) return false;
@@ -103,7 +103,7 @@ bool lost_only(std::size_t hit, const std::vector<LogRecord>& read,
   return true;
 }
 
-/// Files of this process may not grow beyond a size while it lives.
+/// Limits the size of this process's files while it exists.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {
@@ -285,7 +285,7 @@ TEST_CASE("foreign bytes between two messages cost neither of them") {
   const auto expected = various_records();
   const auto offsets = write_records(path, expected);
   std::string text = read_text(path);
-  // As many as the reader sees at a time, and more.
+  // More than the reader's buffer.
   text.replace(offsets[2], offsets[3] - offsets[2], std::string(5'000'000, '\xed'));
   write_text(path, text);
   LogReader reader(path);

@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-/// Bytes that passed must survive LCM's own code unchanged: they are what they seem.
+/// Bytes that passed the check must be unchanged by LCM's own code.
 void check_honest(Channel channel, const std::vector<std::uint8_t>& bytes) {
   with_message_type(channel, [&](auto message) {
     REQUIRE(decode(bytes, message) == std::nullopt);
@@ -26,7 +26,7 @@ void put_int32(std::vector<std::uint8_t>& bytes, std::size_t offset, std::int32_
   }
 }
 
-/// A packet of two events, to be spoilt and encoded.
+/// A packet of two events for a test to modify.
 event_packet_t two_events() {
   event_packet_t packet{};
   const std::vector<Event> events{{.x = 3, .y = 4, .polarity = 1, .offset_us = 0},
@@ -60,7 +60,7 @@ TEST_CASE("a truncated message is rejected, and so is one with extra bytes") {
     CAPTURE(wire_layout(channel).type);
     auto bytes = random_message(channel, random).bytes;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
-      // A copy, so that a read beyond the end is seen by the address sanitizer.
+      // A copy, so that the address sanitizer sees a read beyond the end.
       const std::vector<std::uint8_t> part(bytes.begin(),
                                            bytes.begin() + static_cast<std::ptrdiff_t>(length));
       REQUIRE(check_message(channel, part).has_value());

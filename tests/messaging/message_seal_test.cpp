@@ -36,7 +36,7 @@ Bytes sealed(MessageSealer& sealer, Bytes message) {
   return message;
 }
 
-/// What comes out, or why nothing does.
+/// The opened message, or the reason of its rejection.
 std::string opened(SealOpener& opener, const Bytes& message,
                    std::string_view channel = "PUCK_HEAD") {
   std::string problem;
@@ -178,7 +178,7 @@ TEST_CASE("a bus with a key receives only messages sealed with it, and names the
     head.yaw_deg = ++yaw_deg;
     REQUIRE(bus->publish(head));
   }
-  // On a channel that is none of ours, as whoever logs them all hears it.
+  // On an unknown channel, like a logger of all channels.
   lcm_t* const lcm = lcm_create(url.c_str());
   REQUIRE(lcm != nullptr);
   lcm_publish(lcm, "PUCK_UNKNOWN", "unsealed", 8);

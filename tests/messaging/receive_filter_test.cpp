@@ -27,10 +27,10 @@ class OwnSocket {
 
   int get() const { return socket_.number(); }
 
-  /// Whether a datagram comes through.
+  /// Whether a datagram passes.
   bool lets_through(std::string_view datagram) { return received_bytes(datagram) > 0; }
 
-  /// How much of a datagram comes through; on the loopback it is there at once or never.
+  /// Length of the passed part; on the loopback it arrives at once or never.
   std::size_t received_bytes(std::string_view datagram) {
     sendto(get(), datagram.data(), datagram.size(), 0, reinterpret_cast<const sockaddr*>(&address_),
            sizeof address_);
@@ -60,7 +60,7 @@ TEST_CASE("only messages on the requested channels pass, whole and by their full
   CHECK_FALSE(socket.lets_through(message_on("PUCK_STATU")));
   CHECK_FALSE(socket.lets_through(message_on("LEFT_PUCK_ARM_STATF")));
   CHECK_FALSE(socket.lets_through(message_on("")));
-  // A part of a larger message: none of ours is.
+  // A part of a larger message, which ours never are.
   CHECK_FALSE(socket.lets_through(message_on("PUCK_STATUS", "LC03")));
   CHECK_FALSE(socket.lets_through("LC02"));
   CHECK_FALSE(socket.lets_through(""));

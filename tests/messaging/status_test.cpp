@@ -278,7 +278,7 @@ TEST_CASE("new runs are answered two at a time and soon, with any number of know
     SkewedMachine(url, session, 0).serve();
   }
   for (int i = 0; i < 100 && heard.size() < known.size() + 5; ++i) bus.handle(milliseconds(20));
-  // Each of them is due, though it may be long until the 100 ms are over.
+  // Each of them is due, even before the 100 ms are over.
   for (std::size_t i = 1; i <= 3; ++i) {
     std::this_thread::sleep_for(milliseconds(25));
     const auto before = bus.counters<service_status_t>().published;
@@ -350,7 +350,7 @@ TEST_CASE("a check finds a running service, and reports a missing or degraded on
         "no puck-arm is heard on " + url);
 
   reporter.set_state(ServiceState::kDegraded, "no calibration");
-  // On a busy machine nothing may come within the time that one check waits.
+  // On a busy machine one check may time out.
   const auto give_up_at = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   bool is_said = false;
   while (!is_said && std::chrono::steady_clock::now() < give_up_at) {

@@ -37,7 +37,7 @@ std::string kind_name(WireKind kind) {
   return {};
 }
 
-/// The field as an .lcm file declares it: `double covariance[16]`.
+/// The field's declaration in an .lcm file: `double covariance[16]`.
 std::string declaration(const WireField& field) {
   std::string text = kind_name(field.kind) + " " + std::string(field.name);
   if (!field.count_field.empty()) return text + "[" + std::string(field.count_field) + "]";
@@ -132,7 +132,7 @@ TEST_CASE("every layout consumes exactly the output of the generated encoder") {
     for (int i = 0; i < 200; ++i) {
       const auto bytes = random_structure(channel, random).bytes;
       with_message_type(channel, [&](auto message) {
-        // Written along the layout, read and written again by LCM's code.
+        // Written in the layout, read and written again by LCM's code.
         const int size = static_cast<int>(bytes.size());
         REQUIRE(message.decode(bytes.data(), 0, size) == size);
         std::vector<std::uint8_t> again(static_cast<std::size_t>(message.getEncodedSize()));

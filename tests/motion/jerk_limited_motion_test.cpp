@@ -31,7 +31,7 @@ double shortest_s(double distance, const MotionLimits& limits) {
   return 4 * std::cbrt(distance / (2 * j));
 }
 
-// The differences of positions that are sampled evenly: what a joint sees.
+// The differences of evenly sampled positions, as a joint's motion.
 class Differences {
  public:
   Differences(double position, double dt_s) : dt_s_(dt_s), position_(position) {}
@@ -156,7 +156,7 @@ TEST_CASE("Holding at full speed takes V/A + A/J, from any place") {
 
 TEST_CASE("Repeating a target during the motion changes nothing but rounding") {
   // The principle of optimality: the rest of a shortest motion is a shortest motion. Planned anew
-  // from any state on the way, it arrives at the same time.
+  // from any state on it, it arrives at the same time.
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> place(-0.3, 0.3);
   std::uniform_real_distribution<double> pause_s(0.001, 0.2);
@@ -180,8 +180,8 @@ TEST_CASE("Repeating a target during the motion changes nothing but rounding") {
 }
 
 TEST_CASE("No other motion with the jerk at its limits arrives sooner") {
-  // Tries switching times at random: whatever ends at rest on the way to the target, or beyond it,
-  // within the limits, was no quicker than the planned motion to where it ended.
+  // Random switching times: every motion that ends at rest at the target or beyond, within the
+  // limits, takes at least as long as the planned motion to its end.
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-0.2, 0.2);
   std::uniform_real_distribution<double> duration_s(0, 0.012);
@@ -204,7 +204,7 @@ TEST_CASE("No other motion with the jerk at its limits arrives sooner") {
       within = within && std::abs(s.acceleration) <= 20 && std::abs(s.velocity) <= 1.2;
     }
     if (!within) continue;
-    // To rest as textbooks have it, worked out apart from the class.
+    // The way to rest by the textbook, independent of the class.
     const double free = s.velocity + s.acceleration * std::abs(s.acceleration) / 4000;
     const double side = free < 0 ? -1 : 1;
     const double v = side * s.velocity;
@@ -227,8 +227,8 @@ TEST_CASE("No other motion with the jerk at its limits arrives sooner") {
 }
 
 TEST_CASE("A hold in the last phase of braking continues braking, in either direction") {
-  // In numbers that are exact: 1/8 s before its end the motion brakes by 1 at a speed of 1/16,
-  // which is let go to nothing.
+  // In exact numbers: 1/8 s before its end the motion brakes by 1 at a speed of 1/16, and the
+  // braking is reduced to zero.
   constexpr MotionLimits kExact{-4, 4, 0.5, 1024, 8};
   for (const double side : {1.0, -1.0}) {
     CAPTURE(side);
@@ -277,7 +277,7 @@ TEST_CASE("Over random targets and holds every limit is kept at every step") {
       }
       CAPTURE(dt_s);
       check_within(differences.most(), limits, dt_s);
-      // They were met, so that it is they that are tested.
+      // The limits were reached, so the test covers them.
       CHECK(differences.most().velocity > 0.9 * limits.velocity);
       CHECK(differences.most().acceleration > 0.99 * std::min(limits.acceleration, 35.0));
       CHECK(differences.most().jerk > 0.99 * limits.jerk);

@@ -17,7 +17,7 @@ namespace {
 
 using Deg = std::array<double, 7>;
 
-// A joint that is 10 + 100 y: even control points of a line are the line.
+// A joint that is 10 + 100 y: evenly spaced control points reproduce a line.
 JointTableParams straight() {
   LineJoint joint{"straight", {-90, 90, 100, 1000, 10'000}, {}};
   for (int i = -1; i <= 4; ++i) joint.control_deg.push_back(10 + 100 * (-0.3 + 0.2 * i));
@@ -93,7 +93,7 @@ TEST_CASE("A motion within the line's limits keeps every joint's limits") {
   CHECK(line.velocity > 1.5);
   CHECK(line.acceleration > 20);
   CHECK(line.jerk > 2000);
-  // What is wanted and fits stays as it is.
+  // Desired limits that fit are unchanged.
   const MotionLimits wanted = table.line_limits({-0.3, 0.3, 1.5, 20, 2000});
   CHECK(wanted.velocity == 1.5);
   CHECK(wanted.acceleration == 20);
@@ -105,7 +105,7 @@ TEST_CASE("A motion within the line's limits keeps every joint's limits") {
   constexpr double kDtS = 0.001;
   Deg before{}, velocity{}, acceleration{};
   table.at(0, before);
-  double nearest = 0;  // to a limit of jerk, as a share
+  double nearest = 0;  // largest share of a jerk limit
   for (int i = 0; i < 50'000; ++i) {
     if (i % 40 == 0) motion.set_target(place(random));
     motion.step(kDtS);

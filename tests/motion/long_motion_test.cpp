@@ -13,7 +13,7 @@ namespace {
 // Rounding of places of about 1, thrice differenced.
 constexpr double kRounding = 1e-14;
 
-// Judges each step by differences of its own.
+// Checks each step by differences of its own.
 class Judge {
  public:
   Judge(const MotionLimits& limits, double position, double dt_s)
