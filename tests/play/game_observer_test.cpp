@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// Of a track that has been followed for a while.
+// The covariance of a track that has been followed for a while.
 const Matrix4 kSure = diagonal(1e-6, 1e-6, 1e-4, 1e-4);
 
 // Shows the observer a puck once a millisecond.

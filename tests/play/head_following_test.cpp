@@ -33,7 +33,7 @@ class TurningBench {
       return TableCamera(test_camera(), kCamera).view_at(pose_at(us))->homography();
     };
     puck_estimate_t message = bench.estimate(puck, seen_at(then_us));
-    // The turning moves it in the image, too.
+    // The turn moves it in the image, too.
     const Pixel next = *seen_at(then_us + 1000)
                             .to_image({puck.position.x_m + 1e-3 * puck.velocity.x_m_s,
                                        puck.position.y_m + 1e-3 * puck.velocity.y_m_s});
@@ -93,7 +93,7 @@ TEST_CASE("After HEAD falls silent the bridge commands nothing after 10 ms, unti
   CHECK_FALSE(bench.bridge.is_blind_to_head());
   turning.play(1, 1);
   turning.play(20, 1000);
-  // The first of them had a HEAD, nine more are carried on.
+  // The first of them had a HEAD, nine more use its extrapolation.
   CHECK(bench.bridge.is_blind_to_head());
   CHECK(bench.bridge.gate().count(EstimateVerdict::kBlind) == 10);
   CHECK(bench.trajectory->head_known == 0);

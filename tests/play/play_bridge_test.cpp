@@ -121,7 +121,7 @@ TEST_CASE("A changed target is sent at once, an unchanged one at the usual rate"
 }
 
 TEST_CASE("The mallet returns to the middle when the puck moves away") {
-  // Rails that return little: the puck will not come back within the horizon.
+  // Rails with little restitution: the puck will not return within the horizon.
   PlayBridgeParams params;
   params.motion.rail_restitution = 0.1;
   BridgeBench bench(params);
@@ -143,7 +143,7 @@ TEST_CASE("Commands keep their rate and their validity") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0, -1, 0);
   bench.play(PuckMotion(TableGeometry{}), puck, 400);
-  CHECK(bench.commands == 97);       // 250 Hz, but for the 15 ms in which a track earns trust
+  CHECK(bench.commands == 97);       // 250 Hz, except in the probation of 15 ms
   CHECK(bench.trajectories == 400);  // one an estimate
 }
 
@@ -176,7 +176,7 @@ TEST_CASE(
     PuckTrack puck = puck_at(1.8, -0.3, -2, 0.6);
     bench.play(motion, puck, 200);
     REQUIRE(bench.command);
-    // The age of an estimate moves the puck on: to the bit the same, whatever the clocks say.
+    // The age of an estimate moves the puck on: to the bit the same with any clocks.
     if (target_m) CHECK(bench.command->target_m == *target_m);
     target_m = bench.command->target_m;
 
@@ -267,8 +267,8 @@ TEST_CASE("Commands end at once on a newest estimate that is not acceptable") {
 }
 
 TEST_CASE("A puck of the wrong size for its place is rejected, a missing size is accepted") {
-  // A puck of 65 mm, 1.1 m from the camera's side of the table, where the mirror image of one would
-  // be that is much nearer.
+  // A puck of 65 mm, 1.1 m from the camera's side of the table, at the place of the mirror image of
+  // a much nearer puck.
   const TablePoint place{1.1, 0.2};
   const Pixel left = *test_camera().to_image({place.x_m, place.y_m - 0.0325});
   const Pixel right = *test_camera().to_image({place.x_m, place.y_m + 0.0325});
@@ -295,7 +295,7 @@ TEST_CASE("A puck of the wrong size for its place is rejected, a missing size is
 TEST_CASE("Late, foreign and wrongly dated estimates are dropped, counted and change nothing") {
   BridgeBench bench = following();
   const auto expect_dropped = [&](puck_estimate_t estimate, EstimateVerdict verdict) {
-    estimate.state = puck_estimate_t::STATE_LOST;  // what it would do if it were heard
+    estimate.state = puck_estimate_t::STATE_LOST;  // ends the commands, if accepted
     bench.bridge.hear(estimate, bench.now, bench.sender);
     CHECK(bench.bridge.gate().count(verdict) == 1);
     CHECK(commands_next(bench));
@@ -477,7 +477,7 @@ TEST_CASE("GAME is sent every 100 ms and on a change") {
     bench.take();
   }
   CHECK(bench.games == 11);
-  // A shot changes the phase and the counts between the beats.
+  // A shot changes the phase and the counts between two periods.
   PuckTrack puck = puck_at(1.5, 0, -3, 0);
   bench.play(PuckMotion(TableGeometry{}), puck, 250);
   CHECK(bench.games >= 13);

@@ -13,8 +13,8 @@
 namespace puck {
 namespace {
 
-// For `ms` an estimate each millisecond of what `look` makes of the true puck; how many commands
-// were sent meanwhile.
+// Shows an estimate each millisecond for `ms`, made by `look` from the true puck. Returns the
+// number of commands sent meanwhile.
 int commands_of(BridgeBench& bench, PuckTrack& puck, int ms,
                 const std::function<void(puck_estimate_t&, int)>& look) {
   const PuckMotion motion(TableGeometry{});
@@ -53,7 +53,7 @@ TEST_CASE("A hit starts no new track: the commands continue") {
   PuckTrack puck = puck_at(1.3, 0.1, 2, 0.1);
   commands_of(bench, puck, 50);
   puck.state.velocity = {-8, 0.5};
-  // Less the time in which a hit looks like outliers.
+  // Without the time in which a hit looks like outliers.
   CHECK(commands_of(bench, puck, 40) >= 8);
   CHECK(bench.bridge.probation().leaps() == 0);
   const double at_line_y_m = puck.state.position.y_m + 0.5 / 8 * (puck.state.position.x_m - 0.2325);
@@ -215,7 +215,7 @@ TEST_CASE("A bridge notices that the arm follows another bridge") {
   CHECK(arm_follows(77, 400) == 0);
   CHECK(arm_follows(77, 200) == 77);
   CHECK(arm_follows(kOwn, 1) == 0);
-  // Whoever stopped it is not obeyed by it.
+  // A bridge that stopped the arm does not count as followed.
   CHECK(arm_follows(78, 600) == 78);
   CHECK(arm_follows(78, 600, arm_state_t::STATE_STOPPED) == 0);
 }

@@ -10,7 +10,7 @@
 namespace puck {
 namespace {
 
-// A puck that glides up and down the image, far from its edges.
+// A puck that moves up and down the image, far from its edges.
 class Glide {
  public:
   const SimulatedTruth& next() {

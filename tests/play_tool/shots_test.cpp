@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// But for this share of it.
+// With this relative tolerance.
 doctest::Approx within(double share, double value) {
   return doctest::Approx(value).epsilon(share).scale(0);
 }
@@ -66,7 +66,7 @@ TEST_CASE("A shot tracked by PUCK itself is reproducible to the bit, with or wit
   const auto without = play_shots(setup, shots, 1);
   setup.source = EstimateSource::kEvents;
   const auto first = play_shots(setup, shots, 2);
-  // A second time it goes the same ways through the code, and takes long under sanitizers.
+  // A repetition covers the same code, and takes long under sanitizers.
   if (!kIsSanitized) CHECK(equal(first[0], play_shots(setup, shots, 1)[0]));
   CHECK(first[0].tracked_share > 0.5);
   CHECK(first[0].end != ShotOutcome::End::kUnjudged);
@@ -82,7 +82,7 @@ TEST_CASE("A robot without estimates saves only shots at a mallet in the middle"
   for (std::size_t i = 0; i < shots.size(); ++i) {
     CHECK((outcomes[i].end == ShotOutcome::End::kSaved) == shots[i].hits_waiting_mallet);
     CHECK(outcomes[i].tracked_share == 0);
-    // Beside the mallet with all of the puck, and straight into the goal.
+    // More than a puck's width beside the mallet, and straight into the goal.
     if (std::abs(shots[i].crossing_y_m) < 0.03) CHECK(shots[i].hits_waiting_mallet);
     if (outcomes[i].end != ShotOutcome::End::kGoal) continue;
     ++goals;
@@ -118,7 +118,7 @@ TEST_CASE("A whole game's counts equal its referee's, and it lasts the specified
   const SaveFigures game = play_game(setup, 3, seconds);
   CHECK(game.played_s == doctest::Approx(seconds));
   CHECK(game.shots > 0);
-  CHECK(game.saves + game.goals <= game.shots + 1);  // a goal can come of no shot
+  CHECK(game.saves + game.goals <= game.shots + 1);  // a goal needs no shot
   CHECK_FALSE(game.bound_percent());
   CHECK_FALSE(game.causes);
   const SaveFigures again = play_game(setup, 3, seconds);
@@ -145,7 +145,7 @@ TEST_CASE("The fit of the errors recovers the model's parameters") {
   const EstimateErrorParams fit = fit_estimate_errors(flights, 1'000);
   CHECK(fit.reported_sigma_px == within(0.01, 0.25));
   CHECK(fit.detection_us == within(0.02, 100'000));
-  // As few shots as there are under sanitizers say little of what is left to chance.
+  // The few shots under sanitizers do not determine random quantities.
   if (kIsSanitized) return;
   CHECK(fit.sigma_x_px == within(0.25, 0.3));
   CHECK(fit.sigma_y_px == within(0.25, 0.2));
@@ -165,7 +165,7 @@ TEST_CASE("The built-in errors are about those of PUCK on events" * doctest::ski
     flights.push_back(watch_flight(setup, facts));
   }
   const EstimateErrorParams fit = fit_estimate_errors(flights, 1'000);
-  // What eight shots tell: tools/play/estimate_errors.h says how to fit them anew.
+  // From eight shots: tools/play/estimate_errors.h explains the fit.
   CHECK(fit.sigma_x_px == within(0.4, built_in.sigma_x_px));
   CHECK(fit.sigma_y_px == within(0.4, built_in.sigma_y_px));
   CHECK(fit.correlation_us == within(0.5, built_in.correlation_us));
@@ -194,7 +194,7 @@ TEST_CASE("A sweep plays the same shots at each of its points") {
     CHECK(point.figures.bound_percent() == sweep.points[0].figures.bound_percent());
     CHECK(point.figures.waiting_percent() == sweep.points[0].figures.waiting_percent());
   }
-  // 133 ms after the exposure the bridge does not believe an estimate any more.
+  // 133 ms after the exposure the bridge rejects an estimate.
   CHECK(sweep.points[2].figures.save_percent() == sweep.points[2].figures.waiting_percent());
 }
 

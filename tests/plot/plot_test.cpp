@@ -15,7 +15,7 @@ constexpr Ink kRed{255, 0, 0};
 
 bool is_red(const cv::Vec3b& pixel) { return pixel[2] > 200 && pixel[0] < 100 && pixel[1] < 100; }
 
-// Columns and rows that hold something red; columns are counted from the left, rows from above.
+// Columns and rows with red in them; columns count from the left, rows from above.
 cv::Rect red_part(const cv::Mat& picture) {
   cv::Rect part;
   for (int y = 0; y < picture.rows; ++y) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Region kAll{0, 0, 100, 100};
 
-// `count` events, a microsecond apart, whose x counts them.
+// `count` events, a microsecond apart, with their number in x.
 std::vector<Event> numbered(int first, int count) {
   std::vector<Event> events;
   for (int i = 0; i < count; ++i) {
@@ -22,7 +22,7 @@ std::vector<Event> numbered(int first, int count) {
   return events;
 }
 
-// Everything that the queue holds: the times in µs.
+// The times of all events in the queue, µs.
 std::vector<std::int64_t> pop_all(EventQueue& queue) {
   std::vector<std::int64_t> times;
   std::vector<Event> events;

@@ -32,7 +32,7 @@ TEST_CASE("durations up to an hour are read at most a sixteenth too high, and ne
     LatencyHistogram histogram;
     histogram.record(duration_us);
     histogram.record(duration_us);
-    // So that the longest, which is exact, does not hide what its bucket would say.
+    // A longer one, because the longest is exact and would hide its bucket.
     histogram.record(kHourUs * 2);
     REQUIRE(histogram.summary().p50_us >= duration_us);
     REQUIRE(histogram.summary().p50_us * 16 <= duration_us * 17);

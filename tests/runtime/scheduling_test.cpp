@@ -14,8 +14,8 @@
 namespace puck {
 namespace {
 
-// The third of the kernel's 64-bit numbers after two of 32 bits and flags: struct sched_attr.
-// Nothing where it does not tell.
+// The third 64-bit number of struct sched_attr, after two 32-bit ones and the flags. Nothing where
+// the kernel does not give it.
 std::optional<std::uint64_t> turn_ns() {
   std::array<std::uint64_t, 6> attributes{};
   if (syscall(SYS_sched_getattr, 0, attributes.data(), sizeof attributes, 0U) != 0) return {};
@@ -31,7 +31,7 @@ TEST_CASE("a thread with short time slices, and threads that it starts, keep the
     CHECK(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 5) == 0);
     const auto before_ns = turn_ns();
     take_short_turns();
-    // 0: a kernel that knows no turns.
+    // 0: a kernel without time slices.
     const auto expected = before_ns.value_or(0) == 0 ? before_ns : 100'000;
     CHECK(turn_ns() == expected);
     std::thread([&] { CHECK(turn_ns() == expected); }).join();

@@ -129,7 +129,7 @@ TEST_CASE("only events in the region of the last snapshot count as news") {
   EventPacket inside{{10}, {{10, 10, 1, 0}, {119, 119, 0, 1}}};
   shared.update(inside, {});
   CHECK(shared.wait_for_news(milliseconds(0)));
-  CHECK(shared.wait_for_news(milliseconds(0)));  // until it is looked at
+  CHECK(shared.wait_for_news(milliseconds(0)));  // until the next snapshot
   shared.snapshot({100, 100, 20, 20}, {}, snapshot);
   CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
 }
@@ -156,7 +156,7 @@ TEST_CASE("the events of a region pass through a queue, and only they are news")
   shared.snapshot({}, {0, 0, 5, 5}, snapshot);
   shared.update({{40}, {{3, 3, 1, 0}, {119, 119, 0, 1}}}, {});
 
-  // Up to the snapshot, whatever has come since; then the events of the new region.
+  // Up to the snapshot; then the events of the new region.
   CHECK(shared.pop_events(snapshot.events_end, 10, events) == Timestamp{21});
   REQUIRE(events.size() == 1);
   CHECK(events[0].x == 119);

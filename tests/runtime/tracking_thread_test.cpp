@@ -32,7 +32,7 @@ TEST_CASE("the two threads follow the puck and stamp estimates with their newest
     surface.update(packet, {.session = 9, .received_utime = i});
     std::this_thread::sleep_for(milliseconds(1));
   }
-  // A thread that is held up for long finds the puck again, from the same events, a moment later.
+  // After a long delay the thread finds the puck again, from the same events.
   TrackedEstimate last;
   const auto tracks_newest = [&] {
     const auto all = published.all();
@@ -41,7 +41,7 @@ TEST_CASE("the two threads follow the puck and stamp estimates with their newest
            last.estimate.state == TrackState::kTracking;
   };
   REQUIRE(wait_until(tracks_newest));
-  // … but it has followed the puck while it moved, too.
+  // … but it also followed the puck during its motion.
   const auto all = published.all();
   CHECK(std::any_of(all.begin(), all.end(), [](const TrackedEstimate& e) {
     const double i = static_cast<double>(e.estimate.newest_event.us) / 1000;
@@ -66,7 +66,7 @@ TEST_CASE("the tracking thread sleeps without new events, but publishes its hear
   CHECK(wait_until([&] { return published.count() >= 5; }));
   for (const TrackedEstimate& e : published.all()) {
     CHECK(e.estimate.state == TrackState::kSearching);
-    // No step was made: a step would have said when it started.
+    // No step was made: a step would have set its start time.
     CHECK(e.tracking_started == std::chrono::system_clock::time_point{});
   }
 }

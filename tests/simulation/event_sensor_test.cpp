@@ -83,7 +83,7 @@ TEST_CASE(
     REQUIRE(packet.events.size() == 1);
     return static_cast<double>(packet.newest().us);
   };
-  // tau ln(0.39 / 0.19), with a tau of 318.3 µs at a luminance of 1 that goes with 1 / luminance.
+  // tau ln(0.39 / 0.19), with tau 318.3 µs at luminance 1, inversely proportional to luminance.
   CHECK(delay_us(0.39f) ==
         doctest::Approx(318.3 / std::exp(0.39) * std::log(0.39 / 0.19)).epsilon(0.02));
   CHECK(delay_us(-0.39f) ==

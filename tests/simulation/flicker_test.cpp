@@ -54,7 +54,7 @@ TEST_CASE("Strong flicker makes all pixels fire in step, weak flicker none") {
   }
   CHECK(on >= 2 * 10 * strong.pixel_count());
   CHECK(on <= 3 * 10 * strong.pixel_count());
-  // The light grows for a half of each 10 ms: never at the other.
+  // The light grows for half of each 10 ms: no ON events in the other half.
   CHECK(on_by_ms.size() <= 6);
 }
 

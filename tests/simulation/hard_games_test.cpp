@@ -13,7 +13,7 @@ namespace puck {
 TEST_CASE("A resting puck lies still for the specified time, is never removed, and is hit") {
   SimulationParams params = small_world(3);
   params.game.rest_probability = 1;
-  params.game.rest_min_s = 2.5;  // Longer than a stuck puck would be left.
+  params.game.rest_min_s = 2.5;  // Longer than the limit for a stuck puck.
   params.game.rest_max_s = 2.5;
   TableGame game(params);
   double still_s = 0;
@@ -82,7 +82,7 @@ TEST_CASE("A second puck keeps its speed, stays on the table, and apart from the
   CHECK(inside);
   CHECK(nearest_m > 0.06);
   CHECK(game.counts().shots > 5);
-  // Truth is about the other one.
+  // Truth is that of the other puck.
   SimulatedTable table(params);
   const TablePoint first = table.truth().position;
   CHECK(first.x_m > 0.6 * params.table.length_m);

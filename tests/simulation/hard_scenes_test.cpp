@@ -40,7 +40,7 @@ TEST_CASE("A puck with a side as bright as the table shows only its top") {
   TableGame game(params);
   game.place_puck({{0.5, 0}, {0, 0}});
   SimulatedTable table(params);
-  // At the serve nothing else is near it.
+  // At the serve no other object is near it.
   const SimulatedTruth truth = table.truth();
   const Image<float> image = table.log_intensity();
   const auto light_at = [&](double dx_px, double dy_px) {
@@ -52,7 +52,7 @@ TEST_CASE("A puck with a side as bright as the table shows only its top") {
   REQUIRE(body.shapes.size() == 2);
   CHECK(body.shapes[0].luminance == doctest::Approx(0.85));
   CHECK(body.shapes[1].luminance == doctest::Approx(0.6));
-  // The lowest row is the side's.
+  // The lowest row belongs to the side.
   const float bottom = light_at(0, truth.size_px.height / 2 - 0.5);
   CHECK(bottom == doctest::Approx(0.6).epsilon(0.02));
 }
@@ -84,7 +84,7 @@ TEST_CASE("A ring printed on the puck lies on its face only") {
   CHECK(changed > 20);
   CHECK(brightest > 0.3f);
   CHECK(brightest <= 0.501f);
-  // In its middle the face shows.
+  // The face is visible in its middle.
   const auto x = static_cast<int>(std::lround(truth.position_px.x));
   const auto y = static_cast<int>(std::lround(truth.position_px.y)) - 1;
   CHECK(printed(x, y) < std::log(0.35f));
@@ -114,7 +114,7 @@ TEST_CASE("Logos stand on the plain table, away from the markings") {
     for (double y_m = -0.61; y_m < 0.61; y_m += kStep_m) {
       if (luminance_at(params, x_m, y_m) != 0.123) continue;
       area_m2 += kStep_m * kStep_m;
-      // 2 cm around it nothing else is printed.
+      // Nothing is printed within 2 cm.
       for (int i = 0; i < 8; ++i) {
         const double angle = std::numbers::pi / 4 * i;
         CHECK(luminance_at(plain, x_m + 0.02 * std::cos(angle), y_m + 0.02 * std::sin(angle)) ==
@@ -195,7 +195,7 @@ TEST_CASE("Dim light makes the same edge's events later") {
     while (table.now().us < 700'000) table.advance(packet);
     return packet.events.size();
   };
-  // A third of the cutoff: what passes in less than its time constant is lost.
+  // A third of the cutoff: changes shorter than its time constant are lost.
   CHECK(events_of(30) < events_of(300));
 }
 
@@ -229,7 +229,7 @@ TEST_CASE("With all difficulties at once the same seed gives the same events") {
   }
   CHECK(same);
   CHECK(ordered);
-  // No more than the readout lets pass.
+  // Events beyond the readout's limit.
   CHECK(one.events_lost() > 0);
 }
 

@@ -126,7 +126,7 @@ TEST_CASE("Nothing appears or vanishes suddenly, except a puck that falls into a
     std::optional<double> now;
     if (game.puck()) now = world.visible_share(game, view);
     if (now && before) most = std::max(most, std::abs(*now - *before));
-    // A puck that comes back is behind the mallet at first.
+    // A returning puck is behind the mallet at first.
     if (now && !before && ms > 0) {
       ++serves;
       CHECK(*now < 0.25);

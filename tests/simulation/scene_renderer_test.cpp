@@ -17,7 +17,7 @@ namespace {
 constexpr std::int64_t kSlice_us = 500;
 constexpr int kGameStepsPerSlice = 20;
 
-/// A renderer with the sensor that it draws on.
+/// A renderer with its sensor.
 struct Picture {
   Picture(const SimulationParams& params, const CameraView& home)
       : renderer(StaticScene(params.table, params.scene), home, params.sensor_size, {60, 60}),

@@ -122,7 +122,7 @@ TEST_CASE("Hot pixels have the specified number and rate") {
   for (const auto& events : bench.events_by_pixel()) {
     if (events.empty()) continue;
     ++hot;
-    // A hundred may fall on one pixel twice; else 800, less what the refractory period takes.
+    // Two of a hundred may fall on the same pixel; else 800, minus the refractory period's share.
     CHECK(events.size() > 600);
   }
   CHECK(hot >= 13);
@@ -179,9 +179,9 @@ TEST_CASE("Signed events add up to the change of the light") {
   for (std::size_t i = 0; i < usual.light.points.size(); ++i) {
     worst = std::max(worst, std::abs(usual.light.points[i].y - usual.sum.points[i].y));
   }
-  // One threshold, and what the light does in the photoreceptor's 0.3 ms, at up to 140 a second.
+  // One threshold, and the change of light in the photoreceptor's 0.3 ms, at up to 140 a second.
   CHECK(worst < 0.2 + 0.05);
-  // Without mismatch no pixel ever gains or loses, for all the pauses.
+  // Without mismatch no pixel drifts, during all pauses.
   set.sensor.threshold_mismatch = 0;
   set.sensor.refractory_us = 500;
   const Conservation exact = conservation(set);

@@ -7,7 +7,7 @@
 
 namespace puck {
 
-// Its limits at every step: tests/motion.
+// tests/motion checks the limits at every step.
 
 TEST_CASE("The arm reaches its target in the time that its limits allow, and stays") {
   SimulatedArmParams params;

@@ -98,7 +98,7 @@ TEST_CASE("Truth in the image agrees with truth on the table through the homogra
     ++checked;
     const auto place = table_from_image.to_table(truth.position_px);
     REQUIRE(place);
-    // The silhouette's middle is the centre's image but for the perspective within the puck.
+    // The silhouette's middle is the centre's image, except for the perspective within the puck.
     CHECK(std::hypot(place->x_m - truth.position.x_m, place->y_m - truth.position.y_m) < 0.004);
   }
   CHECK(checked > 60);

@@ -34,8 +34,8 @@ TEST_CASE("A turned table camera sees the same as the simulated camera") {
         doctest::Approx(home.project({1.5, 0.2, kHalfPuckM})->pixel.y));
 }
 
-// The place on the table from the true place of the puck's outline in the image, with the head as
-// HEAD tells it every `period_us` and `late_us` late; mm.
+// Error of the place on the table, from the true place of the puck's outline in the image and HEADs
+// every `period_us`, `late_us` late; mm.
 struct Errors {
   double median_mm = 0;
   double worst_mm = 0;

@@ -73,7 +73,7 @@ TEST_CASE("a killed service stays listed until a new run of it publishes") {
   const std::vector<ServiceRow> rows = services.rows(30'000'000);
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].pid == 11);
-  // What it published may still be on the screen.
+  // Its channels may still be on the screen.
   PublisherRow publisher{.session = 7};
   services.name(publisher);
   CHECK(publisher.pid == 10);

@@ -91,7 +91,7 @@ TEST_CASE("oversized, undecryptable and unsealed messages are distinguished") {
   CHECK(snapshot.channels[0].name == "PUCK_GAME");
   CHECK(snapshot.channels[0].unauthenticated == 5);
   CHECK(snapshot.channels[0].last_rejection == "is not sealed");
-  // When they came is not known.
+  // Their times are unknown.
   CHECK_FALSE(snapshot.channels[0].newest_age_us.has_value());
   CHECK(snapshot.channels[1].newest_age_us == 2000);
   CHECK(snapshot.channels[1].unauthenticated == 0);
@@ -143,7 +143,7 @@ TEST_CASE("two publishers of one channel are distinguished from a restarted one"
     REQUIRE(row.publishers.size() == 2);
     CHECK(row.publishers[0].session == 7);
     CHECK(row.publishers[1].session == 8);
-    // The first goes away, and is forgotten.
+    // The first falls silent, and is dropped.
     spy.hear(head_state_t{}, 8, 3, 3'000'000);
     CHECK_FALSE(spy.model.snapshot(3'000'000).channels[0].several_publishers);
   }

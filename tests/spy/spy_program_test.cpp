@@ -73,12 +73,12 @@ class SpyInTerminal {
   SpyInTerminal(const SpyInTerminal&) = delete;
   SpyInTerminal& operator=(const SpyInTerminal&) = delete;
 
-  /// Reads what is drawn until this appears; false when it ends before.
+  /// Reads the output until this appears; false if it ends before.
   bool reads(const std::string& text) {
     std::string part(4096, 0);
     while (output_.find(text) == std::string::npos) {
       ssize_t count = read(terminal_, part.data(), part.size());
-      // Its last words may be on their way while the kernel already says that it is gone.
+      // Its last output may arrive after the kernel reports its end.
       if (count <= 0) count = read(terminal_, part.data(), part.size());
       if (count <= 0) return false;
       output_.append(part, 0, static_cast<std::size_t>(count));
@@ -94,7 +94,7 @@ class SpyInTerminal {
     REQUIRE(ioctl(terminal_, TIOCSWINSZ, &size) == 0);
   }
   void send(int signal) { kill(pid_, signal); }
-  /// The exit code; -1: a signal ended it.
+  /// The exit code; -1: ended by a signal.
   int wait() {
     int status = 0;
     waitpid(pid_, &status, 0);

@@ -14,7 +14,7 @@
 namespace puck {
 namespace {
 
-/// A game as it looks from outside: every channel, and five services.
+/// A game's snapshot: every channel, and five services.
 Snapshot game() {
   SpyBench spy;
   std::mt19937_64 random(1);
@@ -52,7 +52,7 @@ bool has(const Screen& screen, const std::string& text) {
 
 using Cells = std::vector<std::string>;
 
-/// Those that are not empty, of the line that begins with this word.
+/// The cells with text of the line that begins with this word.
 Cells cells_of(const Screen& screen, const std::string& word) {
   for (const ScreenLine& line : screen) {
     std::istringstream words(line.text);

@@ -1,4 +1,4 @@
-// What people get wrong: each program says so in one line, with what was expected.
+// Common mistakes: each program reports one line with the expected form.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -46,7 +46,7 @@ void check_refused(const Refused& refused, const TemporaryFolder& folder) {
   }
 }
 
-// Ready to run but for what the case adds, on a bus that nobody else hears.
+// Complete except for the case's own arguments, on a bus of its own.
 std::vector<std::string> service_arguments(const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"--lcm-url", "memq://", "--log-level", "error"};
   arguments.insert(arguments.end(), more.begin(), more.end());

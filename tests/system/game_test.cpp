@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::seconds;
 
-// With a temporary folder of its own, so that what it leaves there can be seen.
+// With a temporary folder of its own, to check for leftovers.
 std::vector<std::string> demo_command(const TemporaryFolder& folder,
                                       const std::vector<std::string>& options) {
   std::filesystem::create_directory(folder / "tmp");
@@ -113,7 +113,7 @@ TEST_CASE("tools/play.sh --real-time plays through the services, on events") {
   CHECK_FALSE(play.group_is_left());
   const auto json = nlohmann::json::parse(read_text(json_file));
   CHECK(json["played_s"] > 1);
-  // Not more: a puck that the robot saved can still find its way in, a goal without another shot.
+  // Not more: a saved puck can still go in, which is a goal without another shot.
   CHECK(json["shots"].get<int>() >= json["saves"].get<int>());
 }
 

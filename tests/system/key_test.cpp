@@ -1,4 +1,4 @@
-// A game with a key, and somebody on the network who has none.
+// A game with a key, and a machine on the network without it.
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -20,7 +20,7 @@ std::string make_key(const TemporaryFolder& folder) {
   return path.string();
 }
 
-/// Stops the arm as an operator would; what --stop says with this key.
+/// Stops the arm as an operator would; returns the exit code of --stop with this key.
 int operator_stop(const std::string& url, const std::vector<std::string>& settings) {
   std::vector<std::string> command = service_command("puck-arm", url, settings);
   command.emplace_back("--stop");

@@ -1,4 +1,4 @@
-// What every service owes the one who starts and stops it.
+// Start and stop of every service.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 std::vector<std::string> settings_for(const std::string& service, const TemporaryFolder& folder) {
   if (service == "puck-logger") return {"logger.path=" + (folder / "a.lcm").string()};
-  // A simulation that a busy machine cannot keep up with is degraded, and says so.
+  // A simulation too fast for a busy machine would be degraded, and report it.
   if (service == "puck-camera") return {"camera.speed=0.05"};
   return {};
 }
@@ -76,7 +76,7 @@ TEST_CASE(
       ChildProcess child = start_service(service, url, settings_for(service, folder));
       REQUIRE(bus.hears({service}));
       CHECK(check_service_program(service, url) == 0);
-      // Nobody has asked for this one.
+      // A service without a signal.
       CHECK(child.is_running());
 
       const auto began = Clock::now();
@@ -120,7 +120,7 @@ TEST_CASE("An arm with an unread log plays, and comes to rest when SIGTERM ends 
   const StuckPipe nobody;
   RunningGame game(new_lcm_url());
   for (const char* name : {"puck-tracker", "puck-bridge", "puck-camera"}) game.start(name);
-  // An arm that is held up for longer than 20 ms takes its joints to rest and does not brake.
+  // After a delay of more than 20 ms an arm does not brake, but takes its joints to rest.
   bool was_held_up = true;
   for (int attempt = 0; attempt < 10 && was_held_up; ++attempt) {
     ChildProcess arm(service_command("puck-arm", game.url()),
@@ -137,7 +137,7 @@ TEST_CASE("An arm with an unread log plays, and comes to rest when SIGTERM ends 
     was_held_up = game.counter("puck-arm", "pauses") != pauses;
     if (was_held_up) continue;
     CHECK(game.arm()->reason == "shutting down");
-    // The joints follow the set-points, which rest.
+    // The joints follow the set-points, which are at rest.
     CHECK(std::abs(game.arm()->velocity_m_s) < 0.3);
   }
   CHECK_FALSE(was_held_up);

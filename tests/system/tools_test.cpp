@@ -58,7 +58,7 @@ void check_all_keys(const Json& json) {
   }
 }
 
-/// Without what depends on the machine and not on the events.
+/// Without figures that depend on the machine.
 Json without_cost(Json json) {
   CHECK(json.erase("cpu_us_per_ms") == 1);
   return json;

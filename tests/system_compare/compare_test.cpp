@@ -1,4 +1,4 @@
-// The paper's comparison, smaller: puck-compare with everything that it runs.
+// The paper's comparison in small: puck-compare with all programs that it runs.
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -34,7 +34,7 @@ const std::vector<std::string> kSets{"still",
                                      "noisy",
                                      "printed"};
 
-// Returns what it told of its progress.
+// Returns its progress output.
 std::string compare(const TemporaryFolder& folder) {
   const std::vector<std::string> command{program_path("puck-compare"),
                                          "--sequences",
@@ -83,7 +83,7 @@ TEST_CASE("the comparison runs every tracker on every set, and again from its st
     CHECK(ingredient.value().size() == 4);
   }
 
-  // What a look at any two seconds shows: ours is finer than the blob and never loses an easy puck.
+  // In any two seconds: ours is finer than the blob and never loses an easy puck.
   const Json& still = json["sets"]["still"]["contestants"];
   CHECK(still["default"]["lost_percent"] < 2.0);
   CHECK(still["default"]["mean_px"] < 1.0);

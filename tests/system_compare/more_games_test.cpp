@@ -1,4 +1,4 @@
-// tools/more_games.sh: with the real programs, and with programs that say or fail as those might.
+// tools/more_games.sh: with the real programs, and with stand-ins for their output or failure.
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -36,8 +36,8 @@ int recordings_in(const fs::path& folder) {
   return count;
 }
 
-// Of three games: 1, 2 and 6 px, 10, 20 and 60 %, 411 to 413 ms. With any option more, a tenth of
-// the px, a twentieth of the %, and 511 to 513 ms.
+// Figures of three games: 1, 2 and 6 px, 10, 20 and 60 %, 411 to 413 ms. With any further option, a
+// tenth of the px, a twentieth of the %, and 511 to 513 ms.
 const std::string kFigures =
     "case $seed in 11) n=1 lost=0.5 ;; 12) n=2 lost=1 ;; *) n=6 lost=3 ;; esac\n"
     "if [ $# -gt 5 ]; then echo mean_px 0.$n; echo lost_percent $lost; echo longest_loss_ms "
@@ -81,7 +81,7 @@ TEST_CASE("games are played and tracked with the requested options") {
   const TemporaryFolder folder;
   write_text(folder / "scene.toml", "");
   write_text(folder / "size.toml", "");
-  // 3 px, if all that was asked for arrived.
+  // 3 px, if all options arrived.
   const Finished told = told_by(
       folder,
       "game=$(cat \"$3\")\nn=0\n"

@@ -1,4 +1,4 @@
-// tools/other_scenes.sh: with the real programs, and with programs that fail as those might.
+// tools/other_scenes.sh: with the real programs, and with stand-ins for their failure.
 #include <chrono>
 #include <cstdio>
 #include <filesystem>

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder as that of the real recordings, with a simulated game in place of one of them.
+// A folder like that of the real recordings, with a simulated game in place of one of them.
 class SmallRecordings {
  public:
   SmallRecordings() {
