@@ -43,7 +43,7 @@ TEST_CASE("A slow puck in the opponent's half is not predicted; one that leaves 
   // 0.6 m to the middle of the table.
   CHECK_FALSE(predictor.predict(track_at(1.6, 0, -1.19, 0)));
   CHECK(predictor.predict(track_at(1.6, 0, -1.21, 0)));
-  // In the robot's half it may take its time.
+  // In the robot's half a slow puck counts, too.
   CHECK(predictor.predict(track_at(0.99, 0, -0.4, 0)));
 }
 

@@ -17,7 +17,7 @@
 namespace puck {
 namespace {
 
-// Plays a true motion to a filter as measurements with noise, one a millisecond.
+// Gives a filter a true motion as measurements with noise, one a millisecond.
 class Player {
  public:
   Player(const PuckMotion& motion, PuckTrack truth, double noise_m)
@@ -161,8 +161,8 @@ TEST_CASE("A sudden new place of the puck is accepted only after 20 ms, and coun
   CHECK(filter.hits() == 0);
 }
 
-// The tracker slides off a puck at rest to the mallet that comes to hit it; what became of the
-// shot, of which the tracker says `place` 3 ms after the hit, and after how long.
+// The track moves from a puck at rest to the mallet that hits it. Returns the use of the tracker's
+// `place`, 3 ms after the hit, and the time until the shot is followed.
 std::pair<MeasurementUse, int> after_straying(const TablePoint& place,
                                               const TableVelocity& velocity) {
   const PuckMotion motion(kTable);
@@ -252,7 +252,7 @@ TEST_CASE("The track does not depend on the order of the measurements in a windo
   for (const std::size_t window : {2, 5, 16, 32}) {
     CAPTURE(window);
     std::vector<TableMeasurement> shuffled = in_order;
-    // The first begins the track either way.
+    // Both orders begin the track with the first.
     for (std::size_t i = 1; i < shuffled.size(); i += window) {
       const std::size_t end = std::min(i + window, shuffled.size());
       std::shuffle(shuffled.begin() + static_cast<std::ptrdiff_t>(i),

@@ -99,7 +99,7 @@ TEST_CASE("A goal post, a point, deflects the puck's rim along the line through 
   CHECK(opponents.duration_s == doctest::Approx(0.42));
   CHECK(opponents.track.state.velocity.x_m_s == doctest::Approx(-0.28));
   CHECK(opponents.track.state.velocity.y_m_s == doctest::Approx(0.96));
-  // Met more than halfway it comes back out; less, it goes in by way of the other post.
+  // With the contact beyond the post's middle it comes back out, else it goes in by the other post.
   CHECK_FALSE(motion.advance(track_at(0.5, 0.14, -1, 0), 0.6).in_goal);
 }
 

@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-// What test_camera is made from.
+// The camera of test_camera.
 constexpr PinholeCamera kCamera{700, {320, 240}, {}};
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -82,7 +82,7 @@ TEST_CASE("A puck at rest stays at rest on the table while the camera turns") {
   CHECK(track.state.position.x_m == doctest::Approx(1.2));
   CHECK(track.state.position.y_m == doctest::Approx(-0.3));
   CHECK(std::hypot(track.state.velocity.x_m_s, track.state.velocity.y_m_s) < 1e-5);
-  // Without the head's speeds it would seem to move.
+  // Without the head's speeds it appears to move.
   HeadPose still = pose_at(0);
   still.yaw_deg_s = still.pitch_deg_s = still.roll_deg_s = 0;
   const TableVelocity apparent = camera.view_at(still)->to_table(seen)->state.velocity;

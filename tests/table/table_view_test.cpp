@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-// Somewhere, turned and turning.
+// A view of a turned and turning head.
 TableView turning_view() {
   const TableCamera camera(test_camera(), {700, {320, 240}, {0, 0.1, -0.05}});
   return *camera.view_at({3, -1, 0.5, 25, -10, 6});

@@ -36,7 +36,7 @@ TEST_CASE("the service receives events and publishes estimates, with the chain o
     truth = {40 + 0.3 * i, 50 + 0.1 * i};
     tracker.publish(puck_at(truth, i * 1000), 1'000'000);
     std::this_thread::sleep_for(milliseconds(1));
-    // A tracker that falls behind would skip packets.
+    // A tracker with a backlog would skip packets.
     if (i % 5 == 0) {
       REQUIRE(tracker.eventually([&](const auto& e) { return e.sensor_us == i * 1000; }));
     }
@@ -149,7 +149,7 @@ TEST_CASE("a log that is played twice is tracked twice") {
   bench.make<TrackerService>(params);
   REQUIRE(bench.start());
 
-  // As a player does: the same bytes, with the session and the numbers of the first time.
+  // Like a log player: the same bytes, with the first session and numbers.
   const std::unique_ptr<lcm_t, void (*)(lcm_t*)> player(lcm_create(url.c_str()), &lcm_destroy);
   REQUIRE(player);
   EventPacker packer({.sensor = kSensor, .packet_bytes = 60000});
@@ -213,11 +213,11 @@ TEST_CASE("a second publisher of events is counted and named, by its address wit
   };
   for (int i = 0; i < 100; ++i) {
     packets_of(first, 1000 * i);
-    // At once: who is silent for 0.5 s, as a test may be that is held up, is followed no more.
+    // At once: after 0.5 s of silence, as in a delayed test, a publisher is no longer followed.
     if (i > 50) packets_of(second, 1000 * i);
     std::this_thread::sleep_for(milliseconds(1));
   }
-  // A tracker that ends leaves the newest unheard.
+  // A tracker that ends leaves the newest messages unread.
   const auto all_came = [&] {
     const std::lock_guard lock(mutex);
     return counter(status, "packets_received") == 100 && counter(status, "packets_of_others") == 49;
@@ -281,10 +281,10 @@ TEST_CASE("with the camera's clock hours away times and latency are by the track
     CHECK(newest.event_utime > newest.utime - 10'000'000);
     CHECK(newest.event_utime < newest.utime + 10'000'000);
   }
-  // The same camera, playing a recording, is not of now however punctual it is.
+  // The same camera is not live while it plays a recording, however punctual.
   CHECK(ServiceBench::until([&] { return !is_live(); }, [&] { send(0, true); }));
   REQUIRE(ServiceBench::until(is_live, [&] { send(0); }));
-  // And from a log.
+  // Nor from a log.
   CHECK(ServiceBench::until([&] { return !is_live(); }, [&] { send(500'000); }));
   bench.stop();
   StatusReport report;
@@ -321,7 +321,7 @@ TEST_CASE("an estimate without a packet has no waiting time") {
   write_pixel_mask_file(folder / "mask.toml", PixelMask(kSensor, masked), "");
   const std::int64_t began_us = host_monotonic_us();
   RunningTracker tracker("hot_pixel_mask = \"" + (folder / "mask.toml").string() + "\"\n");
-  // A packet of which nothing is left begins a track, whose first word rests on nothing.
+  // A packet without a remaining event begins a track; its first estimate has no packet.
   const auto begin_track = [&](std::int64_t t_us) {
     tracker.publish({{t_us}, {{1, 1, 1, 0}}});
     REQUIRE(tracker.eventually([](const auto& e) { return e.events_applied == 0; }));
@@ -333,7 +333,7 @@ TEST_CASE("an estimate without a packet has no waiting time") {
   begin_track(10'000'000);
   follow(10'001'000);
   follow(10'002'000);
-  // Longer than it takes until the tracker believes that a clock began anew.
+  // Longer than the tracker's test for a restarted clock.
   std::this_thread::sleep_for(milliseconds(1'100));
   begin_track(1'000);
   follow(2'000);

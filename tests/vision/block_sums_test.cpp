@@ -29,7 +29,7 @@ std::int64_t brightest_rectangle(const Image<std::uint8_t>& picture, int width, 
   return most;
 }
 
-// The lowest response of all candidates around which the kernel touches the picture.
+// The lowest response of all candidates with the kernel touching the picture.
 double lowest_response(Correlation& correlation, const EllipseKernel& kernel, const Region& place) {
   const Region candidates = place.inflated(std::max(kernel.width(), kernel.height()));
   CorrelationMap map;
@@ -75,8 +75,8 @@ TEST_CASE("no response is below the blocks' bound, blurred or not") {
       const EllipseKernel& kernel = bank.nearest(size);
       for (const int side : {5, 9, 30, 70}) {
         const Region place{-10, 20, side, side + side / 3};
-        // Dim pictures, which rounding makes brighter; a white one; a single bright edge, which the
-        // blur mirrors; a disc as large as the inner ellipse.
+        // Dim pictures, which rounding brightens; a white one; a single bright edge, which the blur
+        // mirrors; a disc of the inner ellipse's size.
         for (const int kind : {0, 1, 2, 3}) {
           Image<std::uint8_t> picture = test::noise(place.width, place.height, 7);
           for (int y = 0; y < place.height; ++y) {

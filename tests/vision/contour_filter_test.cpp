@@ -52,7 +52,7 @@ TEST_CASE("An event moves the contour along its normal only, and reduces the var
 TEST_CASE("A sighting moves the filter to its position, by its certainty") {
   ContourFilter filter = at_origin();
   filter.correct_place(3, -2, 2.5);
-  // As sure of it as of where the filter was.
+  // As certain as the filter's position.
   CHECK(filter.position().x == doctest::Approx(1.5));
   CHECK(filter.position().y == doctest::Approx(-1));
   filter.correct_place(3, -2, 0.01);
@@ -71,7 +71,7 @@ TEST_CASE("A sighting after a while corrects the speed, too, within the speed li
   CHECK(filter.speed_px_s() == doctest::Approx(12'000));
 }
 
-// Lets all events say to a filter that the contour is 3 px larger.
+// Gives a filter events all round of a contour that is 3 px larger.
 void enlarge(ContourFilter& filter) {
   for (int i = 1; i <= 400; ++i) {
     filter.predict(i * 100, false);
@@ -98,7 +98,7 @@ TEST_CASE("Events outside on both sides make the puck larger, without moving it"
     filter.correct(0.5 - filter.position().x - filter.growth_px(), 1, 0);
     filter.correct(0.5 + filter.position().x - filter.growth_px(), -1, 0);
   }
-  // Short of the whole half pixel, since sizes are expected to be as calibrated.
+  // Less than half a pixel, since sizes are expected to be as calibrated.
   CHECK(filter.growth_px() > 0.3);
   CHECK(filter.growth_px() < 0.5);
   CHECK(std::abs(filter.position().x) < 0.1);

@@ -61,13 +61,13 @@ TEST_CASE("correlation equals the dense sum at every candidate, even over the pi
 TEST_CASE("an earlier picture leaves no trace where the next one is dark") {
   const KernelBank bank(KernelBankParams{});
   const EllipseKernel& kernel = bank.nearest({15, 11});
-  // What is covered is made dark at once up to 4 KiB, beyond that row by row.
+  // The covered part is cleared at once up to 4 KiB, beyond that row by row.
   for (const Region& candidates : {Region{100, 50, 40, 30}, {100, 50, 100, 60}}) {
     const auto [left, top, width, height] = candidates;
     const Image<std::uint8_t> picture = noise(width, height);
     Correlation correlation;
     CorrelationMap map;
-    // Leaves dark what is above and left of it; below and right; all but the lower end; all.
+    // Dark parts: above and left of it; below and right; all but the lower end; all.
     for (const Region& region : {Region{left + 10, top + 10, width, height},
                                  {left - 10, top - 10, width, height},
                                  {left, top + height - 5, width, height},

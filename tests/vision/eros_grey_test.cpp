@@ -18,7 +18,7 @@ TEST_CASE("every instruction set gives the grey values of the table, for every d
       for (const ErosRounding rounding :
            {ErosRounding::kNearest, ErosRounding::kTruncateEachStep}) {
         const ErosGrey grey(decay, rounding);
-        // All counts, at every place in a vector, and a rest that fills none.
+        // All counts, at every place in a vector, and a remainder shorter than one.
         std::vector<std::uint8_t> fast(256 * 3 + 5);
         std::iota(fast.begin(), fast.end(), std::uint8_t{0});
         std::vector<std::uint8_t> plain = fast;

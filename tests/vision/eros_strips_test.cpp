@@ -11,7 +11,7 @@
 namespace puck {
 namespace {
 
-// Single pixels over and over, clusters, corners and borders among events from anywhere.
+// Repeated single pixels, clusters, corners and borders among random events.
 std::vector<Event> hard_events(SensorSize size, int count, unsigned seed) {
   std::mt19937 random(seed);
   const auto below = [&](int limit) {

@@ -160,9 +160,9 @@ TEST_CASE("a surface that keeps a region equals a whole one there, and entering 
   part.update(std::span(events).subspan(10'000, 10'000));
   whole_one.update(std::span(events).subspan(10'000, 10'000));
   CHECK(same_in(first));
-  CHECK(is_dark({0, 0, 90, 11}));  // farther than windows reach
+  CHECK(is_dark({0, 0, 90, 11}));  // outside the windows' reach
 
-  // It moves to the lower right, and grows: what stays inside is as it was.
+  // It moves to the lower right, and grows: the common part is unchanged.
   const Region second{23, 11, 34, 30};
   part.keep_only(second);
   CHECK(same_in(first.intersect(second)));
@@ -170,7 +170,7 @@ TEST_CASE("a surface that keeps a region equals a whole one there, and entering 
   CHECK(is_dark({23, 37, 34, 4}));
   CHECK(is_dark({51, 11, 6, 30}));
   CHECK(is_dark({0, 0, 23, 70}));
-  // Every pixel of it fires again, and many times, so that nothing is left of the past.
+  // Every pixel of it fires many times, so that no earlier value remains.
   part.update(std::span(events).subspan(20'000));
   whole_one.update(std::span(events).subspan(20'000));
   CHECK(same_in(second));

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::int64_t kStepUs = 1000;
 
-// A puck that moves evenly from (100, 200), seen `steps` times.
+// A puck in uniform motion from (100, 200), measured `steps` times.
 PixelMotion even_motion(const PixelMotionParams& params, PixelVelocity velocity, int steps) {
   PixelMotion motion(params);
   motion.start({100, 200}, {0});

@@ -110,7 +110,7 @@ TEST_CASE("the authors' size models give the sizes of their code") {
   CHECK(size_at(authors_moving_size_model(), 190) == std::pair{35.0, 21.0});
   CHECK(size_at(authors_static_size_model(), 300) == std::pair{47.0, 35.0});
   CHECK(size_at(authors_moving_size_model(), 300) == std::pair{45.0, 33.0});
-  // Beyond the bank, where the authors' code reads an empty kernel, the largest one is taken.
+  // Beyond the bank, where the authors' code reads an empty kernel, the largest one is used.
   CHECK(size_at(authors_static_size_model(), 400) == std::pair{51.0, 45.0});
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 constexpr SensorSize kOddWidthSensor{641, 480};
 constexpr PuckSizeModel kFlat{30, 0, 0, 20, 0, 0};
-// Its width ends at row −200.
+// The horizon is at row −200.
 constexpr PuckSizeModel kPlane{20, 0, 0.1, 10, 0, 0.1};
-// Likewise.
+// The same horizon.
 constexpr DiscModel kDisc{.width_0 = 20,
                           .width_y = 0.1,
                           .face_on_px = 60,
@@ -118,7 +118,7 @@ TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {
   const PuckSize size = model.disc->at({600, 240});
   const ContourRing ring = PuckContour(kOddWidthSensor, model, kExact, true).ring_at({600, 240}, 0);
   CHECK(ring.semi_y == doctest::Approx(size.height / 2));
-  // The width is nothing at row -200; the side wall does not slant.
+  // The width is zero at row -200; the side wall is not sheared.
   const double of_disc = (size.height - model.wall_of_width() * size.width) / size.height;
   CHECK(ring.shear == doctest::Approx((600 - 320.0) / 440 * of_disc));
 }
@@ -144,12 +144,12 @@ TEST_CASE("The other assumption on the side wall depends on the annotations' out
   CHECK(PuckContour(kOddWidthSensor, model, kExact, true).other_wall_share() ==
         doctest::Approx(0.2 * tilted));
 
-  // What the calibration has seen is not looked for again, thin as it may be.
+  // A wall in the calibration is not omitted, however thin.
   model.disc->thickness = 0.1;
   const double thin = model.wall_of_width();
   CHECK(PuckContour(kOddWidthSensor, model, {0, thin, 0}, true).other_wall_share() == 0);
 
-  // Of the face alone: the wall shows below it, while the face's upper edge stays where it is.
+  // Annotations of the face alone: the wall extends below it, and the face's upper edge stays.
   model.disc->thickness = 0.03;
   const PuckContour contour(kOddWidthSensor, model, kExact, true);
   const ContourRing face = contour.ring_at({320, 240}, 0);
@@ -158,7 +158,7 @@ TEST_CASE("The other assumption on the side wall depends on the annotations' out
   CHECK(both.rise + both.semi_y == doctest::Approx(face.semi_y));
 }
 
-// Where an ellipse is as far to the side as it gets, px along y per px along x.
+// The ellipse's point farthest to the side, px along y per px along x.
 double face_sides_slope(const ContourRing& face) {
   const double slanted = face.shear * face.semi_y;
   return slanted * face.semi_y / (face.semi_x * face.semi_x + slanted * slanted);
@@ -177,8 +177,8 @@ TEST_CASE("A wall visible below the face extends its outline downwards") {
     const auto distance_px = [&](const ContourRing& ring, double dx, double dy) {
       return ring.offset(dx, dy, 0).distance_px;
     };
-    // What is above the ends of the face's width stays where it is, the rest lies a wall below. The
-    // sides between them are straight.
+    // Points above the ends of the face's width stay, the others move down by the wall's height.
+    // The sides between them are straight.
     for (int i = 0; i < 24; ++i) {
       CAPTURE(i);
       const double angle = 2 * std::numbers::pi * (i + 0.5) / 24;
@@ -199,7 +199,7 @@ TEST_CASE("A wall visible below the face extends its outline downwards") {
         CHECK(std::abs(place.normal_y) < 0.05);
       }
     }
-    // Its areas, by what they hold of a fine grid.
+    // Its areas, counted on a fine grid.
     constexpr double kStep = 0.25;
     double inside = 0;
     double reach = 0;
@@ -229,11 +229,11 @@ TEST_CASE("An omitted wall has its estimated height, scaled by its place") {
     const ContourRing ring = contour.ring_at(place, contour.other_wall_share());
     const PuckSize size = whole.disc->at(place);
     CHECK(2 * ring.semi_y == doctest::Approx(size.height));
-    // As it rises, its centre is lower.
+    // The larger the rise, the lower the centre.
     const Pixel lower = contour.centre_with_wall(place, 0, contour.other_wall_share());
     CHECK(place.y - lower.y == doctest::Approx(-ring.rise));
   }
-  // A share that was calibrated suits all of the image.
+  // A calibrated share applies to the whole image.
   const PuckContour calibrated(kOddWidthSensor, model, {0, -0.2, 0}, true);
   for (const Pixel place : {Pixel{320, 60}, {320, 420}}) {
     CHECK(calibrated.ring_at(place, -0.2).rise ==
@@ -245,10 +245,10 @@ TEST_CASE(
     "The image's speed under a head turn scales with the lens, estimated from the puck's size") {
   const PuckContour contour(kOddWidthSensor, kFlat, kExact, true);
   CHECK(contour.turning_px_s() == doctest::Approx(270));
-  // The same lens before half as many pixels, each twice as large.
+  // The same lens with half as many pixels, each twice as large.
   const PuckContour coarse({321, 240}, {15, 0, 0, 10, 0, 0}, kExact, true);
   CHECK(coarse.turning_px_s() == doctest::Approx(135));
-  // What counts is the size in the image's middle: 20 + 0.1 · 239.5.
+  // The size in the image's middle counts: 20 + 0.1 · 239.5.
   CHECK(PuckContour(kOddWidthSensor, kPlane, kExact, true).turning_px_s() ==
         doctest::Approx(395.55));
 }

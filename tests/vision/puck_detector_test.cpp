@@ -33,7 +33,7 @@ TEST_CASE("the fixed detection kernel has the zones of the authors' code and the
   const PipelineParams params = preset_params(Preset::kReference);
   const KernelBank bank(params.kernels);
   PuckDetector detector(params.detector, authors_static_size_model());
-  // A fully lit annulus of 172 pixels is the best that there can be: 43,860.
+  // A fully lit annulus of 172 pixels gives the largest response: 43,860.
   const EllipseKernel ring({30, 19, 15.2, 9.5, 15.2, 9.5, 15, 9}, params.detector.fixed_profile);
   CHECK(ring.ring_pixels() == 172);
   CHECK(ring.inside_pixels() == 270);

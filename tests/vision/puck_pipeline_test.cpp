@@ -38,7 +38,7 @@ class Scene {
   PuckEstimate show_clutter() {
     std::vector<Event> events;
     for (int i = 0; i < 1000; ++i) {
-      // A walk through the image that draws no ring.
+      // A random walk through the image, without a ring.
       clutter_ = clutter_ * 1664525u + 1013904223u;
       events.push_back({static_cast<std::uint16_t>((clutter_ >> 8) % 640),
                         static_cast<std::uint16_t>((clutter_ >> 20) % 480), 0, 0});

@@ -110,7 +110,7 @@ TEST_CASE("a wall higher than an ordinary puck's is searched for at its estimate
   const SearchCandidate as_found = best_of({near, true, kWall});
   CHECK(distance_px(as_found.position, truth) < 1);
   CHECK(as_found.score > as_calibrated.score + 0.05);
-  // No taller puck is believed, nor is anything forgotten.
+  // The height has an upper bound, and is not kept between searches.
   CHECK(best_of({near, true, -9}).score < as_found.score);
   CHECK(best_of({near, true, kWall}).score == as_found.score);
   CHECK(best_of({near, true}).score == as_calibrated.score);

@@ -53,7 +53,7 @@ TEST_CASE("where the disc is known the size is the disc's, clamped to the same l
 TEST_CASE("the side wall's share of the height is the disc's, an ordinary puck's or zero") {
   PuckSizeModel model{10, 0, 0, 5, 0, 0};
   CHECK(model.wall_of_width() == doctest::Approx(0.165));
-  // Seen from 30° above: half as high as wide in the middle.
+  // From 30° above: half as high as wide in the middle.
   model.disc = DiscModel{.width_0 = 16,
                          .width_y = 0.1,
                          .face_on_px = 80,

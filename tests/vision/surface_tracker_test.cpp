@@ -16,14 +16,14 @@ namespace {
 constexpr SensorSize kSmallSensor{160, 120};
 constexpr PuckSizeModel kSmallSizeModel{25, 0, 0, 17, 0, 0};
 
-// What a pipeline was given.
+// A pipeline's inputs.
 struct Record {
   std::vector<std::vector<std::int64_t>> pieces;  // the times of each piece's events
   std::vector<SearchResult> results;
   int steps = 0;
 };
 
-// Wants the events of a region, and a search when it is told to.
+// Requests the events of a region, and a search on demand.
 class Recorder final : public TrackingPipeline {
  public:
   Recorder(Record& record, const Region& events, std::int64_t period_us,
@@ -59,7 +59,7 @@ SurfaceTracker tracker_with(Record& record, const Region& events, std::int64_t p
   PipelineParams params = preset_params(Preset::kCorrelation);
   params.roi_only = roi_only;
   params.search_delay_us = search_delay_us;
-  params.follows_contour = true;  // so that it is known what is fresh
+  params.follows_contour = true;  // so that recent pixels are recorded
   return SurfaceTracker(kSmallSensor, params, kSmallSizeModel,
                         std::make_unique<Recorder>(record, events, period_us, search));
 }

@@ -24,7 +24,7 @@ const std::string kAbcDe = kIndex + "\2\1"s + kPadding + "\3\0\0\0\2\0\0\0\0\0\0
 
 std::string joined(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
 
-// What a reader makes of bytes that come in pieces of `piece`.
+// A reader's messages from bytes in pieces of `piece`.
 std::vector<std::string> read_in_pieces(const std::string& text, std::size_t piece) {
   MessageReader reader;
   std::vector<std::string> messages;
@@ -95,7 +95,7 @@ TEST_CASE("an invalid message is refused at its first wrong byte, and sizes are 
   CHECK(is_refused(kIndex + "\xFF\1"s + kPadding));
   CHECK(is_refused(kIndex + "\1\0"s + kPadding));
   CHECK(is_refused(kIndex + "\1\1"s + std::string(8, '\xFE')));
-  // Sizes of 2 GB, of -1, of 4097, two that are too large together, and an answer's.
+  // Sizes of 2 GB, of -1, of 4097, two with too large a sum, and an answer's.
   const std::string one = kIndex + "\1\1"s + kPadding;
   CHECK(is_refused(one + "\xFF\xFF\xFF\x7F\0\0\0\0"s));
   CHECK(is_refused(one + "\xFF\xFF\xFF\xFF\0\0\0\0"s));

@@ -32,7 +32,7 @@ TEST_CASE("a set-point is dropped until the loop has read the encoders of this c
   CHECK(exchange.reading());
   CHECK(exchange.give_set_point(at(1), 1000));
 
-  // However short the interruption was.
+  // After an interruption of any length.
   exchange.lose_connection(BoardError("it broke"));
   exchange.begin_connection({at(5), 2000});
   CHECK(!exchange.take_set_point(1000));
@@ -71,7 +71,7 @@ TEST_CASE("a refused set-point is a fault, once") {
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
   exchange.reading();
-  // One that was given before the loop was told is dropped as well.
+  // A set-point from before the loop knew of it is dropped as well.
   CHECK(exchange.give_set_point(at(1), 1000));
   exchange.refuse_set_point("it is not finite");
   CHECK(!exchange.take_set_point(1000));

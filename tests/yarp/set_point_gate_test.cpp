@@ -31,7 +31,7 @@ TEST_CASE(
   CHECK(gate.refusal(deg(5, 42), encoders).empty());
   CHECK(gate.refusal(deg(10, 47), encoders).empty());
   CHECK(gate.refusal(deg(10, 52), encoders).empty());
-  // An arm that did not follow begins anew where it is.
+  // An arm that did not follow restarts at its position.
   CHECK(gate.refusal(deg(3, 38), encoders).empty());
   CHECK(gate.refusal(deg(8, 43), encoders).empty());
   CHECK(
@@ -62,7 +62,7 @@ TEST_CASE("set-points that are not finite, outside the limits or of other joints
     SetPointGate gate(params);
     CHECK(gate.refusal(encoders, encoders).empty());
     CHECK(!gate.refusal(wrong, encoders).empty());
-    // And then it begins anew.
+    // Then it restarts.
     CHECK(!gate.refusal(deg(1, 40), encoders).empty());
     CHECK(gate.refusal(encoders, encoders).empty());
     CHECK(gate.refusal(deg(1, 40), encoders).empty());

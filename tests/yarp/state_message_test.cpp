@@ -70,7 +70,7 @@ TEST_CASE("any other message of state:o is refused") {
     CHECK_THROWS_WITH(parse(kStamp + encoders({1, wrong})),
                       "the encoder of joint 1 is not a finite number");
   }
-  // A list of -1 encoders, of 2^31 - 1, of 65 that are there.
+  // A list with a count of -1, of 2^31 - 1, and of 65 with as many encoders.
   CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\xFF\xFF\xFF\xFF"s), BoardError);
   CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\xFF\xFF\xFF\x7F"s), BoardError);
   CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\x41\0\0\0"s + std::string(65 * 8, '\0')), BoardError);
