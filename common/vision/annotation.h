@@ -5,7 +5,7 @@
 
 namespace puck {
 
-/// A puck as a person, or the simulator in a person's place, marked it in a recording.
+/// A mark of the puck in a recording, made by a person or by the simulator.
 struct Annotation {
   Timestamp time;
   Pixel centre;

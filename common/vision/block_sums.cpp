@@ -14,7 +14,7 @@ namespace puck::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The sums of a row of blocks, which is as high as `band`; the last one may be narrower.
+// Sums one row of blocks, as high as `band`; the last block may be narrower.
 void sum_blocks(ImageView<const std::uint8_t> band, std::uint32_t* sums) {
   constexpr int kSide = 8;
   int x = 0;
@@ -55,7 +55,7 @@ HWY_EXPORT(sum_blocks);
 
 int blocks_in(int pixels) { return (pixels + BlockSums::kSide - 1) / BlockSums::kSide; }
 
-// As many blocks as so many pixels can touch.
+// The largest number of blocks that so many pixels can touch.
 int blocks_touched(int pixels) { return blocks_in(pixels - 1) + 1; }
 
 }  // namespace

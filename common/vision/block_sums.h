@@ -7,17 +7,16 @@
 
 namespace puck {
 
-/// A picture's grey summed up in blocks of 8 × 8 pixels: says cheaply how bright a rectangle of it
-/// can be at most. Every instruction set gives the same sums.
+/// Sums of a picture's grey over blocks of 8 × 8 pixels, for a cheap upper bound on the grey in a
+/// rectangle. Every instruction set gives the same sums.
 class BlockSums {
  public:
   static constexpr int kSide = 8;
 
   void set_picture(ImageView<const std::uint8_t> picture);
 
-  /// No rectangle of width × height px, wherever it lies in the picture or over its edge, has more
-  /// grey than this. It is the sum of blocks that a rectangle can touch, so it is larger than what
-  /// the brightest one has.
+  /// Upper bound on the grey in any rectangle of width × height px, inside the picture or over its
+  /// edge: the largest sum of the blocks that such a rectangle can touch.
   std::int64_t most_in(int width, int height);
 
  private:

@@ -102,7 +102,7 @@ void ContourFilter::correct(double distance_px, double normal_x, double normal_y
   for (std::size_t i = 0; i < kSize; ++i) {
     ph[i] = normal_x * cov(i, 0) + normal_y * cov(i, 1) + cov(i, 4);
   }
-  // Far events are believed less, without an edge between belief and disbelief.
+  // Distant events weigh less, without a threshold.
   const double variance = params_.event_variance_px2 * (1 + distance_px * distance_px / 4);
   const double per_innovation = 1 / (normal_x * ph[0] + normal_y * ph[1] + ph[4] + variance);
   apply(ph, per_innovation, distance_px);
@@ -118,7 +118,7 @@ void ContourFilter::apply(const State& ph, double per_innovation, double innovat
 
 void ContourFilter::keep_in_bounds() {
   state_[4] = std::clamp(state_[4], params_.smallest_growth_px, largest_growth_px());
-  // A square root only where there is something to bound: this is done for every event.
+  // The square root only above the bound: this runs for every event.
   const double squared_speed = state_[2] * state_[2] + state_[3] * state_[3];
   if (squared_speed > params_.max_speed_px_s * params_.max_speed_px_s) {
     const double keep = params_.max_speed_px_s / std::sqrt(squared_speed);

@@ -12,12 +12,12 @@ struct ContourFilterParams {
   /// Spectral density of the puck's acceleration, px²/s³. Larger follows hits sooner, smaller
   /// smooths more.
   double acceleration_density = 1e6;
-  /// The puck slows down with this time constant, s; sooner while nothing supports the track.
+  /// Time constant of the puck's speed, s, and the same while nothing supports the track.
   double damping_s = 1;
   double blind_damping_s = 0.06;
-  /// No puck is faster, px/s: 1.4 times the fastest shot.
+  /// Largest speed, px/s: 1.4 times the fastest shot.
   double max_speed_px_s = 12'000;
-  /// The size's offset wanders back to 0 with this time constant, s, and this spread, px.
+  /// Time constant, s, with which the size's offset returns to 0, and its spread, px.
   double growth_time_s = 0.5;
   double growth_sigma_px = 0.3;
   double smallest_growth_px = -1.5;
@@ -27,10 +27,9 @@ struct ContourFilterParams {
   bool follows_size = true;
 };
 
-/// A Kalman filter on the puck's contour: position and velocity in the image and the offset of the
-/// contour's size, corrected by single events, each of which says how far along its normal the
-/// contour must move. So motion is compensated event by event, and the position is as fine as many
-/// events make it.
+/// A Kalman filter on the puck's contour. Its state is the position and velocity in the image and
+/// the offset of the contour's size. Each event measures how far the contour must move along its
+/// normal, so motion is compensated event by event and many events give a sub-pixel position.
 class ContourFilter {
  public:
   struct Start {
@@ -44,10 +43,10 @@ class ContourFilter {
 
   ContourFilter(const ContourFilterParams& params, const Start& start, std::int64_t time_us);
 
-  /// A start at rest at a place, for a puck of the size that this filter has found.
+  /// A start at rest at a place, for a puck of the size that this filter has estimated.
   Start start_at(Pixel position) const;
 
-  /// Moves on to `time_us`, not before the last; `blind`: nothing has supported the track of late.
+  /// Predicts to `time_us`, not before the last time; `blind`: no recent event supports the track.
   void predict(std::int64_t time_us, bool blind);
 
   /// Variance of the predicted distance of a contour event with this outward normal, px².
@@ -55,37 +54,37 @@ class ContourFilter {
   /// Variance of the velocity along a normal, px²/s².
   double speed_variance(double normal_x, double normal_y) const;
 
-  /// The contour may be larger than the parameters say by so much, px, from now on.
+  /// Allows the contour to be larger than the parameters say by so many px from now on.
   void give_slack(double px);
   double slack_px() const { return slack_px_; }
   double largest_growth_px() const { return params_.largest_growth_px + slack_px_; }
 
-  /// Takes an event that lies `distance_px` outside the predicted contour. The filter must have
-  /// been predicted to the event's time.
+  /// Corrects with an event `distance_px` outside the predicted contour. predict() must have been
+  /// called for the event's time.
   void correct(double distance_px, double normal_x, double normal_y);
 
-  /// Takes that something else saw the puck so far from where the filter has it, as well as
-  /// `sigma_px` along each axis.
+  /// Corrects with an independent position measurement, (dx, dy) from the filter's position, with
+  /// standard deviation `sigma_px` along each axis.
   void correct_place(double dx, double dy, double sigma_px);
 
-  /// Takes its velocity, and keeps the uncertainty below these bounds.
+  /// Sets the velocity to 0 and bounds the standard deviations.
   void park(double sigma_px, double sigma_px_s);
 
-  /// Takes it to a place with a velocity, and keeps the uncertainty below these bounds.
+  /// Sets position and velocity, and bounds the standard deviations.
   void carry(Pixel position, PixelVelocity velocity, double sigma_px, double sigma_px_s);
 
-  /// Puts the puck to rest at a place, with the uncertainty of a start.
+  /// Restarts at rest at a place, with the uncertainty of a start.
   void restart(const Start& start);
 
   std::int64_t time_us() const { return time_us_; }
   Pixel position() const { return {state_[0], state_[1]}; }
-  /// Where it was at an earlier time, had it moved as it does now; at later ones: position().
+  /// Position at an earlier time, at the present velocity; position() for later times.
   Pixel position_at(std::int64_t time_us) const;
   PixelVelocity velocity() const { return {state_[2], state_[3]}; }
   double growth_px() const { return state_[4]; }
   double speed_px_s() const;
-  /// How much less is known of the velocity along itself than across: the ratio of the standard
-  /// deviations, 1 at rest. Two parallel edges tell nothing of a motion along them.
+  /// Ratio of the velocity's standard deviation along its direction to that across, 1 at rest.
+  /// Large between two parallel edges, which do not measure motion along themselves.
   double slide() const;
   /// Of (x, y, vx, vy), row by row.
   std::array<double, 16> covariance() const;
@@ -94,8 +93,8 @@ class ContourFilter {
   static constexpr std::size_t kSize = 5;
   using State = std::array<double, kSize>;
 
-  /// The Kalman step for one measured number: `ph` is the covariance of the state with it,
-  /// `per_innovation` the inverse of its variance.
+  /// The Kalman step for one scalar measurement: `ph` is the state's covariance with it,
+  /// `per_innovation` the inverse of the innovation's variance.
   void apply(const State& ph, double per_innovation, double innovation);
   void keep_in_bounds();
   double& cov(std::size_t row, std::size_t column) { return covariance_[row * kSize + column]; }

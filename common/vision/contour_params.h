@@ -6,74 +6,73 @@
 
 namespace puck {
 
-/// What the contour tracker is made of, one switch an ingredient, so that each can be taken away
-/// to see what it brings.
+/// The components of the contour tracker, one switch each, for ablation.
 struct ContourIngredients {
-  /// Sizes are those of a disc in perspective, where the calibration knows it, not Equation (2).
+  /// Sizes from a disc in perspective, where calibrated, instead of Equation (2).
   bool perspective = true;
-  bool shear = true;         ///< The ellipse is sheared as the table's perspective asks.
-  bool size_state = true;    ///< The filter follows the contour's size, not only its place.
-  bool lag = true;           ///< Events are put forward by the sensor's lag.
-  bool polarity = true;      ///< Events of the wrong sign are no contour events.
-  bool first_events = true;  ///< A puck of low contrast is followed by first events only.
-  bool size_penalty = true;  ///< Too many events, or too large a size, make a track doubtful.
-  /// … but at the image's sides a puck of good contrast may be larger, and cut off.
+  bool shear = true;         ///< The ellipse is sheared by the table's perspective.
+  bool size_state = true;    ///< The filter estimates the contour's size, too.
+  bool lag = true;           ///< The sensor's lag is compensated.
+  bool polarity = true;      ///< Events of the wrong sign are rejected.
+  bool first_events = true;  ///< A puck of low contrast uses only first events.
+  bool size_penalty = true;  ///< Too many events or too large a size lower the score.
+  /// Exception at the image's sides: a puck of good contrast may be larger there, and cut off.
   bool image_sides = true;
-  bool bloom = true;              ///< … but a bright puck looks larger than it is.
-  bool smear = true;              ///< … and a fast one may look smaller.
-  bool purity = true;             ///< Signs that do not suit a disc of one tone make it doubtful.
-  bool sector_saturation = true;  ///< Events in one direction count less and less.
-  bool twins = true;              ///< A twin at rest is there to take over at a bounce.
-  bool wall = true;               ///< Whether the puck's side wall makes events is found out.
-  bool wall_search = true;        ///< … and the search looks for it as it was found to be.
-  bool wall_height = true;        ///< … and how high it is, where annotations leave it out.
-  bool wall_edge = true;          ///< … and an edge between its face and it counts neither way.
-  /// What lies inside the contour, where the surroundings are clear, is of the puck: its face may
+  bool bloom = true;              ///< A bright puck may look larger.
+  bool smear = true;              ///< A fast puck may look smaller.
+  bool purity = true;             ///< Signs unlike those of a disc of one tone lower the score.
+  bool sector_saturation = true;  ///< Each further event in one sector counts less.
+  bool twins = true;              ///< A manoeuvre hypothesis at rest, for bounces.
+  bool wall = true;               ///< Estimates whether the puck's side wall makes events.
+  bool wall_search = true;        ///< The search uses that estimate.
+  bool wall_height = true;        ///< Estimates the wall's height if not annotated.
+  bool wall_edge = true;          ///< The edge between face and wall is ignored.
+  /// Events inside the contour belong to the puck where the surroundings are clear: its face may
   /// have a print.
   bool face_print = true;
-  bool plain_face = true;   ///< … unless the puck is not faint and has been seen to have none.
-  bool witness = true;      ///< A blob follows the puck more coarsely and checks on the track.
-  bool search = true;       ///< A doubtful track is challenged by the correlation near it.
-  bool wide_search = true;  ///< … and, unless it is beyond doubt, everywhere.
-  bool anywhere = true;     ///< … again and again where it is not known at all where the puck is.
-  /// A track that is 15 px outside the image has nothing left that speaks for it, so that the puck
-  /// is looked for at once; and what is farther off than it may have come back to is less believed.
+  bool plain_face = true;   ///< No print on a clear puck that has shown none.
+  bool witness = true;      ///< A coarse blob tracker checks the position.
+  bool search = true;       ///< Correlation searches near a doubtful track.
+  bool wide_search = true;  ///< It searches the whole image now and then.
+  bool anywhere = true;     ///< Every 5 ms while the place is unknown.
+  /// Re-entry gate: a track 15 px outside the image ends, so that the search starts at once;
+  /// candidates beyond the reach of a returning puck are less believed.
   bool way_back = true;
-  bool afresh = true;        ///< What is found where a poor track is challenges it, too.
-  bool fresh_search = true;  ///< The search sees what has made events of late only.
-  bool stopping = true;      ///< A puck that falls silent is taken to have stopped.
-  bool settling = true;      ///< A puck whose events fade comes to rest where it was last clear.
-  /// The sensor's noise is measured, where all of its events are taken, and neither disturbs a puck
-  /// at rest nor passes for what stands still.
+  bool afresh = true;        ///< Candidates at a poor track's own place count.
+  bool fresh_search = true;  ///< The search sees only recently active edges.
+  bool stopping = true;      ///< A puck without events is taken to have stopped.
+  bool settling = true;      ///< A fading puck rests where it was last clear.
+  /// The sensor's noise is measured, where all of its events are taken. It neither disturbs a puck
+  /// at rest nor counts as a static object.
   bool noise_floor = true;
-  bool holding = true;      ///< A puck at rest stays while something comes near.
-  bool left_behind = true;  ///< A track led away from a puck that cannot have left is brought back.
-  bool background = true;   ///< What stands still while the head turns counts less.
-  bool early_background = true;  ///< … which is known by the time that a track becomes doubtful.
-  bool clear_rings = true;       ///< … unless a faint puck is sought, and it is a clear ring.
-  bool faint_rests = true;       ///< What may be a faint puck at rest is looked for elsewhere, too.
-  bool faint_memory = true;      ///< That a puck is faint is remembered while nothing tells it.
-  /// What moves by itself takes over from a track that has gone bad, or rests and never moved.
+  bool holding = true;           ///< A puck at rest stays when an object comes near.
+  bool left_behind = true;       ///< Occupancy test where the puck rested.
+  bool background = true;        ///< Static objects under a turning head count less.
+  bool early_background = true;  ///< Learned before a track becomes doubtful.
+  bool clear_rings = true;       ///< Not clear rings while a faint puck is sought.
+  bool faint_rests = true;       ///< Possibly faint resting pucks: search elsewhere.
+  bool faint_memory = true;      ///< Remembers that a puck is faint.
+  /// A moving track hypothesis replaces a track that has gone bad, or rests and never moved.
   bool overtaking = true;
-  /// While the head rests, which the background tells, even what moves slowly moves by itself.
+  /// While the head rests, which the background tells, slow motion counts as own motion, too.
   bool slow_movers = true;
-  /// While the head may turn, what is found first moves with the scene or clearly by itself, as
-  /// what slides along an edge does not; where it is known how it turns, only a whole or very
-  /// strong ring displaces what is not trusted.
+  /// While the head may turn, a new track must move with the scene or clearly by itself, unlike
+  /// something that slides along an edge; where the turn is known, only a whole or very strong ring
+  /// displaces a track that is not trusted.
   bool own_motion = true;
-  /// A faint puck at rest beneath a turning head is found, since it moves with the scene, and stays
-  /// in it. The former takes own_motion, too.
+  /// A faint puck at rest under a turning head moves with the scene: it is found, and kept in it.
+  /// Finding it needs own_motion, too.
   bool scene_rests = true;
-  /// What one search after another finds along a way of its own is a faint puck, even if it has
-  /// hardly any events of its own, as beside a rail. Takes background and, to correct a track,
+  /// A trail that successive searches find, with a motion of its own, is a faint puck, even with
+  /// hardly any events of its own, as beside a rail. Needs background and, to correct a track,
   /// sightings.
   bool sighting_trails = true;
-  /// What the search and its events together say is the puck takes over; what the search hardly
-  /// sees as one does so less easily.
+  /// A candidate that both the search and its events support switches the track; one with a low
+  /// search score does so less easily.
   bool recognition = true;
-  bool sightings = true;     ///< What a search sees where a poor track is puts that right.
-  bool at_once = true;       ///< What is clearly a puck, or likely, is believed on a few events.
-  bool silent_trust = true;  ///< A track keeps its trust while its events, though few, agree.
+  bool sightings = true;     ///< A search's position corrects a poor track.
+  bool at_once = true;       ///< A clear or likely puck needs few events.
+  bool silent_trust = true;  ///< A few agreeing events keep a track trusted.
 };
 
 struct ContourIngredient {
@@ -81,7 +80,7 @@ struct ContourIngredient {
   bool ContourIngredients::*is_on = nullptr;
 };
 
-/// Their names, for the ablation.
+/// Names of the switches, for the ablation.
 inline constexpr std::array<ContourIngredient, 45> kContourIngredients{{
     {"perspective", &ContourIngredients::perspective},
     {"shear", &ContourIngredients::shear},

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::ptrdiff_t kSmallBytes = 4096;
 
-// What a kernel covers with its anchor on each of some candidates.
+// The pixels that a kernel covers with its anchor on any of the candidates.
 Region reach_of(const EllipseKernel& kernel, const Region& candidates) {
   return {candidates.x - kernel.anchor_x(), candidates.y - kernel.anchor_y(),
           candidates.width + kernel.width() - 1, candidates.height + kernel.height() - 1};
@@ -40,8 +40,8 @@ void Correlation::cover(const Region& region) {
   sums_of_rows_.resize(region);
   const ImageView<std::uint8_t> pixels = sums_of_rows_.pixels();
   const Region shown = region.intersect(region_);
-  // What is dark right of a row goes on left of the next one. Of a small picture all is made dark
-  // at once, which takes less time than a call for each row.
+  // A row's dark border continues at the left of the next row. A small picture is cleared at once,
+  // which takes less time than a call for each row.
   std::uint8_t* const end = pixels.row(region.height);
   const bool is_small = end - pixels.row(0) <= kSmallBytes;
   if (is_small) std::fill(pixels.row(0), end, std::uint8_t{0});

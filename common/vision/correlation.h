@@ -24,37 +24,37 @@ struct CorrelationMap {
 /// exact integers: the same as dense correlation. Pixels outside the picture count as dark.
 class Correlation {
  public:
-  /// Takes the picture; `region` is its place in the image. It must not change or go away while it
-  /// is correlated.
+  /// Sets the picture; `region` is its place in the image. It must stay unchanged while it is
+  /// correlated.
   void set_picture(ImageView<const std::uint8_t> picture, const Region& region);
-  /// Takes a surface and blurs what is needed of it.
+  /// Sets a surface, of which the needed part is blurred.
   void set_surface(ImageView<const std::uint8_t> surface, const Region& region);
 
-  /// Makes the picture ready for all kernels that reach no farther than `region`. Otherwise it is
-  /// made ready for each kernel as it comes.
+  /// Prepares the picture for all kernels that reach no farther than `region`. Without it each
+  /// kernel prepares its own part.
   void cover(const Region& region);
 
-  /// The kernel's response with its anchor on each pixel of `candidates`, wherever they lie.
+  /// The kernel's response with its anchor on each pixel of `candidates`, also outside the picture.
   void correlate(const EllipseKernel& kernel, const Region& candidates, CorrelationMap& out);
 
-  /// The lowest response of all candidates, which are at least one; of the responses themselves
-  /// only those in `kept`, which lies inside the candidates, are sure to be there afterwards.
+  /// The lowest response of all candidates, of which there is at least one. `out` holds at least
+  /// the responses in `kept`, which lies inside the candidates.
   double correlate_lowest(const EllipseKernel& kernel, const Region& candidates, const Region& kept,
                           CorrelationMap& out);
 
-  /// No candidate has a lower weighted response, wherever it lies: found without correlating.
+  /// Lower bound on the weighted response at any candidate, without correlating.
   double lower_bound(const EllipseKernel& kernel);
 
-  /// How much the place around pixel (x, y) looks like a puck: EllipseKernel::contrast.
+  /// Similarity of the place around pixel (x, y) to a puck: EllipseKernel::contrast.
   double contrast_at(const EllipseKernel& kernel, int x, int y);
 
  private:
   void show(ImageView<const std::uint8_t> picture, const Region& region, bool blurs);
   void cover_reach(const EllipseKernel& kernel, const Region& candidates);
-  // Where the kernel's measure is a sum with whole weights; the lowest response then.
+  // Returns the lowest response, if the kernel's measure is a sum with whole weights.
   std::optional<double> weigh(const EllipseKernel& kernel, const Region& candidates,
                               const Region& kept, CorrelationMap& out);
-  // Whatever the kernel's measure.
+  // For any measure.
   void measure(const EllipseKernel& kernel, const Region& candidates, CorrelationMap& out);
   void sum_shapes(const EllipseKernel& kernel, const Region& candidates);
 

@@ -9,7 +9,7 @@ namespace {
 
 // Growth of the width from row to row, px/px.
 constexpr double kLeastGrowth = 0.005;
-// In diameters: a puck of 8 cm is hardly thinner than 5 mm.
+// In diameters: a puck of 8 cm is at least about 4 mm thick.
 constexpr double kThinnest = 0.05;
 
 }  // namespace

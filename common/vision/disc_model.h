@@ -4,9 +4,9 @@
 
 namespace puck {
 
-/// Of an ordinary puck, in diameters: 1.2 cm of 6.5 cm.
+/// Thickness of an ordinary puck, in diameters: 1.2 cm of 6.5 cm.
 inline constexpr double kOrdinaryThickness = 0.19;
-/// No puck's wall is seen higher than so many of its widths.
+/// Upper bound on a wall's visible height, in widths.
 inline constexpr double kHighestWall = 0.5;
 
 /// The image of a flat cylinder, the puck, that lies on a plane in front of a pinhole camera: what
@@ -25,7 +25,7 @@ inline constexpr double kHighestWall = 0.5;
 /// the boxes' widths and heights fix w's three coefficients, face_on, the thickness, and, weakly,
 /// cx; f is face_on cos φ over w's growth from row to row.
 struct DiscModel {
-  /// Beyond the horizon it has no width, here this one.
+  /// The width beyond the horizon.
   static constexpr double kSmallestWidth_px = 1e-3;
 
   double width_0 = 0;  ///< w at the image's top left corner, px, and its growth, px/px.
@@ -37,15 +37,15 @@ struct DiscModel {
   double principal_y_px = 0;
 
   PuckSize at(Pixel position) const;
-  /// What the thickness adds to the height in the image's middle, in widths. What is thinner than
-  /// any puck has been annotated without its wall: 0.
+  /// Height that the thickness adds in the image's middle, in widths. 0 below the thickness of any
+  /// puck: the annotations leave the wall out.
   double wall_of_width() const;
   /// The same for an ordinary puck.
   double ordinary_wall() const;
-  /// How many times as high as in the image's middle a wall is seen there, in widths: the farther
-  /// away, the higher.
+  /// A wall's visible height relative to that in the image's middle, both in widths: it grows with
+  /// the distance.
   double wall_profile(Pixel position) const;
-  /// Of the optical axis below the horizon, degrees.
+  /// Tilt of the optical axis below the horizon, degrees.
   double tilt_deg() const;
   double focal_px() const;
   /// Whether the sizes grow enough towards the camera for tilt and focal length to mean anything.

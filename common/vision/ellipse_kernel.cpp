@@ -24,7 +24,7 @@ EllipseKernel::Run run_within(const KernelGeometry& geometry, int row, double bo
 
 double share_of_one(int pixels) { return 1.0 / std::max(pixels, 1); }
 
-// The factor in units of the weights; nothing where it is no whole number of them.
+// The factor in units of the weights; nothing where it is not a whole number of them.
 std::optional<std::int16_t> whole_weight(double factor) {
   constexpr double kLargest = 1000;
   constexpr double kWhole = 1e-9;

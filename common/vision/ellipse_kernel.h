@@ -9,14 +9,14 @@
 
 namespace puck {
 
-/// What a correlation answers at a candidate.
+/// The measure of a correlation at a candidate.
 enum class KernelMeasure : std::uint8_t {
   kWeightedSum,  ///< The sum of weight times grey: the paper's convolution.
-  kContrast,     ///< EllipseKernel::contrast, which is alike at every size and brightness.
+  kContrast,     ///< EllipseKernel::contrast, comparable at every size and brightness.
 };
 
-/// What a kernel gives to the pixels inside the puck's ring, on it and around it. Boundaries are in
-/// squared normalised radius, ((x − cx) / a)² + ((y − cy) / b)², which is 1 on the ellipse.
+/// Weights of the pixels inside the puck's ring, on it and around it. Boundaries are in squared
+/// normalised radius, ((x − cx) / a)² + ((y − cy) / b)², which is 1 on the ellipse.
 struct KernelProfile {
   double inner_boundary = 0.4;
   double outer_boundary = 0.8;
@@ -26,7 +26,7 @@ struct KernelProfile {
   KernelMeasure measure = KernelMeasure::kWeightedSum;
 };
 
-/// Where a kernel's ellipse lies on its canvas, px from the canvas's first pixel.
+/// Position of a kernel's ellipse on its canvas, px from the canvas's first pixel.
 struct KernelGeometry {
   int canvas_width = 0;
   int canvas_height = 0;
@@ -34,7 +34,7 @@ struct KernelGeometry {
   double origin_y = 0;
   double semi_x = 0;  ///< Semi-axes.
   double semi_y = 0;
-  int anchor_x = 0;  ///< The pixel that stands for the position.
+  int anchor_x = 0;  ///< The pixel at the candidate's position.
   int anchor_y = 0;
 };
 
@@ -69,18 +69,18 @@ class EllipseKernel {
     std::int16_t inner = 0;
   };
 
-  /// The weights of the three sums in units of kWeightUnit, where the measure is a weighted sum,
-  /// all three are whole numbers and no picture makes the total exceed 32 bits: a weighted sum is
-  /// an integer then, so it is exact, and which of two is larger is never a matter of rounding.
+  /// The weights of the three sums in units of kWeightUnit, if the measure is a weighted sum, all
+  /// three are whole numbers and the total fits into 32 bits for every picture: the weighted sum is
+  /// then an exact integer, and comparisons do not depend on rounding.
   const std::optional<WholeWeights>& whole_weights() const { return whole_weights_; }
   static constexpr double kWeightUnit = 0.2;
 
   KernelMeasure measure() const { return measure_; }
 
-  /// No picture has a lower response.
+  /// Lower bound on the response for any picture.
   double lowest_response() const { return lowest_response_; }
-  /// No picture has a lower weighted sum that has at most so much grey on the canvas and in the
-  /// rectangle around the inner ellipse.
+  /// Lower bound on the weighted sum for any picture with at most so much grey on the canvas and in
+  /// the rectangle around the inner ellipse.
   double lowest_response(double canvas_sum, double inner_sum) const {
     return std::max(lowest_response_, canvas_floor_ * canvas_sum + inner_floor_ * inner_sum);
   }
@@ -103,10 +103,10 @@ class EllipseKernel {
     return canvas_factor_ * canvas_sum + outer_factor_ * outer_sum + inner_factor_ * inner_sum;
   }
 
-  /// How much a place looks like a puck, whatever the weights: (r − b) / (r + b + doubt), with r
-  /// the ring's mean grey, b the mean of the inside's and the outside's, and the doubt as strong as
-  /// 5 % of full grey, so that a few stray events are no evidence. 0 where nothing stands out; it
-  /// approaches 1 for a bright ring on dark ground. Alike at every size.
+  /// Similarity to a puck for any weights: (r − b) / (r + b + doubt), with r the ring's mean grey,
+  /// b the mean of the inside's and the outside's, and the doubt 5 % of full grey, so that a few
+  /// stray events score low. 0 without contrast; it approaches 1 for a bright ring on dark ground.
+  /// Comparable at every size.
   double contrast(double canvas_sum, double outer_sum, double inner_sum) const {
     const double ring = (outer_sum - inner_sum) * per_ring_pixel_;
     const double background =
@@ -135,7 +135,7 @@ class EllipseKernel {
   double inner_factor_ = 0;
   double lowest_response_ = 0;
   double canvas_floor_ = 0;  // the lowest weight outside the inner ellipse, at most 0
-  double inner_floor_ = 0;   // by how much it is lower inside
+  double inner_floor_ = 0;   // difference inside it, at most 0
   int inner_width_ = 0;
   int inner_height_ = 0;
   std::optional<WholeWeights> whole_weights_;

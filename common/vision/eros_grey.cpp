@@ -14,8 +14,8 @@ namespace puck::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Replaces bytes in whole vectors; returns how many it has done. `grey_after` holds `sixteens`
-// times 16 values; all beyond are 0.
+// Replaces bytes in whole vectors; returns the number replaced. `grey_after` holds `sixteens` times
+// 16 values; all beyond are 0.
 std::size_t look_up(std::span<std::uint8_t> counts, const std::uint8_t* grey_after, int sixteens) {
 #if HWY_TARGET == HWY_SCALAR
   (void)counts;
@@ -25,9 +25,8 @@ std::size_t look_up(std::span<std::uint8_t> counts, const std::uint8_t* grey_aft
 #else
   const hn::ScalableTag<std::uint8_t> tag;
   const std::size_t lanes = hn::Lanes(tag);
-  // An index of 128 and more looks up 0. Adding 112, saturated, takes all indices there but 0 to
-  // 15, those that were below 0 and wrapped included; only the lowest four bits of the others
-  // count.
+  // An index of 128 and more looks up 0. A saturated addition of 112 moves all indices but 0 to 15
+  // there, wrapped negative ones included; of the others only the lowest four bits count.
   const auto beyond = hn::Set(tag, 112);
   const auto index_bits = hn::Set(tag, 0x8f);
   std::size_t done = 0;
@@ -55,8 +54,8 @@ namespace {
 
 HWY_EXPORT(look_up);
 
-// Copies the columns of a strip that lie in the picture. With the number of columns known they are
-// copied without a call a row.
+// Copies the columns of a strip that lie in the picture. A constant number of columns saves a call
+// for each row.
 template <int kColumns>
 void copy_columns(const std::uint8_t* strip, ImageView<std::uint8_t> out, int first_column) {
   for (int y = 0; y < out.height(); ++y, strip += kColumns) {

@@ -8,8 +8,8 @@
 namespace puck {
 namespace {
 
-// Addresses that are equal in their lowest 12 bits compete for the same cache sets, so neighbouring
-// strips are kept so far apart from that.
+// Addresses equal in their lowest 12 bits compete for the same cache sets, so neighbouring strips
+// differ there by at least kApart.
 constexpr std::size_t kPage = 4096;
 constexpr std::size_t kApart = 256;
 // The last window of the last strip is loaded in whole vectors.

@@ -59,7 +59,7 @@ void ErosSurface::keep_only(const Region& region) {
   const Region all = Region::all_of(size_);
   const Region now = region.intersect(all);
   if (now == kept_) return;
-  // Events around what was kept have left traces there, too.
+  // Windows of kept events also reach outside the kept region.
   const Region traces = kept_.inflated(half_width_).intersect(all);
   const Region stays = kept_.intersect(now);
   kept_ = now;

@@ -16,7 +16,7 @@ namespace puck {
 struct ErosParams {
   /// The paper's k: the decayed window is 2k + 1 pixels wide. 1 to 8.
   int half_width_px = 5;
-  /// The paper's d: what a neighbouring event leaves of a pixel. Larger keeps old edges longer.
+  /// The paper's d: factor by which an event fades its neighbours. Larger keeps old edges longer.
   double decay = 0.786;
   ErosRounding rounding = ErosRounding::kNearest;
 };
@@ -30,8 +30,8 @@ struct SurfaceExposure {
 
 /// The Exponential Reduced Ordinal Surface (paper, Algorithm 1): each event sets its pixel to 255
 /// and multiplies the pixels around it by the decay. Exact and without a multiplication: a pixel
-/// holds 255 − n, n the events in its window since its own last one, and becomes the grey value
-/// 255·dⁿ only when it is read. Not safe for use from several threads at once, but for develop().
+/// holds 255 − n, n the events in its window since its own last one, and is converted to the grey
+/// value 255·dⁿ only when it is read. One thread at a time, except develop().
 class ErosSurface {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
@@ -44,21 +44,19 @@ class ErosSurface {
   /// Like the batch form, for a part of a packet that starts at `start`. `events` is not empty.
   void update(Timestamp start, std::span<const Event> events);
 
-  /// From now on only `region` is kept up to date, which is cheaper: events farther away than their
-  /// windows reach are counted but not applied. What does not stay becomes dark, and so what comes
-  /// in begins dark, whatever has happened there before. All of the sensor, as at the start:
-  /// nothing is left out.
+  /// Keeps only `region` up to date from now on, which is cheaper: events outside its reach are
+  /// counted but not applied. Pixels outside the region become dark, and pixels that enter it later
+  /// start dark. The whole sensor, as at the start, keeps all.
   void keep_only(const Region& region);
 
   /// Copies the part of `region` that lies inside the sensor.
   void snapshot(const Region& region, SurfaceSnapshot& out);
 
-  /// The same in two steps: the first is quick …
+  /// snapshot() in two steps: the first is quick …
   void take(const Region& region, SurfaceExposure& out) const;
-  /// … and the second, which uses up what was taken, may be made while another thread goes on
-  /// updating the surface.
+  /// … and the second, which overwrites `taken`, may run while another thread updates the surface.
   void develop(SurfaceExposure& taken, SurfaceSnapshot& out) const;
-  /// As develop(), but to its place in `out`, whose region and picture hold what was taken.
+  /// As develop(), but into its place in `out`, whose region contains that of `taken`.
   void develop_part(SurfaceExposure& taken, SurfaceSnapshot& out) const;
 
   SensorSize size() const { return size_; }
@@ -70,7 +68,7 @@ class ErosSurface {
   int half_width_;
   ErosStrips strips_;
   ErosGrey grey_;
-  Region kept_;            // what is kept up to date
+  Region kept_;            // the part kept up to date
   SurfaceExposure taken_;  // of a snapshot
   std::int64_t events_applied_ = 0;
   Timestamp newest_event_;

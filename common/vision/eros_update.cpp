@@ -10,11 +10,10 @@ namespace puck::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What depends on the half width is known when this is compiled, so that its loops are unrolled and
-// its divisions are not.
+// The half width is a template parameter so that loops are unrolled and divisions are cheap.
 template <int kHalfWidth>
 void apply(const ErosUpdateTarget& target, std::span<const Event> events) {
-  // Vectors of more than a cache line would only cross more of them.
+  // Vectors longer than a cache line would only cross more lines.
   const hn::CappedTag<std::uint8_t, 64> tag;
   constexpr std::size_t kLanes = hn::MaxLanes(tag);
   constexpr int kSide = 2 * kHalfWidth + 1;

@@ -7,9 +7,9 @@ namespace puck {
 namespace {
 
 constexpr double kFading_us = 1'500'000;
-// The unit is brought back to 1 before floats run out, which a few seconds are far from.
+// The unit is reset to 1 long before floats run out of range.
 constexpr double kSmallestUnit = 1e-6;
-// Of an event, at all places that it is added to: the sum of its weights, and of their squares.
+// Sums of the weights of one event over all its pixels, and of their squares.
 constexpr double kWeights = 4;
 constexpr double kSquares = 2.25;
 constexpr double kSigmas = 4;

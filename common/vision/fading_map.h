@@ -8,11 +8,11 @@
 
 namespace puck {
 
-/// Where events have been of late, each spread over 3 x 3 px and fading with 1.5 s: a picture of
-/// what does not move, somewhat larger than the sensor's.
+/// A decaying event map: events, each spread over 3 x 3 px, decay with a time constant of 1.5 s. It
+/// shows what does not move, and is somewhat larger than the sensor's image.
 class FadingMap {
  public:
-  /// What the map shows at a place, and how that changes from px to px along x and y.
+  /// The map's value at a place, and its gradient along x and y, per px.
   struct Sample {
     double level = 0;
     double slope_x = 0;
@@ -21,23 +21,21 @@ class FadingMap {
 
   explicit FadingMap(SensorSize sensor);
 
-  /// Nothing has been anywhere.
+  /// Sets the map to 0 everywhere.
   void clear();
-  /// Notes that of what has been added since the last call each pixel has made so many events by
-  /// itself, on average.
+  /// Notes the noise among the events added since the last call: mean events per pixel.
   void note_noise(double events);
-  /// What the noise that was noted hardly ever exceeds anywhere.
+  /// A level that the noted noise hardly ever exceeds at any pixel.
   double level_of_noise() const;
 
-  /// Moves on to `time_us`, not before the last.
+  /// Lets the map decay to `time_us`, not before the last time.
   void advance(std::int64_t time_us);
 
-  /// Adds an event: 1 at its own place, half of it beside and a quarter of it across. What lies
-  /// outside the map is not kept.
+  /// Adds an event: 1 at its pixel, a half at its four neighbours, a quarter at the diagonal ones.
+  /// Parts outside the map are dropped.
   void add(Pixel place);
 
-  /// Fetches what the map shows at a place, for `sample`: of many places, all at once, that takes
-  /// less time than one by one.
+  /// Prefetches the map at a place for `sample`: faster for many places at once than one by one.
   void fetch(Pixel place) const {
     const Pixel on_map = on_map_of(place, 0);
     if (!contains(on_map)) return;
@@ -45,7 +43,7 @@ class FadingMap {
     __builtin_prefetch(here);
     __builtin_prefetch(here + map_.width());
   }
-  /// Between the pixels; nothing (0) outside the map.
+  /// Interpolated between pixels; 0 outside the map.
   Sample sample(Pixel place) const {
     const Pixel on_map = on_map_of(place, 0);
     if (!contains(on_map)) return {};
@@ -71,12 +69,12 @@ class FadingMap {
  private:
   static constexpr double kToNearest = 0.5;
 
-  // On the map, so that cutting off the fractions gives its pixel: with `rounding` 0 the one to the
-  // upper left, with kToNearest the nearest one.
+  // In map coordinates, so that truncation gives the pixel: the upper left one with `rounding` 0,
+  // the nearest one with kToNearest.
   Pixel on_map_of(Pixel place, double rounding) const {
     return {place.x + margin_x_ + rounding, place.y + margin_y_ + rounding};
   }
-  // False for what is no number, too.
+  // False for NaN, too.
   bool contains(Pixel on_map) const {
     return on_map.x >= 1 && on_map.y >= 1 && on_map.x < map_.width() - 2 &&
            on_map.y < map_.height() - 2;
@@ -84,7 +82,7 @@ class FadingMap {
 
   int margin_x_;
   int margin_y_;
-  Image<float> map_;  // In units of unit_: new events count for more, instead of old ones for less.
+  Image<float> map_;  // In units of unit_: new events grow instead of old ones decaying.
   double unit_ = 1;
   double noise_ = 0;  // of a pixel, fading
   double noise_variance_ = 0;

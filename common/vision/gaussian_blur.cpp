@@ -14,11 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace puck::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Binomial weights, in 16ths: what OpenCV takes for five pixels when it chooses sigma itself. Two
-// passes of them fit into 16 bits: 16 · 16 · 255 = 65280, and the half that rounds.
+// Binomial weights, in 16ths, as OpenCV uses for five pixels when it chooses sigma itself. Two
+// passes fit into 16 bits: 16 · 16 · 255 = 65280, plus the rounding half.
 
-// Calls `blur_at(tag, x)` so that `count` pixels are blurred, with the widest vectors that they
-// fill; the last one may overlap the one before it.
+// Calls `blur_at(tag, x)` until `count` pixels are blurred, with the widest vectors that they fill;
+// the last one may overlap the one before it.
 template <typename Tag, typename BlurAt>
 HWY_INLINE void blur_all(Tag tag, std::size_t count, const BlurAt& blur_at) {
   const std::size_t lanes = hn::Lanes(tag);
@@ -31,10 +31,10 @@ HWY_INLINE void blur_all(Tag tag, std::size_t count, const BlurAt& blur_at) {
   if (x < count) blur_at(tag, count - lanes);
 }
 
-// Weights five rows each, the first ones at rows[0]; there are four more rows than are written.
+// Weights five rows each, starting at rows[0]; `rows` has four rows more than are written.
 void blur_down(std::span<const std::uint8_t* const> rows, std::size_t count, std::uint16_t* to,
                std::ptrdiff_t stride) {
-  // Row by row a sum of two neighbours four times over: 1, 4, 6, 4, 1.
+  // Four sums of two neighbouring rows: weights 1, 4, 6, 4, 1.
   const auto blur_at = [&](auto d16, std::size_t x) HWY_ATTR {
     const hn::Rebind<std::uint8_t, decltype(d16)> d8;
     const auto none = hn::Zero(d16);
@@ -61,7 +61,7 @@ void blur_down(std::span<const std::uint8_t* const> rows, std::size_t count, std
   blur_all(hn::ScalableTag<std::uint16_t>(), count, blur_at);
 }
 
-// Weights five neighbours in each row, the first of them at `from`.
+// Weights five neighbours in each row, starting at `from`.
 void blur_across(const std::uint16_t* from, std::ptrdiff_t stride, ImageView<std::uint8_t> out) {
   for (int y = 0; y < out.height(); ++y, from += stride) {
     std::uint8_t* to = out.row(y);

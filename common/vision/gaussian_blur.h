@@ -8,16 +8,16 @@
 
 namespace puck {
 
-/// Smooths a surface before it is correlated: 5×5 Gaussian, sigma about 1.1 px, in 8-bit fixed
-/// point; at the border of what it is given the picture is mirrored about its outermost pixels. The
-/// same result as OpenCV's GaussianBlur(…, Size(5, 5), 0), which the authors' code calls. Every
-/// instruction set gives the same bytes.
+/// Smooths a surface before the correlation: 5×5 Gaussian, sigma about 1.1 px, in 8-bit fixed
+/// point, with the source mirrored about its outermost pixels. The result equals OpenCV's
+/// GaussianBlur(…, Size(5, 5), 0), which the authors' code calls. Every instruction set gives the
+/// same bytes.
 class GaussianBlur {
  public:
-  /// How far a pixel's value reaches.
+  /// Radius of the window, px.
   static constexpr int kRadius = 2;
-  /// What is mirrored counts more than once, but no pixel of a picture larger than 4 × 4 px adds
-  /// more than so many times its grey to the result, rounding aside: 20 of 16ths in each direction.
+  /// Largest factor by which a pixel's grey enters the sum of the result in a picture larger than 4
+  /// × 4 px, rounding aside: mirrored pixels count more than once, 20 of 16ths in each direction.
   static constexpr double kMostGain = 1.25 * 1.25;
 
   /// Blurs all of `source` into `out`, which takes its size.
@@ -27,10 +27,10 @@ class GaussianBlur {
   void apply(ImageView<const std::uint8_t> source, const Region& part, ImageView<std::uint8_t> out);
 
  private:
-  // What columns `first` … `last` − 1 beyond the source would have. `first_x`: of what is blurred.
+  // Mirrors columns `first` … `last` − 1 beyond the source. `first_x`: first blurred column.
   void mirror_columns(int first, int last, int first_x, int source_width);
 
-  std::vector<const std::uint8_t*> rows_;  // of the source, as they are needed from the top
+  std::vector<const std::uint8_t*> rows_;  // of the source, in the order of use
   Image<std::uint16_t> down_;              // blurred along y, in 16ths
 };
 

@@ -7,7 +7,7 @@
 
 namespace puck {
 
-/// The place nearest to this one that lies in the image, or no more than `beyond_px` outside it.
+/// The nearest place in the image, or at most `beyond_px` outside it.
 inline Pixel nearest_in_image(Pixel place, SensorSize sensor, double beyond_px = 0) {
   return {std::clamp(place.x, -beyond_px, sensor.width - 1 + beyond_px),
           std::clamp(place.y, -beyond_px, sensor.height - 1 + beyond_px)};

@@ -8,7 +8,7 @@
 
 namespace puck {
 
-/// The image in 8 × 6 cells, in which events are counted.
+/// A grid of 8 × 6 cells over the image, for counting events.
 class ImageCells {
  public:
   static constexpr std::size_t kColumns = 8;
@@ -26,14 +26,14 @@ class ImageCells {
     }
   }
 
-  /// Of a pixel of the image, 0 to kCount − 1.
+  /// Cell of a pixel of the image, 0 to kCount − 1.
   std::size_t cell_of(int x, int y) const {
     return std::size_t{column_of_[static_cast<std::size_t>(x)]} +
            first_of_row_[static_cast<std::size_t>(y)];
   }
 
  private:
-  // Dividing takes longer, and is done for every event.
+  // A table instead of a division, for every event.
   std::vector<std::uint8_t> column_of_;
   std::vector<std::uint8_t> first_of_row_;
 };

@@ -56,8 +56,8 @@ PuckSize KernelBank::nominal(PuckSize size) const {
           static_cast<double>(size_at(index_of(size.height)))};
 }
 
-// Sizes grow towards a border of the image, so that the widest kernel in a region is that of one of
-// its corners; and no puck's is higher than that is wide.
+// Sizes grow towards a border of the image, so the widest kernel in a region is that of one of its
+// corners; and no puck is higher than it is wide.
 int KernelBank::reach_beyond(const Region& region, const PuckSizeModel& size_model) const {
   int reach = 0;
   for (const int x : {region.x, region.right() - 1}) {
@@ -72,7 +72,7 @@ int KernelBank::reach_beyond(const Region& region, const PuckSizeModel& size_mod
 
 int KernelBank::index_of(double contour_px) const {
   const double size_px = contour_px * params_.size_scale;
-  // Not a number compares false and takes the smallest.
+  // NaN compares false and takes the smallest size.
   if (!(size_px > params_.smallest_px)) return 0;
   if (size_px >= params_.largest_px) return sizes_ - 1;
   const int odd = 2 * static_cast<int>(std::floor(size_px / 2)) + 1;

@@ -9,7 +9,7 @@
 
 namespace puck {
 
-/// How the kernels of a bank are drawn for a puck of width × height px.
+/// Drawing of a bank's kernels for a puck of width × height px.
 struct KernelBankParams {
   KernelProfile profile;
   /// The kernel's nominal size relative to the puck's contour: the ellipse on which the profile's
@@ -25,7 +25,7 @@ struct KernelBankParams {
   bool whole_semi_axes = true;
 };
 
-/// A kernel for every odd width and height, made once at the start.
+/// A kernel for every odd width and height, made once at construction.
 class KernelBank {
  public:
   /// Throws std::invalid_argument when the sizes are not odd and in order,
@@ -34,9 +34,9 @@ class KernelBank {
 
   /// The kernel for a puck whose contour has this size.
   const EllipseKernel& nearest(PuckSize size) const;
-  /// That kernel's nominal size: scaled, the next odd one, 2·floor(v / 2) + 1, clamped.
+  /// That kernel's nominal size: scaled, made odd by 2·floor(v / 2) + 1, and clamped.
   PuckSize nominal(PuckSize size) const;
-  /// How far beyond `region` the kernels reach that belong to the places inside it, px.
+  /// Reach beyond `region`, px, of the kernels for the places inside it.
   int reach_beyond(const Region& region, const PuckSizeModel& size_model) const;
 
  private:

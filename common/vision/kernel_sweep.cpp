@@ -17,7 +17,7 @@ namespace puck::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Without vectors Highway has no halves of them.
+// HWY_SCALAR has no half vectors.
 #if HWY_TARGET == HWY_SCALAR
 constexpr int kHalves = 1;
 #else
@@ -25,13 +25,12 @@ constexpr int kHalves = 2;
 #endif
 
 using Wide = hn::ScalableTag<std::uint16_t>;
-// Of 16 lanes at most: three of them waste less on 33 to 48 columns than two that are twice as
-// wide.
+// At most 16 lanes: on 33 to 48 columns three such vectors waste less than two of twice the width.
 using Narrow = hn::CappedTag<std::uint16_t, 16>;
 
-// kVectors vectors of neighbouring candidates, from the first row to the last; what one row hands
-// on to the next stays in registers. kShapes: 1, the weighted total; 3, the canvas's sum, the outer
-// and the inner ellipse's.
+// kVectors vectors of neighbouring candidates, from the first row to the last; the running sums
+// stay in registers from row to row. kShapes: 1, the weighted total; 3, the sums of the canvas, the
+// outer and the inner ellipse.
 template <typename Sums, int kShapes, int kVectors>
 class Strip {
   using Changes = hn::RebindToSigned<Sums>;
@@ -68,8 +67,8 @@ class Strip {
   }
 
  private:
-  // One half of the values with 32 bits each. Without moving any from one block of 16 bytes to
-  // another, which takes longer, so that both halves have some of each block; see put_in_order.
+  // One half of the values, widened to 32 bits. Values stay in their block of 16 bytes, because a
+  // move between blocks takes longer; so each half has some of each block, see put_in_order.
   static HWY_INLINE TotalVector half_of(SumVector values, int half) {
 #if HWY_TARGET == HWY_SCALAR
     static_cast<void>(half);
@@ -79,7 +78,7 @@ class Strip {
 #endif
   }
 
-  // The same of what the values stand for as signed numbers.
+  // The same for values read as signed numbers.
   static HWY_INLINE TotalVector signed_half_of(SumVector values, int half) {
 #if HWY_TARGET == HWY_SCALAR
     static_cast<void>(half);
@@ -95,7 +94,7 @@ class Strip {
   }
 #endif
 
-  // Writes the halves of some values in the values' order.
+  // Writes the halves of some values in the order of the values.
   template <typename Tag>
   static HWY_INLINE void put_in_order(Tag tag, const hn::Vec<Tag>* halves, std::int32_t* to) {
 #if HWY_TARGET != HWY_SCALAR
@@ -138,7 +137,7 @@ class Strip {
     begin_totals(place, plan_.inner, 2, plan_.weights.inner, inner_);
   }
 
-  // The first row's sums may exceed 16 bits: as many runs at once as do not.
+  // The first row's sums may exceed 16 bits: adds as many runs in 16 bits as cannot overflow.
   HWY_INLINE void begin_totals(const std::uint16_t* place, std::span<const SumRun> runs, int shape,
                                std::int32_t weight, SumVector* sums) {
     for (int v = 0; v < kVectors; ++v) sums[v] = hn::Zero(Sums());
@@ -178,7 +177,7 @@ class Strip {
     for (int half = 0; half < kHalves; ++half) {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
       if constexpr (kShapes == 1) {
-        // On x86 that is the sum of two neighbouring products.
+        // On x86 one instruction: the sum of two neighbouring products.
         auto& total = totals_[v * kHalves + half];
         TotalVector unused;
         const auto sum_products = [&](SumVector a, SumVector b, TotalVector weights) HWY_ATTR {
@@ -222,7 +221,7 @@ class Strip {
     }
   }
 
-  // Of the columns that are candidates.
+  // The lowest total in the columns that are candidates.
   HWY_INLINE std::int32_t lowest() const {
     const auto none = hn::Set(Totals(), std::numeric_limits<std::int32_t>::max());
     auto all = none;
@@ -245,8 +244,8 @@ class Strip {
   SumVector inner_[kVectors];
   TotalVector totals_[kShapes * kVectors * kHalves];
   TotalVector lowest_[kVectors * kHalves];
-  TotalVector both_weights_;  // Of the canvas and the outer ellipse, 16 bits each by turns.
-  TotalVector inner_weight_;  // By turns with 0.
+  TotalVector both_weights_;  // Canvas and outer ellipse, 16 bits each, alternating.
+  TotalVector inner_weight_;  // Alternating with 0.
 };
 
 template <typename Sums, int kShapes>
@@ -288,7 +287,7 @@ namespace {
 
 HWY_EXPORT(sweep);
 
-// Whole strips are written.
+// Rows are written in whole strips.
 constexpr std::ptrdiff_t kStrip = RowSums::kSlack;
 
 void add_run(std::vector<SumRun>& runs, std::ptrdiff_t row_begin, EllipseKernel::Run run) {

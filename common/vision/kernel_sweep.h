@@ -12,27 +12,27 @@
 
 namespace puck {
 
-/// Sums of a kernel's filled shapes at each of a rectangle of candidates. An ellipse is a run of
-/// pixels in each of its rows, so a sum is made of two numbers a row, for as many candidates at
-/// once as vectors hold. The sums are exact; every instruction set gives the same.
+/// Sums of a kernel's filled shapes at each candidate in a rectangle. An ellipse is a run of pixels
+/// in each of its rows, so a sum takes two numbers a row, for a vector of candidates at once. The
+/// sums are exact; every instruction set gives the same.
 ///
-/// They are made in 16 bits, which is enough for what a sum changes by from one row of candidates
-/// to the next: at most a pixel a column on a canvas of `kWidest` columns, 128 · 255 = 32640. So
-/// the difference of two such sums is the true one, and the total, in 32 bits, follows from the
-/// first row's, which is summed up in 16 bits for as many runs at once as fit, and then in 32. A
-/// canvas's sum changes by its last row and by the one above its first.
+/// The change of a sum from one row of candidates to the next fits into 16 bits: at most a pixel a
+/// column on a canvas of `kWidest` columns, 128 · 255 = 32640. So the difference of two 16-bit sums
+/// is exact and is added to the total in 32 bits. The first row's sum is added up in 16 bits for as
+/// many runs as fit, then in 32. A canvas's sum changes by its last row and the one above its
+/// first.
 class KernelSweep {
  public:
   static constexpr int kWidest = 128;
 
   /// The totals of a part of the candidates.
   struct Totals {
-    Region region;         ///< Rows, and columns that were wanted at least.
-    int first_column = 0;  ///< Of what `values` begins with.
+    Region region;         ///< The rows, and at least the requested columns.
+    int first_column = 0;  ///< Column of the first of `values`.
     std::ptrdiff_t stride = 0;
     std::vector<std::int32_t> values;
 
-    /// Makes room for whole vectors of candidates; the values are not set.
+    /// Makes room for whole vectors of candidates; the values stay unset.
     void make_room(const Region& candidates, const Region& kept);
 
     const std::int32_t* row(int y) const {
@@ -40,21 +40,21 @@ class KernelSweep {
     }
   };
 
-  /// Whether the kernel can be swept; otherwise sum_plainly is there.
+  /// Whether the kernel can be swept; otherwise use sum_plainly.
   static bool can_sweep(const EllipseKernel& kernel) { return kernel.width() <= kWidest; }
 
-  /// The weighted total at each candidate; returns the lowest of them all, keeps those in `kept`,
-  /// which lies inside the candidates. `picture` shows all that the kernel reaches from them.
+  /// Returns the lowest weighted total of all candidates, and keeps the totals in `kept`, which
+  /// lies inside the candidates. `picture` covers the kernel's reach from all candidates.
   std::int32_t sweep(const RowSums& picture, const EllipseKernel& kernel,
                      EllipseKernel::WholeWeights weights, const Region& candidates,
                      const Region& kept, Totals& totals);
 
-  /// The sums over the canvas, the outer and the inner ellipse, each on its own.
+  /// The sums over the canvas, the outer and the inner ellipse separately.
   void sweep(const RowSums& picture, const EllipseKernel& kernel, const Region& candidates,
              std::array<Totals, 3>& sums);
 
  private:
-  // All but what the totals are made of and where they go. It borrows the runs below.
+  // Everything but weights and destination of the totals. The plan borrows the runs below.
   SweepPlan plan_for(const RowSums& picture, const EllipseKernel& kernel, const Region& candidates,
                      const Region& kept);
 

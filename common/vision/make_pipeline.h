@@ -9,8 +9,8 @@
 
 namespace puck {
 
-/// The pipeline that the parameters, and so the preset they come from, ask for. Throws
-/// std::invalid_argument, naming the key, when a parameter is out of range.
+/// Creates the pipeline that the parameters (of a preset) select. Throws std::invalid_argument,
+/// naming the key, when a parameter is out of range.
 std::unique_ptr<TrackingPipeline> make_pipeline(SensorSize sensor, const PipelineParams& params,
                                                 const PuckSizeModel& size_model);
 

@@ -3,7 +3,7 @@
 namespace puck {
 namespace {
 
-// Added to how the peak is held, weighted pixels: where nothing holds it the variance stays finite.
+// Added to the curvature, weighted pixels, so that the variance stays finite without bright pixels.
 constexpr double kLeastHold = 0.1;
 
 }  // namespace

@@ -5,16 +5,16 @@
 
 namespace puck {
 
-/// How far off a soft ring's peak is.
+/// Position noise of a soft ring's peak.
 struct MeasurementNoiseParams {
-  /// Standard deviation that no amount of bright pixels takes away, px: the size model's errors and
-  /// whatever else the surface remembers from one step to the next.
+  /// Standard deviation that remains with any number of bright pixels, px: errors of the size model
+  /// and old events on the surface, which steps share.
   double floor_px = 0.05;
   /// Variance of the distance from the contour at which a bright pixel lies, px².
   double pixel_px2 = 0.06;
 };
 
-/// The variance of a peak along each axis: less the more strongly the picture holds it there.
+/// Variance of a peak along each axis: the larger the curvature there, the smaller.
 PixelVariance measurement_variance(const RefinedPeak& peak, const MeasurementNoiseParams& params);
 
 }  // namespace puck

@@ -5,7 +5,7 @@
 namespace puck {
 namespace {
 
-// As if so many bright pixels held the peak where it is: it does not run away along an edge.
+// Weight of a prior at the start, in bright pixels: stops a drift along an edge.
 constexpr double kInertia = 2;
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace puck {
 
 /// The specification of KernelSweep: the same sums over the canvas, the outer and the inner
-/// ellipse, each pixel by pixel.
+/// ellipse, pixel by pixel.
 void sum_plainly(const RowSums& picture, const EllipseKernel& kernel, const Region& candidates,
                  std::array<KernelSweep::Totals, 3>& sums);
 

@@ -5,9 +5,9 @@
 namespace puck {
 namespace {
 
-// The text: decay d = 0.3^(1/k), a kernel that is 1 on the ring, 0 inside and slightly negative
-// outside, a detection kernel of the size that the regression gives at the centre of ROI_d, a
-// tracking region slightly larger than the puck, a Gaussian of half the kernel's size.
+// As in the paper's text: decay d = 0.3^(1/k); a kernel that is 1 on the ring, 0 inside and
+// slightly negative outside; a detection kernel of the regression's size at the centre of ROI_d; a
+// tracking region slightly larger than the puck; a Gaussian of half the kernel's size.
 PipelineParams paper() {
   PipelineParams params;
   params.eros = {5, std::pow(0.3, 1.0 / 5), ErosRounding::kNearest};
@@ -16,8 +16,8 @@ PipelineParams paper() {
   params.kernels.margin_y_px = 0;
   params.kernels.whole_semi_axes = false;
   params.detector.kernel = DetectionKernel::kSizeAtCentre;
-  // The text has no number. 5000 is one that the authors' code had in its time; their 3000 is less
-  // than what this kernel, which is not negative inside the ring, answers to noise.
+  // The text gives no number. The authors' code once had 5000; its later 3000 is less than this
+  // kernel, which is not negative inside the ring, responds to noise.
   params.detector.threshold = 5000;
   params.tracker.region_factor = 1.5;
   params.kernels.size_scale = kAuthorsBoxScale;
@@ -26,8 +26,8 @@ PipelineParams paper() {
   return params;
 }
 
-// The authors' code at the time of the paper. Its slips are left out: the centre pixel set in the
-// wrong place at the left and top border, and sizes beyond the bank, which read an empty kernel.
+// The authors' code at the time of the paper, without two errors: the centre pixel set in the wrong
+// place at the left and top border, and an empty kernel for sizes beyond the bank.
 PipelineParams reference() {
   PipelineParams params;
   params.eros = {3, std::pow(0.1, 1.0 / 7), ErosRounding::kTruncateEachStep};
@@ -52,11 +52,11 @@ PipelineParams correlation() {
   params.sizes_by_disc = true;
   params.detector.kernel = DetectionKernel::kSizePerRow;
   params.detector.region = {};
-  // Low: what is found must pass the soft ring's test.
+  // Low: the soft ring tests each detection.
   params.detector.threshold = 0.35;
   params.tracker.centred_window = true;
   params.tracker.shift_to_lowest = false;
-  // The prediction centres it, so it need not reach far.
+  // Small, because the prediction centres it.
   params.tracker.region_factor = 2;
   params.tracker.sub_pixel = true;
   params.tracker.ring.enabled = true;
@@ -71,8 +71,8 @@ PipelineParams correlation() {
   return params;
 }
 
-// Correlation detects and searches, the contour filter follows. What the search finds has to prove
-// itself on single events, so that it may find too much.
+// Correlation detects and searches, the contour filter follows. Each candidate of the search is
+// tested on single events, so that false candidates are acceptable.
 PipelineParams contour() {
   PipelineParams params = correlation();
   params.detector.threshold = 0.2;

@@ -6,9 +6,9 @@
 namespace puck {
 namespace {
 
-// The smallest puck whose contour still has an inside.
+// The smallest semi-axis of a contour that has an inside.
 constexpr double kSmallestSemi_px = 2;
-// A plane seen in perspective makes the width grow at least so much from row to row, px per px.
+// Smallest growth of the width from row to row for a plane in perspective, px per px.
 constexpr double kLeastSlope = 0.01;
 // 300 px/s for the puck of config/scene.toml, 33 px wide in the middle.
 constexpr double kTurningWidths_per_s = 9;
@@ -45,7 +45,7 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
       sheared_(sheared && size_model.width_growth() > kLeastSlope) {
   const double width_px = size_model.at({middle_column_, (sensor.height - 1) / 2.0}).width;
   turning_px_s_ = kTurningWidths_per_s * std::max(width_px, 2 * kSmallestSemi_px);
-  // On a plane a disc's width shrinks linearly to nothing at the horizon.
+  // On a plane a disc's width shrinks linearly to zero at the horizon.
   if (sheared_) horizon_row_ = size_model.horizon_row(middle_column_);
 }
 
@@ -64,14 +64,14 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
   }
   const double below_horizon = centre.y - horizon_row_;
   if (sheared_ && below_horizon > width) {
-    // Only the disc slants, not the wall below it.
+    // The shear applies to the disc, not to the wall below it.
     const double disc_height = silhouette - size_model_.wall_of_width() * width;
     const double drawn_out = height - 2 * ring.half_wall;
     ring.shear =
         (centre.x - middle_column_) / below_horizon * std::clamp(disc_height / drawn_out, 0.0, 1.0);
   }
   if (tangent_of_twice_lean_ != 0) {
-    // An ellipse that is turned in its box is a sheared one, and stays within it.
+    // An ellipse rotated within its box is a sheared one, and stays within it.
     const double ratio = width / std::max(silhouette, 2 * kSmallestSemi_px);
     const double most =
         std::sqrt(std::max(ring.semi_x * ring.semi_x - kSmallestSemi_px * kSmallestSemi_px, 0.0)) /

@@ -10,46 +10,46 @@
 
 namespace puck {
 
-/// Where a pixel lies relative to the puck's contour.
+/// Position of a pixel relative to the puck's contour.
 struct ContourOffset {
   double distance_px = 0;  ///< From the nearest contour, positive outside.
   double normal_x = 0;     ///< Unit vector out of the puck there.
   double normal_y = 0;
-  int sector = 0;  ///< Which of kContourSectors, seen from the centre.
+  int sector = 0;  ///< Sector of kContourSectors, seen from the centre.
 };
 
 inline constexpr int kContourSectors = 12;
 
-/// The ellipse, drawn out or not, on which a puck's contour events lie: sheared, because a disc on
-/// a table that is seen from above and beside the middle is not upright, nor is any that a rolled
-/// camera sees.
+/// The ellipse of a puck's contour events, with straight sides where a wall extends it. It is
+/// sheared, because a disc is not upright in the image if the camera is rolled or sees the table
+/// from above and beside the middle.
 struct ContourRing {
   double semi_x = 0;  ///< Half the width along a row through the centre, px.
   double semi_y = 0;  ///< Half the height, px.
   double shear = 0;   ///< px along x per px along y.
-  double rise = 0;    ///< How far the ring's centre lies above the puck's, px.
-  /// Half the length of its straight sides, px: a face with a wall below it is outlined by an
-  /// ellipse that is drawn out downwards.
+  double rise = 0;    ///< Height of the ring's centre above the puck's, px.
+  /// Half the length of the straight sides, px: a face with a wall below it is outlined by an
+  /// ellipse that is extended downwards.
   double half_wall = 0;
-  /// Where those begin on the ellipse, px along y per px along x from its centre.
+  /// Start of the straight sides on the ellipse, px along y per px along x from its centre.
   double sides_slope = 0;
 
-  /// No part of it lies farther than this, px, to either side of its centre.
+  /// Largest distance of the ring to either side of its centre, px.
   double half_width() const { return semi_x + std::abs(shear) * semi_y; }
 
-  /// Half the height of the ellipse that is drawn out, px.
+  /// Half the height of the ellipse without its straight sides, px.
   double face_semi_y() const { return semi_y - half_wall; }
   /// Half the width of that ellipse, px.
   double drawn_out_semi_x() const { return std::hypot(semi_x, shear * face_semi_y()); }
-  /// How far below the ellipse's centre that lay, before it was drawn out, which lies at
-  /// (dx, ring_y) from the ring's.
+  /// Depth below the ellipse's centre of the point that the straight sides move to (dx, ring_y)
+  /// from the ring's centre.
   double face_y(double dx, double ring_y) const {
     return ring_y - std::clamp(ring_y - sides_slope * dx, -half_wall, half_wall);
   }
 
-  /// Of a pixel at (dx, dy) from the puck's centre, with the ring larger by `growth_px` all round.
+  /// Offset of a pixel (dx, dy) from the puck's centre; the ring is `growth_px` larger all round.
   ContourOffset offset(double dx, double dy, double growth_px) const {
-    // Inverted once each: this is done for every event near a track.
+    // One inversion each: this runs for every event near a track.
     const double per_a = 1 / (semi_x + growth_px);
     const double per_b = 1 / (face_semi_y() + growth_px);
     const double y = face_y(dx, dy + rise);
@@ -63,16 +63,15 @@ struct ContourRing {
     return {(rho - 1) * rho * per_slope, gx * per_slope, gy * per_slope, sector_of(u, v)};
   }
 
-  /// Area of all that is not farther outside than `reach_px`; of the band within `half_width_px` of
-  /// the ring; of what is farther inside than that; and of the band from there to `reach_px`
-  /// outside; px².
+  /// Areas, px²: of everything up to `reach_px` outside; of the band within `half_width_px` of the
+  /// ring; of everything farther inside than that; of the band from there to `reach_px` outside.
   double reach_area(double reach_px) const;
   double band_area(double half_width_px) const;
   double inside_area(double half_width_px) const;
   double outside_area(double half_width_px, double reach_px) const;
 
  private:
-  // There ∇ρ has no direction: the distance is −kMiddle / kNoSlope, 10 px inside.
+  // At the centre ∇ρ has no direction: the distance is −kMiddle / kNoSlope, 10 px inside.
   static constexpr double kMiddle = 1e-8;
   static constexpr double kNoSlope = 1e-9;
 
@@ -80,7 +79,7 @@ struct ContourRing {
     return std::sqrt((semi_x * semi_x + face_semi_y() * face_semi_y()) / 2);
   }
 
-  // Without an arc tangent: quarters, and in each the slopes of 30° and 60°.
+  // Without an arc tangent: quadrants, and in each the slopes of 30° and 60°.
   static int sector_of(double u, double v) {
     const double au = std::abs(u);
     const double av = std::abs(v);
@@ -90,45 +89,45 @@ struct ContourRing {
   }
 };
 
-/// The puck's contour anywhere in the image: from the size model, the contour's calibration, and
-/// the horizon that the size model implies.
+/// The puck's contour anywhere in the image, from the size model with its horizon and the contour's
+/// calibration.
 class PuckContour {
  public:
   PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
               const ContourCalibration& calibration, bool sheared);
 
-  /// `wall_share`: by how much of its width the ring is lower than the puck's silhouette, because
-  /// the puck's side wall makes no events; below 0 if it is taller because the annotations leave
-  /// the wall out: calibrated_wall_share() or other_wall_share(), a left out wall's as it is in the
-  /// image's middle.
+  /// `wall_share`: height that the ring lacks, as a share of its width, because the puck's side
+  /// wall makes no events; below 0 if the ring is taller because the annotations leave the wall
+  /// out. Either calibrated_wall_share() or other_wall_share(); an omitted wall's share is that in
+  /// the image's middle.
   ContourRing ring_at(Pixel centre, double wall_share) const;
   double calibrated_wall_share() const { return calibration_.wall_share; }
   double other_wall_share() const { return other_wall_share_; }
-  /// The other wall's is found to be `share`. Tracks go by it from their next decision on.
+  /// Sets the other wall's share. Tracks use it from their next decision on.
   void correct_other_wall_share(double share) { other_wall_share_ = share; }
-  /// It is what the calibration says again.
+  /// Resets it to the calibration's.
   void forget_other_wall_share() { other_wall_share_ = calibration_.other_wall_share(size_model_); }
-  /// DiscModel::wall_profile; 1 where the disc is not known.
+  /// DiscModel::wall_profile; 1 without a disc model.
   double wall_profile(Pixel place) const {
     return size_model_.disc ? size_model_.disc->wall_profile(place) : 1;
   }
-  /// Of the other wall, or of the calibrated one.
+  /// The other wall's share, or the calibrated one.
   double wall_share(bool is_other) const {
     return is_other ? other_wall_share() : calibrated_wall_share();
   }
-  /// Whether that is the other wall's.
+  /// Whether the share is the other wall's.
   bool is_other_wall(double wall_share) const { return wall_share != calibrated_wall_share(); }
-  /// Where the puck is if it makes a ring that, with wall share `from`, would be one at `centre`,
-  /// but with wall share `to`: the ring stays in its place, the puck's centre does not.
+  /// The puck's centre if a ring, which with wall share `from` belongs to a puck at `centre`, is
+  /// that of a puck with wall share `to`.
   Pixel centre_with_wall(Pixel centre, double from, double to) const {
     const double share = wall_share_at(centre, to) - wall_share_at(centre, from);
     return {centre.x, centre.y + share * size_at(centre).width / 2};
   }
   SensorSize sensor() const { return sensor_; }
   PuckSize size_at(Pixel centre) const { return size_model_.at(centre); }
-  /// Faster than the image of what is fixed to the table while the head turns as it does in play,
-  /// px/s, at least 36. It goes with the lens, of which the puck's size in the image's middle tells
-  /// for a puck and a distance like those of the paper's table.
+  /// Speed above that of a fixed mark on the table while the head turns as in play, px/s, at least
+  /// 36. It scales with the lens, estimated from the puck's width in the image's middle for a puck
+  /// and a distance like those of the paper's table.
   double turning_px_s() const { return turning_px_s_; }
   /// ContourCalibration::behind_px.
   double behind_px(double normal_speed_px_s) const {
@@ -136,8 +135,8 @@ class PuckContour {
   }
 
  private:
-  // A wall that the annotations leave out is foreshortened as it is there; the calibrated share is
-  // the one that suits all of the image best.
+  // An omitted wall is foreshortened as at its place; the calibrated share is a fit to the whole
+  // image.
   double wall_share_at(Pixel place, double wall_share) const {
     const bool is_left_out = wall_share < 0 && is_other_wall(wall_share);
     return is_left_out ? std::max(wall_share * wall_profile(place), -kHighestWall) : wall_share;

@@ -8,8 +8,8 @@
 namespace puck {
 namespace {
 
-// Rows between the candidates of a search with a kernel for each row; the rows that this leaves out
-// are looked at around the best one.
+// Step between the rows of a search with a kernel for each row; refined() correlates the omitted
+// rows around each peak.
 constexpr int kRowStep = 2;
 
 KernelGeometry fixed_geometry(int height_px) {
@@ -102,7 +102,7 @@ void PuckDetector::find_peaks(Correlation& picture, const Region& where, const K
   std::stable_sort(found_.begin(), found_.end(), better);
 }
 
-// Of neighbours that are equal the first counts, so that a plateau is one peak.
+// Of equal neighbours the first counts, so that a plateau is one peak.
 void PuckDetector::collect_peaks(const Region& where) {
   peaks_.clear();
   const auto threshold = static_cast<float>(params_.threshold);
@@ -142,7 +142,7 @@ void PuckDetector::keep_best_apart() {
   }
 }
 
-// The same place, looked at in the rows that the search has left out.
+// Correlates the rows around the peak that the search has left out, too.
 PuckDetector::Detection PuckDetector::refined(Correlation& picture, const Region& where,
                                               const KernelBank& bank, Detection peak) {
   Detection best{peak.position, -std::numeric_limits<double>::infinity()};

@@ -15,16 +15,16 @@
 namespace puck {
 
 enum class DetectionKernel : std::uint8_t {
-  kSizeAtCentre,  ///< One kernel, of the size that the model gives at the region's centre (paper).
-  kFixed,         ///< One kernel, whatever the region (the authors' code).
-  kSizePerRow,    ///< The size that belongs to each row, so that a puck is found anywhere.
+  kSizeAtCentre,  ///< One kernel, of the model's size at the region's centre (paper).
+  kFixed,         ///< One kernel for every region (the authors' code).
+  kSizePerRow,    ///< The model's size at each row, so that a puck is found anywhere.
 };
 
 struct DetectorParams {
   DetectionKernel kernel = DetectionKernel::kSizeAtCentre;
   /// The paper's ROI_d; an empty region stands for the whole image.
   Region region{60, 150, 500, 80};
-  /// What the kernel's response must exceed.
+  /// Responses up to this do not count.
   double threshold = 3000;
   /// Height of the fixed kernel, px; its width is 1.6 times that.
   int fixed_height_px = 19;
@@ -35,7 +35,7 @@ struct DetectorParams {
 /// ROI_d, inside the sensor. Throws std::invalid_argument when it lies outside.
 Region detection_region(SensorSize sensor, const DetectorParams& params);
 
-/// Finds the puck where nothing is known of it yet (paper, Section III-B, detection).
+/// Detects the puck without a prior position (paper, Section III-B, detection).
 class PuckDetector {
  public:
   struct Detection {
@@ -43,22 +43,22 @@ class PuckDetector {
     double response = 0;
   };
 
-  /// A search with the size of each row tells of at most so many places, any other of the best.
+  /// Largest number of detections with the size of each row; otherwise there is at most one.
   static constexpr std::size_t kMostDetections = 48;
 
   /// Throws std::invalid_argument when the fixed kernel cannot be drawn.
   PuckDetector(const DetectorParams& params, const PuckSizeModel& size_model);
 
-  /// Looks for pucks of these sizes from now on.
+  /// Uses these puck sizes from now on.
   void look_for(const PuckSizeModel& size_model) { size_model_ = size_model; }
 
-  /// How far a kernel of the detector's own reaches around its candidates, px; the bank's reach as
-  /// far as their sizes.
+  /// Reach of the detector's own kernel around its candidates, px; for kernels of the bank see
+  /// KernelBank::reach_beyond.
   int reach() const { return fixed_kernel_.width() / 2 + 1; }
 
   /// The best place in `where` and, with the size of each row, further peaks of the response, at
-  /// least half a puck apart; best first, all above the threshold. `bank` is the tracker's. What is
-  /// returned lasts until the next call.
+  /// least half a puck apart; best first, all above the threshold. `bank` is the tracker's. The
+  /// result is valid until the next call.
   const std::vector<Detection>& detect(Correlation& picture, const Region& where,
                                        const KernelBank& bank);
 
@@ -74,7 +74,7 @@ class PuckDetector {
   PuckSizeModel size_model_;
   EllipseKernel fixed_kernel_;
   CorrelationMap map_;
-  Image<float> responses_;  // of the rows that a search looks at
+  Image<float> responses_;  // of the rows of a search
   std::vector<Detection> peaks_;
   std::vector<Detection> found_;
 };

@@ -16,27 +16,27 @@ enum class TrackState : std::uint8_t {
   kLost,       ///< Was followed; is being searched for.
 };
 
-/// `searching`, `tracking` or `lost`: the words used on the wire's tools and in CSV.
+/// `searching`, `tracking` or `lost`: the words in the tools' output and in CSV files.
 const char* to_string(TrackState state);
 
-/// Where the puck is believed to be, after one step of the tracking thread.
+/// Estimate of the puck after one step of the tracking thread.
 struct PuckEstimate {
   TrackState state = TrackState::kSearching;
   bool resting = false;             ///< Held in its place without new events.
   bool coasting = false;            ///< Predicted, not seen, for at most 50 ms.
-  std::optional<Pixel> left_image;  ///< Where it left the image, if it did.
+  std::optional<Pixel> left_image;  ///< Place of exit, if it left the image.
 
-  /// Centre of the puck; nothing while it has never been seen or is lost.
+  /// Centre of the puck; empty before the first detection and while lost.
   std::optional<Pixel> position;
   PixelVelocity velocity;
   PuckSize size;
-  /// How much the surface looks like a puck there: 0 not at all, 1 perfectly, alike at every size.
+  /// Similarity of the surface to a puck there: 0 none, 1 perfect, comparable at every size.
   double score = 0;
-  /// Of (x, y, vx, vy), row by row; px², px²/s, px²/s².
+  /// Covariance of (x, y, vx, vy), row by row; px², px²/s, px²/s².
   std::array<double, 16> covariance{};
 
-  Region region;                    ///< ROI_d or ROI_t that was looked at; empty between searches.
-  Timestamp newest_event;           ///< Newest event on the surface that was looked at.
+  Region region;                    ///< ROI_d or ROI_t of the step; empty between searches.
+  Timestamp newest_event;           ///< Newest event on the step's surface.
   std::int64_t events_applied = 0;  ///< Events applied to that surface since the start.
 };
 

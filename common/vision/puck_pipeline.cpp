@@ -11,7 +11,7 @@
 namespace puck {
 namespace {
 
-// A puck slower than this for so long is at rest.
+// A puck slower than this for kRestingAfterUs is at rest.
 constexpr double kRestingPxPerS = 20;
 constexpr std::int64_t kRestingAfterUs = 100'000;
 
@@ -36,8 +36,7 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PipelineParams& params,
   make_room();
 }
 
-// Looks once for the largest puck there can be, where there is nothing, so that no look later has
-// to ask for memory.
+// Runs one step with the largest puck on an empty surface, so that no later step allocates.
 void PuckPipeline::make_room() {
   const double right = sensor_.width - 1;
   const double bottom = sensor_.height - 1;
@@ -56,7 +55,7 @@ Region PuckPipeline::region_needed() const {
   return with_surroundings(region_).intersect(Region::all_of(sensor_));
 }
 
-// A kernel on the region's border reaches beyond it, and the blur a little more.
+// Adds the reach of kernels on the region's border, and that of the blur.
 Region PuckPipeline::with_surroundings(const Region& region) const {
   return region.inflated(kernels_.reach_beyond(region, size_model_) + GaussianBlur::kRadius);
 }
@@ -84,7 +83,7 @@ SearchRequest PuckPipeline::search_wanted() {
 }
 
 void PuckPipeline::take(const SearchResult& result) {
-  // A track that has recovered meanwhile knows better.
+  // A recovered track is newer than the search's result.
   if (result.candidates.empty() || (state_ == TrackState::kTracking && !coasting_)) return;
   const double score = result.candidates.front().score;
   if (params_.loss.enabled && score < params_.loss.lowest_start_score) return;
@@ -111,7 +110,7 @@ void PuckPipeline::track(const SurfaceSnapshot& snapshot) {
   if (region_.empty()) lose(now);
 }
 
-// Weak evidence is better than none and is followed, but something better is looked for around it.
+// Follows weak evidence, and searches around it for something better.
 void PuckPipeline::coast(Timestamp now) {
   coasting_ = true;
   if (now - last_good_ > params_.loss.coast_us) {

@@ -20,32 +20,31 @@
 
 namespace puck {
 
-/// When a track counts as lost and how the puck is searched for again.
+/// Conditions for a lost track, and plan of the search after it.
 struct LossParams {
-  /// Off: once detected the puck is tracked for ever, as in the paper.
+  /// Off: a detected puck is tracked for ever, as in the paper.
   bool enabled = true;
-  /// A place that scores less is weak evidence.
+  /// Lower scores are weak evidence.
   double lowest_score = 0.36;
-  /// What a search finds must score so much to be tracked.
+  /// Lowest score of a search candidate that starts a track.
   double lowest_start_score = 0;
-  /// How long weak evidence is followed, while something better is looked for around it, before the
-  /// puck counts as lost, sensor time.
+  /// Longest sensor time on weak evidence, with a search around it, before the puck counts as lost.
   std::int64_t coast_us = 50'000;
   /// Sensor time between searches.
   std::int64_t search_period_us = 5'000;
-  /// The search reaches this far around where the puck was expected last, at first …
+  /// First radius of the search around the last expected position …
   double search_radius_px = 40;
-  /// … and this much farther each second, until it covers the whole image.
+  /// … and its growth, until the search covers the whole image.
   double search_growth_px_s = 3'000;
 };
 
 struct PipelineParams {
   ErosParams eros;
-  /// While there is a track, only what the next step looks at is kept up to date on the surface:
-  /// the paper's optimisation that it did not test. What is elsewhere cannot be found then.
+  /// While there is a track, only the next step's region of the surface is kept up to date: an
+  /// optimisation that the paper names but did not test. Elsewhere no puck can be found then.
   bool roi_only = false;
-  /// Offline (SurfaceTracker): a search's answer comes so long after its snapshot, µs. Live, where
-  /// a machine is busy, it takes as long as it takes.
+  /// Offline (SurfaceTracker): sensor time from a search's snapshot to its result, µs. Live, the
+  /// result comes when the search is done.
   std::int64_t search_delay_us = 0;
   KernelBankParams kernels;
   DetectorParams detector;
@@ -54,31 +53,30 @@ struct PipelineParams {
   LossParams loss;
   MotionLeadParams lead;
   EdgeTrailParams trail;
-  /// A contour filter on single events follows the puck (ContourPipeline); correlation only
-  /// searches for it then. Of the parameters above, only those of the surface, the kernels and the
-  /// detector count.
+  /// A contour filter on single events follows the puck (ContourPipeline), and correlation only
+  /// searches for it. Of the parameters above, only those of the surface, the kernels and the
+  /// detector are used then.
   bool follows_contour = false;
-  /// Its calibration is also that of the correlation's soft ring.
+  /// Its calibration also applies to the correlation's soft ring.
   ContourPipelineParams contour;
-  /// The puck's size is that of a disc in perspective, where the calibration knows it; otherwise,
-  /// as the paper has it, by Equation (2).
+  /// Puck sizes are those of a disc in perspective, where calibrated; otherwise, as in the paper,
+  /// those of Equation (2).
   bool sizes_by_disc = false;
-  /// The sizes that it goes by.
+  /// The size model in use.
   PuckSizeModel sizes_of(PuckSizeModel model) const {
     const bool by_disc = sizes_by_disc && (!follows_contour || contour.ingredients.perspective);
     if (!by_disc) model.disc.reset();
     return model;
   }
-  /// SearchRequest::fresh_only is asked for.
+  /// Whether searches set SearchRequest::fresh_only.
   bool searches_fresh() const { return follows_contour && contour.ingredients.fresh_search; }
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
-  /// the published position is the filtered one.
+  /// the filtered position is published.
   bool predicts = false;
 };
 
-/// What the paper's second thread does: detect, then track, one step for each look at the surface.
-/// It looks at nothing but the surface, so single events are not asked for. The detection is a
-/// search like those for a lost puck.
+/// The paper's second thread: detection, then tracking, one step for each snapshot of the surface.
+/// It needs no single events. The detection is a search like those for a lost puck.
 class PuckPipeline final : public TrackingPipeline {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
@@ -123,7 +121,7 @@ class PuckPipeline final : public TrackingPipeline {
   double score_ = 0;
   bool coasting_ = false;
   std::optional<Pixel> left_image_;
-  Timestamp last_good_;  // when the track was last believed
+  Timestamp last_good_;  // time of the last strong evidence
   Timestamp resting_since_;
   Timestamp now_;
   Timestamp next_search_;

@@ -27,7 +27,7 @@ void PuckSearch::Look::take_wall(const PuckSizeModel& size_model, double wall_sh
   ring.correct_other_wall_share(wall_share);
 }
 
-// The kernels of the calibrated wall are of the puck's size, as the paper has it.
+// The kernels of the calibrated wall have the puck's size, as in the paper.
 PuckSearch::PuckSearch(SensorSize sensor, const PipelineParams& params,
                        const PuckSizeModel& size_model)
     : sensor_(sensor),
@@ -64,7 +64,7 @@ SearchResult PuckSearch::search(const SurfaceSnapshot& snapshot, const SearchReq
 
 PuckSearch::Look& PuckSearch::look_of(const SearchRequest& request) {
   if (!request.other_wall) return calibrated_;
-  // Only a wall that the annotations leave out may turn out to be of another height.
+  // Only the height of a wall that the annotations leave out is estimated.
   if (other_wall_share_ < 0) {
     const double share =
         request.other_wall_share < 0 ? request.other_wall_share : other_wall_share_;
@@ -78,11 +78,11 @@ SearchCandidate PuckSearch::candidate_at(const SurfaceSnapshot& snapshot, Look& 
   const PuckSize size = look.contour_size.at(detected);
   const Pixel centre{detected.x, detected.y + look.rise_of_width * size.width};
   if (has_ring_) {
-    // As the tracker will see the place: finer, and with the score that it goes by.
+    // As the tracker's step: finer, and with the tracker's score.
     const SoftRing::Fit fit = look.ring.fit(snapshot.grey.view(), snapshot.region, centre);
     return {fit.position, fit.score};
   }
-  // The score says the same for every preset, whatever its detection kernel answers.
+  // The contrast is comparable between presets, unlike the detection kernel's response.
   const double score =
       picture_.contrast_at(kernels_.nearest(size), static_cast<int>(std::lround(detected.x)),
                            static_cast<int>(std::lround(detected.y)));

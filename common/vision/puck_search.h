@@ -13,32 +13,32 @@
 
 namespace puck {
 
-/// Searches a copy of the surface for the puck, as large a part of it as is wanted, without knowing
-/// anything of a track. The same snapshot gives the same result, to the bit. One thread at a time.
+/// Searches a snapshot of the surface for the puck, without knowledge of a track. The same snapshot
+/// gives the same result, to the bit. One thread at a time.
 class PuckSearch {
  public:
-  /// Kernels and ring are the tracker's. Throws std::invalid_argument, naming the key, when a
+  /// Uses the tracker's kernels and ring. Throws std::invalid_argument, naming the key, when a
   /// parameter is out of range.
   PuckSearch(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model);
 
-  /// The part of the surface that a search of `search` must be given: kernels on its border reach
-  /// beyond it, and the blur a little more.
+  /// The part of the surface that a search of `search` needs: with the reach of kernels on its
+  /// border and that of the blur.
   Region snapshot_region(const Region& search) const;
 
   /// Looks for the puck. `snapshot` shows snapshot_region(request.region).
   SearchResult search(const SurfaceSnapshot& snapshot, const SearchRequest& request);
 
  private:
-  /// What a puck looks like, by one opinion on its side wall.
+  /// Appearance of a puck under one of the two assumptions on its side wall.
   struct Look {
     Look(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
          double kernel_wall_share, bool other_wall);
 
-    /// Its wall is as high as that, from now on.
+    /// Sets the wall's height for later searches.
     void take_wall(const PuckSizeModel& size_model, double wall_share);
 
     PuckSizeModel contour_size;  ///< Of the contour that the kernels show.
-    double rise_of_width;        ///< How far its centre lies above the puck's.
+    double rise_of_width;        ///< Height of its centre above the puck's.
     PuckDetector detector;
     SoftRing ring;
   };
@@ -50,8 +50,8 @@ class PuckSearch {
   KernelBank kernels_;
   bool has_ring_;
   PuckSizeModel sizes_;
-  double other_wall_share_;  // as it is calibrated
-  PuckSizeModel tallest_;    // whatever the other wall's height is found to be
+  double other_wall_share_;  // calibrated, or estimated since
+  PuckSizeModel tallest_;    // for the largest height of the other wall
   Look calibrated_;
   Look other_wall_;
   Correlation picture_;

@@ -11,7 +11,7 @@ std::string text_of(SensorSize sensor) {
   return std::to_string(sensor.width) + "x" + std::to_string(sensor.height);
 }
 
-// To a tenth of a pixel.
+// Rounded to a tenth of a pixel.
 std::string text_of(double size_px) {
   if (!(std::abs(size_px) < 1e6)) return "no usable number of";
   const long long tenths = std::llround(std::abs(size_px) * 10);
@@ -41,7 +41,7 @@ std::vector<std::string> doubts_about(const PuckSizeModel& model, SensorSize sen
                      " px, this one has " + text_of(sensor) +
                      ": check the width and height that were given, or calibrate it anew");
   }
-  // Planes are most extreme at a corner; the disc is nearly so.
+  // Planes have their extremes at the corners; the disc nearly so.
   const double right = sensor.width - 1;
   const double bottom = sensor.height - 1;
   Pixel worst;

@@ -8,13 +8,12 @@
 namespace puck {
 namespace {
 
-// A region of so few candidates is correlated as quickly as it takes to find out whether it must
-// be.
+// Up to this size, correlating the region takes no longer than testing whether it is necessary.
 constexpr int kFewCandidates = 2'000;
 
 int odd(double value) { return 2 * static_cast<int>(std::floor(value / 2)) + 1; }
 
-// Where the parabola through three neighbouring values peaks, from the middle one, −0.5 to 0.5.
+// Peak of the parabola through three neighbouring values, from the middle one, −0.5 to 0.5.
 double parabola_offset(double before, double middle, double after) {
   const double curvature = before - 2 * middle + after;
   if (!(curvature < 0)) return 0;
@@ -70,7 +69,7 @@ PuckTracker::Step PuckTracker::step(const SurfaceSnapshot& surface, const Region
   // The Gaussian around the last position, and the restricted maximum.
   const WeightedPeak peak =
       find_peak(kernel, region, window, params_.centred_window ? expected : window.centre());
-  // Where nothing stands out the puck stays where it was expected.
+  // Without a peak the puck stays at the expected position.
   if (peak.stands_out) {
     result.position = {static_cast<double>(window.x + peak.x),
                        static_cast<double>(window.y + peak.y)};
@@ -111,9 +110,9 @@ Region PuckTracker::window_around(Pixel expected, const EllipseKernel& kernel,
       .intersect(region);
 }
 
-// The response shifted by the lowest one in all of the region takes several times the candidates
-// that the window has. What it is matters little, though: mostly the maximum is the same for any
-// value that it can have.
+// The lowest response in the whole region, which shifts the others, needs several times as many
+// candidates as the window has. Mostly, however, the maximum is the same for any value within its
+// bounds.
 WeightedPeak PuckTracker::find_peak(const EllipseKernel& kernel, const Region& region,
                                     const Region& window, Pixel centre) {
   if (!params_.shift_to_lowest) {

@@ -20,40 +20,38 @@ namespace puck {
 struct TrackerParams {
   /// Size of ROI_t, in puck sizes.
   double region_factor = 3;
-  /// The first ROI_t after a detection, relative to the detected position; an empty one stands for
-  /// the usual one.
+  /// The first ROI_t after a detection, relative to the detected position; empty: the usual ROI_t.
   Region first_region;
   /// Standard deviation of the Gaussian around the last position, in canvas sizes. Larger follows
-  /// faster pucks; smaller ignores more of what is beside the puck.
+  /// faster pucks; smaller ignores more objects beside the puck.
   double prior_sigma = 0.5;
-  /// How far the restricted maximum reaches beyond half the canvas, both sides together, px.
+  /// Reach of the restricted maximum beyond half the canvas, both sides together, px.
   int reach_margin_px = 2;
   /// The authors' window begins half a canvas before the last position and ends half a canvas and
   /// the margin after it; a centred one shares the margin between both sides.
   bool centred_window = false;
-  /// The response is shifted so that the lowest one in ROI_t counts zero before the Gaussian
-  /// weighs it; otherwise responses below zero count zero.
+  /// The lowest response in ROI_t is subtracted before the Gaussian weighs the response; otherwise
+  /// responses below zero count zero.
   bool shift_to_lowest = true;
   /// The weighted response is rounded to 256 levels, as the authors' code does.
   bool quantised = false;
   /// A parabola through the peak's neighbours places it between pixels.
   bool sub_pixel = false;
-  /// A soft ring at the true contour takes over from the peak and places it between pixels; its
-  /// score is then the step's.
+  /// A soft ring at the true contour refines the peak between pixels; its score is then the step's.
   SoftRingParams ring;
   MeasurementNoiseParams noise;
 };
 
-/// Follows the puck from one picture to the next: the response of the kernel of the size that
-/// belongs to the place, weighted by a Gaussian around where the puck is expected, and the maximum
-/// of that within reach (paper, Section III-B, tracking).
+/// Follows the puck from one snapshot to the next: the response of the kernel of the size at the
+/// expected place, weighted by a Gaussian around that place, and its maximum within reach (paper,
+/// Section III-B, tracking).
 class PuckTracker {
  public:
   struct Step {
     Pixel position;
-    PuckSize size;     ///< What the size model gives there.
+    PuckSize size;     ///< The size model's size there.
     double score = 0;  ///< EllipseKernel::contrast at the nearest pixel, or the soft ring's score.
-    std::optional<PixelVariance> variance;  ///< Of the position; known where the ring is soft.
+    std::optional<PixelVariance> variance;  ///< Of the position; only with a soft ring.
     double spread_px = 0;                   ///< The soft ring's.
   };
 
@@ -61,7 +59,7 @@ class PuckTracker {
   PuckTracker(SensorSize sensor, const TrackerParams& params, const PuckSizeModel& size_model,
               const ContourCalibration& calibration);
 
-  /// ROI_t around a position, as if the sensor had no end there, but never larger than the sensor.
+  /// ROI_t around a position, not cut off at the sensor's border, but never larger than the sensor.
   Region whole_region_around(Pixel position, const KernelBank& bank) const;
 
   /// ROI_t around a position, inside the sensor.
@@ -70,7 +68,7 @@ class PuckTracker {
   /// The first ROI_t after a detection there, inside the sensor.
   Region first_region_at(Pixel position, const KernelBank& bank) const;
 
-  /// Looks for the puck in `region`, near `expected`.
+  /// Finds the puck in `region`, near `expected`.
   Step step(const SurfaceSnapshot& surface, const Region& region, Pixel expected,
             const KernelBank& bank);
 

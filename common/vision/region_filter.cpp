@@ -12,9 +12,8 @@ namespace puck::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Copies from as many of the events as fill whole vectors. Returns how many it has looked at, and
-// `copied` becomes how many of them lie inside. `region` lies within what 15 bits hold and is not
-// empty.
+// Copies from as many of the events as fill whole vectors. Returns the number of events examined
+// and sets `copied` to the number of those inside. `region` lies within 15 bits and is not empty.
 std::size_t copy_vectors(std::span<const Event> events, const Region& region, Event* out,
                          std::size_t& copied) {
   std::size_t done = 0;
@@ -48,7 +47,7 @@ std::size_t copy_vectors(std::span<const Event> events, const Region& region, Ev
     auto* to = reinterpret_cast<std::uint64_t*>(out + count);
     count += hn::CompressStore(event, inside, event_tag, to);
 #else
-    // Without an instruction for it all are stored, each over the last one that was outside.
+    // Without a compress instruction every event is stored, each over the last one outside.
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(event_tag, inside, bits);
     for (std::size_t i = 0; i < lanes; ++i) {

@@ -12,20 +12,20 @@
 namespace puck {
 
 /// Copies the events inside `region`, in order, to `out`, which has room for all of them and
-/// kCopySlack more; returns how many they are. Uses the widest vectors that the machine has, and no
-/// branch an event: where events lie is chance to the processor, and wrong guesses would cost more
-/// than the rest of the work.
+/// kCopySlack more; returns their number. Uses the machine's widest vectors and no branch for each
+/// event: the branches would be unpredictable, and mispredictions would cost more than the rest of
+/// the work.
 inline constexpr std::size_t kCopySlack = 8;
 std::size_t copy_inside(std::span<const Event> events, const Region& region, Event* out);
-/// The same, event by event: what copy_inside() must do.
+/// The specification of copy_inside(), event by event.
 std::size_t copy_inside_one_by_one(std::span<const Event> events, const Region& region, Event* out);
 
-/// Calls `use(std::span<const Event>)` with the events inside `region`, in order, a few hundred at
-/// a time, and only where there are any.
+/// Calls `use(std::span<const Event>)` with the events inside `region`, in order, in pieces of a
+/// few hundred, never with an empty one.
 template <typename Use>
 void for_inside(std::span<const Event> events, const Region& region, Use&& use) {
   constexpr std::size_t kAtOnce = 512;
-  // Not an array of events, which would be cleared each time.
+  // Raw bytes, because an array of events would be cleared each time.
   alignas(Event) std::array<std::byte, (kAtOnce + kCopySlack) * sizeof(Event)> room;
   auto* const inside = reinterpret_cast<Event*>(room.data());
   while (!events.empty()) {
@@ -36,7 +36,7 @@ void for_inside(std::span<const Event> events, const Region& region, Use&& use) 
   }
 }
 
-/// `out` becomes the events inside `region`, in order.
+/// Replaces `out` by the events inside `region`, in order.
 void keep_inside(std::span<const Event> events, const Region& region, std::vector<Event>& out);
 
 /// Whether any event lies inside `region`.

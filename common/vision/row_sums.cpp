@@ -16,8 +16,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
-// Lanes are moved about only within blocks of 16 bytes, so each block of a vector has a row of its
-// own.
+// Lanes move only within blocks of 16 bytes, so each block of a vector holds a row of its own.
 constexpr std::size_t kBlock = 16;
 using Pixels = hn::CappedTag<std::uint8_t, 4 * kBlock>;
 using Sums = hn::Repartition<std::uint16_t, Pixels>;
@@ -56,7 +55,7 @@ HWY_INLINE hn::Vec<Sums> sum_along_blocks(hn::Vec<Sums> sums) {
   return hn::Add(sums, hn::ShiftLeftLanes<4>(tag, sums));
 }
 
-// Several vectors of rows at once: each sum waits for the one before it, but not for other rows.
+// Several vectors of rows at once: each sum depends on the one before it, but not on other rows.
 template <int kVectors>
 HWY_INLINE void sum_rows(const std::uint8_t* from, std::ptrdiff_t from_stride, int width,
                          std::uint16_t* to, std::ptrdiff_t to_stride) {
@@ -102,7 +101,7 @@ void sum_picture(ImageView<const std::uint8_t> picture, std::uint16_t* to, std::
   const std::integral_constant<int, 2> two;
   for (; y + two * kRowsInVector <= picture.height(); y += two * kRowsInVector) sum(two, y);
   for (; y + kRowsInVector <= picture.height(); y += kRowsInVector) sum(one, y);
-  // The last rows may be among those before them.
+  // The last vector may repeat rows of the one before it.
   if (y < picture.height() && picture.height() >= kRowsInVector) {
     y = picture.height();
     sum(one, y - kRowsInVector);
@@ -121,7 +120,7 @@ HWY_EXPORT(sum_picture);
 
 void RowSums::resize(const Region& place) {
   place_ = place;
-  // Whole steps are read and written.
+  // Pixels are read and sums written in whole steps.
   pixel_stride_ = (place.width + kStep - 1) / kStep * kStep;
   const auto pixels = static_cast<std::size_t>(pixel_stride_ * place.height);
   if (pixels_.size() < pixels) pixels_.resize(pixels);

@@ -9,20 +9,20 @@
 
 namespace puck {
 
-/// A picture with its rows summed up from the left, so that the sum of a run of pixels is the
-/// difference of two numbers, however long it is. Sums are kept modulo 2^16: a run of at most
-/// `kLongestRun` pixels has a smaller sum, so its difference is exact, and vectors hold twice as
-/// many as with 32 bits.
+/// Prefix sums of a picture's rows, so that the sum of a run of pixels of any length is the
+/// difference of two numbers. Sums are kept modulo 2^16, so that vectors hold twice as many as with
+/// 32 bits: the sum of a run of at most `kLongestRun` pixels is smaller, so its difference is
+/// exact.
 class RowSums {
  public:
   static constexpr int kLongestRun = 257;
-  /// So many sums may be read beyond a row's last, whatever they are: whole vectors.
+  /// Readable elements beyond a row's last sum, of any value: for whole vectors.
   static constexpr int kSlack = 128;
-  /// So many pixels are summed up at once, whatever the last ones of a row's are.
+  /// Pixels summed up at once; those beyond a row's end may have any value.
   static constexpr int kStep = 16;
 
   /// Makes room for a picture of `place`. The caller writes all its pixels, row by row, to
-  /// `pixels()`, and then calls `sum_up()`: the rows before `first` and from `last` on are all
+  /// `pixels()`, and then calls `sum_up()`; the rows before `first` and from `last` on must be
   /// dark.
   void resize(const Region& place);
   ImageView<std::uint8_t> pixels() {
@@ -31,7 +31,7 @@ class RowSums {
   void sum_up(int first, int last);
 
   const Region& place() const { return place_; }
-  /// The sums of row y, from the top of the place: [x] is that of the pixels left of column x.
+  /// The sums of row y, from the top of the place: [x] is the sum of the pixels left of column x.
   const std::uint16_t* row(int y) const { return sums_.data() + y * stride_; }
   std::ptrdiff_t stride() const { return stride_; }
   ImageView<const std::uint8_t> picture() const {

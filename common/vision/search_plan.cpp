@@ -8,25 +8,24 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kFirstPeriod_us = 10'000;
-// A puck that has been lost for so long may be anywhere by now, and what has not looked like it for
-// so long may be something else: it is looked for everywhere more often, and no more near the
-// track.
+// After this time a lost puck may be anywhere, and a track without a good score may be another
+// object: the whole image is searched more often, and the track's neighbourhood no more.
 constexpr std::int64_t kAnywhereAfter_us = 100'000;
 constexpr std::int64_t kAnywherePeriod_us = 5'000;
 constexpr std::int64_t kNearPeriod_us = 5'000;
 constexpr std::int64_t kWidePeriod_us = 40'000;
-// A track that is sound and has proved to be the puck's is hardly questioned from afar.
+// For a sound and proven track the whole image is searched rarely.
 constexpr std::int64_t kCalmPeriod_us = 500'000;
 constexpr std::int64_t kRestingPeriod_us = 1'000'000;
-// A faint puck may have got away unseen, a covered one may be gone, and what has never moved may be
-// no puck; but nothing gets away without stirring where it lay.
+// A faint puck may have moved away unseen, a covered one may be gone, and an object that never
+// moved may be no puck; but a departure makes events at the place of rest.
 constexpr std::int64_t kMaybeRestingPeriod_us = 50'000;
-// While nothing moves the search finds nothing that could prove itself.
+// Without motion no candidate could be confirmed by events.
 constexpr std::int64_t kStillPeriod_us = 1'000'000;
 
 constexpr double kDoubtful = 0.6;
-// No other puck could be three times as strong as this. A round mark could, under a head that
-// turns, so that a track must have moved as a puck does.
+// No other puck could be three times as strong as this. A round mark under a turning head could, so
+// the track must have moved as a puck does.
 constexpr double kLively = 300;
 
 constexpr double kRadius_px = 20;

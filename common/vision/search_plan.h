@@ -11,54 +11,53 @@
 
 namespace puck {
 
-/// When and where the correlation looks for the puck. One search at a time. What it finds must
-/// prove itself on events, so that a puck that is lost is hardly searched for while nothing moves.
+/// Times and regions of the searches by correlation, one search at a time. Candidates are confirmed
+/// by events, so a lost puck is hardly searched for while nothing moves.
 class SearchPlan {
  public:
-  /// What there is to know of the main track.
+  /// State of the main track.
   struct Situation {
     TrackLooks main;
     bool is_lost = false;
     bool is_resting = false;
     bool is_trusted = false;
     bool is_proven = false;
-    bool may_rest_elsewhere = false;  ///< Where it is taken to rest may be wrong.
+    bool may_rest_elsewhere = false;  ///< The place of rest may be wrong.
     bool may_be_faint = false;        ///< PuckSignature's: it is seldom sound.
     std::int64_t since_good_us = 0;
     std::int64_t unsound_us = 0;  ///< TrackTrust's.
   };
 
-  /// `detection_region`: where the puck is looked for before it has been seen; empty: everywhere.
+  /// `detection_region`: searched before the first detection; empty: the whole image.
   SearchPlan(SensorSize sensor, const Region& detection_region);
 
-  /// Takes an event, unless its pixel has fired of late.
+  /// Takes an event, unless its pixel has fired recently.
   void take(int x, int y) { stirrings_.take(x, y); }
 
-  /// To be called at each decision while there is no main track: searches for the first.
+  /// Call at each decision while there is no main track: searches for the first.
   void plan_first(std::int64_t time_us);
-  /// To be called at each decision while there is one: searches everywhere now and then (switched
-  /// by ContourIngredients::wide_search), and near a doubtful track often (`search`).
+  /// Call at each decision while there is one: searches everywhere now and then (switched by
+  /// ContourIngredients::wide_search), and near a doubtful track often (`search`).
   void plan(const Situation& now, const ContourIngredients& ingredients, std::int64_t time_us);
 
-  /// Hands the search out; empty: none is wanted now. None is until the answer has come.
+  /// Starts the wanted search; empty: none. Until note_answer() no further one is wanted.
   Region give_out();
   void note_answer() { out_ = {}; }
-  /// What is searched, or is to be; empty: nothing.
+  /// The region of the running or wanted search; empty: none.
   Region searched() const { return out_.united(wanted_); }
 
-  /// Nothing moves where events were taken. What moves elsewhere should be taken as well then.
+  /// Nothing moves among the taken events; the caller should then take events elsewhere, too.
   bool is_still(std::int64_t time_us) const { return stirrings_.is_still(time_us); }
 
-  /// Since the first search was wanted.
+  /// Sensor time since the first search was wanted.
   std::int64_t searched_us(std::int64_t time_us) const { return time_us - since_us_; }
 
-  /// Nobody knows where the puck is: it has been lost for long, or what is tracked has been seen
-  /// for long without looking like it. Then it is searched for everywhere, each 5 ms, and not near
-  /// the track (switched by ContourIngredients::anywhere).
+  /// The puck's place is unknown: it has been lost for long, or the track has had a low score for
+  /// long. The whole image is then searched, each 5 ms, and not the track's neighbourhood (switched
+  /// by ContourIngredients::anywhere).
   static bool may_be_anywhere(const Situation& now);
 
-  /// How often the whole image is searched otherwise. `is_still`: nothing moves where events are
-  /// taken.
+  /// Period of the searches of the whole image otherwise. `is_still`: see is_still().
   static constexpr std::int64_t kNever_us = std::numeric_limits<std::int64_t>::max();
   static std::int64_t usual_period_us(const Situation& now, bool is_still);
 

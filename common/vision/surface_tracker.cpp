@@ -30,7 +30,7 @@ void SurfaceTracker::update(const EventPacket& packet) {
 
 PuckEstimate SurfaceTracker::estimate() {
   const PuckEstimate estimate = step();
-  // What the search has found counts at once.
+  // A search's result counts at once.
   return search_if_wanted() ? step() : estimate;
 }
 
@@ -55,7 +55,7 @@ void SurfaceTracker::take(Timestamp start, std::span<const Event> piece) {
   search_if_wanted();
 }
 
-// Whether the pipeline has been told of what was found.
+// Returns whether the pipeline has got a search's result.
 bool SurfaceTracker::search_if_wanted() {
   if (unanswered_) {
     if (surface_.newest_event() - unanswered_->time < search_delay_us_) return false;

@@ -14,16 +14,16 @@
 
 namespace puck {
 
-/// PUCK in one thread: the surface, the pipeline and its searches, one after the other. Live, each
-/// of the three runs in a thread of its own (runtime/). Searches are made at once and answered
-/// then, or after PipelineParams::search_delay_us, so the same events and questions give the same
-/// estimates, to the bit.
+/// PUCK in one thread: surface, pipeline and searches, one after the other. Live, each of the three
+/// has a thread of its own (runtime/). The result of a search is delivered at once, or after
+/// PipelineParams::search_delay_us, so the same events and calls give the same estimates, to the
+/// bit.
 class SurfaceTracker final : public TrackingAlgorithm {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
   SurfaceTracker(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model);
 
-  /// With a pipeline of the caller's; the parameters are those of the surface and the search.
+  /// With the caller's pipeline; the parameters are those of the surface and the search.
   SurfaceTracker(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
                  std::unique_ptr<TrackingPipeline> pipeline);
 

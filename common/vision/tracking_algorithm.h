@@ -5,9 +5,9 @@
 
 namespace puck {
 
-/// Anything that follows the puck: fed with events in the order of their times, asked for an
-/// estimate whenever one is wanted. What it answers depends on nothing but the events and on when
-/// it was asked, so that runs can be repeated to the bit. One thread at a time.
+/// Interface of all trackers: takes events in the order of their times and gives an estimate on
+/// demand. Estimates depend only on the events and the times of the demands, so that runs can be
+/// repeated to the bit. One thread at a time.
 class TrackingAlgorithm {
  public:
   virtual ~TrackingAlgorithm() = default;

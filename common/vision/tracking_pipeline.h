@@ -14,16 +14,15 @@
 
 namespace puck {
 
-/// What the surface is searched for, and where.
+/// Region and appearance of the puck in a search.
 struct SearchRequest {
-  Region region;  ///< Of the puck's centre; empty: nothing is searched for.
-  /// A puck whose side wall makes events where the calibration says that it does not, or the other
-  /// way round (ContourCalibration::other_wall_share): its contour is of another height.
+  Region region;  ///< Of the puck's centre; empty: no search.
+  /// Searches for a puck with the opposite assumption on whether its side wall makes events
+  /// (ContourCalibration::other_wall_share): its contour has another height.
   bool other_wall = false;
-  /// PuckContour::other_wall_share as the tracker knows it by now; 0: as it is calibrated.
+  /// PuckContour::other_wall_share as estimated by the tracker; 0: the calibrated one.
   double other_wall_share = 0;
-  /// Only edges that have made events of late are looked at (FreshPixels), where that is known
-  /// (PipelineParams::searches_fresh).
+  /// Uses only recently active edges (FreshPixels), if available (PipelineParams::searches_fresh).
   bool fresh_only = false;
 
   friend bool operator==(const SearchRequest&, const SearchRequest&) = default;
@@ -31,30 +30,30 @@ struct SearchRequest {
 
 /// A place that looks like the puck.
 struct SearchCandidate {
-  Pixel position;    ///< Of the puck's centre, if it has the side wall that was searched for.
+  Pixel position;    ///< Of the puck's centre, given the request's side wall.
   double score = 0;  ///< EllipseKernel::contrast there, 0 to 1.
-  /// Along which earlier searches have found it. A search leaves it out; the tracker fills it in
-  /// where it counts.
+  /// Earlier sightings of the same object. The search leaves it empty; the tracker sets it where it
+  /// counts.
   SightingTrail trail;
 };
 
-/// What a search of a part of the surface found.
+/// Result of a search of a part of the surface.
 struct SearchResult {
-  Timestamp time;         ///< Newest event on the surface that was searched.
-  SearchRequest request;  ///< What was searched for.
+  Timestamp time;         ///< Newest event on the searched surface.
+  SearchRequest request;  ///< The request.
   /// Best first, each at least half a puck from the others; empty: nothing looks like the puck.
   std::vector<SearchCandidate> candidates;
 };
 
-/// What the tracking thread drives, and offline SurfaceTracker. The pipeline says what it needs;
-/// whoever drives it hands that over, in this order:
+/// Interface of the pipelines, which the tracking thread calls, and offline SurfaceTracker. The
+/// pipeline names the data that it needs; the caller hands them over in this order:
 ///
-///     pipeline.take(start, events);  // those of events_needed() since the last time, in pieces
+///     pipeline.take(start, events);  // those in events_needed() since the last call, in pieces
 ///     pipeline.step(snapshot);       // a copy of region_needed(), not older than these events
 ///
-/// and after each of the two looks at search_wanted(). A search may take long and runs elsewhere;
-/// its result comes back when it is done: offline at once, live some steps later. A step follows
-/// it, even when there is nothing new, so that what was found is told at once.
+/// and checks search_wanted() after each of the two calls. A search may take long and runs
+/// elsewhere; its result follows when it is done: offline at once, live some steps later. A step
+/// follows each result, even without new events, so that the result is published at once.
 ///
 /// A plain object without thread, clock or surface of its own. The same calls give the same
 /// estimates, to the bit. One thread at a time.
@@ -62,31 +61,31 @@ class TrackingPipeline {
  public:
   virtual ~TrackingPipeline() = default;
 
-  /// Region whose single events are wanted; empty: none. May change with each take and step.
+  /// Region of the single events that the pipeline needs; empty: none. May change with each take
+  /// and step.
   virtual Region events_needed() const = 0;
 
-  /// Events are handed over in pieces that end at multiples of this sensor time, so that what is
-  /// decided between two pieces is decided at fixed times; 0: no matter. Constant.
+  /// Events come in pieces that end at multiples of this sensor time, so that decisions between
+  /// pieces are made at fixed times; 0: pieces of any length. Constant.
   virtual std::int64_t decision_period_us() const = 0;
 
   /// Takes events in the order of their times, which are relative to `start`; at least one, all in
-  /// events_needed(), and with no multiple of the decision period between them. Live, they have
-  /// been thinned evenly when there were too many.
+  /// events_needed(), and none across a multiple of the decision period. Live, excess events have
+  /// been left out evenly.
   virtual void take(Timestamp start, std::span<const Event> events) = 0;
 
-  /// The part of the surface that the next step looks at; empty: none of it, the snapshot then
-  /// carries only its stamps.
+  /// The part of the surface that the next step needs; empty: none, so the snapshot carries only
+  /// its stamps.
   virtual Region region_needed() const = 0;
 
   /// Makes an estimate on a snapshot of region_needed(). Times never go backwards.
   virtual PuckEstimate step(const SurfaceSnapshot& snapshot) = 0;
 
-  /// What is to be searched for now, if anything. Asked after each take of events and each step,
-  /// but not from when it has answered until the result has come.
+  /// The search that the pipeline wants now, if any. Called after each take of events and each
+  /// step, but not between a request and its result.
   virtual SearchRequest search_wanted() = 0;
 
-  /// Takes the result of the search that was wanted. Live, it may be older than what has been
-  /// tracked since.
+  /// Takes the result of the requested search. Live, the track may be newer than the result.
   virtual void take(const SearchResult& result) = 0;
 };
 

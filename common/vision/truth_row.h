@@ -5,12 +5,12 @@
 
 namespace puck {
 
-/// Where the puck truly was at one time, on its recording's own clock.
+/// True place of the puck at one time, on its recording's own clock.
 struct TruthRow {
   Timestamp time;
   Pixel centre;
   PuckSize size;
-  double visible = 1;  ///< Fraction of the puck that can be seen, 0 to 1.
+  double visible = 1;  ///< Visible fraction of the puck, 0 to 1.
 };
 
 }  // namespace puck

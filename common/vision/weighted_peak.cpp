@@ -13,8 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace puck::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The highest and, if it is to, the lowest weighted response of each row. No product is added to
-// anything here, so that every instruction set rounds alike.
+// The highest and, with kLows, the lowest weighted response of each row. Products are not added to
+// anything, so every instruction set rounds alike.
 template <bool kLows>
 void find_row_extremes(ImageView<const double> response, double lowest, const double* columns,
                        const double* rows, double* highs, double* lows) {
@@ -95,9 +95,9 @@ std::optional<WeightedPeak> WeightedPeakFinder::find_between(const WeightedWindo
   const Found b = look(window, least);
   if (!a.peak.stands_out || a.peak.x != b.peak.x || a.peak.y != b.peak.y) return std::nullopt;
   if (!window.quantised) return a.peak;
-  // How far a pixel is above the highest level's lower end is convex in the lowest response, as
-  // the window's minimum is concave: what is below it at both ends is below it between. The peak
-  // itself must be above it also where a single pixel, never less than the minimum, stands for it.
+  // Height above the highest level's lower end is convex in the lowest response, as the window's
+  // minimum is concave: a pixel below it at both ends is below it between. The peak must be above
+  // it even with a single pixel, never below the minimum, in the minimum's place.
   if (!(a.highest == b.highest)) return std::nullopt;
   for (const double lowest : {least, most}) {
     if (!reaches_highest_level(weighted(window, {a.peak.x, a.peak.y}, lowest),
@@ -130,7 +130,7 @@ WeightedPeakFinder::Found WeightedPeakFinder::look(const WeightedWindow& window,
   Place peak = found.highest;
   if (window.quantised) {
     found.lowest = place_of(window, lowest, low, row_lows_);
-    // The first of all that reach the highest level counts.
+    // The first of all places on the highest level counts.
     const auto row = std::find_if(row_highs_.begin(), row_highs_.end(), [&](double value) {
       return reaches_highest_level(value, low, high);
     });

@@ -10,11 +10,11 @@
 
 namespace puck {
 
-/// A Gaussian at whole steps along one direction, kept from one step to the next: where the puck's
-/// size and the window stay the same, so does it.
+/// A Gaussian at whole steps along one direction, kept from one step to the next as long as the
+/// puck's size and the window stay the same.
 class GaussianTable {
  public:
-  /// At `first`, `first` + 1, … from its middle.
+  /// Values at `first`, `first` + 1, … from its middle.
   const std::vector<double>& at(double first, int count, double sigma);
 
  private:
@@ -23,13 +23,13 @@ class GaussianTable {
   std::vector<double> values_;
 };
 
-/// A response in a window around where the puck is expected and the Gaussian that weighs it.
+/// A response in a window around the expected position, and the Gaussian that weighs it.
 struct WeightedWindow {
   ImageView<const double> response;
   const std::vector<double>* columns = nullptr;
   const std::vector<double>* rows = nullptr;
-  /// The weighted response is rounded to 256 levels between its lowest and its highest value, as
-  /// the authors' code does.
+  /// The weighted response is rounded to 256 levels between its lowest and its highest value, as in
+  /// the authors' code.
   bool quantised = false;
 };
 
@@ -40,16 +40,15 @@ struct WeightedPeak {
   bool stands_out = false;  ///< The weighted response is above 0 there.
 };
 
-/// Finds the maximum of (response − lowest) · Gaussian, in which a difference below 0 counts 0.
+/// Finds the maximum of (response − lowest) · Gaussian, where differences below 0 count 0.
 class WeightedPeakFinder {
  public:
   WeightedPeak find(const WeightedWindow& window, double lowest);
 
-  /// The maximum when all that is known of the lowest response is that it lies between `least` and
-  /// `most`, and that `most` exceeds no response in the window; nothing where it makes a
-  /// difference. Every weighted response changes linearly with the lowest one, and so do
-  /// differences of two: a pixel that is below another one at both ends is below it everywhere
-  /// between.
+  /// The maximum if the lowest response is only known to lie between `least` and `most`, and `most`
+  /// exceeds no response in the window; nothing if the maximum depends on it. Every weighted
+  /// response is linear in the lowest one, and so is the difference of two: a pixel below another
+  /// one at both ends is below it everywhere between.
   std::optional<WeightedPeak> find_between(const WeightedWindow& window, double least, double most);
 
  private:

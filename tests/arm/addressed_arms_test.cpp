@@ -26,15 +26,15 @@ struct Bench {
   AddressedArms arms;
 };
 
-TEST_CASE("A stop is confirmed by nobody but the arms that heard it") {
+TEST_CASE("Only arms that heard a stop confirm it") {
   Bench bench(arm_command_t::MODE_STOP);
   CHECK(!bench.arms.confirm(bench.now));
-  // Stopped, but before, or by somebody else.
+  // Stopped, but before this stop, or by another operator.
   bench.say(1, arm_state_t::STATE_STOPPED, 0);
   CHECK(!bench.arms.confirm(bench.now));
   bench.say(1, arm_state_t::STATE_STOPPED, kOther);
   CHECK(!bench.arms.confirm(bench.now));
-  // It heard the stop, and goes on.
+  // It heard the stop, but continues.
   bench.say(1, arm_state_t::STATE_MOVING, kOperator);
   CHECK(!bench.arms.confirm(bench.now));
   bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
@@ -43,7 +43,7 @@ TEST_CASE("A stop is confirmed by nobody but the arms that heard it") {
   CHECK(bench.arms.confirm(bench.now));
 }
 
-TEST_CASE("A second arm that did not stop keeps a stop waiting, a log's does not") {
+TEST_CASE("A second arm that did not stop delays the confirmation, an arm in a log does not") {
   Bench bench(arm_command_t::MODE_STOP);
   bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
   bench.say(3, arm_state_t::STATE_MOVING, kOther, kSameClock, 300'000);
@@ -53,7 +53,7 @@ TEST_CASE("A second arm that did not stop keeps a stop waiting, a log's does not
   CHECK(bench.arms.why_not(bench.now) == "the arm of session 2 says: that it moves");
 }
 
-TEST_CASE("An arm whose clock is not known keeps a stop waiting until it confirms or is silent") {
+TEST_CASE("An arm with an unknown clock delays the confirmation until it answers or falls silent") {
   for (const SenderClock& clock : {SenderClock{}, SenderClock{ClockOffset{0, 200'001}}}) {
     Bench bench(arm_command_t::MODE_STOP);
     bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
@@ -70,14 +70,14 @@ TEST_CASE("An arm whose clock is not known keeps a stop waiting until it confirm
   }
 }
 
-TEST_CASE("What an arm said before it fell silent confirms nothing") {
+TEST_CASE("Messages of an arm from before its silence confirm nothing") {
   Bench bench(arm_command_t::MODE_STOP);
   bench.say(1, arm_state_t::STATE_STOPPED, kOperator);
   bench.now.monotonic_us += 250'001;
   CHECK(!bench.arms.confirm(bench.now));
 }
 
-TEST_CASE("A reset answers each arm that is of now, and is confirmed once none is latched") {
+TEST_CASE("A reset answers each live arm, and is confirmed when no arm is latched") {
   Bench bench(arm_command_t::MODE_RESET);
   bench.say(1, arm_state_t::STATE_HOLDING, 0, std::nullopt);
   CHECK(!bench.arms.confirm(bench.now));

@@ -27,7 +27,7 @@
 namespace puck {
 namespace {
 
-// An arm that runs, and the newest state that it said.
+// A running arm, and its newest published state.
 class RunningArm {
  public:
   explicit RunningArm(const std::string& url = "memq://") : bench(url) {
@@ -78,8 +78,8 @@ class RunningArm {
     bench.bus.publish(command);
   }
   bool moves_to(double target_m) { return comes_to(target_m).has_value(); }
-  /// The state in which it is there, following our command and track; nothing: it is not within 10
-  /// s.
+  /// The state in which it reaches the target, following our command and track; nothing if it does
+  /// not within 10 s.
   std::optional<arm_state_t> comes_to(double target_m) {
     std::optional<arm_state_t> now;
     const bool is_there = ServiceBench::until(
@@ -96,7 +96,7 @@ class RunningArm {
     return is_there ? now : std::nullopt;
   }
 
-  /// Once it has stopped.
+  /// From the last STATUS.
   std::optional<std::int64_t> counter(const std::string& name) const {
     return test::counter(*bench.service, name);
   }
@@ -116,16 +116,16 @@ int operate(const std::string& word, const std::string& url) {
   return by_hand.run({.url = url}, {}).value_or(-1);
 }
 
-TEST_CASE("The arm service moves on commands and estimates from the bus and says where it is") {
+TEST_CASE("The arm service moves on commands and estimates from the bus and reports its position") {
   RunningArm arm;
-  // With the sessions of both: an arm that is held up forgets them until new ones come.
+  // With both sessions: after a delay the arm forgets them until new messages come.
   const std::optional<arm_state_t> state = arm.comes_to(0.2);
   REQUIRE(state.has_value());
   CHECK(state->back_end == "simulated");
   CHECK(state->line_max_m == 0.3);
 }
 
-TEST_CASE("The arm sleeps from step to step however many estimates come") {
+TEST_CASE("The arm service sleeps between steps at any rate of estimates") {
   ServiceBench bench;
   WakeUpTally tally;
   Config config;
@@ -134,7 +134,7 @@ TEST_CASE("The arm sleeps from step to step however many estimates come") {
       [&](const puck_estimate_t&, const Receipt&) { tally.add(); });
   REQUIRE(bench.start());
   REQUIRE(publish_ten_a_ms(bench.bus, puck_estimate_t{}, 2000));
-  // An arm that ends leaves the newest unheard.
+  // An arm that ends leaves the newest messages unread.
   const auto all_came = [&] {
     return bench.bus.counters<puck_estimate_t>().arrivals.received == 2000;
   };
@@ -144,7 +144,7 @@ TEST_CASE("The arm sleeps from step to step however many estimates come") {
   CHECK(tally.wake_ups() < tally.messages / 2);
 }
 
-TEST_CASE("In a flood the arm handles messages between its steps, too, but rests before each") {
+TEST_CASE("In a flood the arm handles messages between its steps, but sleeps before each step") {
   ServiceBench bench;
   WakeUpTally tally;
   std::atomic<bool> all_sent = false;
@@ -183,8 +183,8 @@ TEST_CASE("The arm service stands still when the bus falls silent") {
   CHECK(ServiceBench::until(stands, [] {}));
 }
 
-// The last state of an arm that was ended while it moved fast. Nothing: its loop was held up
-// meanwhile, and such an arm takes its joints to rest and does not brake.
+// The last state of an arm that was ended during a fast motion. Nothing if its loop was delayed
+// meanwhile: such an arm does not brake, but takes its joints to rest.
 std::optional<arm_state_t> last_of_a_fast_arm() {
   RunningArm arm;
   double target_m = 0.3;
@@ -193,7 +193,7 @@ std::optional<arm_state_t> last_of_a_fast_arm() {
     return now && std::abs(now->velocity_m_s) > 0.5 && host_utime() - now->utime < 20'000;
   };
   REQUIRE(ServiceBench::until(moves_fast, [&] {
-    // To and fro, should it have come by unseen.
+    // To and fro, in case it passed the target unseen.
     if (arm.state() && std::abs(arm.state()->position_m - target_m) < 0.01) target_m = -target_m;
     arm.say_track();
     arm.command(target_m);
@@ -202,17 +202,17 @@ std::optional<arm_state_t> last_of_a_fast_arm() {
   return arm.counter("pauses") ? std::nullopt : arm.state();
 }
 
-TEST_CASE("The arm service brakes before it ends, commands or not") {
+TEST_CASE("The arm service brakes before it ends, with or without commands") {
   std::optional<arm_state_t> last;
   for (int attempt = 0; attempt < 30 && !last; ++attempt) last = last_of_a_fast_arm();
   REQUIRE(last.has_value());
   CHECK(last->reason == "shutting down");
-  // The joints follow the set-points, which rest.
+  // The joints follow the set-points, which are at rest.
   CHECK(std::abs(last->velocity_m_s) < 0.3);
   CHECK(last->faults == 0);
 }
 
-TEST_CASE("The arm follows a bridge and a tracker whose clock is hours away, once they answer") {
+TEST_CASE("The arm follows a bridge and a tracker with clocks hours away, once they answer") {
   constexpr std::int64_t kHourUs = 3'600'000'000;
   const std::string url = private_lcm_url();
   RunningArm arm(url);
@@ -244,7 +244,7 @@ TEST_CASE("The arm follows a bridge and a tracker whose clock is hours away, onc
   CHECK(arm.counter("refused_old") > 50);
 }
 
-TEST_CASE("A second bridge and tracker, and commands for another arm, are counted by name") {
+TEST_CASE("A second bridge, a second tracker and commands for another arm are counted by name") {
   const std::string url = private_lcm_url();
   RunningArm arm(url);
   REQUIRE(arm.moves_to(0.2));
@@ -258,7 +258,7 @@ TEST_CASE("A second bridge and tracker, and commands for another arm, are counte
     second.publish(RunningArm::command_for(arm.bench.bus.session() + 1, -0.2));
   };
   const std::int64_t refused_before = arm.state()->commands_refused;
-  // Its first ones are refused because nobody knows its clock.
+  // Its first commands are refused because its clock is unknown.
   CHECK(ServiceBench::until([&] { return arm.state()->commands_refused > refused_before + 1000; },
                             play));
   CHECK(std::abs(arm.state()->position_m - 0.2) < 0.005);
@@ -298,9 +298,9 @@ TEST_CASE("puck-arm --stop and --reset fail when no arm confirms them") {
   CHECK(operate("--reset", url) == 1);
 }
 
-TEST_CASE("puck-arm --stop and --reset are not confirmed by what another arm, or a log, says") {
+TEST_CASE("puck-arm --stop and --reset are not confirmed by another arm or an arm in a log") {
   const std::string url = private_lcm_url();
-  // An arm that was stopped by somebody else and hears nobody, and one of a log that moves.
+  // An arm that another operator stopped and that hears nobody, and one in a log that moves.
   const std::jthread others([&](const std::stop_token& stop) {
     SkewedMachine deaf(url, 4712, 0);
     SkewedMachine log(url, 4713, 0);
@@ -321,7 +321,7 @@ TEST_CASE("puck-arm --stop and --reset are not confirmed by what another arm, or
   CHECK(operate("--reset", url) == 1);
 }
 
-TEST_CASE("Arm settings that cannot be are refused by name") {
+TEST_CASE("Impossible arm settings are refused by name") {
   const auto refusal_of = [](const std::string& text) -> std::string {
     try {
       Config config = Config::from_text(text, "arm.toml");
@@ -341,7 +341,7 @@ TEST_CASE("Arm settings that cannot be are refused by name") {
         std::string::npos);
 }
 
-TEST_CASE("A real arm does not start on a bus without a key, unless that is allowed") {
+TEST_CASE("A real arm needs a key on its bus, unless the settings allow a bus without one") {
   const auto refusal_of = [](const BackEndParams& params, bool authenticated) -> std::string {
     try {
       make_back_end(params, {}, authenticated);
@@ -358,14 +358,14 @@ TEST_CASE("A real arm does not start on a bus without a key, unless that is allo
   }
   CHECK(refusal_of({.name = "yarp", .allow_unauthenticated = true}, false).find("key_file") ==
         std::string::npos);
-  // And the service asks with what its bus has.
+  // The service checks with the bus's key, too.
   ServiceBench bench;
   ArmServiceParams params;
   params.back_end.name = "yarp";
   CHECK_THROWS_AS(bench.make<ArmService>(params), std::invalid_argument);
 }
 
-TEST_CASE("The loop keeps its pace while messages come, and says how late its steps were") {
+TEST_CASE("The loop keeps its period under messages, and reports the delay of its steps") {
   RunningArm arm;
   CHECK(arm.moves_to(0.2));
   arm.bench.stop();
@@ -374,7 +374,7 @@ TEST_CASE("The loop keeps its pace while messages come, and says how late its st
   REQUIRE(report.latencies.size() == 2);
   CHECK(report.latencies[1].name == "loop_jitter");
   CHECK(report.latencies[1].samples > 50);
-  // However many messages came: a step each 2 ms, none to catch up.
+  // At any rate of messages: a step each 2 ms, none to catch up.
   CHECK(arm.counter("commands_accepted") > 50);
 }
 

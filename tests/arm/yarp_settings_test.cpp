@@ -56,7 +56,7 @@ TEST_CASE("settings of the control board are read") {
   CHECK(params.max_step_deg == 0.25);
 }
 
-TEST_CASE("settings of the control board that cannot be are refused by name") {
+TEST_CASE("impossible settings of the control board are refused by name") {
   for (const char* setting :
        {"port=0", "joints=[0.5]", "joints=[-1]", "joints=[64]", "silent_ms=39", "silent_ms=1001",
         "connect_timeout_ms=9", "answer_timeout_ms=9", "retry_ms=5001", "check_modes_ms=9",

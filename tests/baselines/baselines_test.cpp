@@ -1,4 +1,4 @@
-// What all the baselines promise alike.
+// Common behaviour of all baselines.
 
 #include <memory>
 

@@ -67,7 +67,7 @@ TEST_CASE("a cluster's first size is the size model's") {
   CHECK(tracker.seed().size.height == doctest::Approx(expected.height));
 }
 
-TEST_CASE("an event draws the cluster a tenth of the way, and its velocity a fifth") {
+TEST_CASE("an event moves the cluster a tenth of the way, and changes its velocity by a fifth") {
   SeededTracker tracker;
   const PuckEstimate moved = tracker.give(5, -3, 1000);
   CHECK(moved.position->x == doctest::Approx(tracker.seed().position->x + 0.5));
@@ -113,7 +113,7 @@ TEST_CASE("a round cluster grows alike in both directions") {
   CHECK(square(next.height) == doctest::Approx(0.99 * square(first.height) + 8 * 0.01 * 112.5));
 }
 
-TEST_CASE("a cluster ignores events at its greatest distance and beyond") {
+TEST_CASE("a cluster ignores events at or beyond its largest distance") {
   SeededTracker tracker;
   const PuckEstimate at_limit = tracker.give(10, 0, 1000);
   CHECK(*at_limit.position == *tracker.seed().position);
@@ -123,7 +123,7 @@ TEST_CASE("a cluster ignores events at its greatest distance and beyond") {
   CHECK(inside.position->x == doctest::Approx(tracker.seed().position->x + 0.9));
 }
 
-TEST_CASE("the greatest distance can go with the puck's width") {
+TEST_CASE("the largest distance can scale with the puck's width") {
   SeededTracker tracker(puck_cluster_params());
   // Three quarters of 28.6 px are 21.5 px.
   const PuckEstimate beyond = tracker.give(22, 0, 1000);
@@ -132,7 +132,7 @@ TEST_CASE("the greatest distance can go with the puck's width") {
   CHECK(within.position->x == doctest::Approx(tracker.seed().position->x + 2.1));
 }
 
-TEST_CASE("a cluster's score decays without events of its own, however often it is regulated") {
+TEST_CASE("a cluster's score decays without events of its own, at any interval of the updates") {
   SeededTracker once;
   CHECK(once.seed().score == doctest::Approx(1));
   CHECK(once.give(test::far_event(), 10'000).score == doctest::Approx(std::exp(-1.0)));

@@ -23,7 +23,7 @@ EventObservation observe_reference(const EventWindow& window, const Particle& pa
 
 }  // namespace
 
-TEST_CASE("each event on the ring counts one, and three hundredths of 354 is the least") {
+TEST_CASE("each event on the ring counts one, and the smallest likelihood is 3 % of 354") {
   EventWindow window(500);
   CHECK(observe_reference(window, kParticle).likelihood == doctest::Approx(10.62));
   push(window, kOnRing, 10);
@@ -36,18 +36,18 @@ TEST_CASE("each event on the ring counts one, and three hundredths of 354 is the
   CHECK(observe_reference(window, kParticle).likelihood == doctest::Approx(354));
 }
 
-TEST_CASE("a particle looks back only as far as suits it") {
+TEST_CASE("a particle looks back only as far as increases its likelihood") {
   EventWindow window(500);
   push(window, kOnRing, 30);
   push(window, kInside, 20);
   push(window, kOnRing, 50);
-  // The 20 inside cost 40, which the 30 before them do not bring back.
+  // The 20 inside cost 40, more than the 30 before them add.
   const EventObservation observed = observe_reference(window, kParticle);
   CHECK(observed.likelihood == doctest::Approx(50));
   CHECK(observed.used_events == 49);
 }
 
-TEST_CASE("events that count nothing are used, those off the template are passed over") {
+TEST_CASE("events of zero weight are used, events outside the template are skipped") {
   EventWindow window(500);
   push(window, kBeyondRing, 5);
   push(window, kOnRing, 20);
@@ -60,7 +60,7 @@ TEST_CASE("events that count nothing are used, those off the template are passed
   CHECK(observe_reference(other, kParticle).likelihood == doctest::Approx(20));
 }
 
-TEST_CASE("a particle twice as large gets a quarter for as many events") {
+TEST_CASE("a particle of twice the size gets a quarter of the likelihood for as many events") {
   EventWindow window(500);
   push(window, {0, 14}, 200);
   const Particle large{{0, 0}, 0.5, 1};

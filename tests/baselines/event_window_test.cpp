@@ -14,7 +14,7 @@ TEST_CASE("a window holds the newest events, newest first") {
   CHECK(window[2].x == 3);
 }
 
-TEST_CASE("a window that is cut drops its oldest events, and grows again") {
+TEST_CASE("a shortened window drops its oldest events, and grows again") {
   EventWindow window(4);
   for (int i = 1; i <= 4; ++i) window.push({static_cast<double>(i), 0});
   window.keep_newest(9);

@@ -22,7 +22,7 @@ int events_for_an_update(const PuckEstimate& seed) {
       std::ceil(std::numbers::pi * ParticleTemplate::radius_of_width(seed.size.width)));
 }
 
-// Events beside the puck, where the filter still looks but no particle does.
+// Events beside the puck, inside the filter's region but outside every particle's.
 std::vector<Event> corner_events(const PuckEstimate& seed, int count) {
   const Event corner{static_cast<std::uint16_t>(seed.position->x + 34),
                      static_cast<std::uint16_t>(seed.position->y + 34), 1, 0};
@@ -63,10 +63,10 @@ TEST_CASE("the particles are updated every π·R events near the puck, and far o
   CHECK(updated.score > 0);
 }
 
-TEST_CASE("particles without any support have three hundredths of the best likelihood") {
+TEST_CASE("particles without any support have 3 % of the best likelihood") {
   ParticleFilterParams params;
   params.shape = TemplateShape::kReference;
-  // Without the ring that the puck was detected by.
+  // Without the ring of the puck's detection.
   params.smallest_window_events = 1;
   ParticleFilter filter(kSensor, params, kSizeModel);
   RingScene scene(filter);
@@ -78,7 +78,7 @@ TEST_CASE("particles without any support have three hundredths of the best likel
 }
 
 TEST_CASE("the events before the detection fill the window") {
-  // With a full window the first update sees the ring, though nothing of it came since.
+  // With a full window the first update includes the ring from before the detection.
   ParticleFilter filter(kSensor, {}, kSizeModel);
   RingScene scene(filter);
   const PuckEstimate seed = scene.show_until_detected(kStart);
@@ -101,7 +101,7 @@ TEST_CASE("a particle filter follows the puck with either template") {
   }
 }
 
-TEST_CASE("a window that holds 30 events more than are used is cut, but not below 300") {
+TEST_CASE("a window with 30 unused events is shortened, but not below 300") {
   const ParticleFilterParams params;
   CHECK(events_to_keep(530, 500, params) == 530);
   CHECK(events_to_keep(532, 500.9, params) == 500);

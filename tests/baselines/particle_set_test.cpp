@@ -20,7 +20,7 @@ double sum_of_weights(const ParticleSet& set) {
   return sum;
 }
 
-// Nearly no weight but on particle `index`.
+// Nearly all weight on particle `index`.
 std::vector<double> likelihoods_for(std::size_t index, std::size_t count) {
   std::vector<double> likelihoods(count, 1e-30);
   likelihoods[index] = 1;
@@ -29,7 +29,7 @@ std::vector<double> likelihoods_for(std::size_t index, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("the random numbers are those that the standard fixes") {
+TEST_CASE("the random numbers are those of the C++ standard's definition") {
   UniformRandom random(5489);
   double value = 0;
   for (int i = 0; i < 10'000; ++i) value = random.next();

@@ -25,7 +25,7 @@ TEST_CASE("the reference template is wider than tall and cut off left and right"
   CHECK_FALSE(reference.at(0, -15.6).has_value());
 }
 
-TEST_CASE("the reference template keeps its aspect of 1.9 whatever the puck's") {
+TEST_CASE("the reference template keeps its aspect of 1.9 for every puck") {
   ParticleTemplate reference(TemplateShape::kReference);
   reference.fit({30, 30});
   CHECK(reference.positive_pixels() == 354);
@@ -54,7 +54,7 @@ TEST_CASE("the ellipse takes the puck's aspect and shows the whole ring") {
   CHECK(size.height == doctest::Approx(24));
 }
 
-TEST_CASE("a puck that would be taller than wide is looked for as a circle") {
+TEST_CASE("a puck taller than wide is searched for as a circle") {
   ParticleTemplate ellipse(TemplateShape::kEllipse);
   ellipse.fit({10, 40});
   CHECK(ellipse.at(0, 17) == 1);

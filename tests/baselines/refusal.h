@@ -5,7 +5,7 @@
 
 namespace puck::test {
 
-/// The message of the std::invalid_argument that `make` throws; empty when it throws nothing.
+/// The message of the std::invalid_argument that `make` throws; empty without one.
 template <typename Make>
 std::string refusal(Make make) {
   try {

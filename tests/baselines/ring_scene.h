@@ -17,7 +17,7 @@ namespace puck::test {
 inline constexpr SensorSize kSensor{640, 480};
 // About the authors' model: 29×20 px in the middle of their detection region.
 inline constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
-/// Where a puck is shown first.
+/// Place of the puck's first appearance.
 inline constexpr Pixel kStart{300, 190};
 
 inline double distance_px(const PuckEstimate& estimate, Pixel truth) {
@@ -25,8 +25,8 @@ inline double distance_px(const PuckEstimate& estimate, Pixel truth) {
   return std::hypot(estimate.position->x - truth.x, estimate.position->y - truth.y);
 }
 
-/// Shows a tracker the contour of a puck, a packet each millisecond, its events evenly spread over
-/// the millisecond and in an order that knows no direction.
+/// Shows a tracker the contour of a puck, a packet each millisecond, with its events spread evenly
+/// over the millisecond in an order without a direction.
 class RingScene {
  public:
   explicit RingScene(TrackingAlgorithm& tracker) : tracker_(tracker) {}
@@ -57,8 +57,8 @@ class RingScene {
     return estimate;
   }
 
-  /// Moves the puck on from `start` for so many milliseconds; the mean distance to it, px. The last
-  /// estimate is put into `estimate`.
+  /// Moves the puck on from `start` for so many milliseconds. Returns the mean distance to it, px;
+  /// `estimate` becomes the last estimate.
   double follow(Pixel start, int milliseconds, PuckEstimate& estimate) {
     double sum = 0;
     for (int i = 1; i <= milliseconds; ++i) {
@@ -77,7 +77,7 @@ class RingScene {
   std::uint32_t order_ = 1;
 };
 
-/// An event that nothing of the puck in the detection region reaches.
+/// An event outside the reach of the puck in the detection region.
 inline Event far_event() { return {600, 400, 1, 0}; }
 
 }  // namespace puck::test

@@ -18,8 +18,7 @@ std::string cpu_model() {
   return "unknown";
 }
 
-// The best of the instruction sets that were compiled and that this machine has: what
-// HWY_DYNAMIC_DISPATCH chooses.
+// The best compiled instruction set of this machine, as HWY_DYNAMIC_DISPATCH chooses.
 std::string instruction_set() {
   const std::int64_t targets = hwy::SupportedTargets() & HWY_TARGETS;
   return hwy::TargetName(targets & -targets);
@@ -28,7 +27,7 @@ std::string instruction_set() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A ratio compares one core with one core.
+  // Ratios compare one core with one core.
   cv::setNumThreads(1);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kSceneEvents = 2'000'000;
 constexpr std::size_t kUniformEvents = 1'000'000;
-// The start is the serve, with little to see.
+// The beginning, the serve, has few events.
 constexpr std::int64_t kSceneBegin_us = 500'000;
 constexpr std::int64_t kSceneSeed = 7;
 
@@ -98,7 +98,7 @@ std::optional<BenchEvents> read_cache(const fs::path& path) {
   return events;
 }
 
-// Written beside it and then renamed, so that a run that is broken off leaves no half of a file.
+// Written beside it and then renamed, so that an interrupted run leaves no partial file.
 void write_cache(const fs::path& path, const BenchEvents& events) {
   fs::create_directories(path.parent_path());
   const fs::path unfinished = path.string() + "." + std::to_string(getpid());
@@ -155,7 +155,7 @@ BenchParts::BenchParts(std::span<const Event> events, std::size_t part_size)
     : events_(events),
       part_size_(std::min(part_size, events.size())),
       parts_(events.size() / part_size_) {
-  // Steps of the golden section spread best; one that shares no factor visits every part.
+  // Golden section steps spread best; a step coprime to the number of parts visits every part.
   step_ = std::max<std::size_t>(1, parts_ * 618 / 1000);
   while (std::gcd(step_, parts_) != 1) ++step_;
 }

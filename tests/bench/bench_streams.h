@@ -11,9 +11,9 @@
 
 namespace puck {
 
-/// What the benchmarks feed to what they measure.
+/// Event streams for the benchmarks.
 enum class BenchStream : std::uint8_t {
-  kScene,      ///< The simulated table, 640×480, game on, head moving. The stream that binds.
+  kScene,      ///< The simulated table in play, 640×480, head moving. Its figures count.
   kUniform,    ///< Every pixel of 640×480 as likely as any other: the worst case for caches.
   kDriving,    ///< Real: a street from a moving car, 1280×720.
   kSparklers,  ///< Real: a static camera before sparks, 640×480.
@@ -28,7 +28,7 @@ const char* to_string(BenchStream stream);
 /// It may not exist.
 std::filesystem::path bench_recordings();
 
-/// False for a real recording that is not there.
+/// False for an absent real recording.
 bool is_there(BenchStream stream);
 
 /// A whole stream in memory.
@@ -41,9 +41,9 @@ struct BenchEvents {
 /// from there the next time. Throws std::runtime_error, or what EventReader throws.
 BenchEvents load(BenchStream stream);
 
-/// A stream's events in equal parts, one for each iteration of a benchmark. Slow code gets through
-/// few of them: they come in an order in which any number of successive ones is spread over the
-/// whole stream, so that slow and fast code work on the same mixture.
+/// A stream's events in equal parts, one for each iteration of a benchmark. The order spreads any
+/// number of successive parts over the whole stream, so that slow code, which gets through few
+/// parts, works on the same mixture as fast code.
 class BenchParts {
  public:
   explicit BenchParts(std::span<const Event> events, std::size_t part_size = 16384);

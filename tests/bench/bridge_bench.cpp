@@ -1,5 +1,5 @@
-// What the bridge does between the receipt of an estimate and the command that rests on it, without
-// the bus: one iteration is one estimate of a puck that goes to and fro across the table.
+// Time of the bridge from an estimate's receipt to its command, without the bus: one iteration is
+// one estimate of a puck that moves to and fro across the table.
 
 #include <cstdint>
 #include <vector>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kStartUtime = 1'700'000'000'000'000;
 constexpr std::int64_t kPeriodUs = 1'000;
 
-// As a tracker would see a game of one player against the rails.
+// A tracker's estimates of a game of one player against the rails.
 std::vector<puck_estimate_t> estimates() {
   const PuckMotionParams lossless{.damping_per_s = 0, .rail_restitution = 1, .rail_grip = 1};
   TableGeometry closed;

@@ -1,4 +1,4 @@
-// How fast events are decoded, each beside the straightforward form of the same work.
+// Speed of the decoders, each beside the straightforward form of the same work.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@
 namespace puck {
 namespace {
 
-// As many events as the camera service asks for at once.
+// As many events as the camera service requests at once.
 constexpr std::size_t kChunkEvents = 8192;
 
 std::vector<std::byte> content_of(const std::filesystem::path& path) {
@@ -53,7 +53,7 @@ EventPacket moving_outlines(SensorSize sensor, std::size_t count) {
   return packet;
 }
 
-/// The recording; where it is absent, a file of ours.
+/// The recording; without it, a generated file.
 std::vector<std::byte> evt3_bytes(benchmark::State& state) {
   if (is_there(BenchStream::kDriving)) {
     state.SetLabel("the driving recording");
@@ -89,7 +89,7 @@ void evt2_ours(benchmark::State& state) {
   decode_stream(state, content_of(bench_recordings() / "sparklers_gen31_640x480_evt2.raw"));
 }
 
-/// What the format's description suggests: no checks, no cuts, time not followed beyond its wrap.
+/// The format's plain description: no checks, no division, no time beyond its wrap.
 void plain_evt3(std::span<const std::byte> bytes, std::vector<Event>& events) {
   std::uint32_t high = 0;
   std::uint32_t low = 0;
@@ -168,7 +168,7 @@ std::vector<std::vector<std::uint8_t>> packets_of(const EventPacket& events, Sen
 constexpr SensorSize kSensor{640, 480};
 constexpr std::size_t kPackedEvents = 150'000;
 
-/// From received bytes to events, as the bus and the tracker do it: check, view, unpack.
+/// From received bytes to events, as in bus and tracker: check, view, unpack.
 void packet_decode_ours(benchmark::State& state, int packet_bytes) {
   const auto packets = packets_of(moving_outlines(kSensor, kPackedEvents), kSensor, packet_bytes);
   EventPacket events;

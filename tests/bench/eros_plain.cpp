@@ -23,8 +23,8 @@ Pixel decayed(Pixel value, float decay, std::uint32_t fixed_decay) {
 
 }  // namespace
 
-// Arrays instead of vectors: this file is compiled for one machine, and nothing that it shares with
-// others may come from here.
+// Arrays instead of vectors: this file is compiled for one machine, so no code that it shares with
+// other files may be generated here.
 struct PlainEros::Surface {
   int half_width;
   int stride;

@@ -9,16 +9,15 @@
 
 namespace puck {
 
-/// How a plain loop may decay a pixel.
+/// Decay of a pixel in a plain loop.
 enum class PlainDecay : std::uint8_t {
   kByteTimesFloat,  ///< uint8 surface, multiplied by a float and truncated.
   kByteFixedPoint,  ///< uint8 surface, multiplied by a whole number of 1/256.
-  kFloat,           ///< float surface; too small to matter counts as 0, else denormals stall it.
+  kFloat,           ///< float surface; tiny values become 0, else denormals stall it.
 };
 
-/// EROS as a careful programmer writes it in plain C++: two loops over the window, whose width the
-/// compiler knows. Compiled for the machine at hand, in a file of its own; without intrinsics but
-/// for the one that keeps denormals away.
+/// EROS in careful plain C++: two loops over the window, with a width known to the compiler.
+/// Compiled for the machine at hand, in a file of its own; the only intrinsic keeps denormals away.
 class PlainEros {
  public:
   /// `half_width_px` is 1 to 8.

@@ -10,9 +10,9 @@
 
 namespace puck {
 
-/// EROS as a textbook has it (paper, Algorithm 1), on an OpenCV matrix: what our surface is
-/// compared with. Pixel is uint8_t or double. The matrix has a border as wide as the window, so
-/// that nothing has to be cut off at the image's edges; that is quicker than to cut.
+/// EROS in a textbook's form (paper, Algorithm 1), on an OpenCV matrix, for comparison with our
+/// surface. Pixel is uint8_t or double. The matrix has a border as wide as the window, which is
+/// quicker than clipping at the image's edges.
 template <typename Pixel>
 class TextbookEros {
   static_assert(std::is_same_v<Pixel, std::uint8_t> || std::is_same_v<Pixel, double>);

@@ -1,5 +1,5 @@
-// What surface and tracking cost together at a rate of events, one thread after the other: the
-// pipeline as it runs offline, asked for as many estimates a second as a tracker publishes.
+// Cost of surface and tracking together at a rate of events, in one thread: the pipeline as
+// offline, with as many estimates a second as a tracker publishes.
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A surface that keeps only a region up to date: events a second, most of which lie elsewhere.
+// A surface that keeps only a region up to date: events a second, most of them outside.
 
 #include <algorithm>
 #include <vector>
@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kHalfWidth = 3;
 constexpr double kDecay = 0.786;
-// A puck in the middle of the table with the room around it that the tracker asks for.
+// A puck in the middle of the table with the tracker's surroundings.
 constexpr Region kRegion{200, 150, 150, 110};
-// Of the events applied, so that the figure means what it says.
+// Share of the events that are applied, at most, so that the figure is about the others.
 constexpr double kMostInside = 0.10;
 
 double share_inside(const BenchEvents& stream, const Region& region) {
@@ -55,7 +55,7 @@ void ours(benchmark::State& state) {
   state.counters["inside_percent"] = 100 * share_inside(stream, region.inflated(kHalfWidth));
 }
 
-// One event after the other is looked at and, if it is inside, applied as the textbook has it.
+// Each event is checked and, if it is inside, applied in the textbook's form.
 void opencv(benchmark::State& state) {
   const BenchEvents stream = load(BenchStream::kScene);
   const Region reach = region_for(stream).inflated(kHalfWidth);

@@ -1,4 +1,4 @@
-// What a key costs: packets of events sealed by the camera and opened by a receiver, nothing else.
+// Cost of a key: packets of events sealed by the camera and opened by a receiver.
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>

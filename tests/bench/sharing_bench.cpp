@@ -1,4 +1,4 @@
-// What a reader costs the event thread: its time an event while another thread asks for copies of
+// Cost of a reader for the event thread: its time an event while another thread requests copies of
 // the surface, against its time alone.
 
 #include <algorithm>
@@ -23,8 +23,8 @@ using std::chrono::microseconds;
 constexpr Region kRegion{200, 150, 150, 110};
 constexpr microseconds kReaderPeriod{200};
 constexpr std::size_t kPacketEvents = 8192;
-// Each pair of rounds is compared with itself, so that what slows the machine down for longer than
-// that slows both.
+// The rounds of a pair are compared with each other, so that a longer disturbance of the machine
+// slows both.
 constexpr int kPairs = 15;
 constexpr std::size_t kPacketsARound = 400;
 
@@ -69,7 +69,7 @@ class Writer {
   std::size_t next_ = 0;
 };
 
-// Asks for copies, as the tracking thread does.
+// Requests copies, as the tracking thread does.
 class Reader {
  public:
   Reader(SharedSurface& surface, const Region& events)

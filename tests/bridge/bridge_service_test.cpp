@@ -75,7 +75,7 @@ TEST_CASE(
   CHECK(bench.status.state() == ServiceState::kRunning);
 }
 
-TEST_CASE("In a flood the bridge pauses every few milliseconds, so that others can run") {
+TEST_CASE("In a flood the bridge pauses every few milliseconds for other threads") {
   ServiceBench bench;
   WakeUpTally tally;
   std::atomic<bool> all_sent = false;
@@ -97,7 +97,7 @@ TEST_CASE("In a flood the bridge pauses every few milliseconds, so that others c
   CHECK(tally.wake_ups() > tally.messages / 100);
 }
 
-TEST_CASE("Bridge settings that cannot be are refused by name, a missing table by its path") {
+TEST_CASE("Impossible bridge settings are refused by name, a missing table by its path") {
   const auto table =
       std::filesystem::temp_directory_path() / ("puck_bridge_" + std::to_string(getpid()));
   write_table_file(table, {test_camera(), {}}, "test");
@@ -119,7 +119,7 @@ TEST_CASE("Bridge settings that cannot be are refused by name, a missing table b
   std::filesystem::remove(table);
 }
 
-// The file with those keys set that it leaves to the table.
+// The file with the keys set that it leaves to the table.
 std::string bridge_toml_in_full() {
   std::ostringstream text;
   text << std::ifstream(source_folder() / "config/bridge.toml").rdbuf();
@@ -128,7 +128,7 @@ std::string bridge_toml_in_full() {
 }
 
 TEST_CASE(
-    "How the puck moves is as the bridge's file says, else as the table's, else as elsewhere") {
+    "The puck's motion is taken from the bridge's file, else the table's, else the defaults") {
   const std::filesystem::path table =
       std::filesystem::temp_directory_path() / ("puck_moves_" + std::to_string(getpid()));
   const auto motion_with = [&](const std::string& assignment) {

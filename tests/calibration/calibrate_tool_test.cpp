@@ -72,7 +72,7 @@ TEST_CASE("puck-calibrate size writes a size model and prints its residuals") {
   CHECK(contains(written, "puck-calibrate size a.csv --output size.toml"));
 }
 
-TEST_CASE("puck-calibrate size names bad cells by line and mistaken rows by number") {
+TEST_CASE("puck-calibrate size names malformed cells by line and implausible rows by number") {
   const Tool tool;
   tool.write("blank.csv", "t_us,x,y,width,height\n0,1,,20,10\n");
   CHECK(tool.run("size blank.csv --output size.toml") == 1);
@@ -93,7 +93,7 @@ TEST_CASE("puck-calibrate size names bad cells by line and mistaken rows by numb
   CHECK(contains(said, "20 annotations, 1 left out"));
   CHECK(contains(said, "row 7 (t 6 us, at 180.0, 120.0): 90.0 x 17.0 px"));
   CHECK(contains(said, "disc on a plane"));
-  // These sizes are Equation (2)'s, which the disc explains worse.
+  // These sizes follow Equation (2), which the disc fits worse.
   CHECK(contains(said, "the disc is not written"));
   CHECK_FALSE(contains(tool.read("size.toml"), "[disc]"));
   CHECK(contains(said, "warning: the centres span only 89 %"));
@@ -134,7 +134,7 @@ TEST_CASE("puck-calibrate table raises the plane to the puck's middle and finds 
   CHECK(contains(tool.read("said"), "c.csv: the principal point is unknown"));
 }
 
-TEST_CASE("The simulated table's calibration is what its own command makes, and true") {
+TEST_CASE("The simulated table's calibration equals its command's output, and is true") {
   const Tool tool;
   tool.write("simulated_table.csv", shipped("simulated_table.csv"));
   const std::string file = shipped("simulated_table.toml");
@@ -200,14 +200,14 @@ void write_log(const fs::path& path, const std::vector<TrackPoint>& track,
   }
 }
 
-TEST_CASE("puck-calibrate motion fits a log, and an export, and replaces what the table had") {
+TEST_CASE("puck-calibrate motion fits a log and an export, and replaces the table's old motion") {
   const Tool tool;
   const std::string table = shipped("simulated_table.toml");
   tool.write("table.toml", table);
   const TableCalibration calibration = read_table_file(tool.path("table.toml"));
   FlownGame game;
   game.seconds = 45;
-  if (kIsSanitized) game.period_us = 10'000;  // A fit takes as long as it has places.
+  if (kIsSanitized) game.period_us = 10'000;  // A fit's time grows with its places.
   const std::vector<TrackPoint> track = game.track();
   std::ostringstream rows;
   rows.precision(17);
@@ -237,8 +237,7 @@ TEST_CASE("puck-calibrate motion fits a log, and an export, and replaces what th
   CHECK(std::abs(from_log->rail_restitution - PhysicsParams{}.rail_normal_keep) < 0.005);
 }
 
-TEST_CASE(
-    "puck-calibrate motion refuses a head that turns, columns it does not know, and no puck") {
+TEST_CASE("puck-calibrate motion refuses a turning head, unknown columns and a missing puck") {
   const Tool tool;
   tool.write("table.toml", shipped("simulated_table.toml"));
   const TableCalibration calibration = read_table_file(tool.path("table.toml"));
@@ -267,7 +266,7 @@ TEST_CASE("puck-calibrate refuses degenerate input with one line that names the 
   CHECK(tool.read("size.toml").empty());
 }
 
-TEST_CASE("puck-calibrate lag adds what it found to the size model, or replaces it") {
+TEST_CASE("puck-calibrate lag adds its result to the size model, or replaces it") {
   const Tool tool;
   REQUIRE(tool.run("puck-simulate", "--output game --seconds 2 --seed 5") == 0);
   REQUIRE(tool.run("size game.annotations.csv --output size.toml") == 0);
@@ -325,7 +324,7 @@ TEST_CASE("puck-calibrate lag adds what it found to the size model, or replaces 
   CHECK(contains(tool.read("said"), "no steady motion of 60 px/s or more"));
 }
 
-TEST_CASE("puck-calibrate hot-pixels writes a mask and says how much it masks") {
+TEST_CASE("puck-calibrate hot-pixels writes a mask and prints the number of masked pixels") {
   const Tool tool;
   std::string events;
   for (int ms = 0; ms < 2000; ms += 4) {
@@ -356,7 +355,7 @@ TEST_CASE("puck-calibrate exits with 1 for a missing file and 2 for a wrong comm
   CHECK(tool.run("--help") == 0);
 }
 
-TEST_CASE("puck-calibrate arm writes a joint table and prints what it lets the mallet do") {
+TEST_CASE("puck-calibrate arm writes a joint table and prints the mallet's limits") {
   const Tool tool;
   std::string rows = "y_m,joint_0_deg,joint_1_deg\n";
   std::string table;

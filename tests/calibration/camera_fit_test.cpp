@@ -30,19 +30,19 @@ FocalLengthFit fit_to(const std::vector<Correspondence>& correspondences) {
   return fit_focal_length(fit_homography(correspondences).homography, kMiddle, correspondences);
 }
 
-TEST_CASE("The focal length follows from how the table's depth is foreshortened") {
+TEST_CASE("The focal length follows from the foreshortening of the table's depth") {
   const FocalLengthFit fit = fit_to(grid_seen_by(test_camera()));
   CHECK(fit.focal_px == doctest::Approx(700));
   CHECK(fit.rms_px < 1e-6);
 }
 
-TEST_CASE("The focal length of a camera that looks from aside is found as well") {
+TEST_CASE("The focal length of a camera beside the table's middle is found as well") {
   const TableCamera camera(test_camera(), {700, kMiddle, {}});
   const Homography aside = camera.view_at({8, -2, 5, 0, 0, 0})->homography();
   CHECK(fit_to(grid_seen_by(aside)).focal_px == doctest::Approx(700));
 }
 
-TEST_CASE("Errors of the marking move the focal length by as much as the fit says") {
+TEST_CASE("Marking errors change the focal length by as much as the fit's standard error") {
   const std::vector<Correspondence> exact = grid_seen_by(test_camera());
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0, 0.5);
@@ -63,7 +63,7 @@ TEST_CASE("Errors of the marking move the focal length by as much as the fit say
   CHECK(std::sqrt(sum / kTrials) == doctest::Approx(0.5 * said).epsilon(0.3));
 }
 
-TEST_CASE("A camera that looks straight down says nothing of its focal length") {
+TEST_CASE("A camera that looks straight down does not determine its focal length") {
   // 0.004 m a pixel, x of the table upwards.
   const Homography above({0, -0.004, 2, -0.004, 0, 1.28, 0, 0, 1});
   std::string refusal;
@@ -75,7 +75,7 @@ TEST_CASE("A camera that looks straight down says nothing of its focal length") 
   CHECK(refusal.find("do not fix the focal length") != std::string::npos);
 }
 
-TEST_CASE("Places close together say too little of the focal length") {
+TEST_CASE("Places close together do not determine the focal length") {
   std::vector<Correspondence> close;
   for (const TablePoint point : {TablePoint{1, 0}, {1, 0.05}, {1.05, 0}, {1.05, 0.05}}) {
     close.push_back({*test_camera().to_image(point), point});

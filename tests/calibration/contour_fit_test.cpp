@@ -17,8 +17,8 @@ namespace {
 constexpr SensorSize kSensor{640, 480};
 constexpr PuckSizeModel kSize{40, 0, 0, 28, 0, 0};
 
-// A puck that goes round in a circle, ever faster where asked for, and the events of its contour by
-// a known calibration.
+// A puck on a circle, optionally with growing speed, and the events of its contour by a known
+// calibration.
 struct Circling {
   double speed_px_s = 1500;
   double faster_px_s2 = 0;
@@ -62,7 +62,7 @@ struct Circling {
       const Pixel c = centre_at((t_us - calibration.lag_us) * 1e-6);
       const double heading = angle_at(t_us * 1e-6) + std::numbers::pi / 2;
       const double beside = share(random) < beside_per_ms / (events_per_ms + beside_per_ms) ? 5 : 0;
-      // An edge makes events as fast as it sweeps over the image.
+      // The rate of an edge's events is proportional to the area that it sweeps.
       double angle = turn(random);
       double nx = 0;
       double ny = 0;
@@ -100,7 +100,7 @@ ContourFit fit_of(const Circling& scene, const PuckSizeModel& size = kSize) {
   return fit_contour(samples);
 }
 
-TEST_CASE("the lag, the wall's share and the growth that made the events are found") {
+TEST_CASE("the fit recovers the lag, the wall's share and the growth behind the events") {
   Circling scene;
   scene.calibration = {620, 0.15, -0.4};
   const ContourFit fit = fit_of(scene);
@@ -114,7 +114,7 @@ TEST_CASE("the lag, the wall's share and the growth that made the events are fou
   CHECK(fit.events > 20'000);
 }
 
-TEST_CASE("a print within the contour is left out by its sign, where there are signs") {
+TEST_CASE("a print within the contour is excluded by its sign, if events have signs") {
   Circling scene;
   scene.print_share = 0.25;
   const ContourFit fit = fit_of(scene);
@@ -124,7 +124,7 @@ TEST_CASE("a print within the contour is left out by its sign, where there are s
   CHECK(fit_of(scene).calibration.grow_px < 0.2);
 }
 
-TEST_CASE("what lags in time and what trails in space are told apart where the speed varies") {
+TEST_CASE("lag in time and trail in space are separated if the speed varies") {
   Circling scene;
   scene.speed_px_s = 300;
   scene.faster_px_s2 = 3000;
@@ -135,7 +135,7 @@ TEST_CASE("what lags in time and what trails in space are told apart where the s
   CHECK(std::abs(fit.calibration.lag_us - 350) < 4 * fit.standard_error.lag_us);
 }
 
-TEST_CASE("a sensor without lag and a contour as annotated are found, too") {
+TEST_CASE("a sensor without lag and a contour as annotated are recovered, too") {
   Circling scene;
   scene.calibration = {0, 0, 0};
   const ContourFit fit = fit_of(scene);
@@ -144,7 +144,7 @@ TEST_CASE("a sensor without lag and a contour as annotated are found, too") {
   CHECK(std::abs(fit.calibration.grow_px) < 0.08);
 }
 
-TEST_CASE("the standard errors cover how far the fit is off, and shrink with more events") {
+TEST_CASE("the standard errors cover the fit's error, and shrink with more events") {
   Circling few;
   few.events_per_ms = 4;
   const ContourFit rough = fit_of(few);
@@ -155,7 +155,7 @@ TEST_CASE("the standard errors cover how far the fit is off, and shrink with mor
   CHECK(fine.standard_error.lag_us > 0.5);
 }
 
-TEST_CASE("times when something fires beside the puck are left out") {
+TEST_CASE("times with other events beside the puck are left out") {
   Circling scene;
   scene.beside_per_ms = 15;
   const TruthMotion truth(scene.truth());
@@ -166,7 +166,7 @@ TEST_CASE("times when something fires beside the puck are left out") {
   CHECK(samples.clear_windows() < samples.windows() / 20);
 }
 
-TEST_CASE("truth is not followed through a bounce, a gap or a cover") {
+TEST_CASE("truth is not interpolated across a bounce, a gap or an occlusion") {
   std::vector<TruthRow> rows;
   for (int ms = 0; ms <= 100; ++ms) {
     const double x = ms < 50 ? 100 + 2.0 * ms : 200 - 2.0 * (ms - 50);
@@ -186,7 +186,7 @@ TEST_CASE("truth is not followed through a bounce, a gap or a cover") {
   CHECK_FALSE(truth.at({101'000}).has_value());
 }
 
-TEST_CASE("too few events and a puck that is too slow for the lag are refused with the reason") {
+TEST_CASE("too few events and a puck too slow for the lag are refused with the reason") {
   Circling few;
   few.events_per_ms = 0.8;
   CHECK_THROWS_AS(fit_of(few), std::invalid_argument);

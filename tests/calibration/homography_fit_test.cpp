@@ -62,7 +62,7 @@ TEST_CASE("The table fit averages the marking's error and reports it in pixels a
   CHECK(worst_px < 1.5);
 }
 
-TEST_CASE("The refinement is a minimum: no small change of the fit lies nearer to the markings") {
+TEST_CASE("The refinement is a minimum: no small change of the fit reduces the residuals") {
   const Homography truth = test_camera();
   std::vector<Correspondence> marked = correspondences_of(
       truth, {{0.2, -0.4}, {0.2, 0.4}, {2.0, -0.5}, {2.0, 0.5}, {1, 0}, {1.4, 0.3}});
@@ -94,7 +94,7 @@ TEST_CASE("The table fit refuses fewer than four correspondences") {
                        std::invalid_argument);
 }
 
-TEST_CASE("The table fit refuses points on one line, three of four on one line, and one place") {
+TEST_CASE("The table fit refuses points on one line, three of four on one line, and equal points") {
   const Homography truth = test_camera();
   const auto refused = [&](const std::vector<TablePoint>& points) {
     CHECK_THROWS_AS(fit_homography(correspondences_of(truth, points)), std::invalid_argument);

@@ -17,11 +17,11 @@ namespace {
 
 constexpr SensorSize kTinySensor{64, 48};
 
-// Events in any order, handed over in the order of their times.
+// Events in any order, returned in the order of their times.
 class Recording {
  public:
   void add(double t_us, int x, int y) { events_.push_back({t_us, {x, y}}); }
-  // At random times, so often on average.
+  // At random times with this mean rate.
   void add_noise(int x, int y, double rate_hz, double seconds) {
     std::exponential_distribution<double> gap(rate_hz);
     for (double t = gap(random_); t < seconds; t += gap(random_)) add(1e6 * t, x, y);
@@ -53,7 +53,7 @@ std::vector<PixelPlace> places_of(const HotPixelReport& report) {
   return places;
 }
 
-TEST_CASE("hot pixels stand out of the noise, the noisiest first, with their rates") {
+TEST_CASE("hot pixels are separated from noise and listed by rate, highest first") {
   Recording recording;
   for (int y = 0; y < kTinySensor.height; ++y) {
     for (int x = 0; x < kTinySensor.width; ++x) recording.add_noise(x, y, 1, 4);
@@ -70,7 +70,7 @@ TEST_CASE("hot pixels stand out of the noise, the noisiest first, with their rat
   CHECK(report.events > report.hot_events + 10'000);
 }
 
-TEST_CASE("an edge that trembles all the time, or a lamp that flashes now and then, is not hot") {
+TEST_CASE("a trembling edge and a flashing lamp are not hot pixels") {
   Recording recording;
   for (int y = 0; y < kTinySensor.height; ++y) recording.add_noise(20, y, 200, 4);
   for (int burst = 0; burst < 4; ++burst) {
@@ -80,7 +80,7 @@ TEST_CASE("an edge that trembles all the time, or a lamp that flashes now and th
   CHECK(recording.report().pixels.empty());
 }
 
-TEST_CASE("a pixel that fires a little, and less than a second of events, tell nothing") {
+TEST_CASE("a pixel with few events, and less than a second of events, are no evidence") {
   Recording recording;
   recording.add_noise(10, 10, 3, 4);
   recording.add(4e6, 1, 1);
@@ -91,7 +91,7 @@ TEST_CASE("a pixel that fires a little, and less than a second of events, tell n
   CHECK_THROWS_AS(HotPixelFinder(kTinySensor).find(), std::invalid_argument);
 }
 
-TEST_CASE("of a simulated game's hot pixels nearly all are found, and nothing else") {
+TEST_CASE("nearly all hot pixels of a simulated game are found, and no others") {
   SimulationParams params;
   params.seed = 7;
   params.autonomous_robot = true;

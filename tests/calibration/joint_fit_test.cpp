@@ -14,7 +14,7 @@
 namespace puck {
 namespace {
 
-// One joint that grows, one that turns round.
+// One joint that grows, one that changes its direction.
 std::vector<JointPair> pairs(double noise_deg = 0) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> noise(0, 1);
@@ -38,7 +38,7 @@ std::string refusal_of_pairs(const std::vector<JointPair>& from,
   return {};
 }
 
-TEST_CASE("Joints are fitted along the line, those that go one way so that they never turn") {
+TEST_CASE("Joints are fitted along the line, and monotone joints stay monotone") {
   const JointFit fit = fit_joint_table(pairs(), {});
   CHECK(fit.places == 31);
   CHECK(fit.longest_gap_m == doctest::Approx(0.02));
@@ -51,11 +51,11 @@ TEST_CASE("Joints are fitted along the line, those that go one way so that they 
   table.at(0.111, deg);
   CHECK(deg[0] == doctest::Approx(20 + 60 * 0.111 + 40 * 0.111 * 0.111));
   CHECK(deg[1] == doctest::Approx(5 + 80 * 0.111 * 0.111));
-  // What was measured, and the margin.
+  // The measured value and the margin.
   CHECK(table.limits(1).highest == doctest::Approx(5 + 80 * 0.09 + 2));
 }
 
-TEST_CASE("Noise is told as residuals, and does not make a monotone joint turn") {
+TEST_CASE("Noise is reported as residuals, and a monotone joint stays monotone") {
   JointFitParams params;
   params.intervals = 12;
   const JointFit fit = fit_joint_table(pairs(0.1), params);
@@ -63,7 +63,7 @@ TEST_CASE("Noise is told as residuals, and does not make a monotone joint turn")
   CHECK(fit.residuals[0].rms_deg == doctest::Approx(0.07).epsilon(0.4));
   CHECK(JointTable(fit.table).is_monotone(0));
 
-  // A step, between and beside which a spline would swing past what was measured.
+  // A step, at which a spline would overshoot the measured values.
   std::vector<JointPair> step;
   for (int i = 0; i <= 20; ++i) {
     step.push_back({0.02 * i, {i + (i > 10 ? 40.0 : 0.0), 2.0 * i}});
@@ -73,7 +73,7 @@ TEST_CASE("Noise is told as residuals, and does not make a monotone joint turn")
   CHECK(stepped.residuals[0].max_deg > 1);
 }
 
-TEST_CASE("What was measured twice at a place is averaged, in any order") {
+TEST_CASE("Repeated measurements at a place are averaged, in any order") {
   std::vector<JointPair> twice = pairs();
   for (const JointPair& pair : pairs()) twice.push_back(pair);
   twice.back().deg[1] += 1;
@@ -82,7 +82,7 @@ TEST_CASE("What was measured twice at a place is averaged, in any order") {
   CHECK(fit.residuals[1].max_deg == doctest::Approx(0.5).epsilon(0.2));
 }
 
-TEST_CASE("Pairs that fix no table are refused, and it is said why") {
+TEST_CASE("Pairs that determine no table are refused with the reason") {
   std::vector<JointPair> few = pairs();
   few.resize(3);
   CHECK(contains(refusal_of_pairs(few), "at least 4 different places"));

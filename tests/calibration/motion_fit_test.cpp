@@ -22,7 +22,7 @@ namespace puck {
 namespace {
 
 constexpr double kSeconds = kIsSanitized ? 60 : 90;
-// A fit takes as long as it has places.
+// A fit's time grows with its places.
 constexpr std::int64_t kPeriodUs = kIsSanitized ? 10'000 : 2'000;
 
 MotionFit fit_of(const FlownGame& game) {
@@ -61,7 +61,7 @@ void check_finds(const MotionFit& fit, const PhysicsParams& truth) {
   CHECK(error.rail_grip < 0.01);
 }
 
-TEST_CASE("A simulated game's motion is found again, within its standard errors") {
+TEST_CASE("The fit recovers a simulated game's motion within its standard errors") {
   FlownGame game;
   game.seconds = kSeconds;
   const MotionFit fit = fit_of(game);
@@ -71,9 +71,9 @@ TEST_CASE("A simulated game's motion is found again, within its standard errors"
   CHECK(fit.rms_m == doctest::Approx(std::sqrt(2.0) * game.noise_m).epsilon(0.3));
 }
 
-TEST_CASE("So is that of a livelier and of a duller table, seen by a slow tracker") {
+TEST_CASE("The fit recovers the motion of a dull and a lively table, with a slow tracker") {
   const std::array tables{PhysicsParams{0.05, 0.95, 0.98}, PhysicsParams{0.6, 0.6, 0.7}};
-  // For sanitizers one is as good as two.
+  // Under sanitizers one is enough.
   for (const PhysicsParams& physics : std::span(tables).last(kIsSanitized ? 1 : 2)) {
     FlownGame game;
     game.seconds = 90;  // A dull table has few bounces.
@@ -85,7 +85,7 @@ TEST_CASE("So is that of a livelier and of a duller table, seen by a slow tracke
   }
 }
 
-TEST_CASE("The standard errors are those of the fit: other games differ by as much") {
+TEST_CASE("The standard errors match the fit's scatter between games") {
   double squares = 0;
   double count = 0;
   for (int seed = 1; seed <= 4; ++seed) {
@@ -109,7 +109,7 @@ TEST_CASE("The standard errors are those of the fit: other games differ by as mu
   CHECK(std::sqrt(squares / count) < 1.8);
 }
 
-TEST_CASE("A flight is cut where a mallet hits the puck, at gaps and before goals, not at rails") {
+TEST_CASE("A flight ends at mallet hits, at gaps and before goals, not at rails") {
   const TableGeometry table;
   const PuckMotion motion(table);
   // Off the side rail at 0.3 s, hit at 0.6 s.
@@ -144,7 +144,7 @@ TEST_CASE("A flight is cut where a mallet hits the puck, at gaps and before goal
   CHECK(find_flights(goal, table)[0].back().position.x_m > table.puck_radius_m);
 }
 
-TEST_CASE("Too little to fit is refused with the reason") {
+TEST_CASE("Too little data is refused with the reason") {
   CHECK(contains(refusal_of_track({}), "there are no flights"));
   std::vector<TrackPoint> rest;
   for (int ms = 0; ms < 1000; ms += 2) rest.push_back({Timestamp{1000 * ms}, {1, 0}});
@@ -154,7 +154,7 @@ TEST_CASE("Too little to fit is refused with the reason") {
   game.seconds = 10;
   CHECK(contains(refusal_of_track(game.track()), "have a bounce at a rail, of"));
 
-  // Bounces straight on, so that nothing is known of the speed along the rail.
+  // Perpendicular bounces only, so that the speed along the rail is undetermined.
   const PuckMotion motion(TableGeometry{});
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0, 0.0004);
@@ -173,7 +173,7 @@ TEST_CASE("Too little to fit is refused with the reason") {
   CHECK(contains(refusal, "rail_grip"));
 }
 
-TEST_CASE("What is no puck's motion does not spoil the fit") {
+TEST_CASE("Motion of other objects does not bias the fit") {
   FlownGame game;
   game.seconds = kSeconds;
   game.period_us = kPeriodUs;

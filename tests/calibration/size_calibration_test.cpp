@@ -65,7 +65,7 @@ class Camera {
   }
 };
 
-TEST_CASE("the disc on a plane explains a real cylinder's boxes to a tenth of a pixel or so") {
+TEST_CASE("the disc on a plane explains a real cylinder's boxes to about a tenth of a pixel") {
   const std::vector<Annotation> annotations = Camera().annotations();
   REQUIRE(annotations.size() > 25);
   const DiscFit fit = fit_disc_model(annotations, kImageMiddle);
@@ -81,14 +81,13 @@ TEST_CASE("the disc on a plane explains a real cylinder's boxes to a tenth of a 
   CHECK(planes.width.max_px > 3 * fit.width.max_px);
 }
 
-TEST_CASE(
-    "annotations of a puck's face alone give a disc without thickness, whatever their errors") {
+TEST_CASE("annotations of the face alone give a disc without thickness, with any marking errors") {
   Camera camera;
   camera.thickness = 0;
   std::vector<Annotation> annotations = camera.annotations();
   int half = 1;
   for (Annotation& a : annotations) {
-    // A wall of less than nothing would explain these.
+    // Only a wall of negative height would explain these.
     a.size.height -= 0.4 + 0.4 * half;
     half = -half;
   }
@@ -99,7 +98,7 @@ TEST_CASE(
   CHECK(calibration.model.disc->tilt_deg() == doctest::Approx(30).epsilon(0.1));
 }
 
-TEST_CASE("the disc model holds for pucks that were not annotated, and says where the middle is") {
+TEST_CASE("the disc model holds for unannotated pucks, and gives the principal point") {
   const Camera camera;
   const DiscFit fit = fit_disc_model(camera.annotations(), {300, 239.5});
   CHECK(fit.model.principal_x_px == doctest::Approx(kImageMiddle.x).epsilon(0.02));
@@ -121,7 +120,7 @@ TEST_CASE("a puck of the same size everywhere has a disc model, but no perspecti
   CHECK(fit.height.max_px < 0.5);
 }
 
-TEST_CASE("mistaken annotations are named by row and left out; the others are not") {
+TEST_CASE("implausible annotations are named by row and left out; the others are kept") {
   std::vector<Annotation> annotations = Camera().annotations();
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.4);
@@ -146,7 +145,7 @@ TEST_CASE("mistaken annotations are named by row and left out; the others are no
 }
 
 // Annotated in the far half of the table only, to half a pixel.
-TEST_CASE("beyond the annotations, the disc is right where Equation (2) is not") {
+TEST_CASE("beyond the annotations the disc is accurate where Equation (2) is not") {
   const Camera camera;
   std::vector<Annotation> annotations;
   for (const Annotation& a : camera.annotations()) {
@@ -168,13 +167,13 @@ TEST_CASE("beyond the annotations, the disc is right where Equation (2) is not")
         4);
 }
 
-TEST_CASE("too few annotations, or sizes that do not grow towards the camera, fix no disc") {
+TEST_CASE("too few annotations, or sizes without growth towards the camera, determine no disc") {
   std::vector<Annotation> annotations = Camera().annotations();
   CHECK(calibrate_size(annotations, kAnnotatedSensor).model.disc.has_value());
   // The first rows lie on two lines: enough for Equation (2).
   annotations.resize(7);
   CHECK_FALSE(calibrate_size(annotations, kAnnotatedSensor).model.disc.has_value());
-  // The disc explains them better, and yet tells nothing of the camera.
+  // The disc fits them better, but does not determine the camera.
   const DiscModel flat{.width_0 = 30,
                        .width_y = 0.0045,
                        .face_on_px = 60,
@@ -188,7 +187,7 @@ TEST_CASE("too few annotations, or sizes that do not grow towards the camera, fi
   CHECK_FALSE(calibration.model.disc.has_value());
 }
 
-TEST_CASE("the limits of the size lie around the annotated sizes") {
+TEST_CASE("the size limits enclose the annotated sizes") {
   const std::vector<Annotation> annotations{
       {{0}, {100, 100}, {20, 10}}, {{1}, {300, 100}, {20, 12}}, {{2}, {100, 300}, {40, 30}}};
   const PuckSizeModel model = calibrate_size(annotations, kAnnotatedSensor).planes.model;
@@ -199,7 +198,7 @@ TEST_CASE("the limits of the size lie around the annotated sizes") {
   CHECK(model.sensor == kAnnotatedSensor);
 }
 
-TEST_CASE("little coverage, clamping inside the image and swapped columns are warned of") {
+TEST_CASE("little coverage, clamping inside the image and swapped columns cause warnings") {
   const auto warned = [](const std::vector<Annotation>& annotations, const char* of) {
     const SizeCalibration calibration = calibrate_size(annotations, kAnnotatedSensor);
     return std::any_of(calibration.warnings.begin(), calibration.warnings.end(),
@@ -216,7 +215,7 @@ TEST_CASE("little coverage, clamping inside the image and swapped columns are wa
   CHECK(warned(all, "are width and height swapped?"));
 }
 
-TEST_CASE("annotations outside the sensor, or with their columns mixed up, are refused") {
+TEST_CASE("annotations outside the sensor, or with swapped columns, are refused") {
   std::vector<Annotation> annotations = Camera().annotations();
   annotations[1].centre.x = 700;
   CHECK_THROWS_AS(calibrate_size(annotations, kAnnotatedSensor), std::invalid_argument);

@@ -21,7 +21,7 @@ std::vector<Annotation> annotations_of(const PuckSizeModel& model) {
   return annotations;
 }
 
-TEST_CASE("The size fit recovers the coefficients that made the annotations") {
+TEST_CASE("The size fit recovers the coefficients behind the annotations") {
   const SizeFit fit = fit_puck_size_model(annotations_of(kModel));
   CHECK(fit.model.width_0 == doctest::Approx(5));
   CHECK(fit.model.width_x == doctest::Approx(0.01));
@@ -33,7 +33,7 @@ TEST_CASE("The size fit recovers the coefficients that made the annotations") {
   CHECK(fit.height.rms_px < 1e-9);
 }
 
-TEST_CASE("The size fit reports what it could not explain, width and height apart") {
+TEST_CASE("The size fit reports its residuals for width and height separately") {
   // At the corners of a rectangle a checkerboard error is orthogonal to every plane.
   std::vector<Annotation> annotations;
   for (const Pixel centre : {Pixel{100, 100}, Pixel{300, 100}, Pixel{100, 300}, Pixel{300, 300}}) {

@@ -15,7 +15,7 @@
 
 namespace puck {
 
-/// A folder that vanishes with the test.
+/// A folder that is removed with the test.
 class CameraFolder {
  public:
   CameraFolder() {
@@ -36,7 +36,7 @@ class CameraFolder {
   std::filesystem::path path_;
 };
 
-/// An event with its time in full.
+/// An event with its full time.
 struct SeenEvent {
   std::int64_t t_us = 0;
   int x = 0;

@@ -22,7 +22,7 @@ std::string file_settings(const std::filesystem::path& path, const std::string& 
   return "[camera]\nsource = \"file\"\nfile = \"" + path.string() + "\"\n" + more;
 }
 
-TEST_CASE("a recording goes over the bus whole, in order and unbent, and the camera ends") {
+TEST_CASE("a recording is published whole, in order and unchanged, then the camera ends") {
   const CameraFolder folder;
   const auto expected = even_events(20000, 7'139'845, 3);
   write_recording(folder / "a.raw", expected);
@@ -48,7 +48,7 @@ TEST_CASE("no packet is published before its events have happened") {
   REQUIRE(run.packets_.size() > 50);
   const std::int64_t zero_utime = run.packets_.front().sensor_zero_utime;
   for (const event_packet_t& packet : run.packets_) {
-    // Both clocks are read a moment apart when the plan is made.
+    // The plan reads the two clocks one after the other.
     constexpr std::int64_t kClocksApartUs = 1000;
     CHECK(packet.utime + kClocksApartUs >=
           packet.sensor_zero_utime + packet.first_event_us + packet.duration_us);
@@ -57,13 +57,13 @@ TEST_CASE("no packet is published before its events have happened") {
   }
 }
 
-TEST_CASE("packets that are due every 150 us go one by one") {
+TEST_CASE("packets due every 150 us are published one by one") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(240'000, 1000, 4));
   CameraRun run(file_settings(folder / "a.raw", "flush_us = 150\n"));
   run.run();
   REQUIRE(run.packets_.size() > 1000);
-  // Where the machine was busy for a moment they come in bursts all the same: the best 3 ms count.
+  // A busy machine may still send bursts: the best 3 ms count.
   constexpr std::size_t kPart = 20;
   std::size_t fewest_at_once = kPart;
   for (std::size_t first = 1; first + kPart <= run.packets_.size(); first += kPart) {
@@ -77,7 +77,7 @@ TEST_CASE("packets that are due every 150 us go one by one") {
   CHECK(fewest_at_once < kPart / 5);
 }
 
-TEST_CASE("packets are bounded by their bytes") {
+TEST_CASE("packets have a bounded size in bytes") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(20000, 0, 1));
   CameraRun run(file_settings(folder / "a.raw", "packet_bytes = 1472\nflush_us = 5000\n"));
@@ -87,7 +87,8 @@ TEST_CASE("packets are bounded by their bytes") {
   CHECK(run.packets_.front().count > 300);
 }
 
-TEST_CASE("at another speed sensor time has no zero on the host's clock, and stays as it is") {
+TEST_CASE(
+    "at another playing speed sensor time has no zero on the host's clock, and is unchanged") {
   const CameraFolder folder;
   const auto expected = even_events(1000, 1000, 1000);
   write_recording(folder / "a.raw", expected);
@@ -97,7 +98,7 @@ TEST_CASE("at another speed sensor time has no zero on the host's clock, and sta
   CHECK(run.packets_.front().sensor_zero_utime == 0);
 }
 
-TEST_CASE("the eyes of a robot that hang upside down see upright") {
+TEST_CASE("the images of a robot's inverted eyes are turned upright") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", {{0, 0, 0, 1}, {1, 63, 47, 0}, {2, 10, 20, 1}});
   CameraRun run(file_settings(folder / "a.raw", "rotate_180 = true\n"));
@@ -147,10 +148,9 @@ TEST_CASE("events outside the sensor are counted in every packet and in STATUS")
   CHECK(run.log_text_.str().find("2 events lie outside the sensor") != std::string::npos);
 }
 
-TEST_CASE(
-    "a stream that brings more than may be published loses its oldest events, and it is told") {
+TEST_CASE("a stream above the publishing limit loses its oldest events, with a warning") {
   const CameraFolder folder;
-  // 2.4 s of publishing at the limit, sent as fast as it goes.
+  // 2.4 s of publishing at the limit, sent without pacing.
   constexpr int kEvents = 1'200'000;
   write_recording(folder / "a.raw", even_events(kEvents, 0, 1));
   const TcpServer server;
@@ -158,7 +158,7 @@ TEST_CASE(
                 std::to_string(server.port()) + "\narrival_limit_mev_s = 0.5\n");
   const std::string bytes = read_text(folder / "a.raw");
   std::jthread sender([&] { server.serve(bytes); });
-  // The newest events come last, whatever was lost before them.
+  // The newest events come last, after any loss.
   run.stop_when_ = [&] { return run.events_.back().t_us == kEvents - 1; };
   run.run();
   REQUIRE(!run.events_.empty());
@@ -176,7 +176,7 @@ TEST_CASE(
   CHECK(was_degraded);
 }
 
-TEST_CASE("a camera that waits for a gap in a recording to pass says so") {
+TEST_CASE("a camera that waits through a gap in a recording reports the gap") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", {{1000, 1, 1, 0}, {2'500'000, 2, 2, 1}});
   CameraRun run(file_settings(folder / "a.raw"));
@@ -197,7 +197,7 @@ TEST_CASE("the simulated table publishes events, truth and head") {
   CHECK(run.truths_us_[0] == 0);
   CHECK(run.truths_us_[1] == 1000);
   CHECK(run.heads_ == static_cast<int>(run.truths_us_.size()));
-  // Truth of a moment comes no later than events after it: at most a packet's age ahead of them.
+  // Truth is published before the later events: at most a packet's age ahead of them.
   CHECK(run.truths_us_.back() + 2000 >= run.events_.back().t_us);
 }
 
@@ -225,7 +225,7 @@ TEST_CASE("the arm's state moves the simulated mallet, which the camera sees") {
   CHECK(moved > still + 1000);
 }
 
-TEST_CASE("settings that make no sense are refused with their key") {
+TEST_CASE("impossible settings are refused with their key") {
   const auto refusal = [](const std::string& toml) -> std::string {
     try {
       CameraRun run(toml);

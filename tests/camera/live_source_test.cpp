@@ -17,7 +17,7 @@
 namespace puck {
 namespace {
 
-/// What a script says, then the end or a failure. `done` turns true when it was asked for that.
+/// Plays a script, then the end or a failure. `done` becomes true on the call after the script.
 class ScriptedSource final : public EventSource {
  public:
   ScriptedSource(std::deque<Chunk> script, bool fails, std::atomic<bool>& done)
@@ -81,7 +81,7 @@ class Live {
   LiveSource source_;
 };
 
-TEST_CASE("a live source hands on all that is fetched in time, small pieces joined") {
+TEST_CASE("a live source delivers everything if fetched in time, and joins small pieces") {
   Live live(chunks_of(100, 200), 4);
   const auto taken = live.take_all();
   REQUIRE(taken.size() == 3);  // 81 pieces of 100 events fit into 8192.
@@ -101,7 +101,7 @@ TEST_CASE("a live source hands on all that is fetched in time, small pieces join
   CHECK(live.source_.warnings() == std::vector<std::string>{"all is well"});
 }
 
-TEST_CASE("a live source that is not fetched keeps the newest chunks, and counts what it let go") {
+TEST_CASE("without fetching, a live source keeps the newest chunks and counts the dropped ones") {
   Live live(chunks_of(8000, 10), 3);
   const auto taken = live.take_all();
   REQUIRE(taken.size() == 3);
@@ -111,7 +111,7 @@ TEST_CASE("a live source that is not fetched keeps the newest chunks, and counts
   CHECK(live.source_.events_dropped() == 7 * 8000 + 3);
 }
 
-TEST_CASE("that a clock is new is told even where its first events were let go") {
+TEST_CASE("a new clock is reported even if its first events were dropped") {
   Live live(chunks_of(8000, 10), 3);
   const auto taken = live.take_all();
   REQUIRE(taken.size() == 3);
@@ -119,7 +119,7 @@ TEST_CASE("that a clock is new is told even where its first events were let go")
   CHECK_FALSE(taken[1].new_clock);
 }
 
-TEST_CASE("what a live source throws comes after all that it brought before") {
+TEST_CASE("a live source's exception follows all of its earlier events") {
   Live live(chunks_of(8000, 2), 3, true);
   EventSource::Chunk chunk;
   CHECK(live.source_.next(chunk) == EventSource::Outcome::kEvents);
@@ -127,7 +127,7 @@ TEST_CASE("what a live source throws comes after all that it brought before") {
   CHECK_THROWS_WITH_AS(live.source_.next(chunk), "the cable is out", EventFileError);
 }
 
-TEST_CASE("a pipe that nobody fetches from never blocks, and its newest events are at hand") {
+TEST_CASE("a pipe without fetching never blocks, and its newest events stay available") {
   constexpr int kEvents = 500'000;
   constexpr std::size_t kChunks = 4;
   const CameraFolder folder;
@@ -153,7 +153,7 @@ TEST_CASE("a pipe that nobody fetches from never blocks, and its newest events a
     DescriptorEvents events_;
   };
   LiveSource live(std::make_unique<PipeSource>(ends[0]), kChunks);
-  // Would wait for ever if the other end were not read.
+  // A write without a reader would block for ever.
   std::size_t written = 0;
   while (written < bytes.size()) {
     const ssize_t count = write(ends[1], bytes.data() + written, bytes.size() - written);
@@ -164,7 +164,7 @@ TEST_CASE("a pipe that nobody fetches from never blocks, and its newest events a
 
   std::vector<SeenEvent> events;
   EventSource::Chunk chunk;
-  // The last bytes may still be on their way: what comes until the end is more than the queue held.
+  // The last bytes may still be in the pipe: together more than the queue held.
   for (auto outcome = live.next(chunk); outcome != EventSource::Outcome::kEnd;
        outcome = live.next(chunk)) {
     if (outcome == EventSource::Outcome::kEvents) append_seen(chunk.packet, events);
@@ -175,12 +175,12 @@ TEST_CASE("a pipe that nobody fetches from never blocks, and its newest events a
   CHECK(events.size() < kEvents / 2);
 }
 
-TEST_CASE("a limit lets a mean rate through, and makes up for no more than a millisecond") {
+TEST_CASE("a limit allows a mean rate, and a burst of at most a millisecond") {
   using Clock = PublishLimit::Clock;
   PublishLimit limit(2);
   const Clock::time_point start{std::chrono::seconds(100)};
   CHECK(limit.due() <= start);
-  // 2000 events at 2 Mev/s take a ms, the one that may be made up for.
+  // 2000 events at 2 Mev/s take 1 ms, which is the longest burst.
   limit.count(2000, start);
   CHECK(limit.due() == start);
   limit.count(2000, start);

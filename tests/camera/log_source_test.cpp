@@ -38,7 +38,7 @@ std::string log_settings(const std::filesystem::path& path, const std::string& m
   return "[camera]\nsource = \"log\"\nfile = \"" + path.string() + "\"\n" + more;
 }
 
-TEST_CASE("a log is played whole, at its sensor times, as a run of this camera") {
+TEST_CASE("a log is played whole, at its sensor times, as a session of this camera") {
   const CameraFolder folder;
   write_log(folder / "a.lcm", hundred_packets());
   CameraRun run(log_settings(folder / "a.lcm"));
@@ -49,14 +49,14 @@ TEST_CASE("a log is played whole, at its sensor times, as a run of this camera")
     REQUIRE(run.packets_[i].session == run.bus_.session());
     REQUIRE(run.packets_[i].seq == static_cast<std::int64_t>(i));
   }
-  // Its sensor's zero is a time of this host, not of the one that recorded it, which was near 0.
+  // Its sensor's zero is a time of this host; on the recording host it was near 0.
   CHECK(run.packets_.back().sensor_zero_utime > 1'000'000'000'000'000);
   CHECK(run.last_counter("events_sent") == 4000);
   CHECK(run.last_counter("events_dropped") == 0);
   CHECK(run.log_text_.str().find("warning") == std::string::npos);
 }
 
-TEST_CASE("what is missing in a log is counted as dropped, in EVENTS too, and told") {
+TEST_CASE("missing packets in a log are counted as dropped, in EVENTS too, and reported") {
   const CameraFolder folder;
   {
     EventLogWriter writer(folder / "a.lcm", kSensor);
@@ -72,7 +72,7 @@ TEST_CASE("what is missing in a log is counted as dropped, in EVENTS too, and to
   CHECK(run.log_text_.str().find("1 packets of events missing") != std::string::npos);
 }
 
-TEST_CASE("a damaged log plays what is whole, and says what was skipped") {
+TEST_CASE("the intact part of a damaged log is played, and the skipped part is reported") {
   const CameraFolder folder;
   write_log(folder / "a.lcm", hundred_packets());
   std::filesystem::resize_file(folder / "a.lcm", std::filesystem::file_size(folder / "a.lcm") - 10);
@@ -82,7 +82,7 @@ TEST_CASE("a damaged log plays what is whole, and says what was skipped") {
   CHECK(run.log_text_.str().find("the log ends within a message at byte") != std::string::npos);
 }
 
-TEST_CASE("a log of another prefix is played by that prefix, and not without it") {
+TEST_CASE("a log of another prefix plays with that prefix only") {
   const CameraFolder folder;
   write_log(folder / "a.lcm", hundred_packets(), "LEFT_PUCK_EVENTS");
   CHECK_THROWS_AS(CameraRun(log_settings(folder / "a.lcm")).run(), LogFileError);
@@ -91,7 +91,7 @@ TEST_CASE("a log of another prefix is played by that prefix, and not without it"
   CHECK(run.events_.size() == 4000);
 }
 
-TEST_CASE("a log is looped and stretched as a recording is") {
+TEST_CASE("a log can be looped and stretched like a recording") {
   const CameraFolder folder;
   write_log(folder / "a.lcm", {numbered_events(1000, 1000)});
   FileSource looped({.file = folder / "a.lcm", .loop = true},
@@ -113,7 +113,7 @@ TEST_CASE("a log is looped and stretched as a recording is") {
   CHECK(events.back().t_us - events.front().t_us == doctest::Approx(100'000).epsilon(0.01));
 }
 
-TEST_CASE("what is no log is refused, and so is a log without a name") {
+TEST_CASE("files that are no log, and logs without a name, are refused") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(10, 0, 1));
   CHECK_THROWS_WITH_AS(open_event_log(folder / "a.raw", "", kJoined),

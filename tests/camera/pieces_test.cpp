@@ -1,4 +1,4 @@
-// The camera's small parts, which know no bus and no clock of their own.
+// The camera's small parts without a bus or a clock.
 #include <doctest/doctest.h>
 
 #include "services/camera/event_batcher.h"
@@ -23,7 +23,7 @@ EventPacket packet_at(std::int64_t start_us, std::initializer_list<std::uint32_t
   return packet;
 }
 
-TEST_CASE("a batch goes when it is full, with its last event") {
+TEST_CASE("a full batch is sent with its last event") {
   EventBatcher batcher(2, 500, 500);
   const EventPacket packet = packet_at(1000, {0, 10, 20});
   std::size_t next = 0;
@@ -34,7 +34,7 @@ TEST_CASE("a batch goes when it is full, with its last event") {
   CHECK(batcher.batch().events.size() == 2);
 }
 
-TEST_CASE("a batch goes when its first event has waited long enough") {
+TEST_CASE("a batch is sent when its first event reaches the longest wait") {
   EventBatcher batcher(100, 500, 500);
   const EventPacket packet = packet_at(1000, {7, 506, 507});
   std::size_t next = 0;
@@ -47,7 +47,7 @@ TEST_CASE("a batch goes when its first event has waited long enough") {
   CHECK(batcher.due().us == 1507);
 }
 
-TEST_CASE("a batch takes events from several packets, and none is lost between batches") {
+TEST_CASE("a batch takes events from several packets, and loses none between batches") {
   EventBatcher batcher(100, 500, 500);
   std::size_t next = 0;
   batcher.take(packet_at(0, {0, 100}), next);
@@ -66,7 +66,7 @@ TEST_CASE("a batch takes events from several packets, and none is lost between b
   CHECK(batcher.batch().events.size() == 2);
 }
 
-TEST_CASE("a batch with few events waits longer, but not once it has enough") {
+TEST_CASE("a small batch waits longer, until it has enough events") {
   EventBatcher batcher(1000, 500, 4000);
   EventPacket packet{{1000}, {}};
   for (std::uint32_t i = 0; i <= EventBatcher::kFew; ++i)
@@ -86,7 +86,7 @@ TEST_CASE("a batch with few events waits longer, but not once it has enough") {
   CHECK(batcher.due().us == newest_us);
 }
 
-TEST_CASE("a batch that comes to more than a few in one go takes no more than the shorter time's") {
+TEST_CASE("a batch takes no more events from one call than the shorter wait covers") {
   EventPacket packet;
   for (std::uint32_t i = 0; i < 400; ++i) packet.events.push_back({1, 1, 1, 10 * i});
   EventBatcher batcher(10'000, 500, 4'000);
@@ -101,7 +101,7 @@ TEST_CASE("a batch that comes to more than a few in one go takes no more than th
   CHECK(next == 10);
 }
 
-TEST_CASE("sensor time comes at its speed on the host's clock") {
+TEST_CASE("sensor time advances at its speed on the host's clock") {
   Pacer pacer(2);
   const Pacer::Clock::time_point start{};
   pacer.start({1000}, start);
@@ -109,14 +109,14 @@ TEST_CASE("sensor time comes at its speed on the host's clock") {
   CHECK(pacer.due({3000}) == start + microseconds(1000));
 }
 
-TEST_CASE("a sensor time beyond all clocks is due late, not in the past") {
+TEST_CASE("a sensor time beyond the clock's range is due late, not in the past") {
   Pacer pacer(0.001);
   const Pacer::Clock::time_point start{};
   pacer.start({0}, start);
   CHECK(pacer.due({std::int64_t{1} << 53}) > start + std::chrono::hours(24 * 365));
 }
 
-TEST_CASE("a little late is made up for, hopelessly late is given up and told") {
+TEST_CASE("a short delay is made up for, a long one is skipped and reported") {
   Pacer pacer(1);
   const Pacer::Clock::time_point start{};
   pacer.start({0}, start);
@@ -131,7 +131,7 @@ TEST_CASE("a little late is made up for, hopelessly late is given up and told") 
   CHECK(pacer.due({3000}) == start + microseconds(303000));
 }
 
-TEST_CASE("clocks that begin anew are joined to one time that only grows") {
+TEST_CASE("restarted clocks are joined to one increasing time") {
   GrowingTime time;
   CHECK(time.place({5000}).us == 5000);
   CHECK(time.place({6000}).us == 6000);
@@ -142,7 +142,7 @@ TEST_CASE("clocks that begin anew are joined to one time that only grows") {
   CHECK(time.place({9000}).us == 9000);
 }
 
-TEST_CASE("a live sensor's zero is that of its least delayed packet, and follows a drift") {
+TEST_CASE("a live sensor's zero is that of its least delayed packet, and follows drift") {
   SensorZero zero;
   zero.add({1000}, 101'500);
   CHECK(zero.utime() == 100'500);
@@ -156,7 +156,7 @@ TEST_CASE("a live sensor's zero is that of its least delayed packet, and follows
   CHECK(zero.utime() < 100'100 + 60'000);
 }
 
-TEST_CASE("truth and head of a camera that hangs upside down are turned as its events are") {
+TEST_CASE("truth and head of an inverted camera are turned like its events") {
   SimulatedTruth truth;
   truth.position_px = {10, 20};
   truth.head = {1, 2, 3, 4, 5, 6};

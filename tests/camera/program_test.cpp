@@ -17,7 +17,7 @@
 namespace puck {
 namespace {
 
-// On a bus that nobody else hears. What stdin has to say is in the file `input`.
+// Runs the camera on a bus of its own, with the file `input` on stdin.
 Finished run_camera(std::vector<std::string> arguments, const std::filesystem::path& input = {}) {
   const std::string program = program_path("puck-camera");
   arguments.insert(arguments.begin(), {program, "--lcm-url", "memq://"});
@@ -32,7 +32,7 @@ void check_refused(const std::vector<std::string>& arguments, const std::string&
   CHECK(finished.errors.find(part) != std::string::npos);
 }
 
-TEST_CASE("the camera refuses bad input with exit code 1 and a line that says what is wrong") {
+TEST_CASE("the camera refuses bad input with exit code 1 and a line with the reason") {
   const CameraFolder folder;
   std::ofstream(folder / "a.png") << "\x89PNG\r\n\x1a\n";
   std::ofstream(folder / "a.toml") << "[camera]\nsauce = \"file\"\n";
@@ -50,7 +50,7 @@ TEST_CASE("the camera refuses bad input with exit code 1 and a line that says wh
   check_refused({"--config", "/nowhere.toml"}, "/nowhere.toml: cannot be opened");
 }
 
-TEST_CASE("a recording piped in is published to its end, which ends the camera") {
+TEST_CASE("a recording from a pipe is published to its end, and the camera ends") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(5000, 0, 10));
   const Finished finished = run_camera({"--set", "camera.source=stdin"}, folder / "a.raw");

@@ -33,7 +33,7 @@ std::vector<SeenEvent> take(EventSource& source, std::size_t count) {
   return events;
 }
 
-TEST_CASE("a recording comes whole and as it is, and ends") {
+TEST_CASE("a recording is delivered whole and unchanged, and ends") {
   const CameraFolder folder;
   const auto expected = even_events(20000, 43'499'029, 7);
   write_recording(folder / "a.raw", expected);
@@ -44,7 +44,7 @@ TEST_CASE("a recording comes whole and as it is, and ends") {
   CHECK(source.next(chunk) == EventSource::Outcome::kEnd);
 }
 
-TEST_CASE("a looped recording goes on growing in time, at its own pace") {
+TEST_CASE("a looped recording continues with increasing times, at its own pace") {
   const CameraFolder folder;
   const auto once = even_events(1000, 5000, 10);
   write_recording(folder / "a.raw", once);
@@ -59,7 +59,7 @@ TEST_CASE("a looped recording goes on growing in time, at its own pace") {
   }
 }
 
-TEST_CASE("a recording is stretched to a mean rate, its order kept") {
+TEST_CASE("a recording is stretched to a mean rate in its order") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(10001, 5000, 10));  // 0.1 Mev/s
   for (const double rate_mev_s : {0.01, 0.4, 2.0}) {
@@ -76,7 +76,7 @@ TEST_CASE("a recording is stretched to a mean rate, its order kept") {
   }
 }
 
-TEST_CASE("a recording too short to loop is refused, a missing one too") {
+TEST_CASE("missing recordings and recordings too short for a loop are refused") {
   const CameraFolder folder;
   write_recording(folder / "one.raw", even_events(1, 0, 1));
   CHECK_THROWS_AS(FileSource({.file = folder / "one.raw", .loop = true}), EventFileError);
@@ -84,7 +84,7 @@ TEST_CASE("a recording too short to loop is refused, a missing one too") {
   CHECK_THROWS_AS(FileSource({.file = folder / "none.raw"}), EventFileError);
 }
 
-TEST_CASE("a byte stream gives its events however it comes, and ends when it is closed") {
+TEST_CASE("a byte stream gives the same events in any pieces, and ends when it is closed") {
   const CameraFolder folder;
   const auto expected = even_events(2000, 100, 10);
   write_recording(folder / "a.raw", expected);
@@ -125,7 +125,7 @@ TEST_CASE("a byte stream that is no recording is refused") {
   close(ends[1]);
 }
 
-TEST_CASE("a TCP source connects again after a break, a refusal and rubbish, and time goes on") {
+TEST_CASE("a TCP source reconnects after a break, a refusal and garbage, and time continues") {
   const CameraFolder folder;
   const auto once = even_events(100, 1000, 10);
   write_recording(folder / "a.raw", once);
@@ -161,7 +161,7 @@ TEST_CASE("a TCP source connects again after a break, a refusal and rubbish, and
   CHECK(events.back().t_us - events.front().t_us == 990);
 }
 
-TEST_CASE("a later connection's clock is told to be new with its first events only") {
+TEST_CASE("a later connection's clock is reported as new with its first events only") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", even_events(20000, 1000, 10));
   const std::string bytes = content_of(folder / "a.raw");
@@ -179,12 +179,12 @@ TEST_CASE("a later connection's clock is told to be new with its first events on
   }
 }
 
-TEST_CASE("a host that does not exist is refused at the start") {
+TEST_CASE("an unknown host is refused at the start") {
   CHECK_THROWS_WITH(TcpSource("no such host", 1, {}),
                     doctest::Contains("camera.tcp_host \"no such host\" cannot be found"));
 }
 
-TEST_CASE("the simulated table tells its truth before each millisecond of events") {
+TEST_CASE("the simulated table gives its truth before each millisecond of events") {
   std::vector<std::int64_t> truths_us;
   SimulatedSource source({}, 1000,
                          [&](const SimulatedTruth& truth) { truths_us.push_back(truth.time.us); });
@@ -194,7 +194,7 @@ TEST_CASE("the simulated table tells its truth before each millisecond of events
   CHECK(truths_us == std::vector<std::int64_t>{0, 1000, 2000, 3000, 4000});
 }
 
-TEST_CASE("the simulated robot's mallet goes where the arm says") {
+TEST_CASE("the simulated robot's mallet follows the arm") {
   double mallet_y_m = 0;
   SimulatedSource source({}, 1000,
                          [&](const SimulatedTruth& truth) { mallet_y_m = truth.robot_mallet.y_m; });

@@ -30,7 +30,7 @@ class TcpServer {
 
   int port() const { return port_; }
 
-  /// Sends to the next client and hangs up. False when not all could be sent.
+  /// Sends to the next client and closes the connection. False if not all could be sent.
   bool serve(std::string_view bytes) const {
     const int client = accept(socket_, nullptr, nullptr);
     if (client < 0) return false;

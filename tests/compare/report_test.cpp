@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A folder with what runs left behind.
+// A folder with the results of runs.
 class Runs {
  public:
   void add(const std::string& set, int seed, const std::string& contestant, const Json& figures) {
@@ -49,7 +49,7 @@ const GoalResult& goal(const std::vector<GoalResult>& goals, const std::string& 
 
 }  // namespace
 
-TEST_CASE("a summary weighs its sequences by their ticks and keeps the worst") {
+TEST_CASE("a summary weights its sequences by their ticks and keeps the worst") {
   Runs runs;
   runs.add("still", 1002, "default", figures(3000, 0.4, 1));
   runs.add("still", 1001, "default", figures(1000, 0.2, 0));
@@ -70,7 +70,7 @@ TEST_CASE("a summary weighs its sequences by their ticks and keeps the worst") {
   CHECK(runs.comparison().runs({"still"}, "default").front()->result().seed == 1001);
 }
 
-TEST_CASE("by the paper's rules the deviation is over all rows, and nothing is lost") {
+TEST_CASE("by the paper's rules the deviation covers all rows, and nothing is lost") {
   Runs runs;
   Json one{{"estimates", 100}, {"mean_px", 1}, {"std_px", 0}, {"lost_percent", nullptr}};
   Json other{{"estimates", 100}, {"mean_px", 3}, {"std_px", 0}, {"lost_percent", nullptr}};
@@ -91,7 +91,8 @@ TEST_CASE("by the paper's rules the deviation is over all rows, and nothing is l
   }
 }
 
-TEST_CASE("how far a mean may be off is told by how its sequences differ, and not by one alone") {
+TEST_CASE(
+    "the standard error of a mean comes from differences between sequences, of at least two") {
   Runs runs;
   for (int i = 0; i < 4; ++i) runs.add("still", 1001 + i, "default", figures(1000, 1 + i, 2));
   runs.add("moving", 1101, "default", figures(1000, 1, 2));
@@ -104,7 +105,7 @@ TEST_CASE("how far a mean may be off is told by how its sequences differ, and no
   CHECK_FALSE(one.lost_percent_standard_error.has_value());
 }
 
-TEST_CASE("a puck that was never tracked in one sequence has no time to its first track") {
+TEST_CASE("a puck never tracked in one sequence has no time to its first track") {
   Runs runs;
   Json never = figures(1000, 100, 100);
   never["time_to_first_track_ms"] = nullptr;
@@ -113,7 +114,7 @@ TEST_CASE("a puck that was never tracked in one sequence has no time to its firs
   CHECK_FALSE(runs.comparison().summary("still", "default").time_to_first_track_ms.has_value());
 }
 
-TEST_CASE("goals are reached at their bars, missed beyond them, and by nothing that did not run") {
+TEST_CASE("goals are reached at their limits, missed beyond them and without a run") {
   Runs runs;
   runs.add("still", 1001, "default", figures(1000, 0.25, 0.1));
   runs.add("still", 1001, "correlation", figures(1000, 0.36, 0));
@@ -133,7 +134,7 @@ TEST_CASE("goals are reached at their bars, missed beyond them, and by nothing t
   CHECK(share.reached() == false);
 }
 
-TEST_CASE("every goal is about sets that exist") {
+TEST_CASE("every goal names existing sets") {
   for (const Goal& goal : goals()) {
     CAPTURE(goal.title);
     CHECK_FALSE(goal.sets.empty());
@@ -141,8 +142,7 @@ TEST_CASE("every goal is about sets that exist") {
   }
 }
 
-TEST_CASE(
-    "the report names every set, every ingredient and every seed, and its JSON says the same") {
+TEST_CASE("the report names every set, every switch and every seed, in text and JSON") {
   Runs runs;
   runs.add("still", 1001, "default", figures(1000, 0.25, 0.1));
   runs.add("fast-still", 1231, "without shear", figures(1000, 4.5, 0));
@@ -169,7 +169,7 @@ TEST_CASE(
   CHECK(json["goals"].size() == goals().size());
 }
 
-TEST_CASE("beside mean and lost the report has how far these may be off") {
+TEST_CASE("the report has standard errors beside mean and lost") {
   Runs runs;
   runs.add("still", 1001, "default", figures(1000, 0.25, 1));
   runs.add("still", 1002, "default", figures(1000, 0.75, 3));
@@ -189,7 +189,7 @@ TEST_CASE("beside mean and lost the report has how far these may be off") {
   CHECK(markdown.find("| 2.00 | 1.00 |") != std::string::npos);
 }
 
-TEST_CASE("a score curve survives its file") {
+TEST_CASE("a score curve is unchanged by its file") {
   const TemporaryFolder folder;
   ScoreCurve curve;
   curve.add(0.9, 1);
@@ -236,7 +236,7 @@ TEST_CASE("a table is aligned, and a row of the wrong length is refused") {
   CHECK_THROWS_AS(table.add({"default"}), std::invalid_argument);
 }
 
-TEST_CASE("a program that fails is told with what it said") {
+TEST_CASE("a failing program is reported with its output") {
   const TemporaryFolder folder;
   CHECK(run_or_throw({"/bin/true"}, folder.path()) >= 0);
   std::string message;

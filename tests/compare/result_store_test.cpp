@@ -20,7 +20,7 @@ const auto kFill = [](const std::filesystem::path& there) { write_text(there / "
 
 }  // namespace
 
-TEST_CASE("the hash is FNV-1a, of files as of their bytes") {
+TEST_CASE("the hash is FNV-1a, for files over their bytes") {
   CHECK(ContentHash().text() == "cbf29ce484222325");
   CHECK(ContentHash().add("a").text() == "af63dc4c8601ec8c");
   CHECK(ContentHash().add("foo").add("bar").text() == "85944171f73967e8");
@@ -45,7 +45,7 @@ TEST_CASE("a result is found by its name and its key, also by a later run") {
   CHECK_FALSE(later.find("moving", "key").has_value());
 }
 
-TEST_CASE("a result that fails on the way leaves nothing behind") {
+TEST_CASE("a failing result leaves nothing behind") {
   const TemporaryFolder folder;
   ResultStore store(folder / "results");
   CHECK_THROWS_AS(store.make("still", "key",
@@ -59,7 +59,7 @@ TEST_CASE("a result that fails on the way leaves nothing behind") {
   CHECK(entries_of(folder / "results") == 0);
 }
 
-TEST_CASE("a result takes the place of its outdated ones and of no other's") {
+TEST_CASE("a result replaces its outdated ones only") {
   const TemporaryFolder folder;
   ResultStore store(folder / "results");
   store.make("still-1-default", "old", kFill);
@@ -72,7 +72,7 @@ TEST_CASE("a result takes the place of its outdated ones and of no other's") {
   CHECK(entries_of(folder / "results") == 1);
 }
 
-TEST_CASE("two keys with one hash are not taken for one another") {
+TEST_CASE("two keys with the same hash are distinguished") {
   const TemporaryFolder folder;
   ResultStore store(folder / "results");
   const auto made = store.make("still", "key", kFill);

@@ -40,7 +40,7 @@ TEST_CASE("the whole comparison is 10 still, 10 moving and 5 of each hard set") 
   CHECK(hard == 5 * (static_cast<int>(sequence_sets().size()) - 2));
 }
 
-TEST_CASE("no seed is used twice, and none for testing that is for development") {
+TEST_CASE("no seed is used twice, and no development seed is used for testing") {
   for (const int sequences : {10, PlanOptions::kMostSequences}) {
     PlanOptions options;
     options.sequences = sequences;
@@ -54,7 +54,7 @@ TEST_CASE("no seed is used twice, and none for testing that is for development")
   CHECK(latency_sequence({}, 1).seed <= 99);
 }
 
-TEST_CASE("the quick form has every set, shorter") {
+TEST_CASE("the quick form has every set, shortened") {
   const PlanOptions quick{.sequences = 2, .seconds = 5};
   std::set<std::string> sets;
   for (const Sequence& sequence : plan_sequences(quick, {})) {
@@ -67,7 +67,7 @@ TEST_CASE("the quick form has every set, shorter") {
   CHECK(sequences_of(hard, quick) == 1);
 }
 
-TEST_CASE("each ingredient is taken away in turn on four sets, two still and two moving") {
+TEST_CASE("each component is switched off in turn on four sets, two still and two moving") {
   std::set<std::string> still;
   std::set<std::string> moving;
   for (const Sequence& sequence : plan_sequences({}, {"shear", "blob"})) {
@@ -81,7 +81,7 @@ TEST_CASE("each ingredient is taken away in turn on four sets, two still and two
         std::vector<std::string>{"--preset", "default", "--without", "shear"});
 }
 
-TEST_CASE("what is asked for alone runs on every set, and nothing else does") {
+TEST_CASE("selected trackers run on every set, and no others") {
   const PlanOptions options{.only = {"default", "cluster"}};
   const std::vector<Sequence> sequences = plan_sequences(options, {"shear"});
   CHECK(sequences.size() == plan_sequences({}, {}).size());
@@ -94,7 +94,7 @@ TEST_CASE("what is asked for alone runs on every set, and nothing else does") {
   CHECK(latency_sequence({}, 5).contestants.size() == contestants().size());
 }
 
-TEST_CASE("all presets run everywhere, the particle filter where it is affordable") {
+TEST_CASE("all presets run on every set, the particle filter where it is affordable") {
   for (const Sequence& sequence : plan_sequences({}, {})) {
     for (const char* name : {"paper", "reference", "correlation", "default", "cluster"}) {
       CHECK(runs(sequence, name));
@@ -103,7 +103,7 @@ TEST_CASE("all presets run everywhere, the particle filter where it is affordabl
   }
 }
 
-TEST_CASE("every scene file is there and can be played") {
+TEST_CASE("every scene file exists and is playable") {
   const std::filesystem::path scenes = comparison_folder() / "scenes";
   for (const SequenceSet& set : sequence_sets()) {
     if (set.scene.empty()) continue;
@@ -113,7 +113,7 @@ TEST_CASE("every scene file is there and can be played") {
   CHECK_THROWS_AS(set_of(sequence_sets(), "no such set"), std::invalid_argument);
 }
 
-TEST_CASE("every scene of tools/other_scenes.sh has a name and can be played") {
+TEST_CASE("every scene of tools/other_scenes.sh has a name and is playable") {
   int scenes = 0;
   const std::filesystem::path folder = comparison_folder() / "other_scenes";
   for (const auto& scene : std::filesystem::directory_iterator(folder)) {

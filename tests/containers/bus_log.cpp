@@ -23,7 +23,7 @@ void keep(const LogRecord& record, std::vector<Heard<Message>>& all) {
 void take(Channel channel, const LogRecord& record, BusLog& log) {
   const std::int64_t session = read_header(record.bytes).session;
   log.heard_us[session].push_back(record.utime);
-  // A header of LCM, the channel's name and its end stand before the message.
+  // LCM's header and the channel's name with its NUL precede the message.
   const std::size_t datagram_bytes =
       kLcmHeaderBytes + record.channel.size() + 1 + record.bytes.size();
   if (channel != Channel::kStatus && datagram_bytes > log.largest_datagram_bytes) {

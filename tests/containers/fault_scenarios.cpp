@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kReturnUs = 1'000'000;
 constexpr std::int64_t kNoticeUs = 500'000;
-// A fault that was shorter than this was none.
+// A shorter silence is no fault.
 constexpr std::int64_t kShortestFaultUs = 400'000;
 
 template <typename Message, typename Condition>
@@ -25,7 +25,7 @@ const Heard<Message>* first_after(const std::vector<Heard<Message>>& all, std::i
 
 bool stands_still(const arm_state_t& state) { return state.state == arm_state_t::STATE_HOLDING; }
 
-// Holding for want of something, not because it is where it should be.
+// Holding because of missing data, not at its target.
 bool holds_for_a_reason(const arm_state_t& state) {
   return stands_still(state) && !state.reason.empty();
 }
@@ -37,7 +37,7 @@ void demand_within(const std::string& what, const Heard<Message>* came, std::int
                         asked_us);
 }
 
-// From the time at which the arm has noticed to the end of the silence.
+// From the arm's reaction to the end of the silence.
 void demand_standstill(const BusLog& log, const Silence& silence, Verdict& verdict) {
   const auto* noticed = first_after(log.arm_states, silence.begin_us, holds_for_a_reason);
   const bool in_time = noticed != nullptr && noticed->at_us < silence.end_us;
@@ -63,7 +63,7 @@ void demand_noticed(const BusLog& log, const std::string& service, const Silence
   demand_within("noticed", in_time ? noticed : nullptr, silence.begin_us, kNoticeUs, verdict);
 }
 
-// A command was followed that rests on an estimate of this tracker.
+// A command that was followed and is based on an estimate of this tracker.
 auto follows_tracker(std::int64_t tracker_session) {
   return [tracker_session](const arm_state_t& state) {
     return state.command_session != 0 && state.estimate_session == tracker_session;
@@ -101,7 +101,7 @@ void judge_killed_tracker(const GameRecord& game, Verdict& verdict) {
   };
   const auto* back = first_after(log.estimates, 0, is_back);
   demand_within("back", back, after.started_us, kReturnUs, verdict);
-  // When it has the puck, and the arm a reason to move, is the game's matter.
+  // When the puck is found and the arm has a reason to move depends on the game.
   const auto* tracked = first_after(log.estimates, 0, tracks);
   verdict.demand(tracked != nullptr, "the new tracker never tracked the puck");
   verdict.demand(first_after(log.arm_states, 0, follows_tracker(after.session)) != nullptr,
@@ -150,7 +150,7 @@ void judge_cut_off_tracker(const GameRecord& game, Verdict& verdict) {
   for (const auto& [at_us, estimate] : log.estimates) {
     if (at_us <= silence->begin_us) newest_event_us = estimate.sensor_us;
   }
-  // Events from after the cut: what was queued before it is no news.
+  // Events from after the cut: earlier ones may have been queued.
   const auto hears_again = [&](const puck_estimate_t& estimate) {
     return estimate.sensor_us > newest_event_us + (silence->end_us - silence->begin_us) / 2;
   };

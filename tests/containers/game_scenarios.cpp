@@ -1,4 +1,4 @@
-// Games in which nothing fails but the network.
+// Games without a fault, except for the network's.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -16,19 +16,18 @@ namespace {
 constexpr std::array kServices{"puck-camera", "puck-tracker", "puck-bridge", "puck-arm",
                                "puck-logger"};
 
-// What an Ethernet frame holds of UDP's.
+// UDP payload of an Ethernet frame.
 constexpr std::size_t kFrameBytes = 1472;
 // Of Ethernet, IP and UDP, before each datagram.
 constexpr std::size_t kHeaderBytes = 42;
 
-// Far from what the tracker can do, which other tests hold it to, and as far from luck. Not the
-// mean: an estimate without a position, as of a tracker that has just been started, counts as 100
-// px.
+// Far above the tracker's error, which other tests bound, and far below chance. The median, because
+// an estimate without a position, as of a newly started tracker, counts as 100 px in the mean.
 constexpr double kMedianPx = 2;
 constexpr double kLostPercent = 50;
 
 constexpr double kReplayPx = 0.5;
-// In small processes a page here and there is more than 10 %.
+// In small processes a few pages are more than 10 %.
 constexpr double kMemoryPercent = 10;
 constexpr double kMemoryKb = 1024;
 
@@ -91,7 +90,7 @@ void judge_nothing_lost(const GameRecord& game, Verdict& verdict) {
   demand_one_life(game.log, verdict);
   for (const std::string service : kServices) {
     for (const ServiceRun& run : runs_of(game.log, service)) {
-      // The logger's own last word comes when its log is closed.
+      // The logger's last STATUS comes when its log is closed.
       verdict.demand(run.has_said_goodbye() || service == "puck-logger",
                      service + " ended without a last STATUS");
     }

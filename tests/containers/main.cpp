@@ -31,7 +31,7 @@ struct Options {
 
 using Judge = std::function<void(const GameRecord&, const Options&, Verdict&)>;
 
-// A judge of the game and of nothing more that an option could change.
+// A judge of the game alone, without options.
 Judge of(void (*judge)(const GameRecord&, Verdict&)) {
   return
       [judge](const GameRecord& game, const Options&, Verdict& verdict) { judge(game, verdict); };
@@ -75,7 +75,7 @@ std::string joined(const std::vector<std::string>& texts) {
   return all;
 }
 
-// On their way to the tracker, in all its lives, as it counted.
+// Lost on the way to the tracker, in all its sessions, by its own count.
 std::string events_lost(const GameRecord& game) {
   std::int64_t lost = 0;
   for (const puck::ServiceRun& run : puck::runs_of(game.log, "puck-tracker")) {
@@ -86,7 +86,7 @@ std::string events_lost(const GameRecord& game) {
   return std::to_string(lost);
 }
 
-// A line of the table that tests/containers/run.sh prints the head of.
+// A line of the table; tests/containers/run.sh prints its head.
 void print_row(const Options& options, const GameRecord& game, const Verdict& verdict) {
   const std::string lost = events_lost(game);
   const puck::DemoFigures& f = game.figures;

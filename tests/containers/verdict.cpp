@@ -6,7 +6,7 @@
 
 namespace puck {
 
-// All the containers share a few busy cores: a machine that stalls for a second is no fault of
+// All the containers share a few busy cores: a machine may stall for a second without a fault of
 // ours.
 constexpr std::int64_t kPatience = 4;
 

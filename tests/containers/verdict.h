@@ -6,17 +6,17 @@
 
 namespace puck {
 
-/// What is said of one scenario: its own figures, and what went wrong.
+/// Result of one scenario: its figures and its failures.
 class Verdict {
  public:
   void note(const std::string& figure) { notes_.push_back(figure); }
-  /// Whatever is not as it should be fails the scenario.
+  /// Fails the scenario with the complaint, unless `holds`.
   void demand(bool holds, const std::string& complaint) {
     if (!holds) complaints_.push_back(complaint);
   }
-  /// An event that is asked for within some time. Said always; fails only when it never came, or
-  /// took four times as long: a machine on which all the containers share two busy cores may
-  /// stand still for that.
+  /// An event that must come within some time. Always printed; fails only without the event, or
+  /// after four times that time, because a machine with all the containers on two busy cores may
+  /// stall.
   void demand_within(const std::string& what, bool came, std::int64_t took_us,
                      std::int64_t asked_us);
 

@@ -8,22 +8,22 @@
 
 namespace puck {
 
-/// An arm controller with a clock, a bridge and a tracker that all run as the test says.
+/// An arm controller with a simulated clock, bridge and tracker.
 class ArmBench {
  public:
   static constexpr std::int64_t kArmSession = 1001;
   static constexpr std::int64_t kBridgeSession = 2001;
   static constexpr std::int64_t kTrackerSession = 3001;
 
-  /// The clock of the bridge, the tracker and the operator is ahead by `sender_ahead_us`, as is
-  /// known.
+  /// The clock of the bridge, the tracker and the operator is ahead by `sender_ahead_us`, a known
+  /// offset.
   explicit ArmBench(const ArmControllerParams& params = {}, std::int64_t sender_ahead_us = 0,
                     std::unique_ptr<ArmBackEnd> back_end = nullptr)
       : sender(ClockOffset{sender_ahead_us, 0}), arm(params, kArmSession, std::move(back_end)) {}
 
   std::int64_t sender_utime() const { return now.utime + sender->ahead_us; }
 
-  /// A good command, which a test may then spoil.
+  /// A good command for a test to modify.
   arm_command_t command(double target_m) {
     arm_command_t message{};
     message.utime = sender_utime();
@@ -39,7 +39,7 @@ class ArmBench {
     return message;
   }
 
-  /// A good estimate, which a test may then spoil.
+  /// A good estimate for a test to modify.
   puck_estimate_t estimate() {
     puck_estimate_t message{};
     message.utime = sender_utime();
@@ -56,7 +56,7 @@ class ArmBench {
     return message;
   }
 
-  /// Sends an operator's stop or reset from a run of its own.
+  /// Sends an operator's stop or reset in a session of its own.
   void operate(std::int8_t mode) {
     arm_command_t message = command(0);
     message.session = next_operator_session_++;

@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-TEST_CASE("With commands and a live track the arm goes where it is told and holds there") {
+TEST_CASE("With commands and a live track the arm moves to its target and holds there") {
   ArmBench bench;
   bench.run(1);
   CHECK(bench.arm.state().state == arm_state_t::STATE_IDLE);
@@ -30,12 +30,12 @@ TEST_CASE("With commands and a live track the arm goes where it is told and hold
   CHECK(state.estimate_session == ArmBench::kTrackerSession);
 }
 
-TEST_CASE("The arm stands still within its limits when the commands end") {
+TEST_CASE("The arm stops within its limits when the commands end") {
   ArmBench bench;
   bench.play(60, 0.3);
   CHECK(bench.arm.velocity_m_s() > 0.5);
   const double target_before = bench.arm.state().target_m;
-  // Estimates go on, commands do not. 100 ms until it brakes, and at most 1.5/20 + 3 * 20/2000 s to
+  // Estimates continue, commands end. 100 ms until it brakes, and at most 1.5/20 + 3 * 20/2000 s to
   // rest from any state.
   for (int i = 0; i < 99; ++i) {
     bench.arm.hear(bench.estimate(), bench.now, bench.sender);
@@ -53,7 +53,7 @@ TEST_CASE("The arm stands still within its limits when the commands end") {
   CHECK(bench.arm.state().state == arm_state_t::STATE_HOLDING);
 }
 
-TEST_CASE("An arm that ends comes to rest within its limits, whatever it is told") {
+TEST_CASE("An arm that ends comes to rest within its limits, whatever commands arrive") {
   ArmBench bench;
   bench.play(60, 0.3);
   REQUIRE(bench.arm.velocity_m_s() > 0.5);
@@ -66,7 +66,7 @@ TEST_CASE("An arm that ends comes to rest within its limits, whatever it is told
   CHECK(bench.arm.state().faults == 0);
 }
 
-TEST_CASE("The arm stands still when the track under good commands goes silent") {
+TEST_CASE("The arm stops when the track under good commands falls silent") {
   ArmBench bench;
   bench.play(40, 0.3);
   const auto command_only = [&](int ms) {
@@ -81,7 +81,7 @@ TEST_CASE("The arm stands still when the track under good commands goes silent")
   CHECK(bench.stands());
 }
 
-TEST_CASE("The arm stands still at once when the tracker says that it lost the puck") {
+TEST_CASE("The arm stops at once when the tracker reports a lost puck") {
   ArmBench bench;
   bench.play(40, 0.3);
   for (int i = 0; i < 80; ++i) {
@@ -95,7 +95,7 @@ TEST_CASE("The arm stands still at once when the tracker says that it lost the p
   CHECK(bench.stands());
 }
 
-TEST_CASE("An estimate said again and again is no track, unless the puck rests") {
+TEST_CASE("A repeated estimate is no track, unless the puck rests") {
   for (const bool resting : {false, true}) {
     ArmBench bench;
     const std::int64_t frozen_us = bench.now.monotonic_us;
@@ -111,7 +111,7 @@ TEST_CASE("An estimate said again and again is no track, unless the puck rests")
   }
 }
 
-TEST_CASE("Estimates that are replayed, malformed or another tracker's give no live track") {
+TEST_CASE("Replayed, malformed and foreign estimates are no live track") {
   ArmBench bench;
   bench.run(SteadyStart::kReadings);
   puck_estimate_t old = bench.estimate();
@@ -158,8 +158,7 @@ TEST_CASE("With clocks hours apart the arm plays as well, and measures the same 
   }
 }
 
-TEST_CASE(
-    "An estimate whose tracker's clock is not known is no track, nor is one of a log's events") {
+TEST_CASE("Estimates of a tracker with an unknown clock, or of a log's events, are no live track") {
   ArmBench bench;
   for (int i = 0; i < 50; ++i) {
     bench.arm.hear(bench.estimate(), bench.now, std::nullopt);
@@ -179,7 +178,7 @@ TEST_CASE(
   CHECK(bench.arm.position_m() == 0);
 }
 
-TEST_CASE("A stop brakes, stays through good commands, and ends with an operator's reset") {
+TEST_CASE("A stop brakes, persists under good commands, and ends with an operator's reset") {
   ArmBench bench;
   bench.play(60, 0.3);
   bench.operate(arm_command_t::MODE_STOP);
@@ -198,7 +197,7 @@ TEST_CASE("A stop brakes, stays through good commands, and ends with an operator
   CHECK(bench.arm.position_m() == doctest::Approx(-0.3).epsilon(0.01));
 }
 
-TEST_CASE("Between a reset and the next step the arm says what is so, and nothing of the latch") {
+TEST_CASE("Between a reset and the next step the arm reports its present state, not the latch") {
   ArmBench bench;
   bench.run(SteadyStart::kReadings);
   bench.operate(arm_command_t::MODE_STOP);
@@ -210,7 +209,7 @@ TEST_CASE("Between a reset and the next step the arm says what is so, and nothin
   CHECK(bench.arm.state().reason == "no command yet");
 }
 
-TEST_CASE("The time from an estimate's publication to the set-point it led to is measured") {
+TEST_CASE("The time from an estimate's publication to its set-point is measured") {
   ArmBench bench;
   bench.arm.hear(bench.estimate(), bench.now, bench.sender);
   bench.now.utime += 700;

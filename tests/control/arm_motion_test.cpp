@@ -17,14 +17,14 @@
 namespace puck {
 namespace {
 
-// Joints that do what the test says: follow at once unless told otherwise.
+// Scripted joints, which follow at once by default.
 class ScriptedBackEnd : public ArmBackEnd {
  public:
   struct Script {
     std::optional<JointAngles> at;  // the encoders
     bool follows = true;
     bool speaks = true;
-    std::optional<std::int64_t> stamp_us;  // of readings, when it stands still
+    std::optional<std::int64_t> stamp_us;  // of readings, if constant
     std::string fault;
     std::string awaited;
     bool holds = true;
@@ -72,7 +72,7 @@ class ScriptedArm {
   ArmBench bench;
 };
 
-TEST_CASE("The set-points begin where the encoders are, wherever on the line that is") {
+TEST_CASE("The set-points begin at the encoders, at any place on the line") {
   for (const double y_m : {-0.3, -0.17, 0.0, 0.3}) {
     ScriptedArm arm(y_m);
     arm.bench.run(SteadyStart::kReadings);
@@ -87,7 +87,7 @@ TEST_CASE("The set-points begin where the encoders are, wherever on the line tha
   }
 }
 
-TEST_CASE("Without encoders nothing is sent, and the arm says what it waits for") {
+TEST_CASE("Without encoders nothing is sent, and the arm names the missing data") {
   ScriptedArm arm(0);
   arm.script.speaks = false;
   arm.bench.play(200, 0.1);
@@ -103,7 +103,7 @@ TEST_CASE("Without encoders nothing is sent, and the arm says what it waits for"
   CHECK(arm.bench.arm.position_m() == doctest::Approx(0.1));
 }
 
-TEST_CASE("A stopped arm takes no joints, however its back end comes, until a reset") {
+TEST_CASE("A stopped arm takes no joints before a reset, whatever its back end reports") {
   for (const bool was_asking : {false, true}) {
     CAPTURE(was_asking);
     ScriptedArm arm(0);
@@ -119,7 +119,7 @@ TEST_CASE("A stopped arm takes no joints, however its back end comes, until a re
     CHECK(arm.script.sent.empty());
     CHECK(arm.script.withdrawals > 0);
     CHECK(arm.bench.arm.state().state == arm_state_t::STATE_STOPPED);
-    // Not ours, so nobody else's hand on it is a fault.
+    // Joints that the arm has not taken may be moved by others without a fault.
     arm.script.at = joints_at(0.2);
     arm.bench.play(200, 0.1);
     CHECK(!arm.is_faulty());
@@ -132,7 +132,7 @@ TEST_CASE("A stopped arm takes no joints, however its back end comes, until a re
   }
 }
 
-TEST_CASE("A stop of an arm that holds its joints goes on with set-points at rest") {
+TEST_CASE("After a stop an arm that holds its joints continues with set-points at rest") {
   ScriptedArm arm(0);
   arm.bench.play(300, 0.1);
   arm.bench.operate(arm_command_t::MODE_STOP);
@@ -144,7 +144,7 @@ TEST_CASE("A stop of an arm that holds its joints goes on with set-points at res
   CHECK(arm.script.withdrawals == 0);
 }
 
-TEST_CASE("Set-points do not run ahead of joints that are still being taken") {
+TEST_CASE("Set-points wait for joints that are still being taken") {
   ScriptedArm arm(0);
   arm.script.holds = false;
   arm.bench.play(1000, 0.2);
@@ -156,7 +156,7 @@ TEST_CASE("Set-points do not run ahead of joints that are still being taken") {
   CHECK(arm.bench.arm.position_m() == doctest::Approx(0.2));
 }
 
-TEST_CASE("An arm whose joints turn out not to be ready waits, and begins anew where they are") {
+TEST_CASE("An arm whose joints become unready waits, and restarts at their position") {
   ScriptedArm arm(0);
   arm.script.holds = false;
   arm.bench.play(200, 0.1);
@@ -175,7 +175,7 @@ TEST_CASE("An arm whose joints turn out not to be ready waits, and begins anew w
   CHECK(arm.bench.arm.position_m() == doctest::Approx(0.1));
 }
 
-TEST_CASE("A back end's fault withdraws what it did not send yet") {
+TEST_CASE("A back end's fault withdraws its unsent set-points") {
   ScriptedArm arm(0);
   arm.bench.play(200, 0.1);
   CHECK(arm.script.withdrawals == SteadyStart::kReadings - 1);
@@ -184,7 +184,7 @@ TEST_CASE("A back end's fault withdraws what it did not send yet") {
   CHECK(arm.script.withdrawals == SteadyStart::kReadings);
 }
 
-TEST_CASE("One wrong reading at the start sets nothing in motion, wherever among the first it is") {
+TEST_CASE("One wrong reading among the first causes no motion") {
   for (const int wrong_one : {0, 1, SteadyStart::kReadings - 1}) {
     for (const double off_deg : {-6.0, 6.0, 300.0}) {
       CAPTURE(wrong_one);
@@ -205,7 +205,7 @@ TEST_CASE("One wrong reading at the start sets nothing in motion, wherever among
   }
 }
 
-TEST_CASE("A reading said again and again is one reading, and encoders that never agree are none") {
+TEST_CASE("Repeated readings count once, and encoders that never agree are not accepted") {
   ScriptedArm arm(0.1);
   arm.script.stamp_us = arm.bench.now.monotonic_us;
   arm.bench.play(50, 0.1);
@@ -220,7 +220,7 @@ TEST_CASE("A reading said again and again is one reading, and encoders that neve
   CHECK(!arm.is_faulty());
 }
 
-TEST_CASE("An arm off the line moves to it slowly, only while it is asked to, and then plays") {
+TEST_CASE("An arm off the line moves to it slowly, only on request, and then plays") {
   ScriptedArm arm(0.1);
   (*arm.script.at)[1] += 4;
   const double from = (*arm.script.at)[1];
@@ -231,7 +231,7 @@ TEST_CASE("An arm off the line moves to it slowly, only while it is asked to, an
   CHECK(arm.bench.arm.state().state == arm_state_t::STATE_MOVING);
   const double on_the_way = (*arm.script.at)[1];
   CHECK(on_the_way < from);
-  // 10 deg/s and no faster.
+  // At most 10 deg/s.
   CHECK(on_the_way > from - 3);
   arm.bench.run(400);
   const double stopped = (*arm.script.at)[1];
@@ -256,7 +256,7 @@ TEST_CASE("A joint outside its limits is a fault, and nothing is sent") {
   CHECK(arm.script.sent.empty());
 }
 
-TEST_CASE("A joint that does not follow is a fault: the set-points come to rest, until a reset") {
+TEST_CASE("A joint that does not follow is a fault: the set-points stop until a reset") {
   ScriptedArm arm(-0.3);
   arm.bench.play(10, 0.3);
   arm.script.follows = false;
@@ -266,7 +266,7 @@ TEST_CASE("A joint that does not follow is a fault: the set-points come to rest,
   CHECK(arm.bench.stands());
   CHECK(arm.bench.arm.state().faults == 1);
   CHECK(arm.bench.arm.motion().line().state().position < 0.1);
-  // It begins anew where the encoders are, not where the set-points were.
+  // It restarts at the encoders, not at the last set-points.
   arm.script.follows = true;
   const JointAngles at = *arm.script.at;
   arm.script.sent.clear();
@@ -279,8 +279,7 @@ TEST_CASE("A joint that does not follow is a fault: the set-points come to rest,
   CHECK(arm.bench.arm.position_m() == doctest::Approx(0.3));
 }
 
-TEST_CASE(
-    "A reset while the set-points still brake lets them come to rest before they begin anew") {
+TEST_CASE("After a reset during braking the set-points first come to rest") {
   ScriptedArm arm(-0.3);
   arm.bench.play(200, 0.3);
   REQUIRE(arm.bench.arm.motion().line().state().velocity > 1);
@@ -302,7 +301,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Encoders that fall silent, or whose stamp stands still, are a fault after 100 ms") {
+TEST_CASE("Silent encoders, or a constant stamp, are a fault after 100 ms") {
   for (const bool stamp_stands : {false, true}) {
     CAPTURE(stamp_stands);
     ScriptedArm arm(0);
@@ -323,7 +322,7 @@ TEST_CASE("Encoders that fall silent, or whose stamp stands still, are a fault a
   }
 }
 
-TEST_CASE("Encoders that are no numbers, or of other joints, are a fault and move nothing") {
+TEST_CASE("Encoders that are not finite, or of other joints, are a fault and cause no motion") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [bad, why] :
        {std::pair{JointAngles(std::array<double, 7>{0, 0, nan, 0, 0, 0, 0}), "not finite"},
@@ -342,8 +341,7 @@ TEST_CASE("Encoders that are no numbers, or of other joints, are a fault and mov
   }
 }
 
-TEST_CASE(
-    "A back end's fault faults the arm and silences it until a reset, and again if it stays") {
+TEST_CASE("A back end's fault stops the arm until a reset, and again if the fault persists") {
   ScriptedArm arm(0);
   arm.bench.play(20, 0.3);
   arm.script.fault = "no connection";
@@ -366,7 +364,7 @@ TEST_CASE(
   CHECK(arm.bench.arm.state().back_end == "scripted");
 }
 
-TEST_CASE("After a pause of its loop the motion goes on from rest, without a jump") {
+TEST_CASE("After a pause of its loop the motion continues from rest, without a jump") {
   ScriptedArm arm(-0.3);
   arm.bench.play(100, 0.3);
   CHECK(arm.bench.arm.motion().line().state().velocity > 1);
@@ -383,7 +381,7 @@ TEST_CASE("After a pause of its loop the motion goes on from rest, without a jum
   CHECK(arm.bench.arm.position_m() == doctest::Approx(0.3));
 }
 
-TEST_CASE("The arm tells its joints and their velocities, by the encoders") {
+TEST_CASE("The arm reports its joints and their velocities from the encoders") {
   ScriptedArm arm(-0.2);
   arm.bench.play(120, 0.2);
   const arm_state_t state = arm.bench.arm.state();
@@ -397,7 +395,7 @@ TEST_CASE("The arm tells its joints and their velocities, by the encoders") {
   CHECK(state.joint_velocity_deg_s[0] > 50);
 }
 
-TEST_CASE("A line that the joint table does not know is refused, as are limits that are none") {
+TEST_CASE("A line outside the joint table is refused, as are invalid limits") {
   ArmControllerParams params;
   params.guard.line_half_m = 0.31;
   CHECK_THROWS_WITH_AS(ArmController(params, 1),
@@ -413,7 +411,7 @@ TEST_CASE("A line that the joint table does not know is refused, as are limits t
   CHECK_THROWS_AS(ArmController(params, 1), std::invalid_argument);
 }
 
-TEST_CASE("Joints that are slower than the line's limits make the line slower") {
+TEST_CASE("Joints slower than the line's limits reduce the limits") {
   ArmControllerParams params;
   for (LineJoint& joint : params.arm.joints.joints) joint.limits.velocity = 30;
   ArmBench bench(params);

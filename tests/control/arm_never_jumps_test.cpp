@@ -21,8 +21,8 @@ namespace {
 
 constexpr int kSteps = kIsSanitized ? 10'000 : 1'000'000;
 
-// Makes what the arm may meet on the bus: good messages and every kind of bad one, in bursts of
-// good and bad times so that the arm moves as well as it is disturbed.
+// Makes good and bad messages of every kind, in bursts of good and bad times, so that the arm moves
+// and is disturbed.
 class Mischief : public WildValues {
  public:
   using WildValues::WildValues;
@@ -91,7 +91,7 @@ class Mischief : public WildValues {
         estimate.seq = chance(0.2) ? wild_integer() : estimate.seq - below(50);
         break;
       default:
-        // Seldom, since the arm stands still for seconds then.
+        // Rarely, since the arm then rests for seconds.
         if (chance(0.001)) {
           estimate.sensor_us = wild_integer();
         } else {
@@ -102,7 +102,7 @@ class Mischief : public WildValues {
   }
 };
 
-// Judges by rules of its own, looser than the arm's, whether anything at all speaks for moving.
+// Decides by rules of its own, looser than the arm's, whether any data justify a motion.
 struct Witness {
   std::int64_t command_us = std::numeric_limits<std::int64_t>::min() / 2;
   std::int64_t estimate_us = std::numeric_limits<std::int64_t>::min() / 2;
@@ -128,8 +128,8 @@ struct Witness {
   }
 };
 
-// Judges what is sent to the joints, by differences of its own: nothing that is not finite, outside
-// or too fast, at any step.
+// Checks the set-points by differences of its own: finite, inside, and within the limits at any
+// step.
 class JudgedBackEnd : public ArmBackEnd {
  public:
   struct Verdict {
@@ -201,14 +201,14 @@ struct Play {
   std::int64_t braked_without_leave = 0;
 };
 
-// What arrives while the arm is stepped `steps` times, a millisecond each.
+// The messages during `steps` steps of the arm, a millisecond each.
 void play(ArmBench& bench, Mischief& mischief, bool follows, int steps, Play& play) {
   const JerkLimitedMotion& line = bench.arm.motion().line();
   const MotionLimits limits = line.limits();
   Witness witness;
   double target_m = 0;
   double without_leave_s = 0;
-  // Shares of commands and estimates that are sent, and of those that are spoilt.
+  // Shares of commands and estimates that are sent, and of those that are modified.
   double command_rate = 1;
   double estimate_rate = 1;
   double spoilt = 0;
@@ -261,7 +261,7 @@ void play(ArmBench& bench, Mischief& mischief, bool follows, int steps, Play& pl
     // In mode follow no command is needed.
     if (follows) witness.command_us = bench.now.monotonic_us;
     without_leave_s = witness.may_move(bench.now) ? 0 : without_leave_s + 0.001;
-    // The acceleration is let go first. To rest from any state within V/A + 3 A/J.
+    // The acceleration is reduced first. To rest from any state within V/A + 3 A/J.
     const double ease_s = limits.acceleration / limits.jerk + 0.001;
     if (without_leave_s > ease_s) {
       REQUIRE(std::abs(after.velocity) <= std::abs(before.velocity) + kRounding);
@@ -297,7 +297,7 @@ TEST_CASE("Whatever arrives, the arm keeps its limits and only brakes without co
             100 * verdict.most_jerk, " % of the jerk");
     CHECK(verdict.sent == sum.steps - readings_to_begin);
     CHECK(verdict.bad == 0);
-    // The test has to have met what it is about.
+    // The test must have covered its subject.
     CHECK(sum.moved > sum.steps / 100);
     CHECK(sum.braked_without_leave >= sum.steps / 5000);
     CHECK(verdict.most_jerk > 0.3);

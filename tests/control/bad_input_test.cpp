@@ -21,7 +21,7 @@ class FollowBench : public ArmBench {
     puck_estimate_t message = estimate();
     message.x_px = pixel.x;
     message.y_px = pixel.y;
-    // A tracker that is wrong swears that it is certain.
+    // A wrong tracker claims certainty.
     message.score = 1;
     arm.hear(message, now, sender);
     run(1);
@@ -37,7 +37,7 @@ class FollowBench : public ArmBench {
   }
 };
 
-TEST_CASE("Direct mode predicts nothing: its target is where the puck is seen, however it moves") {
+TEST_CASE("Direct mode predicts nothing: its target is the puck's position at any speed") {
   FollowBench bench;
   bench.run(SteadyStart::kReadings);
   for (int i = 0; i < 200; ++i) {
@@ -48,7 +48,7 @@ TEST_CASE("Direct mode predicts nothing: its target is where the puck is seen, h
   CHECK(bench.arm.jumped_estimates() == 0);
 }
 
-TEST_CASE("A puck that teleports stops the arm for a while, and is followed when it stays") {
+TEST_CASE("A jump of the puck stops the arm for a while; a persistent new place is followed") {
   FollowBench bench;
   for (int i = 0; i < 400; ++i) bench.see(TablePoint{1, 0.2});
   CHECK(bench.arm.position_m() == doctest::Approx(0.2));
@@ -62,7 +62,7 @@ TEST_CASE("A puck that teleports stops the arm for a while, and is followed when
   CHECK(bench.arm.position_m() == doctest::Approx(-0.2));
 }
 
-TEST_CASE("A puck and its mirror image by turns move nothing") {
+TEST_CASE("A puck that alternates with its mirror image causes no motion") {
   FollowBench bench;
   for (int i = 0; i < 200; ++i) bench.see(TablePoint{1, 0.1});
   const double before_m = bench.arm.motion().line().state().position;
@@ -72,7 +72,7 @@ TEST_CASE("A puck and its mirror image by turns move nothing") {
   CHECK(bench.arm.jumped_estimates() > 190);
 }
 
-TEST_CASE("Nor does it help a mirror image that the puck is lost, or off the table, in between") {
+TEST_CASE("Nor does it if the puck is lost or off the table in between") {
   for (const bool is_lost : {true, false}) {
     CAPTURE(is_lost);
     FollowBench bench;
@@ -95,7 +95,7 @@ TEST_CASE("Nor does it help a mirror image that the puck is lost, or off the tab
   }
 }
 
-TEST_CASE("Pucks off the table, or nowhere, are counted and move nothing") {
+TEST_CASE("Pucks off the table or without a position are counted and cause no motion") {
   FollowBench bench;
   for (int i = 0; i < 100; ++i) bench.see(TablePoint{1, 0.9});
   CHECK(bench.arm.off_table_estimates() == 100);
@@ -107,7 +107,7 @@ TEST_CASE("Pucks off the table, or nowhere, are counted and move nothing") {
   CHECK(bench.arm.motion().line().state().position == doctest::Approx(0));
 }
 
-TEST_CASE("A puck that moved long ago, or will, moves nothing; one that rests may have done so") {
+TEST_CASE("A past or future estimate of a moving puck causes no motion, of a resting one it may") {
   for (const std::int64_t off_us : {-60'000'000L, -200'000L, 200'000L, 60'000'000L}) {
     for (const bool rests : {false, true}) {
       CAPTURE(off_us);
@@ -126,7 +126,7 @@ TEST_CASE("A puck that moved long ago, or will, moves nothing; one that rests ma
   }
 }
 
-TEST_CASE("A frozen estimate that is repeated is counted, and stops the arm") {
+TEST_CASE("A repeated frozen estimate is counted, and stops the arm") {
   ArmBench bench;
   bench.play(50, 0.3);
   const puck_estimate_t frozen = bench.estimate();
@@ -144,7 +144,7 @@ TEST_CASE("A frozen estimate that is repeated is counted, and stops the arm") {
   CHECK(bench.arm.state().reason == "no live track");
 }
 
-TEST_CASE("Of two bridges that pull to either side one is obeyed, and the arm never trembles") {
+TEST_CASE("Of two bridges with opposite targets one is obeyed, and the arm never trembles") {
   ArmBench bench;
   arm_command_t other = bench.command(0);
   other.session = 77;
@@ -164,7 +164,7 @@ TEST_CASE("Of two bridges that pull to either side one is obeyed, and the arm ne
   CHECK(bench.arm.guard().refused(CommandRefusal::kOtherPublisher) == 400);
 }
 
-TEST_CASE("While a tracker starts anew the arm stands, until bridge and arm follow the new one") {
+TEST_CASE("While a tracker restarts the arm rests, until bridge and arm follow the new one") {
   ArmBench bench;
   bench.play(300, 0.1);
   const auto say = [&](std::int64_t tracker, std::int64_t rests_on, double target_m) {
@@ -176,7 +176,7 @@ TEST_CASE("While a tracker starts anew the arm stands, until bridge and arm foll
     bench.arm.hear(command, bench.now, bench.sender);
     bench.run(1);
   };
-  // Nobody leaves a tracker for a new one before it has been silent for half a second.
+  // A tracker is replaced only after half a second of silence.
   for (int i = 0; i < 490; ++i) say(4001, ArmBench::kTrackerSession, 0.3);
   CHECK(bench.arm.estimates(TrackWatch::Verdict::kOtherPublisher) == 490);
   CHECK(bench.arm.state().reason == "no live track");
@@ -190,7 +190,7 @@ TEST_CASE("While a tracker starts anew the arm stands, until bridge and arm foll
   CHECK(bench.arm.position_m() == doctest::Approx(-0.1));
 }
 
-TEST_CASE("Targets that jump from end to end at every step move the arm within its limits") {
+TEST_CASE("Targets that jump between the ends at every step move the arm within its limits") {
   ArmBench bench;
   for (int i = 0; i < 2000; ++i) {
     bench.arm.hear(bench.estimate(), bench.now, bench.sender);

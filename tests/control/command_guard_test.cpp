@@ -22,7 +22,7 @@ class GuardBench : public ArmBench {
   CommandGuard guard{CommandGuardParams{}, kArmSession};
 };
 
-TEST_CASE("A good command counts for as long as it says, but for 100 ms at most") {
+TEST_CASE("A good command is valid as long as it states, but for 100 ms at most") {
   GuardBench bench;
   arm_command_t command = bench.command(0.1);
   command.valid_for_us = 30'000;
@@ -42,7 +42,7 @@ TEST_CASE("A good command counts for as long as it says, but for 100 ms at most"
   CHECK(bench.current() == nullptr);
 }
 
-TEST_CASE("A command 200 ms old by its own clock is taken, an older or a future one refused") {
+TEST_CASE("A command 200 ms old by its own clock is taken, older and future ones are refused") {
   GuardBench bench;
   arm_command_t command = bench.command(0);
   command.utime = bench.now.utime - 200'000;
@@ -58,7 +58,7 @@ TEST_CASE("A command 200 ms old by its own clock is taken, an older or a future 
   CHECK(bench.hear(command) == CommandRefusal::kFromFuture);
 }
 
-TEST_CASE("The age of a command is judged by its sender's clock, hours away as it may be") {
+TEST_CASE("The age of a command is measured by its sender's clock, even hours away") {
   constexpr std::int64_t kHourUs = 3'600'000'000;
   for (const std::int64_t ahead_us : {5 * kHourUs, -5 * kHourUs}) {
     CAPTURE(ahead_us);
@@ -68,18 +68,18 @@ TEST_CASE("The age of a command is judged by its sender's clock, hours away as i
     arm_command_t command = bench.command(0);
     command.utime -= 195'000;
     CHECK(bench.hear(command) == CommandRefusal::kNone);
-    // 5 ms older it may be 200 ms old: the offset is not better known.
+    // 5 ms older it may be 200 ms old, within the offset's bound.
     command = bench.command(0);
     command.utime -= 195'001;
     CHECK(bench.hear(command) == CommandRefusal::kOld);
-    // What would be of now by our clock.
+    // A live time by our clock.
     command.utime = bench.now.utime;
     CHECK(bench.hear(command) ==
           (ahead_us > 0 ? CommandRefusal::kOld : CommandRefusal::kFromFuture));
   }
 }
 
-TEST_CASE("As long as its sender's clock is not known, nothing but a stop is obeyed") {
+TEST_CASE("While its sender's clock is unknown, only a stop is obeyed") {
   GuardBench bench;
   for (const SenderClock& unknown : {SenderClock{}, SenderClock{ClockOffset{0, 200'001}}}) {
     bench.sender = ClockOffset{};
@@ -110,7 +110,7 @@ TEST_CASE("A command that answers another arm session is refused") {
   CHECK(bench.current() == nullptr);
 }
 
-TEST_CASE("A target a little beyond the line is its end, a wild one is refused") {
+TEST_CASE("A target slightly beyond the line is clamped to its end, a distant one is refused") {
   GuardBench bench;
   CHECK(bench.hear(bench.command(0.32)) == CommandRefusal::kNone);
   CHECK(bench.current()->target_m == 0.30);
@@ -120,12 +120,12 @@ TEST_CASE("A target a little beyond the line is its end, a wild one is refused")
         CommandRefusal::kNotFinite);
   CHECK(bench.hear(bench.command(std::numeric_limits<double>::infinity())) ==
         CommandRefusal::kNotFinite);
-  // What was refused does not replace what was taken.
+  // A refused command does not replace an accepted one.
   CHECK(bench.current()->target_m == 0.30);
   CHECK(bench.guard.refused() == 4);
 }
 
-TEST_CASE("A command that comes twice or late is a replay") {
+TEST_CASE("A duplicate or late command is a replay") {
   GuardBench bench;
   const arm_command_t first = bench.command(0);
   const arm_command_t second = bench.command(0);
@@ -146,7 +146,7 @@ TEST_CASE("Of two bridges the first is obeyed until it has been silent for 500 m
   CHECK(bench.hear(other) == CommandRefusal::kNone);
 }
 
-TEST_CASE("A command that is valid for no time, or has no known mode, is refused") {
+TEST_CASE("A command without validity, or with an unknown mode, is refused") {
   GuardBench bench;
   arm_command_t command = bench.command(0);
   command.valid_for_us = 0;
@@ -157,7 +157,7 @@ TEST_CASE("A command that is valid for no time, or has no known mode, is refused
   CHECK(bench.hear(command) == CommandRefusal::kUnknownMode);
 }
 
-TEST_CASE("A stop always stops: from anyone, to any arm, however old, seen or malformed") {
+TEST_CASE("A stop always stops: from any sender, to any arm, of any age, repeated or malformed") {
   GuardBench bench;
   bench.hear(bench.command(0.1));
   arm_command_t stop = bench.command(std::numeric_limits<double>::quiet_NaN());
@@ -174,7 +174,7 @@ TEST_CASE("A stop always stops: from anyone, to any arm, however old, seen or ma
   CHECK(bench.current() == nullptr);
 }
 
-TEST_CASE("Only an operator's fresh reset to this arm releases a stop, and commands begin anew") {
+TEST_CASE("Only an operator's fresh reset to this arm releases a stop; then commands restart") {
   GuardBench bench;
   arm_command_t stop = bench.command(0);
   stop.mode = arm_command_t::MODE_STOP;
@@ -200,7 +200,7 @@ TEST_CASE("Only an operator's fresh reset to this arm releases a stop, and comma
   CHECK(bench.current() != nullptr);
 }
 
-TEST_CASE("The repetitions of a reset cannot undo a stop that came in between") {
+TEST_CASE("Repetitions of a reset do not release a later stop") {
   GuardBench bench;
   arm_command_t stop = bench.command(0);
   stop.mode = arm_command_t::MODE_STOP;
@@ -216,7 +216,7 @@ TEST_CASE("The repetitions of a reset cannot undo a stop that came in between") 
   CHECK(bench.guard.latch() == CommandGuard::Latch::kStopped);
 }
 
-TEST_CASE("Two operators who reset by turns undo one stop each, and not one that comes later") {
+TEST_CASE("Two operators with alternating resets release one stop each, and no later one") {
   GuardBench bench;
   arm_command_t stop = bench.command(0);
   stop.mode = arm_command_t::MODE_STOP;
@@ -236,7 +236,7 @@ TEST_CASE("Two operators who reset by turns undo one stop each, and not one that
   }
 }
 
-TEST_CASE("A fault latches until a reset and outlasts a stop") {
+TEST_CASE("A fault latches until a reset and persists after a stop") {
   GuardBench bench;
   bench.guard.fault("encoder silent");
   bench.guard.fault("encoder silent");

@@ -24,7 +24,7 @@ class GuardedJoints {
   JointGuard guard{{kLimits, kLimits}};
 };
 
-TEST_CASE("A motion within the limits is let through at even and uneven times, to its limits") {
+TEST_CASE("A motion within the limits passes at even and uneven times, up to its limits") {
   for (const bool even : {true, false}) {
     GuardedJoints joints;
     JerkLimitedMotion motion(kLimits, 0);
@@ -38,7 +38,7 @@ TEST_CASE("A motion within the limits is let through at even and uneven times, t
   }
 }
 
-TEST_CASE("Each limit of each joint is kept by itself") {
+TEST_CASE("Each limit of each joint is checked separately") {
   GuardedJoints joints;
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
@@ -51,14 +51,14 @@ TEST_CASE("Each limit of each joint is kept by itself") {
   CHECK(joints.guard.refusal().find("too fast") != std::string::npos);
   CHECK(!joints.send(0.005));
   CHECK(joints.guard.refusal().find("acceleration limit") != std::string::npos);
-  // 20 000 deg/s³ take it 0.16 µdeg far in 2 ms.
+  // 20 000 deg/s³ move it by 0.16 µdeg in 2 ms.
   CHECK(!joints.send(0.00017));
   CHECK(joints.guard.refusal().find("jerk limit") != std::string::npos);
   CHECK(joints.send(0.00016));
   CHECK(!joints.guard.allows(JointAngles(std::array<double, 1>{0}), 0.002));
   CHECK(!joints.send(0.00016, 0));
   CHECK(!joints.send(0.00016, -1));
-  // Nothing of what was refused counts: a rest follows on what was let through.
+  // Refused set-points do not count: a rest follows the last accepted one.
   CHECK(joints.send(0.00016 + 0.00032));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kSecondUs = 1'000'000;
 
-// A watch and a camera whose time the test sets, with an estimate each millisecond.
+// A watch and a camera with a simulated time and an estimate each millisecond.
 struct Bench {
   void run(std::int64_t ms, double rate = 1, bool has_events = true) {
     for (std::int64_t i = 0; i < ms; ++i) {
@@ -28,7 +28,7 @@ struct Bench {
   std::int64_t doubted_ms = 0;
 };
 
-TEST_CASE("A camera's clock that drifts by 200 ppm for two hours is believed throughout") {
+TEST_CASE("A camera's clock with 200 ppm drift is accepted for two hours") {
   for (const double rate : {1.0002, 0.9998}) {
     Bench bench;
     bench.run(7'200'000, rate);
@@ -37,7 +37,7 @@ TEST_CASE("A camera's clock that drifts by 200 ppm for two hours is believed thr
   }
 }
 
-TEST_CASE("A jump of the sensor's time, forwards or back, is doubted for a second") {
+TEST_CASE("A jump of the sensor's time, in either direction, is distrusted for a second") {
   for (const std::int64_t jump_us : {-kSecondUs, std::int64_t{-2000}, 300'000L, 1000 * kSecondUs}) {
     CAPTURE(jump_us);
     Bench bench;
@@ -49,7 +49,7 @@ TEST_CASE("A jump of the sensor's time, forwards or back, is doubted for a secon
   }
 }
 
-TEST_CASE("A sensor's time that runs at another rate is doubted for good") {
+TEST_CASE("A sensor's time at another rate is distrusted permanently") {
   for (const double rate : {0.0, 0.5, 0.95, 1.05, 2.0, 1000.0}) {
     CAPTURE(rate);
     Bench bench;
@@ -60,7 +60,7 @@ TEST_CASE("A sensor's time that runs at another rate is doubted for good") {
   }
 }
 
-TEST_CASE("Estimates that are held up once, and then catch up, cost a second and not many") {
+TEST_CASE("One delay of estimates with a later catch-up costs a single second") {
   for (const std::int64_t held_up_ms : {250, 500, 1000}) {
     for (const std::int64_t times_as_fast : {2, 5, 20}) {
       CAPTURE(held_up_ms);
@@ -77,14 +77,14 @@ TEST_CASE("Estimates that are held up once, and then catch up, cost a second and
   }
 }
 
-TEST_CASE("Sensor time may stand as long as no puck moves, and then catch up") {
+TEST_CASE("Sensor time may stand still while no puck moves, and then catch up") {
   Bench bench;
   bench.run(1000);
   bench.run(10'000, 0, false);
   bench.sensor_us += 10'000 * 1000;
   bench.run(1000);
   CHECK(bench.doubted_ms == 0);
-  // Also when it stood from the beginning.
+  // Even from the beginning.
   Bench other;
   other.run(10'000, 0, false);
   other.sensor_us += 10'000 * 1000;
@@ -92,7 +92,7 @@ TEST_CASE("Sensor time may stand as long as no puck moves, and then catch up") {
   CHECK(other.doubted_ms == 0);
 }
 
-TEST_CASE("The arm stands still while the sensor's time is not one, and plays again afterwards") {
+TEST_CASE("The arm stops while the sensor's time is invalid, and plays again afterwards") {
   ArmBench bench;
   std::int64_t ahead_us = 0;
   std::int64_t events_session = 1;
@@ -127,14 +127,14 @@ TEST_CASE("The arm stands still while the sensor's time is not one, and plays ag
   play(20'000, 1, false);
   CHECK(!bench.stands());
 
-  // A camera that begins anew with every estimate.
+  // A camera that restarts with every estimate.
   play(300, 1, true);
   CHECK(is_still());
   play(300, 1, false);
   CHECK(!bench.stands());
 }
 
-TEST_CASE("A simulated camera that slips, as it says, is followed; a real one does not slip") {
+TEST_CASE("A simulated camera with announced slips is followed; a real one does not slip") {
   for (const bool is_real : {false, true}) {
     CAPTURE(is_real);
     ArmControllerParams params;
@@ -154,7 +154,7 @@ TEST_CASE("A simulated camera that slips, as it says, is followed; a real one do
   }
 }
 
-TEST_CASE("A real arm follows no camera whose time has no place on the host's clock") {
+TEST_CASE("A real arm follows no camera whose time has no zero on the host's clock") {
   for (const bool needs_it : {false, true}) {
     ArmControllerParams params;
     params.track.camera_is_real = needs_it;

@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// All joints at rest but the first, which is told where to go.
+// All joints at rest except the first, which gets set-points.
 class Plant {
  public:
   explicit Plant(const SimulatedBackEndParams& params)
@@ -52,7 +52,7 @@ TEST_CASE("A joint follows as a critically damped second-order drive, after its 
   }
 }
 
-TEST_CASE("How the calls divide time makes no difference") {
+TEST_CASE("The division of time into calls does not change the result") {
   Plant often({});
   Plant seldom({});
   often.first_at(0);
@@ -63,7 +63,7 @@ TEST_CASE("How the calls divide time makes no difference") {
   CHECK(often.first_at(50'100) == doctest::Approx(seldom.first_at(50'100)).epsilon(1e-6));
 }
 
-TEST_CASE("A joint is no faster than its limit, and play keeps it behind on a way back") {
+TEST_CASE("A joint obeys its speed limit, and play delays it on a reversal") {
   Plant fast({.frequency_hz = 100, .delay_ms = 0});
   fast.first_at(0);
   fast.send_first(15, 0);
@@ -86,7 +86,7 @@ TEST_CASE("A joint is no faster than its limit, and play keeps it behind on a wa
   CHECK(loose.first_at(3'000'000) == doctest::Approx(3.25));
 }
 
-TEST_CASE("A set-point that is none is a fault and moves nothing") {
+TEST_CASE("A set-point that is not finite is a fault and causes no motion") {
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e9}) {
     Plant plant({});
     CHECK(plant.back_end.fault(0).empty());
@@ -96,7 +96,7 @@ TEST_CASE("A set-point that is none is a fault and moves nothing") {
   }
 }
 
-TEST_CASE("Drives that cannot be are refused by their key") {
+TEST_CASE("Impossible drives are refused by their key") {
   CHECK_THROWS_WITH_AS(Plant({.frequency_hz = 0}),
                        "arm.simulated_frequency_hz must be from 0.100000 to 1000.000000, got "
                        "0.000000",

@@ -11,7 +11,7 @@
 
 namespace puck {
 
-TEST_CASE("the figures of all services are summed, and what no log has is null") {
+TEST_CASE("the figures of all services are summed, and figures without a log are null") {
   const TemporaryFolder folder;
   GameLog game;
   game.counters["puck-arm"] = {{"messages_received", 7}, {"counters_left_out", 3}};
@@ -24,7 +24,7 @@ TEST_CASE("the figures of all services are summed, and what no log has is null")
   CHECK(json["packet_to_estimate_p50_us"].is_null());
 }
 
-TEST_CASE("a file of figures is replaced as a whole, and where it cannot be nothing is left") {
+TEST_CASE("a file of figures is replaced as a whole; on failure none is left") {
   const TemporaryFolder folder;
   std::ofstream(folder / "figures.json") << "old";
   write_json({}, folder / "figures.json");

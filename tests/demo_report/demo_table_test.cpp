@@ -22,7 +22,7 @@ DemoFigures game_of(int shots, int saves, int goals_against) {
 
 }  // namespace
 
-TEST_CASE("the table fits a terminal of 80 columns and a sentence on the game ends it") {
+TEST_CASE("the table fits a terminal of 80 columns and ends with a sentence on the game") {
   DemoFigures figures = game_of(9, 8, 1);
   figures.events_sent = 123'456'789;
   figures.events_lost = 0;
@@ -41,7 +41,7 @@ TEST_CASE("the table fits a terminal of 80 columns and a sentence on the game en
                  "  packet received to estimate published          91        767      44404 us"));
 }
 
-TEST_CASE("the sentence says what went wrong, and leaves out what is not known") {
+TEST_CASE("the sentence names failures, and omits unknown figures") {
   DemoFigures figures;
   figures.estimates = 1;
   figures.events_lost = 12;
@@ -50,21 +50,21 @@ TEST_CASE("the sentence says what went wrong, and leaves out what is not known")
   CHECK(contains(demo_table(figures), "mean distance to the recorded estimates          -\n"));
 }
 
-TEST_CASE("the table says that a counter which did not fit into STATUS may not be 0") {
+TEST_CASE("the table warns of counters that did not fit into STATUS") {
   DemoFigures figures;
   CHECK_FALSE(contains(demo_table(figures), "did not fit"));
   figures.bus.left_out = 5;
   CHECK(contains(demo_table(figures), "5 counters did not fit into STATUS: a 0 here may be more"));
 }
 
-TEST_CASE("the table says how many shots were neither saved nor in") {
+TEST_CASE("the table counts shots that were neither saved nor goals") {
   CHECK(contains(demo_table(game_of(9, 6, 1)), "2 shots neither saved nor in"));
   CHECK_FALSE(contains(demo_table(game_of(8, 7, 1)), "neither saved"));
-  // Saved, and in by a rail.
+  // Saved, and in the goal by a rail.
   CHECK_FALSE(contains(demo_table(game_of(1, 1, 1)), "neither saved"));
 }
 
-TEST_CASE("the table says when the bridge counted otherwise than the simulated table") {
+TEST_CASE("the table reports a difference between the bridge's and the simulated table's counts") {
   DemoFigures figures = game_of(9, 9, 0);
   CHECK_FALSE(contains(demo_table(figures), "bridge counted"));
   figures.believed_shots = 9;

@@ -18,7 +18,8 @@ service_status_t status_of(const char* service, std::int64_t estimates, std::int
 
 }  // namespace
 
-TEST_CASE("the line of a game shows shots, saves, the rate since the line before and the latency") {
+TEST_CASE(
+    "a game's progress line shows shots, saves, the rate since the last line and the latency") {
   LiveGame game;
   CHECK(game.line(1) == "   1 s   shots -   saves -   - estimates/s   median latency - us");
   ground_truth_t truth{};

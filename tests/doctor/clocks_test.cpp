@@ -8,11 +8,11 @@ namespace {
 
 constexpr std::int64_t kOurSession = 77;
 const std::string kAddress = "10.0.0.9";
-// In these tests both of our clocks show the same.
+// Both of our clocks have the same value in these tests.
 constexpr HostNow kNow{2'050'040, 2'050'040};
 
-/// A STATUS that came at `heard` of our clock, and answers the ping of `ping`; `ahead` is how far
-/// the other clock is, `out` and `back` the times on the way, `there` how long it took to answer.
+/// A STATUS received at `heard` by our clock, in answer to the ping of `ping`; the other clock is
+/// ahead by `ahead`, the ways take `out` and `back`, the answer `there`.
 struct Exchange {
   std::int64_t ping_us = 1'000'000;
   std::int64_t ahead_us = 0;
@@ -38,22 +38,22 @@ void hear(HostClocks& clocks, const Exchange& exchange) {
 
 }  // namespace
 
-TEST_CASE("a clock that is ahead or behind is measured to half the round trip") {
+TEST_CASE("another clock's offset is measured to half the round trip") {
   for (const std::int64_t ahead_us : {0, 700'000, -700'000}) {
     HostClocks clocks(kOurSession);
     clocks.sent({1'000'000, 1'000'000});
     hear(clocks, {.ahead_us = ahead_us, .out_us = 300, .back_us = 100});
     const HostClock offset = clocks.offsets(kNow).at(kAddress);
     CHECK(offset.host == "robot");
-    // Half the round trip, the drift of a second, and for clocks that cannot be told apart how far
-    // they seemed to be.
+    // Half the round trip, the drift of a second, and for indistinguishable clocks the measured
+    // difference.
     CHECK(offset.within_us >= 200);
     CHECK(offset.within_us <= 200 + 110 + 100);
     CHECK(std::llabs(offset.offset_us - ahead_us) <= offset.within_us);
   }
 }
 
-TEST_CASE("the shortest round trip counts") {
+TEST_CASE("the exchange with the shortest round trip counts") {
   HostClocks clocks(kOurSession);
   clocks.sent({1'000'000, 1'000'000});
   clocks.sent({2'000'000, 2'000'000});
@@ -64,7 +64,7 @@ TEST_CASE("the shortest round trip counts") {
   CHECK(clocks.offsets(kNow).at(kAddress).within_us == 21);
 }
 
-TEST_CASE("pongs to others, to pings never sent, and impossible ones are not believed") {
+TEST_CASE("pongs to others, to unknown pings, and impossible ones are ignored") {
   HostClocks clocks(kOurSession);
   clocks.sent({1'000'000, 1'000'000});
   hear(clocks, {.session = kOurSession + 1});
@@ -74,7 +74,7 @@ TEST_CASE("pongs to others, to pings never sent, and impossible ones are not bel
   CHECK(clocks.offsets(kNow).empty());
 }
 
-TEST_CASE("a clock that is surely apart by more than 100 ms is told, with what sets it") {
+TEST_CASE("a clock that is certainly off by more than 100 ms is reported, with a remedy") {
   Facts facts = healthy_facts();
   facts.clock_offsets[kAddress] = {"robot", 99'000, 500};
   CHECK(count_of(check_clocks(facts), Verdict::kOk) == 1);
@@ -83,12 +83,12 @@ TEST_CASE("a clock that is surely apart by more than 100 ms is told, with what s
   CHECK(apart.verdict == Verdict::kNote);
   CHECK(says(apart, "150.000 ms behind, to within 0.500 ms"));
   CHECK(apart.mend == "ssh 10.0.0.9 sudo timedatectl set-ntp true");
-  // So slow an answer says nothing.
+  // So slow an answer proves nothing.
   facts.clock_offsets[kAddress] = {"robot", 150'000, 80'000};
   CHECK(check_clocks(facts).front().mend.empty());
 }
 
-TEST_CASE("without an answer, the age of messages bounds the clock, on one side") {
+TEST_CASE("without an answer, the age of messages bounds the clock's offset on one side") {
   Facts facts = healthy_facts();
   service_status_t status = a_status(1, "puck-arm");
   hear_status(facts.traffic, {kAddress, 5000}, status);
@@ -100,7 +100,7 @@ TEST_CASE("without an answer, the age of messages bounds the clock, on one side"
   CHECK(check_clocks(facts).front().mend == "ssh 10.0.0.9 sudo timedatectl set-ntp true");
 }
 
-TEST_CASE("this host has one clock") {
+TEST_CASE("the clock of this host needs no comparison") {
   Facts facts = healthy_facts();
   hear_status(facts.traffic, {"10.0.0.2", 5000}, a_status(1, "puck-arm"));
   facts.clock_offsets["10.0.0.2"] = {"here", 500'000, 1};

@@ -13,7 +13,7 @@ namespace puck {
 
 inline const Source kOtherHost{"10.0.0.9", 5000};
 
-/// A machine with which nothing is wrong, to be spoilt.
+/// Facts of a healthy machine, for a test to modify.
 inline Facts healthy_facts() {
   Facts facts;
   facts.url = parse_lcm_url("udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4194304");
@@ -54,7 +54,7 @@ inline std::vector<std::uint8_t> lcm_datagram(std::string_view channel,
   return bytes;
 }
 
-/// What a healthy service says.
+/// The STATUS of a healthy service.
 inline service_status_t a_status(std::int64_t session, const std::string& service) {
   service_status_t status{};
   status.utime = 999'999'000;
@@ -88,7 +88,7 @@ inline int count_of(const Findings& findings, Verdict verdict) {
   return count;
 }
 
-/// The only one that is wrong.
+/// The only wrong finding.
 inline Finding the_wrong_one(const Findings& findings) {
   REQUIRE(count_of(findings, Verdict::kWrong) == 1);
   for (const Finding& finding : findings) {

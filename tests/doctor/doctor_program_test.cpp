@@ -1,4 +1,4 @@
-// The real program on networks that the tests make, break, and mend with the command that it says.
+// The real program on networks that the tests make, break and repair with its suggested command.
 #include <chrono>
 #include <cstdlib>
 #include <string>
@@ -34,7 +34,7 @@ struct Diagnosis {
     }
     return checks;
   }
-  /// All that is said about one thing.
+  /// All text of one check.
   std::string text(const std::string& check) const {
     std::string text;
     for (const json& finding : report["findings"]) {
@@ -42,7 +42,7 @@ struct Diagnosis {
     }
     return text;
   }
-  /// Of several, the first that has this in it.
+  /// The command of the first finding that contains `part`.
   std::string mend(const std::string& check, const std::string& part = {}) const {
     for (const json& finding : report["findings"]) {
       if (finding["check"] != check || finding["verdict"] != "wrong") continue;
@@ -111,7 +111,7 @@ void check_only_wrong(const Diagnosis& diagnosis, const std::vector<std::string>
 
 }  // namespace
 
-TEST_CASE("a route that is missing is found, and the command mends it") {
+TEST_CASE("a missing route is found, and the suggested command adds it") {
   in_network_of_its_own([] {
     plug_in();
     const Diagnosis broken = diagnose();
@@ -123,7 +123,7 @@ TEST_CASE("a route that is missing is found, and the command mends it") {
   });
 }
 
-TEST_CASE("a host by itself needs a route over its loopback, and no more") {
+TEST_CASE("a single host needs only a route over its loopback") {
   in_network_of_its_own([] {
     REQUIRE(ip("link set lo down"));
     const Diagnosis broken = diagnose({"--lcm-url", kUrlThisHost});
@@ -133,7 +133,7 @@ TEST_CASE("a host by itself needs a route over its loopback, and no more") {
   });
 }
 
-TEST_CASE("a group that goes to the loopback alone does not reach other machines") {
+TEST_CASE("a group that is routed to the loopback does not reach other machines") {
   in_network_of_its_own([] {
     REQUIRE(ip("route add 224.0.0.0/4 dev lo"));
     const Diagnosis alone = diagnose();
@@ -148,7 +148,7 @@ TEST_CASE("a group that goes to the loopback alone does not reach other machines
   });
 }
 
-TEST_CASE("an interface without multicast is told, and the command mends it") {
+TEST_CASE("an interface without multicast is reported, and the suggested command repairs it") {
   in_network_of_its_own([] {
     join_network();
     REQUIRE(ip("link set cable multicast off"));
@@ -159,7 +159,7 @@ TEST_CASE("an interface without multicast is told, and the command mends it") {
   });
 }
 
-TEST_CASE("an interface without a link is told") {
+TEST_CASE("an interface without a link is reported") {
   in_network_of_its_own([] {
     join_network();
     REQUIRE(ip("link set far_end down"));
@@ -173,7 +173,7 @@ TEST_CASE("an interface without a link is told") {
   });
 }
 
-TEST_CASE("packets above a small MTU are told, and the setting mends it") {
+TEST_CASE("packets above a small MTU are reported, and the suggested setting repairs it") {
   in_network_of_its_own([] {
     join_network();
     REQUIRE(ip("link set cable mtu 1200"));
@@ -185,17 +185,17 @@ TEST_CASE("packets above a small MTU are told, and the setting mends it") {
   });
 }
 
-TEST_CASE("a receive buffer that the kernel does not give is told") {
+TEST_CASE("a receive buffer that the kernel refuses is reported") {
   in_network_of_its_own([] {
     join_network();
-    // More than any machine's limit. What mends it belongs to the host and is not for tests.
+    // Above any machine's limit. The remedy changes the host, so no test runs it.
     const Diagnosis broken = diagnose({"--lcm-url", kUrl + "&recv_buf_size=1073741823"});
     check_only_wrong(broken, {"buffer"});
     CHECK(broken.mend("buffer") == "sysctl -w net.core.rmem_max=1073741823");
   });
 }
 
-TEST_CASE("a packet filter that drops is named, and the command mends it") {
+TEST_CASE("a packet filter that drops is named, and the suggested command repairs it") {
   in_network_of_its_own([] {
     if (!shell("nft list ruleset > /dev/null 2>&1")) {
       MESSAGE("skipped: there is no nft");
@@ -213,7 +213,7 @@ TEST_CASE("a packet filter that drops is named, and the command mends it") {
   });
 }
 
-TEST_CASE("what another machine sends with ttl 0 does not come, with ttl 1 it does") {
+TEST_CASE("packets with ttl 0 from another machine do not arrive, with ttl 1 they do") {
   in_network_of_its_own([] {
     join_network();
     BackgroundWork silent(on_other_machine("far_end", service("puck-arm", kUrlThisHost)));
@@ -234,7 +234,7 @@ TEST_CASE("what another machine sends with ttl 0 does not come, with ttl 1 it do
   });
 }
 
-TEST_CASE("who keeps to ttl 0 beside other machines is told, and the URL mends it") {
+TEST_CASE("ttl 0 beside other machines is reported, and the suggested URL repairs it") {
   in_network_of_its_own([] {
     join_network();
     const BackgroundWork there(on_other_machine("far_end", service("puck-tracker", kUrl)));
@@ -243,7 +243,7 @@ TEST_CASE("who keeps to ttl 0 beside other machines is told, and the URL mends i
     CHECK(ours.text("ttl").find("10.9.8.2 is heard") != std::string::npos);
     check_well(diagnose({"--lcm-url", argument_of(ours.mend("ttl"), "--lcm-url")}));
 
-    // The doctor is asked for the right bus, but a service here is not on it.
+    // The doctor checks the right bus, but a service here is not on it.
     const BackgroundWork here(service("puck-arm", kUrlThisHost));
     const Diagnosis theirs = diagnose();
     check_only_wrong(theirs, {"ttl"});
@@ -252,7 +252,7 @@ TEST_CASE("who keeps to ttl 0 beside other machines is told, and the URL mends i
   });
 }
 
-TEST_CASE("two services of a kind are told, and neither is disturbed by the doctor") {
+TEST_CASE("two services of a kind are reported, and the doctor disturbs neither") {
   in_network_of_its_own([] {
     join_network();
     const BackgroundWork there(on_other_machine("far_end", service("puck-arm", kUrl)));
@@ -274,7 +274,7 @@ TEST_CASE("two services of a kind are told, and neither is disturbed by the doct
   });
 }
 
-TEST_CASE("an intruder on another machine is named, and the command shuts it out") {
+TEST_CASE("an intruder on another machine is named, and the suggested command blocks it") {
   in_network_of_its_own([] {
     if (!shell("iptables -S > /dev/null 2>&1")) {
       MESSAGE("skipped: there is no iptables");
@@ -295,7 +295,7 @@ TEST_CASE("an intruder on another machine is named, and the command shuts it out
   });
 }
 
-TEST_CASE("a logger of liblcm that went deaf is named, and can be ended as said") {
+TEST_CASE("a deaf liblcm logger is named, and the suggested command ends it") {
   if (!shell("command -v lcm-logger > /dev/null")) {
     MESSAGE("skipped: there is no lcm-logger");
     return;

@@ -24,7 +24,7 @@ TEST_CASE("an empty filter and one that accepts drop nothing") {
   CHECK(drops_of_input("\t\tudp dport 7667 accept\n").empty());
 }
 
-TEST_CASE("a policy and a rule that drop are found, with the rule that opens the port") {
+TEST_CASE("a policy and a rule that drop are found, with a rule that opens the port") {
   const auto policy = drops_of_input("\t\tct state established accept\n", "drop");
   REQUIRE(policy.size() == 1);
   CHECK(policy[0].where == "inet filter input");
@@ -37,19 +37,19 @@ TEST_CASE("a policy and a rule that drop are found, with the rule that opens the
   CHECK(drops_of_input("\t\tip daddr 224.0.0.0/4 reject\n").size() == 1);
 }
 
-TEST_CASE("rules for other ports and protocols do not meet us") {
+TEST_CASE("rules for other ports and protocols do not apply") {
   CHECK(drops_of_input("\t\ttcp dport 22 drop\n\t\tudp dport 53 drop\n\t\tct state invalid drop\n"
                        "\t\tip6 saddr ::1 drop\n")
             .empty());
 }
 
-TEST_CASE("what accepts the port first saves it from what follows, and only then") {
+TEST_CASE("a rule that accepts the port from all senders overrides later rules only") {
   CHECK(drops_of_input("\t\tudp dport 7667 accept\n\t\tudp dport 7667 drop\n", "drop").empty());
   CHECK(drops_of_input("\t\tudp dport 7667 drop\n\t\tudp dport 7667 accept\n").size() == 1);
   CHECK(drops_of_input("\t\tip saddr 10.0.0.1 udp dport 7667 accept\n", "drop").size() == 1);
 }
 
-TEST_CASE("what is only forwarded does not concern us, what rules lead to does") {
+TEST_CASE("forward chains do not apply, jump targets of input rules do") {
   const std::string ruleset =
       "table ip filter {\n"
       "\tchain FORWARD {\n\t\ttype filter hook forward priority 0; policy drop;\n\t}\n"
@@ -63,7 +63,7 @@ TEST_CASE("what is only forwarded does not concern us, what rules lead to does")
   CHECK(drops[0].accept == "nft insert rule ip filter INPUT udp dport 7667 accept");
 }
 
-TEST_CASE("iptables' own listing is read as well") {
+TEST_CASE("the output of iptables is parsed as well") {
   CHECK(find_iptables_drops("-P INPUT ACCEPT\n-P FORWARD DROP\n-P OUTPUT ACCEPT\n", kPort).empty());
   const auto drops = find_iptables_drops(
       "-P INPUT DROP\n-P OUTPUT ACCEPT\n-A INPUT -p tcp -m tcp --dport 22 -j DROP\n"
@@ -76,7 +76,7 @@ TEST_CASE("iptables' own listing is read as well") {
             .empty());
 }
 
-TEST_CASE("nonsense is no rule") {
+TEST_CASE("garbage is no rule") {
   for (const std::string_view text :
        {"}", "chain", "table x\nchain\n}", "type hook", "-A", "-P X"}) {
     CHECK(find_nft_drops(text, kPort).empty());

@@ -35,7 +35,7 @@ Facts facts_with_key(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("messages sealed with our key are ours") {
+TEST_CASE("messages sealed with our key are accepted") {
   const TemporaryFolder folder;
   const std::string file = key_file(folder, "key");
   Facts facts = facts_with_key(file);
@@ -45,7 +45,7 @@ TEST_CASE("messages sealed with our key are ours") {
   CHECK(count_of(check_senders(facts), Verdict::kWrong) == 0);
 }
 
-TEST_CASE("messages without our key, or with another, are told and not believed") {
+TEST_CASE("messages without our key, or with another, are reported and ignored") {
   const TemporaryFolder folder;
   const std::string file = key_file(folder, "key");
   for (const std::string& other : {std::string(), key_file(folder, "other")}) {
@@ -58,7 +58,7 @@ TEST_CASE("messages without our key, or with another, are told and not believed"
   }
 }
 
-TEST_CASE("without a key, a sealed bus is told, and what it says is still read") {
+TEST_CASE("without a key, a sealed bus is reported, and its messages are still read") {
   const TemporaryFolder folder;
   Facts facts = healthy_facts();
   CHECK(count_of(check_key(facts), Verdict::kOk) == 1);

@@ -1,4 +1,4 @@
-// What is wrong with a machine, from facts that are made up.
+// Findings on a machine, from invented facts.
 #include "tests/doctor/doctor_bench.h"
 
 namespace puck {
@@ -15,14 +15,14 @@ Facts loopback_facts() {
 
 }  // namespace
 
-TEST_CASE("a healthy machine has nothing wrong, and every check says so") {
+TEST_CASE("on a healthy machine every check passes") {
   const Findings findings = examine(healthy_facts());
   CHECK(findings.size() == 16);
   CHECK(count_of(findings, Verdict::kWrong) == 0);
-  CHECK(count_of(findings, Verdict::kNote) == 1);  // No service speaks.
+  CHECK(count_of(findings, Verdict::kNote) == 1);  // No service publishes.
 }
 
-TEST_CASE("a route to the group that is missing is made over the interface that is up") {
+TEST_CASE("for a missing route to the group a route over an active interface is suggested") {
   Facts facts = healthy_facts();
   facts.route = "Network is unreachable";
   facts.interfaces.insert(facts.interfaces.begin(), {.name = "wlan0", .can_multicast = true});
@@ -31,13 +31,13 @@ TEST_CASE("a route to the group that is missing is made over the interface that 
   CHECK(wrong.mend == "ip route replace 224.0.0.0/4 dev eth0");
   facts.is_root = false;
   CHECK(the_wrong_one(check_route(facts)).mend == "sudo ip route replace 224.0.0.0/4 dev eth0");
-  // All that hangs on it is not wrong in itself.
+  // Dependent checks do not fail as well.
   for (const auto check : {check_interface, check_mtu, check_membership, check_self_test}) {
     CHECK(count_of(check(facts), Verdict::kWrong) == 0);
   }
 }
 
-TEST_CASE("an interface that is down is switched on before the route") {
+TEST_CASE("an inactive interface is activated before the route") {
   Facts facts = healthy_facts();
   facts.route = "Network is unreachable";
   eth0(facts).is_up = false;
@@ -48,7 +48,7 @@ TEST_CASE("an interface that is down is switched on before the route") {
         "sudo ip link set eth0 up && sudo ip route replace 224.0.0.0/4 dev eth0");
 }
 
-TEST_CASE("a host by itself is served by its loopback") {
+TEST_CASE("the loopback suffices for a single host") {
   Facts facts = healthy_facts();
   facts.url.ttl = 0;
   facts.route = "Network is unreachable";
@@ -80,11 +80,11 @@ TEST_CASE("an interface must be up, do multicast, have a link and an address") {
   Facts no_address = healthy_facts();
   eth0(no_address).addresses.clear();
   CHECK(says(the_wrong_one(check_interface(no_address)), "no IPv4 address"));
-  // lo has no multicast flag and does without.
+  // lo has no multicast flag and needs none.
   CHECK(count_of(check_interface(loopback_facts()), Verdict::kOk) == 1);
 }
 
-TEST_CASE("packets of just the frame fit, and one byte more is cut up") {
+TEST_CASE("packets of exactly the frame size fit, a byte more is fragmented") {
   Facts facts = healthy_facts();
   CHECK(count_of(check_mtu(facts), Verdict::kOk) == 1);
   facts.packet_bytes = 1473;
@@ -94,13 +94,13 @@ TEST_CASE("packets of just the frame fit, and one byte more is cut up") {
   CHECK(count_of(check_mtu(facts), Verdict::kNote) == 1);
 }
 
-TEST_CASE("where no packet would fit, the frame has to grow") {
+TEST_CASE("a frame too small for any packet must be enlarged") {
   Facts facts = healthy_facts();
   eth0(facts).mtu_bytes = 200;
   CHECK(the_wrong_one(check_mtu(facts)).mend == "ip link set eth0 mtu 1500");
 }
 
-TEST_CASE("large datagrams of another host are told, those of this one are its own affair") {
+TEST_CASE("large datagrams of another host are reported, those of this one are ignored") {
   Facts facts = healthy_facts();
   hear(facts.traffic, {"10.0.0.2", 5}, std::vector<std::uint8_t>(8000));
   CHECK(count_of(check_mtu(facts), Verdict::kWrong) == 0);
@@ -108,7 +108,7 @@ TEST_CASE("large datagrams of another host are told, those of this one are its o
   CHECK(says(the_wrong_one(check_mtu(facts)), "10.0.0.9 sends datagrams of 8000 bytes"));
 }
 
-TEST_CASE("a receive buffer that the kernel cuts is wrong, one that nobody asks for a note") {
+TEST_CASE("a receive buffer reduced by the kernel is an error, a default one a note") {
   Facts facts = healthy_facts();
   facts.buffer_bytes = 212992;
   facts.rmem_max_bytes = 212992;
@@ -119,7 +119,7 @@ TEST_CASE("a receive buffer that the kernel cuts is wrong, one that nobody asks 
   CHECK(count_of(check_buffer(facts), Verdict::kNote) == 1);
 }
 
-TEST_CASE("whoever listens at the port without being in the group is deaf") {
+TEST_CASE("a listener at the port outside the group receives nothing") {
   Facts facts = healthy_facts();
   facts.sockets_at_port = 2;
   facts.port_users = {{{"lcm-logger", 41}, 1}, {{"lcm-spy", 42}, 1}};
@@ -136,7 +136,7 @@ TEST_CASE("whoever listens at the port without being in the group is deaf") {
   CHECK(says(the_wrong_one(check_membership(facts)), "others on wlan0"));
 }
 
-TEST_CASE("the self-test is right only when everything comes back") {
+TEST_CASE("the self-test passes only if everything returns") {
   Facts facts = healthy_facts();
   facts.self_test.came_back = 19;
   CHECK(says(the_wrong_one(check_self_test(facts)), "19 of 20"));
@@ -147,7 +147,7 @@ TEST_CASE("the self-test is right only when everything comes back") {
   CHECK(the_wrong_one(check_self_test(facts)).mend == "kill 77");
 }
 
-TEST_CASE("rules of the packet filter are wrong when the self-test fails, else worth a note") {
+TEST_CASE("packet filter rules are an error if the self-test fails, else a note") {
   Facts facts = healthy_facts();
   CHECK(count_of(check_firewall(facts), Verdict::kOk) == 1);
   facts.firewall->push_back({"inet filter input", "policy drop", "nft insert rule a"});
@@ -160,7 +160,7 @@ TEST_CASE("rules of the packet filter are wrong when the self-test fails, else w
   CHECK(count_of(check_firewall(facts), Verdict::kNote) == 1);
 }
 
-TEST_CASE("a counter of losses is wrong while it grows, and a note when it stands") {
+TEST_CASE("a growing loss counter is an error, a constant one a note") {
   for (const auto counter : {&KernelCounters::reassembly_failures,
                              &KernelCounters::buffer_overflows, &KernelCounters::checksum_errors}) {
     Facts facts = healthy_facts();
@@ -173,7 +173,7 @@ TEST_CASE("a counter of losses is wrong while it grows, and a note when it stand
   }
 }
 
-TEST_CASE("the reverse path filter is wrong when it drops") {
+TEST_CASE("a reverse path filter that drops is an error") {
   Facts facts = healthy_facts();
   facts.reverse_path_filter = {{"all", 0}, {"eth0", 1}};
   CHECK(says(check_reverse_path(facts).front(), "strict on eth0"));

@@ -91,7 +91,7 @@ void BackgroundWork::stop() {
 
 Work on_other_machine(const std::string& interface, Work work) {
   return [=](std::stop_token stop, const std::function<void()>& ready) {
-    // Moved by a thread that is still in the network where the cable was laid.
+    // Moved by a thread that is still in the cable's network.
     std::promise<pid_t> own_network;
     bool is_moved = false;
     std::jthread mover([&] {

@@ -11,14 +11,14 @@
 
 namespace puck {
 
-/// What a machine does until it is stopped; calls `ready` when others can notice it.
+/// A machine's activity until it is stopped; calls `ready` when it is noticeable.
 using Work = std::function<void(std::stop_token, const std::function<void()>& ready)>;
 
-/// Runs a service as far as its STATUS goes, and hands its bus over at the end.
+/// Publishes the STATUS of a service, and returns its bus at the end.
 Work service(const std::string& name, const std::string& url,
              std::function<void(const Bus&)> at_the_end = {});
 
-/// Sends what no bus should have: no LCM, broken LCM, a part of a message, a message cut off.
+/// Sends invalid data: no LCM, broken LCM, a part of a message, a truncated message.
 Work intruder(const std::string& url);
 
 /// Work on a thread in the network of the thread that makes it.

@@ -36,7 +36,7 @@ TEST_CASE("long text is wrapped, long commands are not") {
   CHECK(report_text({{Verdict::kWrong, "route", "a", command}}).find(command) != std::string::npos);
 }
 
-TEST_CASE("JSON has every finding, and survives bytes that are not text") {
+TEST_CASE("JSON has every finding, and stays valid with bytes that are not text") {
   const auto report = nlohmann::json::parse(report_json(kFindings));
   CHECK(report["wrong"] == 1);
   CHECK(report["notes"] == 1);

@@ -8,7 +8,7 @@
 
 namespace puck {
 
-TEST_CASE("the file of any service will do, and what is said later wins") {
+TEST_CASE("the file of any service is accepted, and later settings win") {
   const TemporaryFolder folder;
   const auto file = folder.write("camera.toml",
                                  "[lcm]\nurl = \"udpm://239.1.1.1:1234?ttl=1\"\nprefix = \"LEFT\"\n"
@@ -29,14 +29,14 @@ TEST_CASE("the file of any service will do, and what is said later wins") {
   CHECK(settings.prefix == "MIDDLE");
 }
 
-TEST_CASE("packets are as large as the camera makes them by itself") {
+TEST_CASE("the packet size defaults to the camera's") {
   DoctorOptions options;
   CHECK(read_doctor_settings(options).packet_bytes == 60000);
   options.lcm_url = "udpm://?ttl=1";
   CHECK(read_doctor_settings(options).packet_bytes == 1472);
 }
 
-TEST_CASE("what cannot be examined is refused") {
+TEST_CASE("impossible settings are refused") {
   DoctorOptions options;
   options.lcm_url = "memq://";
   CHECK_THROWS_AS(read_doctor_settings(options), BusError);

@@ -1,4 +1,4 @@
-// What is wrong with what is heard.
+// Findings on the received traffic.
 #include "tests/doctor/doctor_bench.h"
 
 namespace puck {
@@ -18,7 +18,7 @@ const std::vector<std::uint8_t> kCrash =
 
 }  // namespace
 
-TEST_CASE("ttl 0 is a note, until somebody on another host is heard") {
+TEST_CASE("ttl 0 is a note, until another host is heard") {
   Facts facts = healthy_facts();
   facts.url.ttl = 0;
   hear_status(facts.traffic, kThisHost, a_status(1, "puck-arm"), 0);
@@ -29,7 +29,7 @@ TEST_CASE("ttl 0 is a note, until somebody on another host is heard") {
   CHECK(wrong.mend == "--lcm-url \"udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4194304\"");
 }
 
-TEST_CASE("a program here that sends with ttl 0 is named where others are meant to hear") {
+TEST_CASE("a local program that sends with ttl 0 is named where other hosts should hear it") {
   Facts facts = healthy_facts();
   hear_status(facts.traffic, kThisHost, a_status(1, "puck-arm"), 1);
   CHECK(count_of(check_ttl(facts), Verdict::kOk) == 1);
@@ -38,7 +38,7 @@ TEST_CASE("a program here that sends with ttl 0 is named where others are meant 
   CHECK(says(the_wrong_one(check_ttl(facts)), "puck-arm (pid 41)"));
 }
 
-TEST_CASE("good messages of ours are no strangers") {
+TEST_CASE("good messages of ours are not foreign") {
   Facts facts = healthy_facts();
   hear_status(facts.traffic, kOtherHost, a_status(1, "puck-arm"));
   const Findings findings = check_senders(facts);
@@ -47,7 +47,7 @@ TEST_CASE("good messages of ours are no strangers") {
   CHECK(says(findings.front(), "1 datagrams from 1 senders, 1 of them good"));
 }
 
-TEST_CASE("a stranger on another host is shut out, a program on this one ended") {
+TEST_CASE("a foreign sender on another host is blocked, a local one ended") {
   Facts facts = healthy_facts();
   hear(facts.traffic, kOtherHost, bytes_of("junk"));
   CHECK(the_wrong_one(check_senders(facts)).mend ==
@@ -60,14 +60,14 @@ TEST_CASE("a stranger on another host is shut out, a program on this one ended")
   CHECK(the_wrong_one(check_senders(here)).mend == "kill 41");
 }
 
-TEST_CASE("a host with services of ours on it is never shut out") {
+TEST_CASE("a host with services of ours is never blocked") {
   Facts facts = healthy_facts();
   hear(facts.traffic, kOtherHost, bytes_of("junk"));
   hear_status(facts.traffic, {kOtherHost.address, 6000}, a_status(1, "puck-arm"));
   CHECK(the_wrong_one(check_senders(facts)).mend == "ssh 10.0.0.9 sudo ss -uanp 'sport = :5000'");
 }
 
-TEST_CASE("every kind of bad datagram is told apart") {
+TEST_CASE("every kind of bad datagram is distinguished") {
   Facts facts = healthy_facts();
   hear(facts.traffic, kOtherHost, kCrash);
   CHECK(says(the_wrong_one(check_senders(facts)), "can crash programs that use liblcm"));
@@ -89,7 +89,7 @@ TEST_CASE("every kind of bad datagram is told apart") {
   CHECK(says(findings.back(), "POSE\\x1b[2J"));
 }
 
-TEST_CASE("who sends good and bad messages is one of us of another version, and is not ended") {
+TEST_CASE("a sender of good and bad messages is a service of another version, and is not ended") {
   Facts facts = healthy_facts();
   facts.local_senders[kThisHost] = {"puck-arm", 41};
   hear_status(facts.traffic, kThisHost, a_status(1, "puck-arm"));
@@ -99,7 +99,7 @@ TEST_CASE("who sends good and bad messages is one of us of another version, and 
   CHECK(wrong.mend == "git pull && cmake --preset release && cmake --build --preset release");
 }
 
-TEST_CASE("a message of another type on a channel of ours is told as such") {
+TEST_CASE("a message of another type on a channel of ours is reported as such") {
   Facts facts = healthy_facts();
   service_status_t status = a_status(1, "puck-arm");
   std::vector<std::uint8_t> payload;
@@ -108,7 +108,7 @@ TEST_CASE("a message of another type on a channel of ours is told as such") {
   CHECK(says(the_wrong_one(check_senders(facts)), "PUCK_GAME: game_state_t"));
 }
 
-TEST_CASE("strangers without number cost no more than the first of them") {
+TEST_CASE("the cost of foreign senders does not grow with their number") {
   Facts facts = healthy_facts();
   for (int port = 1; port <= 60'000; ++port) {
     hear(facts.traffic, {"10.0.0.9", port}, lcm_datagram("C" + std::to_string(port), {}));
@@ -126,7 +126,7 @@ TEST_CASE("strangers without number cost no more than the first of them") {
   CHECK(count_of(check_senders(facts), Verdict::kWrong) == 1);
 }
 
-TEST_CASE("the services heard are told with host, pid, version and state") {
+TEST_CASE("services are listed with host, pid, version and state") {
   Facts facts = healthy_facts();
   hear_status(facts.traffic, kOtherHost, a_status(1, "puck-arm"));
   service_status_t waiting = a_status(2, "puck-tracker");
@@ -141,7 +141,7 @@ TEST_CASE("the services heard are told with host, pid, version and state") {
   CHECK(says(findings[1], "waiting: for events"));
 }
 
-TEST_CASE("two services of a kind are wrong, unless one has stopped or the prefix is another") {
+TEST_CASE("two services of a kind are an error, unless one has stopped or has another prefix") {
   Facts facts = healthy_facts();
   service_status_t older = a_status(1, "puck-arm");
   older.uptime_us = 9'000'000;
@@ -155,13 +155,13 @@ TEST_CASE("two services of a kind are wrong, unless one has stopped or the prefi
   second.state = service_status_t::STATE_RUNNING;
   hear_status(facts.traffic, kOtherHost, second);
   CHECK(the_wrong_one(check_services(facts)).mend == "ssh 10.0.0.9 kill 102");
-  // It fell silent while the other went on.
+  // It fell silent while the other one continued.
   facts.end_utime += 1'500'000;
   hear_status(facts.traffic, kThisHost, older, 1, "PUCK_STATUS", facts.end_utime);
   CHECK(count_of(check_services(facts), Verdict::kWrong) == 0);
 }
 
-TEST_CASE("services under another prefix only are told, with the option that hears them") {
+TEST_CASE("services under another prefix are listed, with the option that receives them") {
   Facts facts = healthy_facts();
   CHECK(count_of(check_services(facts), Verdict::kNote) == 1);
   hear_status(facts.traffic, kOtherHost, a_status(1, "puck-arm"), 1, "LEFT_PUCK_STATUS");
@@ -173,7 +173,7 @@ TEST_CASE("services under another prefix only are told, with the option that hea
   CHECK(the_wrong_one(check_services(facts)).mend == "--prefix \"\"");
 }
 
-TEST_CASE("a channel is under a prefix only when all before it is one") {
+TEST_CASE("a channel belongs to a prefix only if its whole beginning is the prefix") {
   Traffic traffic("");
   for (const std::string name : {"X", "lower_", "LEFT", "A_VERY_LONG_PREFIX_", "_"}) {
     hear_status(traffic, kOtherHost, a_status(1, "puck-arm"), 1, name + "PUCK_STATUS");
@@ -182,7 +182,7 @@ TEST_CASE("a channel is under a prefix only when all before it is one") {
   CHECK(traffic.senders().at(kOtherHost).foreign == 5);
 }
 
-TEST_CASE("a service of another version is wrong") {
+TEST_CASE("a service of another version is an error") {
   Facts facts = healthy_facts();
   hear_status(facts.traffic, kOtherHost, a_status(1, "puck-arm"));
   CHECK(count_of(check_versions(facts), Verdict::kOk) == 1);
@@ -192,7 +192,7 @@ TEST_CASE("a service of another version is wrong") {
   CHECK(says(the_wrong_one(check_versions(facts)), "puck-tracker on robot is version 0.9.0"));
 }
 
-TEST_CASE("another doctor is no service") {
+TEST_CASE("another doctor is not listed as a service") {
   Facts facts = healthy_facts();
   service_status_t doctor = a_status(1, "puck-doctor");
   doctor.version = "0.9.0";

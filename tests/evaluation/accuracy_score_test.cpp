@@ -75,7 +75,7 @@ TEST_CASE("a tick without a position counts as 100 px off and as lost") {
   CHECK(report.time_to_first_track_ms == doctest::Approx(240));
 }
 
-TEST_CASE("far off or not tracking is lost, whatever the other says") {
+TEST_CASE("a distant position or a state other than tracking is lost") {
   AccuracyScore score(moving_truth(), kSensor);
   score.add({300'000}, estimate_at(40 + 20.5, 100));
   PuckEstimate right_but_lost = estimate_at(40, 100);
@@ -100,13 +100,13 @@ TEST_CASE("a hidden puck and one outside the image do not count") {
   CHECK(score.report().estimates == 1);
 }
 
-TEST_CASE("a recording in which nothing counts has no accuracy") {
+TEST_CASE("a recording without countable ticks has no accuracy") {
   AccuracyScore score(moving_truth(), kSensor);
   CHECK(score.report().estimates == 0);
   CHECK_FALSE(score.report().time_to_first_track_ms.has_value());
 }
 
-TEST_CASE("a loss lasts only while the puck can be seen") {
+TEST_CASE("a loss lasts only while the puck is visible") {
   std::vector<TruthRow> rows;
   for (int ms = 0; ms <= 1000; ++ms) {
     const bool hidden = ms > 400 && ms < 700;
@@ -121,7 +121,7 @@ TEST_CASE("a loss lasts only while the puck can be seen") {
   CHECK(score.report().longest_loss_ms == doctest::Approx(29));
 }
 
-TEST_CASE("a report tells the spread of the errors") {
+TEST_CASE("a report gives the spread of the errors") {
   AccuracyScore score(moving_truth(), kSensor);
   for (int ms = 301; ms <= 400; ++ms) {
     score.add({ms * 1000}, estimate_at(10 + ms / 10.0 + (ms - 300) / 100.0, 100));
@@ -135,7 +135,7 @@ TEST_CASE("a report tells the spread of the errors") {
   CHECK(report.score_curve.ticks() == 100);
 }
 
-TEST_CASE("between rows that are too far apart nothing counts, and the share is told") {
+TEST_CASE("between distant rows of truth nothing counts, and the share is reported") {
   std::vector<TruthRow> rows;
   for (int ms = 0; ms <= 1200; ms += ms == 600 ? 100 : 10) {
     rows.push_back({{ms * 1000}, {10.0 + ms / 10.0, 100}, {30, 20}, 1});
@@ -153,7 +153,7 @@ TEST_CASE("between rows that are too far apart nothing counts, and the share is 
   CHECK(counted({.truth_gap_us = 100'000}).truth_gap_percent == 0);
 }
 
-TEST_CASE("the settling time is as given, else 200 ms, and none where there is little truth") {
+TEST_CASE("the settling time is the option's, else 200 ms, and zero with little truth") {
   const auto first_counted = [](std::int64_t truth_us, std::optional<std::int64_t> settle_us) {
     std::vector<TruthRow> rows;
     for (std::int64_t t_us = 0; t_us <= truth_us; t_us += 10'000) {

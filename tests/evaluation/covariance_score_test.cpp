@@ -34,7 +34,7 @@ TEST_CASE("an error is measured in the covariance's own ellipse") {
   CHECK(*normalised_error_squared(estimate(1, -1, 2, 1, 2), kTruth) == doctest::Approx(2));
 }
 
-TEST_CASE("without a covariance, a position or a track there is nothing to normalise") {
+TEST_CASE("without a covariance, a position or a track there is no normalised error") {
   CHECK_FALSE(normalised_error_squared(estimate(1, 1, 0, 0, 0), kTruth).has_value());
   PuckEstimate no_position = estimate(0, 0, 1, 0, 1);
   no_position.position.reset();
@@ -45,7 +45,7 @@ TEST_CASE("without a covariance, a position or a track there is nothing to norma
   CHECK_FALSE(covariance_report({}).has_value());
 }
 
-TEST_CASE("a covariance that cannot be one is never within its bound") {
+TEST_CASE("an invalid covariance is never within its bound") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(std::isinf(*normalised_error_squared(estimate(0, 0, 1, 1, 1), kTruth)));
   CHECK(std::isinf(*normalised_error_squared(estimate(0, 0, -1, 0, -1), kTruth)));
@@ -63,7 +63,7 @@ TEST_CASE("mean, median and share within the bound of chi squared are those of t
   CHECK(report->nees_within_95_percent == 75);
 }
 
-TEST_CASE("errors drawn from the covariance itself are honest") {
+TEST_CASE("errors drawn from the covariance itself are consistent with it") {
   // Fixed draws; correlated by the Cholesky factor of P = [4 1.2; 1.2 1].
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
@@ -80,7 +80,7 @@ TEST_CASE("errors drawn from the covariance itself are honest") {
   CHECK(report->nees_within_95_percent == doctest::Approx(95).epsilon(0.01));
 }
 
-TEST_CASE("the ticks that count give the covariance its marks") {
+TEST_CASE("the ticks that count determine the covariance's figures") {
   std::vector<TruthRow> rows;
   for (int ms = 0; ms <= 1000; ++ms) rows.push_back({{ms * 1000}, {10.0 + ms, 20}, {30, 20}, 1});
   AccuracyScore score(TruthTrack(rows), {640, 480});

@@ -45,12 +45,12 @@ std::filesystem::path recording_of(const TemporaryFolder& folder,
   return path;
 }
 
-// Two events so far apart.
+// Two events at this distance in time.
 std::filesystem::path recording_with_pause(const TemporaryFolder& folder, std::int64_t pause_us) {
   return recording_of(folder, {1000, 1000 + pause_us});
 }
 
-TEST_CASE("a recording with a pause is asked for an estimate at every tick of it") {
+TEST_CASE("in a pause of a recording an estimate is requested at every tick") {
   const TemporaryFolder folder;
   const auto events = open_event_file(recording_with_pause(folder, 1'000'000));
   std::vector<std::int64_t> ticks;
@@ -60,7 +60,7 @@ TEST_CASE("a recording with a pause is asked for an estimate at every tick of it
   CHECK(ticks.back() == 1'100'000);
 }
 
-TEST_CASE("a recording with a damaged time is refused and does not run for ever") {
+TEST_CASE("a recording with a damaged time is refused and ends") {
   const TemporaryFolder folder;
   const auto events = open_event_file(recording_with_pause(folder, 8'000'000'000'000'000));
   const auto nothing = [](const EvaluatedTick&) {};
@@ -77,10 +77,10 @@ TEST_CASE("a recording with a damaged time is refused and does not run for ever"
   CHECK_THROWS_AS(run_in_real_time(*events, setup(), nothing), std::runtime_error);
 }
 
-TEST_CASE("in real time the ticks are those with events, and none waits longer than the run") {
+TEST_CASE("in real time the ticks are those with events, and no wait exceeds the run") {
   const TemporaryFolder folder;
-  // The first packet comes when the tracking thread has said its first word, the last one late
-  // enough for an answer to those before it.
+  // The first packet comes after the tracking thread's first estimate, the last one late enough for
+  // an answer to those before it.
   const auto events = open_event_file(recording_of(folder, {1000, 1499, 301'000}));
   const auto began = std::chrono::steady_clock::now();
   std::vector<EvaluatedTick> ticks;
@@ -93,7 +93,7 @@ TEST_CASE("in real time the ticks are those with events, and none waits longer t
   }
 }
 
-TEST_CASE("a log's events are those of its first session, and the others are told") {
+TEST_CASE("a log's events are those of its first session, and the other sessions are reported") {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder / "a.lcm";
   {
@@ -133,7 +133,7 @@ EvaluatedTick silent_tick_at(std::int64_t t_us, bool is_mark = false) {
   return {{t_us}, PuckEstimate{}, std::nullopt, is_mark};
 }
 
-TEST_CASE("truth that ends before the events, has gaps or nothing to do with them, is told") {
+TEST_CASE("truth that ends early, has gaps or does not match the events is reported") {
   RunSummary run;
   run.first = {0};
   run.last = {3'000'000};
@@ -160,7 +160,7 @@ TEST_CASE("truth that ends before the events, has gaps or nothing to do with the
                  "apart (1010 ms"));
 }
 
-TEST_CASE("at marks an estimate is asked for at each row's own time, and these alone are scored") {
+TEST_CASE("at marks estimates are requested at each row's own time, and only these are scored") {
   const TemporaryFolder folder;
   const auto events = open_event_file(recording_with_pause(folder, 1'000'000));
   const std::vector<Timestamp> marks{{500}, {150'000}, {200'000}, {250'500}, {9'000'000}};
@@ -184,7 +184,7 @@ TEST_CASE("at marks an estimate is asked for at each row's own time, and these a
   CHECK_THROWS_AS(Scoring(options, {}, kRecordedSensor), std::invalid_argument);
 }
 
-TEST_CASE("where there is no puck all that is tracked is said and wrong") {
+TEST_CASE("without a puck every tracked tick is said and wrong") {
   EvaluateOptions options;
   options.no_puck = true;
   Scoring scoring(options, {}, kRecordedSensor);
@@ -198,7 +198,7 @@ TEST_CASE("where there is no puck all that is tracked is said and wrong") {
   CHECK_FALSE(report.errors.has_value());
 }
 
-TEST_CASE("at a rate the cost of the tracker is measured and the events are placed in time") {
+TEST_CASE("at a rate the cost of the tracker is measured and the events get real times") {
   const TemporaryFolder folder;
   const auto events = open_event_file(recording_with_pause(folder, 1'000'000));
   const RunSummary run = run_at_rate(*events, setup(), 10, [](const EvaluatedTick&) {});

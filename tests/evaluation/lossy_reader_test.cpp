@@ -30,7 +30,7 @@ std::vector<std::size_t> packet_sizes(EventReader& events) {
   return sizes;
 }
 
-TEST_CASE("without loss the events are as they were, in the packets that a camera would send") {
+TEST_CASE("without loss the events are unchanged, in the packets of a camera") {
   auto times = even_times(5000, 1);
   for (std::int64_t& time : times) time /= 2;  // 2 Mev/s, so that packets are full in time
   const auto events = lossy(times, {});
@@ -45,14 +45,15 @@ TEST_CASE("without loss the events are as they were, in the packets that a camer
   CHECK(events->packets_lost() == 0);
 }
 
-TEST_CASE("a packet ends a quarter of a millisecond after it began, a packet of few events later") {
+TEST_CASE(
+    "a packet ends a quarter of a millisecond after its start, a packet of few events later") {
   const auto dense = packet_sizes(*lossy(even_times(1000, 5), {}));
   CHECK(dense.front() == 51);
   const auto quiet = packet_sizes(*lossy(even_times(1000, 1000), {}));
   CHECK(quiet.front() == 6);
 }
 
-TEST_CASE("of many packets as many are lost as were asked for, whole ones, the same each time") {
+TEST_CASE("the requested share of packets is lost, whole packets, the same each time") {
   const auto times = even_times(400'000, 5);
   const auto events = lossy(times, {.drop_percent = 5, .seed = 3});
   const auto left = times_of(*events);

@@ -18,7 +18,7 @@ std::unique_ptr<ListedEvents> listed(std::vector<std::int64_t> times_us) {
   return std::make_unique<ListedEvents>(std::move(times_us));
 }
 
-TEST_CASE("a part is counted from the first event, its end is not in it") {
+TEST_CASE("a part starts at the first event, and excludes its end") {
   const std::vector<std::int64_t> part{1'300, 1'400, 1'500};
   for (const std::size_t most : {std::size_t{1}, std::size_t{2}, std::size_t{100}}) {
     PartReader events(listed({1'000, 1'299, 1'300, 1'400, 1'500, 1'501, 1'600}),
@@ -30,7 +30,7 @@ TEST_CASE("a part is counted from the first event, its end is not in it") {
   }
 }
 
-TEST_CASE("without a length a part goes on to the end") {
+TEST_CASE("without a length a part continues to the end") {
   PartReader events(listed({1'000, 2'000, 3'000}), {.from_us = 1'500});
   CHECK(times_of(events, 10) == std::vector<std::int64_t>{3'000});
   CHECK(RecordingPart{}.is_whole());
@@ -38,7 +38,7 @@ TEST_CASE("without a length a part goes on to the end") {
   CHECK_FALSE(RecordingPart{.length_us = 1}.is_whole());
 }
 
-TEST_CASE("a part of which nothing happened is empty") {
+TEST_CASE("a part without events is empty") {
   PartReader events(listed({1'000, 9'000}), {.from_us = 1'000, .length_us = 1'000});
   CHECK(times_of(events, 10).empty());
 }

@@ -14,7 +14,7 @@
 namespace puck {
 namespace {
 
-// Too small a sensor for a close-up of its puck: nothing covers the rest.
+// Too small a sensor for a close-up, which would cover the rest.
 constexpr SensorSize kSmall{64, 48};
 constexpr Timestamp kNow{1'000'000};
 
@@ -73,7 +73,7 @@ EvaluatedTick tick_at(std::int64_t t_us, double speed_px_s) {
 
 }  // namespace
 
-TEST_CASE("a picture is a multiple of the sensor's size, and wide enough to be read") {
+TEST_CASE("a picture is a multiple of the sensor's size, and large enough for its text") {
   for (const SensorSize sensor : {SensorSize{64, 48}, {346, 260}, {640, 480}, {1280, 720}}) {
     const cv::Mat picture = draw_picture(empty_moment(sensor));
     CHECK(picture.cols >= 640);
@@ -82,7 +82,7 @@ TEST_CASE("a picture is a multiple of the sensor's size, and wide enough to be r
   }
 }
 
-TEST_CASE("a picture shows events by polarity, the older the fainter, and none of the future") {
+TEST_CASE("a picture shows events by polarity, older ones fainter, and no future ones") {
   TrackedMoment moment = empty_moment();
   add_event(moment, 3, 4, 1, TrackedMoment::kEventsUs);
   add_event(moment, 5, 6, 1, 15'000);
@@ -101,7 +101,7 @@ TEST_CASE("a picture shows events by polarity, the older the fainter, and none o
   CHECK(is_background(at(picture, 10, 10)));
 }
 
-TEST_CASE("a picture shows the estimate's ellipse where it is, and where it will be in 50 ms") {
+TEST_CASE("a picture shows the estimate's ellipse now and in 50 ms") {
   TrackedMoment moment = empty_moment();
   moment.estimate = tracked_at({30, 20});
   moment.estimate.velocity = {400, 0};
@@ -116,7 +116,7 @@ TEST_CASE("a picture shows the estimate's ellipse where it is, and where it will
   CHECK(is_background(at(picture, 51, 20)));
 }
 
-TEST_CASE("a picture shows the true ellipse only where the truth is known") {
+TEST_CASE("a picture shows the true ellipse only where truth is known") {
   TrackedMoment moment = empty_moment();
   CHECK(is_background(at(draw_picture(moment), 16, 20)));
   moment.truth = TruthRow{kNow, {10, 20}, {12, 10}, 1};
@@ -142,7 +142,7 @@ TEST_CASE("a picture shows the trail of half a second, interrupted where the puc
   CHECK(is_green(at(picture, 45, 40)));
 }
 
-TEST_CASE("a picture of a large sensor has a close-up of the puck in the corner away from it") {
+TEST_CASE("a picture of a large sensor has a close-up in the corner away from the puck") {
   constexpr SensorSize kLarge{640, 480};
   TrackedMoment moment = empty_moment(kLarge);
   const auto has_close_up = [&](double x, double y) {
@@ -159,7 +159,7 @@ TEST_CASE("a picture of a large sensor has a close-up of the puck in the corner 
   CHECK(has_close_up(10, 10));
 }
 
-TEST_CASE("a picture can be drawn of a puck far outside of the image, and of nothing") {
+TEST_CASE("a picture can be drawn of a puck far outside the image, and without a puck") {
   TrackedMoment moment = empty_moment();
   moment.estimate = tracked_at({1e9, -1e9});
   moment.estimate.velocity = {1e9, 1e9};
@@ -168,7 +168,7 @@ TEST_CASE("a picture can be drawn of a puck far outside of the image, and of not
   CHECK_NOTHROW(draw_picture(moment));
 }
 
-TEST_CASE("a picture is taken when the puck is fastest, or at a time") {
+TEST_CASE("a picture is taken at the puck's highest speed, or at a given time") {
   const TemporaryFolder folder;
   ListedEvents events({0, 5'000, 30'000});
   RunSummary run;
@@ -189,7 +189,7 @@ TEST_CASE("a picture is taken when the puck is fastest, or at a time") {
   CHECK(cv::norm(fastest, picture_of(0.006)) == 0);
 }
 
-TEST_CASE("a picture that cannot be taken is refused in one line, and nothing is written") {
+TEST_CASE("an impossible picture is refused in one line, and nothing is written") {
   const TemporaryFolder folder;
   ListedEvents events({0, 30'000});
   RunSummary run;

@@ -11,7 +11,7 @@ Intercept crossing(double y_m, double in_s, int bounces = 0) {
   return {0.2325, y_m, in_s, 2, bounces, 0.01, 0.001};
 }
 
-TEST_CASE("Predictions are scored by how far the real crossing was in place and time") {
+TEST_CASE("Predictions are scored by their distance from the real crossing in place and time") {
   PredictionScore score;
   // A second's crossing at y = 0.1, predicted each 50 ms with an error that shrinks with the time
   // to go.
@@ -43,7 +43,8 @@ TEST_CASE("Predictions are scored by how far the real crossing was in place and 
   CHECK(report.direct[0].time_within_2_sigma_percent == 100);
 }
 
-TEST_CASE("Predictions with bounces are scored apart, moments without one are missed") {
+TEST_CASE(
+    "Predictions with bounces are scored separately, moments without a prediction are missed") {
   PredictionScore score;
   score.add({0}, crossing(0, 0.35, 1));
   score.add({10'000}, std::nullopt);
@@ -55,7 +56,7 @@ TEST_CASE("Predictions with bounces are scored apart, moments without one are mi
   CHECK(report.missing_percent[3] == 50);
 }
 
-TEST_CASE("A hit ends what was predicted before it; what should have come by then was false") {
+TEST_CASE("A hit ends earlier predictions; crossings due before it were false") {
   PredictionScore score;
   score.add({0}, crossing(0, 0.5));
   score.add({300'000}, crossing(0, 0.5));
@@ -72,7 +73,7 @@ TEST_CASE("A hit ends what was predicted before it; what should have come by the
   CHECK(scored == 1);
 }
 
-TEST_CASE("Predictions from longer than a second before are not scored") {
+TEST_CASE("Predictions more than a second ahead are not scored") {
   PredictionScore score;
   score.add({0}, crossing(0, 1.2));
   score.crossed({1'200'000}, 0);

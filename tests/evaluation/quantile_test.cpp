@@ -4,7 +4,7 @@
 
 namespace puck {
 
-TEST_CASE("a quantile is one of the values, and as many as asked do not exceed it") {
+TEST_CASE("a quantile is one of the values, and the requested share does not exceed it") {
   const std::vector<int> sorted{1, 2, 3, 4};
   CHECK(quantile(sorted, 0) == 1);
   CHECK(quantile(sorted, 0.25) == 1);

@@ -20,7 +20,7 @@ namespace {
 struct Recording {
   std::string file;
   EventFileOptions options;
-  int ticks = 0;  // Milliseconds, so that a run that tells nothing is no proof.
+  int ticks = 0;  // Milliseconds, so that an empty run is noticed.
 };
 
 const std::vector<Recording> kWithoutPuck{
@@ -30,7 +30,7 @@ const std::vector<Recording> kWithoutPuck{
     {"walking_640x480_evt3.extracted.raw", {.sensor = {640, 480}}, 2080},
 };
 
-// One as the table shows it; and as large as a puck at the far end, in the middle and near by.
+// One for the table, and those of a puck at the far end, in the middle and near by.
 std::vector<PuckSizeModel> size_models() {
   std::vector<PuckSizeModel> models;
   PuckSizeModel& table = models.emplace_back();
@@ -54,7 +54,7 @@ TEST_CASE("no puck is confirmed in recordings of a desk, a street, sparks and a 
   if (!recordings) return;
   const std::vector<PuckSizeModel> models = size_models();
   for (const Recording& recording : kWithoutPuck) {
-    // Watched by a sanitizer, a long one is seen with one model only: the others are but numbers.
+    // Under a sanitizer a long one runs with one model only.
     const bool all = !kIsSanitized || recording.ticks < 100;
     for (const PuckSizeModel& model : std::span(models).first(all ? models.size() : 1)) {
       CAPTURE(recording.file);
@@ -111,16 +111,16 @@ Followed follow_ellipse(const std::filesystem::path& recordings,
   return followed;
 }
 
-TEST_CASE("the ellipse among other shapes is tracked with a size and a lean given by hand") {
+TEST_CASE("the ellipse among other shapes is tracked with a given size and lean") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   const Followed ellipse = follow_ellipse(*recordings, {});
   CHECK(ellipse.ticks == 93);
-  // From the start on, but for the first 10 ms, in which nothing is known.
+  // From the start, except for the first 10 ms.
   CHECK(ellipse.tracked > 80);
   CHECK(ellipse.mean_px < 3.5);
   CHECK(ellipse.worst_px < 5);
-  // It is printed on paper, so that the opinion that it has a side wall is wrong.
+  // It is printed on paper, so the assumption of a side wall is wrong.
   const Followed flat = follow_ellipse(*recordings, {"wall"});
   CHECK(flat.tracked > 60);
   CHECK(flat.mean_px < 1.5);

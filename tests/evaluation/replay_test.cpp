@@ -1,4 +1,4 @@
-// puck-evaluate --replay: the estimates of a log made again.
+// puck-evaluate --replay: recomputes the estimates of a log.
 #include "tools/evaluate/replay.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr SensorSize kLogSensor{160, 120};
 
 TrackerSetup ring_setup() {
   TrackerSetup setup;
-  // The rings that this test shows have no motion, from which `default` knows a puck.
+  // These rings do not move, and `default` detects a puck by its motion.
   setup.preset = Preset::kCorrelation;
   setup.size_model = {25, 0, 0, 17, 0, 0};
   return setup;
@@ -32,15 +32,15 @@ EventPacket packet_number(int i) {
   return {{1000 * i}, test::contour_events(kLogSensor, {40 + 0.3 * i, 60}, {25, 17}, 100 + i % 7)};
 }
 
-/// What a log is made of: a tracker that hears the packets from `heard_from` on and answers every
-/// third, or does worse.
+/// Contents of a log: a tracker that receives the packets from `heard_from` on and answers every
+/// third, with optional faults.
 struct FaultyLog {
   int packets = 150;
   int heard_from = 1;
   int lost_to_tracker = 0;   // This packet; 0: none.
   int missing_in_log = 0;    // This packet; 0: none.
   int estimate_missing = 0;  // The answer to this packet; 0: none.
-  int estimate_bent = 0;     // The answer to this packet, by the least there is; 0: none.
+  int estimate_bent = 0;     // The answer to this packet, by one bit; 0: none.
 };
 
 void record(const std::filesystem::path& path, const FaultyLog& recording) {
@@ -70,7 +70,7 @@ void record(const std::filesystem::path& path, const FaultyLog& recording) {
     if (i == recording.estimate_bent) {
       message.x_px = std::nextafter(message.x_px, 1e9);
     }
-    // A heartbeat says the same once more.
+    // A heartbeat repeats the estimate.
     for (int repeat = 0; repeat < 2; ++repeat) {
       message.seq = seq++;
       encode(message, bytes);
@@ -92,7 +92,7 @@ bool notes(const ReplayComparison& comparison, const std::string& part) {
                      [&](const std::string& note) { return note.find(part) != std::string::npos; });
 }
 
-TEST_CASE("a run that was recorded whole is made again to the bit") {
+TEST_CASE("a whole recorded run is reproduced to the bit") {
   const ReplayComparison result = replay({});
   CHECK(result.estimates == 50);
   CHECK(result.repeated == 50);
@@ -104,7 +104,7 @@ TEST_CASE("a run that was recorded whole is made again to the bit") {
   CHECK(result.notes.empty());
 }
 
-TEST_CASE("a tracker that joined late is made again from the packet with which it began") {
+TEST_CASE("a late tracker's run is reproduced from its first packet") {
   const ReplayComparison result = replay({.heard_from = 38});
   CHECK(result.estimates == 38);
   CHECK(result.equal == 38);
@@ -118,7 +118,7 @@ TEST_CASE("an estimate that differs in its last bit is not equal") {
   CHECK(*result.max_difference_px < 1e-9);
 }
 
-TEST_CASE("a packet that the tracker lost, or the log, is told, and the estimates stay close") {
+TEST_CASE("a packet lost by the tracker or the log is reported, and the estimates stay close") {
   const ReplayComparison lost = replay({.lost_to_tracker = 91});
   CHECK(lost.estimates == 50);
   CHECK(lost.equal < 50);
@@ -134,7 +134,7 @@ TEST_CASE("a packet that the tracker lost, or the log, is told, and the estimate
   CHECK(notes(missing, "1 estimates rest on other events than the log holds"));
 }
 
-TEST_CASE("an estimate that the log does not have is told") {
+TEST_CASE("an estimate missing from the log is reported") {
   CHECK(notes(replay({.estimate_missing = 60}), "1 estimates are missing in the log"));
 }
 

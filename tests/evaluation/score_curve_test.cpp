@@ -6,7 +6,7 @@
 
 namespace puck {
 
-TEST_CASE("precision and recall are shares of the believed and of the right") {
+TEST_CASE("precision and recall are shares of the accepted and of the correct estimates") {
   ScoreCurve curve;
   curve.add(0.9, 0.5);  // right
   curve.add(0.8, 4.0);  // right, at the limit
@@ -31,7 +31,7 @@ TEST_CASE("precision and recall are shares of the believed and of the right") {
   CHECK(none.recall == 0);
 }
 
-TEST_CASE("a score that tells right from wrong has a threshold between the two and area 1") {
+TEST_CASE("a perfect score has a threshold between correct and wrong, and area 1") {
   ScoreCurve curve;
   for (int i = 0; i < 10; ++i) curve.add(0.6 + 0.01 * i, 1);
   for (int i = 0; i < 10; ++i) curve.add(0.3 + 0.01 * i, 50);
@@ -40,13 +40,13 @@ TEST_CASE("a score that tells right from wrong has a threshold between the two a
   CHECK(curve.average_precision() == doctest::Approx(1));
 }
 
-TEST_CASE("a score that says nothing has the area of the share that is right") {
+TEST_CASE("an uninformative score has the area of the correct share") {
   ScoreCurve curve;
   for (int i = 0; i < 100; ++i) curve.add(0.01 * (i / 4), i % 4 == 0 ? 1 : 50);
   CHECK(curve.average_precision() == doctest::Approx(0.25).epsilon(0.01));
 }
 
-TEST_CASE("curves of several recordings add up, tick by tick") {
+TEST_CASE("curves of several recordings are added tick by tick") {
   ScoreCurve first;
   first.add(0.9, 1);
   ScoreCurve second;
@@ -58,7 +58,7 @@ TEST_CASE("curves of several recordings add up, tick by tick") {
   CHECK(first.at(0).right == 2);
 }
 
-TEST_CASE("scores out of range count at its ends") {
+TEST_CASE("scores out of range are counted at the ends of the range") {
   ScoreCurve curve;
   curve.add(7, 1);
   curve.add(-7, 1);

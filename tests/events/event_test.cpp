@@ -36,7 +36,7 @@ TEST_CASE("a sensor is 1 to 2048 pixels wide and high") {
   CHECK_FALSE(SensorSize{-1, 480}.is_valid());
 }
 
-TEST_CASE("a sensor contains its corners and nothing beyond") {
+TEST_CASE("a sensor contains its corners and no pixel beyond") {
   const SensorSize size{640, 480};
   CHECK(size.contains(0, 0));
   CHECK(size.contains(639, 479));

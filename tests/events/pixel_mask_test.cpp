@@ -17,7 +17,8 @@ Event event_at(int x, int y, std::uint32_t offset_us) {
   return event;
 }
 
-TEST_CASE("a mask takes the events of its pixels, counts them, and keeps the order of the rest") {
+TEST_CASE(
+    "a mask removes the events of its pixels, counts them, and keeps the order of the others") {
   const PixelMask mask({64, 48}, std::vector<PixelPlace>{{63, 47}, {5, 6}, {5, 6}});
   CHECK(mask.pixels() == std::vector<PixelPlace>{{5, 6}, {63, 47}});
   EventPacket packet{{100},
@@ -28,14 +29,14 @@ TEST_CASE("a mask takes the events of its pixels, counts them, and keeps the ord
   CHECK(mask.remove_from(packet) == 0);
 }
 
-TEST_CASE("an event outside the mask's sensor is left to those who know what to do with it") {
+TEST_CASE("an event outside the mask's sensor passes") {
   const PixelMask mask({64, 48}, std::vector<PixelPlace>{{0, 1}});
   EventPacket packet{{0}, {event_at(64, 0, 0), event_at(2000, 2000, 1)}};
   CHECK(mask.remove_from(packet) == 0);
   CHECK(packet.events.size() == 2);
 }
 
-TEST_CASE("no mask fits every sensor, another only its own") {
+TEST_CASE("an empty mask fits every sensor, any other its own sensor only") {
   CHECK_NOTHROW(PixelMask().check_sensor({640, 480}, "mask"));
   const PixelMask mask({64, 48}, {});
   CHECK_NOTHROW(mask.check_sensor({64, 48}, "mask"));

@@ -1,5 +1,5 @@
-// Settings of every service: the first byte chooses it, then comes the file, and behind a zero, if
-// there is one, what --set says.
+// Settings of every service: the first byte chooses the service, then follow the file and, after a
+// zero if there is one, the text of --set.
 #include <array>
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
-// Tables and calibrations as people and other programs write them: the first byte chooses the kind.
-// What was read and is written again must be read as the same.
+// Tables and calibrations in files: the first byte chooses the kind. A file that was read and
+// written again must read the same.
 #include <array>
 #include <fstream>
 #include <iterator>
@@ -27,7 +27,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-/// Reads a file of its kind, and writes what it read to another.
+/// Reads a file of its kind, and writes its content to another.
 using Copy = void (*)(const Path& from, const Path& to);
 
 void write_text(const Path& path, const std::string& text) { std::ofstream(path) << text; }
@@ -74,7 +74,7 @@ constexpr std::array<Copy, 10> kKinds{
     [](const Path& from, const Path& to) { write_text(to, csv_of(read_joint_pairs(from))); },
     [](const Path& from, const Path& to) {
       read_authors_joint_table(from, RobotPart::kArm);
-      // Only their program writes such tables.
+      // Only our own program writes such tables.
       write_text(to, text_of(from));
     }};
 

@@ -1,4 +1,4 @@
-// Any datagram: what it is taken for says all that is in it.
+// Any datagram: all parts of the result lie within it.
 #include <algorithm>
 #include <variant>
 

@@ -1,4 +1,4 @@
-// Any file as a recording: the first byte chooses what the options say, the rest is the file.
+// Any file as a recording: the first byte chooses the options, the rest is the file.
 #include <array>
 #include <limits>
 #include <stdexcept>

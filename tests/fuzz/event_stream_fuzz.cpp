@@ -1,4 +1,4 @@
-// Bytes of a camera from stdin or TCP: where they are cut must make no difference.
+// A camera's bytes from stdin or TCP: their division must make no difference.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include "common/io/raw_event_stream.h"
@@ -8,13 +8,13 @@ namespace puck {
 namespace {
 
 struct Outcome {
-  EventPacket events;  // all, times in full
+  EventPacket events;  // all, with full times
   std::vector<std::int64_t> times_us;
   EventCounters counters;
   std::string refusal;
 };
 
-/// `next_size()`: how large the next piece, and then how large the next packet may be.
+/// `next_size()`: the size of the next piece, and then that of the next packet, at most.
 template <typename NextSize>
 Outcome decode_all(std::span<const std::byte> bytes, const EventFileOptions& options,
                    NextSize next_size) {

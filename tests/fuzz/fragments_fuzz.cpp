@@ -10,7 +10,7 @@
 namespace puck {
 namespace {
 
-/// What every message holds at this place, so that a byte elsewhere or never written shows.
+/// The content of every message at this offset, so that a wrong or unwritten byte is noticed.
 std::uint8_t content_at(std::size_t offset) { return static_cast<std::uint8_t>(offset * 31 + 7); }
 
 void check(const FragmentAssembly::Whole& whole) {
@@ -20,14 +20,14 @@ void check(const FragmentAssembly::Whole& whole) {
   }
 }
 
-/// Like parse_datagram(), which lets only fragments through that lie inside their message.
+/// Like parse_datagram(), which passes only fragments inside their message.
 bool is_possible(const MessageFragment& fragment) {
   return fragment.index < fragment.fragments &&
          std::uint64_t{fragment.offset} + fragment.payload.size() <= fragment.message_size;
 }
 
 void add(FuzzedDataProvider& input, FragmentAssembly& assembly) {
-  // Few parts and small messages, so that some become whole; anything, now and then.
+  // Few parts and small messages, so that some become complete; arbitrary ones now and then.
   const bool is_wild = input.ConsumeIntegral<std::uint8_t>() == 0;
   const std::uint32_t most_bytes = is_wild ? ~0U : 64;
   const std::uint16_t most_parts = is_wild ? 0xffff : 4;

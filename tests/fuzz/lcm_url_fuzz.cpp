@@ -1,4 +1,4 @@
-// Where the bus is, and the names on it: what users, files and other machines may write.
+// The bus's address and names, as users, files and other machines may write them.
 #include <string>
 
 #include "common/messaging/bus_error.h"

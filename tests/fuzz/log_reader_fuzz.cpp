@@ -1,4 +1,4 @@
-// Any file at all as a log, and as a recording of its events.
+// Any file as a log, and as a recording of its events.
 #include <cstdint>
 #include <limits>
 #include <tuple>
@@ -19,7 +19,7 @@ void read_records(const std::filesystem::path& path, std::size_t size) {
   while (reader.next(record)) {
     bytes += LogWriter::record_bytes(record.channel, record.bytes.size());
   }
-  // Nothing is silently left out.
+  // Every left out byte is counted.
   require(bytes + reader.bytes_skipped() == static_cast<std::int64_t>(size),
           "every byte is read or counted as skipped");
   require(reader.damage().has_value() == (reader.bytes_skipped() > 0),

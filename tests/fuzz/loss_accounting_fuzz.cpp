@@ -7,13 +7,13 @@
 #include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::int64_t kMost = std::int64_t{1} << 53;  // What check_message() lets pass.
+  constexpr std::int64_t kMost = std::int64_t{1} << 53;  // check_message()'s limit.
   FuzzedDataProvider input(data, size);
   puck::LossAccount account;
   std::int64_t seq = 0;
   std::int64_t messages = 0;
   while (input.remaining_bytes() > 0) {
-    // Mostly close to the last, so that windows and duplicates are met.
+    // Mostly close to the last, so that windows and duplicates occur.
     seq = input.ConsumeBool()
               ? input.ConsumeIntegralInRange<std::int64_t>(0, kMost)
               : std::clamp<std::int64_t>(seq + input.ConsumeIntegral<std::int8_t>(), 0, kMost);

@@ -13,7 +13,7 @@
 
 namespace puck {
 
-/// A file that exists only in memory, for readers that want a path. Written anew for every input.
+/// A file in memory, for readers that need a path. Rewritten for every input.
 class MemoryFile {
  public:
   MemoryFile() : memory_(memfd_create("fuzz", MFD_CLOEXEC)) {

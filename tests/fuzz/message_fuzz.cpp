@@ -1,4 +1,4 @@
-// What may come on our channels: the first byte chooses the channel, the rest is the message.
+// Messages on our channels: the first byte chooses the channel, the rest is the message.
 #include <algorithm>
 #include <cstring>
 

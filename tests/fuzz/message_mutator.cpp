@@ -20,7 +20,7 @@ auto& any_of(Container& container, std::mt19937_64& random) {
 }
 
 std::int64_t any_whole(const WireField& field, std::mt19937_64& random) {
-  // Wrapping is meant: one beyond an end of int64 is the other end.
+  // Wraps on purpose: one beyond an end of int64 is the other end.
   const auto plus = [](std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
   };

@@ -9,7 +9,7 @@ namespace puck {
 namespace {
 
 std::size_t size_of(WireKind kind) {
-  // Of a string its length, before it.
+  // A string's length precedes it.
   return kind == WireKind::kString ? 4 : wire_bytes(kind);
 }
 

@@ -1,5 +1,4 @@
-// Valid messages of any content and order, to those who move an arm by them: the bridge, and the
-// arm that it commands.
+// Valid messages of any content and order for the bridge, and for the arm that it commands.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -51,7 +50,7 @@ class Play {
   std::int64_t session() { return input_.ConsumeIntegralInRange<std::int64_t>(3001, 3003); }
   bool rarely() { return input_.ConsumeIntegral<std::uint8_t>() < 16; }
 
-  /// The sender's: mostly ours, now and then another, or not known.
+  /// The sender's clock: mostly ours, now and then another, or unknown.
   SenderClock clock() {
     if (!rarely()) return kOwnClock;
     constexpr std::int64_t kFar = std::int64_t{1} << 53;
@@ -60,7 +59,7 @@ class Play {
                        input_.ConsumeIntegralInRange<std::int64_t>(0, kFar)};
   }
 
-  /// Mostly what it is; now and then anything.
+  /// Mostly unchanged; now and then any value.
   void spoil(double& value) {
     constexpr std::array kEnds{0.0,
                                -1.0,

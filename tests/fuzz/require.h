@@ -7,14 +7,14 @@
 
 namespace puck {
 
-/// What must hold whatever the input; a fuzzer takes the abort for a finding.
+/// A condition for every input; a fuzzer reports the abort as a finding.
 inline void require(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", what);
   std::abort();
 }
 
-/// What a person is told about bad input must be one line that harms no terminal.
+/// An error message about bad input must be one line without terminal controls.
 inline void require_one_line(std::string_view message) {
   require(!message.empty(), "a refusal says why");
   require(std::none_of(message.begin(), message.end(),

@@ -30,7 +30,7 @@ class Seeds {
  public:
   explicit Seeds(fs::path folder) : folder_(std::move(folder)) {}
 
-  /// A file that is to be filled.
+  /// A new file for the fuzzer.
   fs::path next(const std::string& fuzzer) {
     fs::create_directories(folder_ / fuzzer);
     return folder_ / fuzzer / ("seed_" + std::to_string(count_++));
@@ -38,7 +38,7 @@ class Seeds {
   void add(const std::string& fuzzer, const std::string& bytes) {
     std::ofstream(next(fuzzer), std::ios::binary) << bytes;
   }
-  /// Behind a byte that tells the fuzzer what it is.
+  /// Content after a byte that selects its kind.
   void add(const std::string& fuzzer, std::size_t choice, const std::string& bytes) {
     add(fuzzer, std::string(1, static_cast<char>(choice)) + bytes);
   }
@@ -61,7 +61,7 @@ void add_messages(Seeds& seeds) {
   seeds.add("fuzz_play", std::string(400, '\x44'));
 }
 
-// Of a camera that was started again, whose packets come out of order.
+// A log of a restarted camera, with packets out of order.
 void add_event_log(Seeds& seeds) {
   LogWriter writer(seeds.next("fuzz_log_reader"), true);
   std::vector<std::uint8_t> bytes;
@@ -159,7 +159,7 @@ void add_recordings(Seeds& seeds) {
     seeds.add("fuzz_event_stream", bytes + std::string(4, '\0'));
   }
   fs::remove(scratch);
-  // Time high, two events, of which the second is behind a word of another type.
+  // Time high, two events, the second after a word of another type.
   const std::string evt2("\x01\x00\x00\x80\x05\x28\x40\x10\x00\x00\x00\xa0\x06\x28\x80\x00", 16);
   const std::string header = "% evt 2.0\n% format EVT2;height=480;width=640\n% end\n";
   seeds.add("fuzz_event_files", 0, header + evt2);

@@ -1,5 +1,5 @@
-// What a control board and a name server send: lines of text, messages, and what is in them. Where
-// the bytes are cut must make no difference.
+// Data of a control board and a name server: lines of text, messages and their content. The
+// division of the bytes must make no difference.
 #include <cmath>
 #include <functional>
 #include <string>

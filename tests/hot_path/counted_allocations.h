@@ -4,7 +4,7 @@
 
 namespace puck::test {
 
-/// How often the calling thread has asked `new` for memory since its start.
+/// Calls of `new` by the calling thread since its start.
 std::int64_t own_allocations();
 
 }  // namespace puck::test

@@ -1,5 +1,5 @@
-// What happens for every event and every estimate asks nobody for memory. (A search may: it has a
-// thread of its own, and nobody waits for it.)
+// The work for an event or an estimate allocates no memory. (A search may: it has a thread of its
+// own, and no thread waits for it.)
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -61,7 +61,7 @@ EventPacket packet_of(int number) {
   return packet;
 }
 
-// What the tracking thread has said so far.
+// Results of the tracking thread so far.
 struct Said {
   std::thread::id event_thread = std::this_thread::get_id();
   std::atomic<std::int64_t> newest_us{-1};
@@ -75,7 +75,7 @@ struct Said {
     const bool is_event_thread = std::this_thread::get_id() == event_thread;
     if (!is_event_thread) allocations = test::own_allocations();
     const std::int64_t newest = tracked_estimate.estimate.newest_event.us;
-    // A heartbeat says nothing new.
+    // A heartbeat has no new events.
     if (newest > newest_us) ++(is_event_thread ? by_event_thread : by_tracking_thread);
     newest_us = newest;
     ++estimates;
@@ -83,8 +83,8 @@ struct Said {
   }
 };
 
-// Hands the packets over, each when the one before is answered, or after 100 ms: one without an
-// event in the region is not. Every other one as if more waited: steps are made by either thread.
+// Hands the packets over, each after the answer to the one before, or after 100 ms if it has no
+// event in the region. Every other one as if more waited, so that either thread makes steps.
 void play(LiveTracker& tracker, const Said& said, const std::vector<EventPacket>& packets,
           std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
@@ -97,14 +97,14 @@ void play(LiveTracker& tracker, const Said& said, const std::vector<EventPacket>
 
 }  // namespace
 
-TEST_CASE("what asks for memory is counted") {
+TEST_CASE("memory allocations are counted") {
   const std::int64_t before = test::own_allocations();
   const auto memory = std::make_unique<int>(1);
   const std::vector<int> more(10);
   CHECK(test::own_allocations() - before == 2);
 }
 
-TEST_CASE("a second of tracking asks for no memory, neither thread") {
+TEST_CASE("a second of tracking allocates nothing, in either thread") {
   std::vector<EventPacket> packets;
   for (int i = 0; i < kWarmUpPackets + kPackets; ++i) {
     EventPacket packet = packet_of(i + 1);
@@ -133,7 +133,7 @@ TEST_CASE("a second of tracking asks for no memory, neither thread") {
     play(tracker, said, packets, kWarmUpPackets, packets.size());
     CHECK(test::own_allocations() == events_before);
     CHECK(said.allocations == tracking_before);
-    // That much was done meanwhile, by both.
+    // Both threads have made steps meanwhile.
     CHECK(said.by_event_thread > by_event_thread_before);
     CHECK(said.by_tracking_thread > by_tracking_thread_before);
     CHECK(said.estimates - estimates_before > kPackets / 50);
@@ -141,7 +141,7 @@ TEST_CASE("a second of tracking asks for no memory, neither thread") {
   }
 }
 
-TEST_CASE("what a search found, however much and late, is taken up without asking for memory") {
+TEST_CASE("search results of any number and age are taken without an allocation") {
   const PipelineParams params = preset_params(Preset::kDefault);
   ContourPipeline pipeline(kSensor, params.contour, {}, kSizeModel);
   const EventPacket packet = packet_of(1);

@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-// Paced so that a receiver that keeps up gets them all, but for the flood.
+// Slow enough for a receiver to get them all, except for the flood.
 constexpr int kPaced = 4000;
 constexpr int kFast = 20'000;
 constexpr int kFlood = 100'000;

@@ -7,20 +7,20 @@
 
 namespace puck {
 
-/// One way to be wrong on the wire.
+/// One kind of invalid data on the bus.
 struct Attack {
   std::string_view name;
   std::string_view sends;
-  /// Sends some of it; called again and again. `round` counts from 0.
+  /// Sends some of it; called repeatedly. `round` counts from 0.
   void (*attack)(RawSender& sender, int round) = nullptr;
-  /// What every receiver counts of it, by the name in STATUS; empty: nothing that all of them see.
+  /// The counter in STATUS of every receiver; empty: no counter that all of them have.
   std::string_view counted_as;
   int datagrams_per_s = 0;
 };
 
 std::span<const Attack> all_attacks();
 
-/// Nothing when there is none of that name.
+/// Nothing for an unknown name.
 const Attack* find_attack(std::string_view name);
 
 // Datagrams that no LCM would send.

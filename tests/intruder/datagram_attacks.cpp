@@ -16,8 +16,8 @@ void send_fragment(RawSender& sender, const FragmentHeader& header, std::size_t 
   sender.send(datagram);
 }
 
-/// The first datagram makes LCM's receiver reserve so many bytes; the second, whose offset and
-/// length together wrap in 32 bits, makes it write before them.
+/// The first datagram makes LCM's receiver reserve so many bytes; the second one has an offset and
+/// length that wrap together in 32 bits, so that it is written before them.
 void send_wrapping_pair(RawSender& sender, std::uint32_t number) {
   const std::uint32_t size = 100'000;
   send_fragment(sender, {number, size, 0, 0, 3}, 1000);
@@ -32,15 +32,15 @@ void send_fragments(RawSender& sender, int) {
   // Two parts on the same bytes, which leave a hole.
   send_fragment(sender, {number + 1, 2000, 0, 0, 2}, 1000);
   send_fragment(sender, {number + 1, 2000, 500, 1, 2}, 1000);
-  // Each says another size of the same message.
+  // Each gives another size of the same message.
   send_fragment(sender, {number + 2, 3000, 0, 0, 3}, 1000);
   send_fragment(sender, {number + 2, 1000, 0, 1, 2}, 1000);
-  // Never to become whole: of 4 GB, of 65535 parts, of no part, beyond the last.
+  // Never complete: 4 GB, 65535 parts, no part, beyond the last.
   send_fragment(sender, {number + 3, 0xffff'ffff, 0, 0, 0xffff}, 1000);
   send_fragment(sender, {number + 4, 0xffff'ffff, 0x8000'0000, 7, 0xffff}, 1000);
   send_fragment(sender, {number + 5, 1000, 0, 0, 0}, 1000);
   send_fragment(sender, {number + 6, 1000, 0, 9, 2}, 1000);
-  // One that only its last part makes whole, which comes twice.
+  // Complete with its last part only, which comes twice.
   send_fragment(sender, {number + 7, 1500, 0, 0, 2}, 1000);
   for (int i = 0; i < 2; ++i) send_fragment(sender, {number + 7, 1500, 1000, 1, 2}, 500);
 }
@@ -83,7 +83,7 @@ void send_random_datagrams(RawSender& sender, int) {
   constexpr std::size_t kLargest = 65'507;
   const bool is_large = sender.random_below(50) == 0;
   Bytes datagram = sender.random_bytes(sender.random_below(is_large ? kLargest : 1472));
-  // Half of them claim to be of LCM.
+  // Half of them have LCM's magic.
   if (datagram.size() >= 4 && sender.random_below(2) == 0) {
     const Bytes header = sender.random_below(2) == 0 ? whole_header(0) : fragment_header({});
     std::copy_n(header.begin(), 4, datagram.begin());

@@ -1,4 +1,4 @@
-// puck-intruder: sends what nobody should, to see what stands it. Only where no robot listens.
+// puck-intruder: sends invalid data to test the receivers. Only for networks without a robot.
 #include <cinttypes>
 #include <cstdio>
 #include <string>

@@ -27,7 +27,7 @@ void send_with_value(RawSender& sender, Channel channel, std::size_t at, std::ui
   sender.send_message(channel, bytes);
 }
 
-/// With its own session, so that nobody takes it for one of those who play.
+/// With a session of its own, unlike those of the game's services.
 template <typename Message>
 void send_numbered(RawSender& sender, Channel channel, Message message, std::int64_t seq) {
   Bytes bytes = random_message(channel, sender.random()).bytes;
@@ -62,7 +62,7 @@ void send_random_payloads(RawSender& sender, int) {
     Bytes bytes = good;
     bytes.push_back(0);
     sender.send_message(channel, bytes);
-    // Behind the right fingerprint, too few for the smallest type.
+    // After the right fingerprint, too few bytes for the smallest type.
     bytes.resize(kFingerprintBytes);
     append(bytes, sender.random_bytes(sender.random_below(20)));
     sender.send_message(channel, bytes);
@@ -95,7 +95,7 @@ void send_impossible_values(RawSender& sender, int) {
   const std::array reals{std::numeric_limits<double>::quiet_NaN(),
                          std::numeric_limits<double>::infinity(),
                          -std::numeric_limits<double>::infinity()};
-  // Types whose fields have their places whatever they hold: every real number in turn.
+  // Types with fields at fixed offsets: every real number in turn.
   for (const Channel channel : {Channel::kEstimate, Channel::kArmCommand, Channel::kTruth}) {
     std::size_t at = kFingerprintBytes;
     for (const WireField& field : wire_layout(channel).fields) {
@@ -113,7 +113,7 @@ void send_impossible_values(RawSender& sender, int) {
 }
 
 void send_many_channels(RawSender& sender, int round) {
-  // Others with another seed.
+  // With another seed other names.
   constexpr int kNames = 20'000;
   const std::string name = (sender.prefix().empty() ? "" : sender.prefix() + "_") + "PUCK_" +
                            std::to_string(sender.seed()) + "_" + std::to_string(round % kNames);

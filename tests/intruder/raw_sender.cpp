@@ -46,7 +46,7 @@ RawSender::~RawSender() { close(socket_); }
 
 void RawSender::send(std::span<const std::uint8_t> datagram) {
   std::this_thread::sleep_until(due_);
-  // What a pause of this process has missed is not made up for.
+  // Datagrams missed in a pause of this process are not sent later.
   due_ = std::max(due_ + interval_, Clock::now() - std::chrono::milliseconds(10));
   if (::send(socket_, datagram.data(), datagram.size(), 0) < 0) return;
   ++datagrams_;

@@ -15,8 +15,7 @@ namespace puck {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Sends datagrams of its own making to the group of a bus, never faster than its limit. One
-/// thread.
+/// Sends arbitrary datagrams to the group of a bus, at a limited rate. One thread.
 class RawSender {
  public:
   /// Throws std::runtime_error without a socket, std::invalid_argument for a bus in memory.
@@ -55,7 +54,7 @@ class RawSender {
   std::int64_t bytes_ = 0;
 };
 
-/// What a message of LCM in one datagram begins with, and one in several.
+/// Beginning of an LCM message in one datagram, and in several.
 Bytes whole_header(std::uint32_t number);
 struct FragmentHeader {
   std::uint32_t number = 0;

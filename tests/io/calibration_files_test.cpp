@@ -15,7 +15,7 @@ const std::string kSizeModel =
     "[size_model]\nwidth_0 = 1\nwidth_x = 2\nwidth_y = 3\nheight_0 = 4\nheight_x = 5\nheight_y = "
     "6\n";
 
-TEST_CASE("a size model reads back as it was written, below its provenance") {
+TEST_CASE("a size model is unchanged by its file, which begins with its provenance") {
   const TemporaryFolder folder;
   PuckSizeModel model{20.1, 1.0 / 3, -0.01, 12, 1e-7, 0.025};
   model.smallest = {11.5, 4};
@@ -38,7 +38,7 @@ TEST_CASE("a size model reads back as it was written, below its provenance") {
   CHECK(read_text(folder / "size.toml").starts_with("# fitted to 12 annotations\n# by hand\n"));
 }
 
-TEST_CASE("the disc that a size model approximates reads back as it was written") {
+TEST_CASE("the disc behind a size model is unchanged by its file") {
   const TemporaryFolder folder;
   PuckSizeModel model{20, 0, 0.1, 12, 0, 0.1};
   model.disc = DiscModel{.width_0 = 16.1,
@@ -57,7 +57,7 @@ TEST_CASE("the disc that a size model approximates reads back as it was written"
   }
 }
 
-TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused") {
+TEST_CASE("a size model with a missing or wrong coefficient is refused") {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& text) {
     const auto path = folder.write("size.toml", text);
@@ -91,7 +91,7 @@ TEST_CASE("a size model that lacks a coefficient or has a wrong one is refused")
                  "cannot be written"));
 }
 
-TEST_CASE("a contour calibration reads back as it was written, beside a size model") {
+TEST_CASE("a contour calibration is unchanged by its file, beside a size model") {
   const TemporaryFolder folder;
   const auto path = folder.write(
       "size.toml", kSizeModel + contour_calibration_text({390.5, 0.16, -0.25, 0.08, -28}, "lag"));
@@ -105,7 +105,7 @@ TEST_CASE("a contour calibration reads back as it was written, beside a size mod
   CHECK(read_size_model_file(path).height_y == 6);
 }
 
-TEST_CASE("a table is taken out of a calibration with its comment, and nothing else") {
+TEST_CASE("a table is removed from a calibration with its comment, and nothing else") {
   const std::string head = "# made by hand\n[a]\nx = 1  # [b]\n";
   const std::string table =
       "# of the contour\n# two lines\n[contour]\nlag_us = 1\n# within\nx = 2\n";
@@ -132,7 +132,7 @@ TEST_CASE("a file without a contour table has no contour calibration, a wrong va
                  "leans.toml:2: contour.lean_deg must be a number from -40 to 40"));
 }
 
-TEST_CASE("a table reads back as it was written") {
+TEST_CASE("a table is unchanged by its file") {
   const TemporaryFolder folder;
   TableCalibration calibration{Homography({0.003, 0, -0.9, 0, 0.004, 0.1, 0, 0.0005, 1}), {}};
   calibration.geometry.length_m = 1.9;
@@ -144,7 +144,7 @@ TEST_CASE("a table reads back as it was written") {
   CHECK(again.geometry.puck_radius_m == 0.0325);
 }
 
-TEST_CASE("a table's camera reads back as it was written; half a camera is refused") {
+TEST_CASE("a table's camera is unchanged by its file; half a camera is refused") {
   const TemporaryFolder folder;
   const TableCalibration calibration{Homography({0.003, 0, -0.9, 0, 0.004, 0.1, 0, 0.0005, 1}),
                                      {},
@@ -168,7 +168,7 @@ TEST_CASE("a table's camera reads back as it was written; half a camera is refus
   CHECK(contains(refusal(whole + "pivot = [0, 0, 0]\n"), "half.toml:7"));
 }
 
-TEST_CASE("how the puck moves on a table reads back as it was written; a part of it is refused") {
+TEST_CASE("a table's motion constants are unchanged by their file; an incomplete set is refused") {
   const TemporaryFolder folder;
   const TableCalibration calibration{Homography({0.003, 0, -0.9, 0, 0.004, 0.1, 0, 0.0005, 1}),
                                      {},

@@ -29,7 +29,7 @@ std::string refusal(Action action) {
   return message_of<ConfigError>(action);
 }
 
-TEST_CASE("settings replace defaults, and what is not set keeps its default") {
+TEST_CASE("settings replace defaults, and unset keys keep their defaults") {
   Config settings = config();
   int half_width_px = 3;
   double decay = 0.5;
@@ -103,7 +103,7 @@ TEST_CASE("a value out of its range is refused") {
   CHECK_NOTHROW(settings.read("a", number, 9, 9));
 }
 
-TEST_CASE("a choice is one of the words") {
+TEST_CASE("a choice must be one of its words") {
   const std::array<std::string_view, 3> choices{"paper", "reference", "default"};
   std::string preset = "default";
   config().read_choice("tracker.preset", preset, choices);
@@ -113,7 +113,7 @@ TEST_CASE("a choice is one of the words") {
         "f:1: preset must be \"paper\", \"reference\" or \"default\", got \"papers\"");
 }
 
-TEST_CASE("an unknown key is refused with the nearest that exists") {
+TEST_CASE("an unknown key is refused with the nearest known one") {
   Config settings = Config::from_text("[tracker]\nhalf_widht_px = 5\n", "config/tracker.toml");
   int half_width_px = 3;
   double decay = 0;
@@ -124,7 +124,7 @@ TEST_CASE("an unknown key is refused with the nearest that exists") {
         "tracker.half_width_px");
 }
 
-TEST_CASE("an unknown table is refused, also without keys; a known one may be empty") {
+TEST_CASE("an unknown table is refused, even without keys; a known one may be empty") {
   Config settings = Config::from_text("[tracker]\n[trakcer]\n", "f");
   int half_width_px = 3;
   settings.read("tracker.half_width_px", half_width_px, 1, 8);
@@ -133,7 +133,7 @@ TEST_CASE("an unknown table is refused, also without keys; a known one may be em
                  "unknown key a"));
 }
 
-TEST_CASE("a program that needs one table refuses unknown keys in that table only") {
+TEST_CASE("a program that reads one table refuses unknown keys in that table only") {
   Config settings = Config::from_text("[lcm]\nurl = 'x'\n[tracker]\nhalf_width_px = 5\n", "f");
   std::string url;
   settings.read("lcm.url", url);
@@ -165,7 +165,7 @@ TEST_CASE("assignments override the file, and the last one wins") {
   CHECK(list == std::vector<double>{1, 2});
 }
 
-TEST_CASE("a bad assignment is refused as it was given") {
+TEST_CASE("a bad assignment is refused and quoted") {
   Config settings = config();
   int number = 3;
   for (const char* assignment : {"", "a", "=5", "a=", ".a=5", "a.=5", "a..b=5", "a b=5"}) {
@@ -187,7 +187,7 @@ TEST_CASE("a bad assignment is refused as it was given") {
                  "--set tracker.haste=1: unknown key tracker.haste"));
 }
 
-TEST_CASE("the effective settings are TOML, whatever a text holds") {
+TEST_CASE("the effective settings are valid TOML for any text") {
   Config settings;
   std::string text = "a \"quoted\" \\ text\n\x01 of µs";
   const std::string same = text;
@@ -198,14 +198,14 @@ TEST_CASE("the effective settings are TOML, whatever a text holds") {
   CHECK(text == same);
 }
 
-TEST_CASE("a value with a line end cannot smuggle in another key") {
+TEST_CASE("a line end in a value cannot add a key") {
   Config settings;
   settings.override_with("a=5\nb=6");
   CHECK(settings.has("a"));
   CHECK_FALSE(settings.has("b"));
 }
 
-TEST_CASE("a file that is missing, a folder or not TOML is refused") {
+TEST_CASE("a missing file, a folder and a file that is not TOML are refused") {
   const TemporaryFolder folder;
   CHECK(contains(refusal([&] { Config::from_file(folder / "none.toml"); }),
                  "none.toml: cannot be opened: No such file"));
@@ -216,7 +216,7 @@ TEST_CASE("a file that is missing, a folder or not TOML is refused") {
                  "f:2: is not valid TOML"));
 }
 
-TEST_CASE("a line so long that its keys could nest without end is refused") {
+TEST_CASE("a line long enough for endless nesting of keys is refused") {
   std::string key = "a";
   for (int i = 0; i < 100000; ++i) key += ".a";
   CHECK(contains(refusal([&] { Config::from_text("b = 1\n" + key + " = 1\n", "f"); }),

@@ -30,13 +30,13 @@ TEST_CASE("truth is read by column names, in any order, with w and h for width a
   CHECK(rows[1].time.us == 20);
 }
 
-TEST_CASE("truth without a column for it is all visible") {
+TEST_CASE("truth without a column for visibility is fully visible") {
   const TemporaryFolder folder;
   CHECK(read_truth_file(folder.write("a.csv", "t_us,x,y,width,height\n1,2,3,4,5\n"))[0].visible ==
         1);
 }
 
-TEST_CASE("truth as boxes is their middles, in seconds with a decimal point, else in µs") {
+TEST_CASE("boxes as truth give their centres, in seconds with a decimal point, else in µs") {
   TemporaryFolder folder;
   const auto seconds = read_truth_file(folder.write("a.txt",
                                                     "# by hand\n"
@@ -61,7 +61,7 @@ TEST_CASE("truth as boxes is their middles, in seconds with a decimal point, els
                  "d.txt:2: t must be larger than in the box before"));
 }
 
-TEST_CASE("bad truth is refused by file and line") {
+TEST_CASE("bad truth is refused with file and line") {
   const std::string header = "t_us,x,y,width,height\n";
   CHECK(contains(message_of<CsvError>([] { read_truth_file("/nowhere/a.csv"); }),
                  "/nowhere/a.csv: cannot be opened: No such file"));
@@ -84,7 +84,7 @@ TEST_CASE("bad truth is refused by file and line") {
                  "a.csv:1: the header lacks the column t_us"));
 }
 
-TEST_CASE("truth, annotations and correspondences read back as they were written") {
+TEST_CASE("truth, annotations and correspondences are unchanged by their files") {
   const TemporaryFolder folder;
   const std::vector<TruthRow> truth{{{1699999999123456}, {0.1, 1.0 / 3}, {20, 10.7}, 0.3},
                                     {{1699999999123457}, {-5, 1e-9}, {0, 0}, 0}};
@@ -115,7 +115,7 @@ TEST_CASE("truth, annotations and correspondences read back as they were written
   CHECK(places_again[0].table == places[0].table);
 }
 
-TEST_CASE("bad annotations and correspondences are refused by file and line") {
+TEST_CASE("bad annotations and correspondences are refused with file and line") {
   const TemporaryFolder folder;
   CHECK(contains(message_of<CsvError>([&] {
                    read_annotation_file(

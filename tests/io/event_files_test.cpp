@@ -21,7 +21,7 @@ std::string refusal_of_file(const std::filesystem::path& path,
   return message_of<EventFileError>([&] { open_event_file(path, options); });
 }
 
-TEST_CASE("a file that is missing, empty, a folder or foreign is refused in one line") {
+TEST_CASE("a missing, empty or foreign file and a folder are refused in one line") {
   const TemporaryFolder folder;
   CHECK(contains(refusal_of_file(folder / "none.raw"), "none.raw: cannot be opened: No such file"));
   CHECK(contains(refusal_of_file(folder / ""), "is a folder"));
@@ -41,7 +41,7 @@ TEST_CASE("a file that is missing, empty, a folder or foreign is refused in one 
   }
 }
 
-TEST_CASE("a RAW file that was cut gives all whole events and says so") {
+TEST_CASE("a truncated RAW file gives all whole events and a warning") {
   const TemporaryFolder folder;
   const std::string words =
       text_of(bytes_of<std::uint16_t>({0x8000, 0x6001, 0x0002, 0x2803, 0x2804}));
@@ -53,7 +53,7 @@ TEST_CASE("a RAW file that was cut gives all whole events and says so") {
   CHECK(contains(reader->warnings()[0], "cut.raw: cut off in the middle"));
 }
 
-TEST_CASE("a RAW file that ends within its header, or right behind it, is told") {
+TEST_CASE("a RAW file that ends within or right after its header is reported") {
   const TemporaryFolder folder;
   CHECK(contains(refusal_of_file(folder.write("half.raw", "% evt 3.0\n% geome")),
                  "how large the sensor"));
@@ -72,7 +72,7 @@ TEST_CASE("events outside the sensor are left out and counted") {
   CHECK(contains(reader->warnings().at(0), "1 events lie outside the sensor"));
 }
 
-TEST_CASE("a file reads again after rewind, with the same counts") {
+TEST_CASE("a file can be read again after rewind, with the same counts") {
   const TemporaryFolder folder;
   const std::string words =
       text_of(bytes_of<std::uint16_t>({0x8000, 0x0002, 0x2a80, 0x2804, 0x2805}));
@@ -112,7 +112,7 @@ std::vector<PlainEvent> hard_events(SensorSize sensor, std::int64_t start_us) {
   return events;
 }
 
-TEST_CASE("what is written reads back to the bit") {
+TEST_CASE("written events are read back to the bit") {
   const TemporaryFolder folder;
   for (const char* name : {"round.raw", "round.txt"}) {
     for (const SensorSize sensor :
@@ -123,7 +123,7 @@ TEST_CASE("what is written reads back to the bit") {
         CAPTURE(start_us);
         const std::vector<PlainEvent> events = hard_events(sensor, start_us);
         const auto writer = make_event_writer(folder / name, "", sensor);
-        // In packets that cut through what belongs together.
+        // In packets that divide rows and vectors.
         for (std::size_t i = 0; i < events.size(); i += 13) {
           const auto first = events.begin() + static_cast<std::ptrdiff_t>(i);
           const auto last =
@@ -153,7 +153,7 @@ TEST_CASE("dense rows are written as vectors") {
   CHECK(words <= 5 + 4 * 20);
 }
 
-TEST_CASE("a writer refuses what it cannot write") {
+TEST_CASE("a writer refuses invalid events") {
   const TemporaryFolder folder;
   CHECK(contains(message_of<EventFileError>([&] {
                    make_event_writer(folder / "none/a.raw", "", {1, 1});
@@ -182,7 +182,7 @@ TEST_CASE("a writer refuses what it cannot write") {
                   std::invalid_argument);
 }
 
-TEST_CASE("a full disk is told when the writer is closed") {
+TEST_CASE("a full disk is reported when the writer is closed") {
   if (!std::filesystem::exists("/dev/full")) return;
   const auto writer = make_event_writer("/dev/full", "text", {10, 10});
   writer->write(packet_of({{100, 9, 9, 1}}));

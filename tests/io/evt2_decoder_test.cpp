@@ -29,7 +29,7 @@ TEST_CASE("EVT2 words become events with time, place and polarity") {
   CHECK(decoder.counters().dropped() == 0);
 }
 
-TEST_CASE("EVT2 events do not depend on where the stream is cut") {
+TEST_CASE("EVT2 events do not depend on the division of the stream") {
   std::vector<std::uint32_t> words;
   for (std::uint32_t i = 0; i < 200; ++i) {
     words.push_back(time_high(i));
@@ -70,7 +70,7 @@ TEST_CASE("EVT2 words of unknown types are counted, triggers and monitoring word
   CHECK(decoder.counters().malformed_words == 2);
 }
 
-TEST_CASE("EVT2 time goes on across its wrap after 2^34 µs") {
+TEST_CASE("EVT2 time continues across its wrap after 2^34 µs") {
   Evt2Decoder decoder(kSensor);
   const auto events = decode(decoder, {time_high(0x0fffffff), event(1, 63, 1, 1), time_high(0),
                                        event(1, 0, 1, 1), time_high(1), event(1, 0, 1, 1)});
@@ -80,7 +80,7 @@ TEST_CASE("EVT2 time goes on across its wrap after 2^34 µs") {
   CHECK(events[2].t_us == (std::int64_t{1} << 34) + 64);
 }
 
-TEST_CASE("EVT2 events that are older than the newest are dropped and counted") {
+TEST_CASE("EVT2 events older than the newest one are dropped and counted") {
   Evt2Decoder decoder(kSensor);
   const auto events = decode(decoder, {time_high(5), event(1, 9, 1, 1), event(1, 8, 2, 2),
                                        event(1, 9, 3, 3), event(1, 10, 4, 4)});
@@ -88,7 +88,7 @@ TEST_CASE("EVT2 events that are older than the newest are dropped and counted") 
   CHECK(decoder.counters().backwards == 1);
 }
 
-TEST_CASE("a word that is cut at the end is counted") {
+TEST_CASE("a truncated word at the end is counted") {
   Evt2Decoder decoder(kSensor);
   auto bytes = bytes_of<std::uint32_t>({time_high(0), event(1, 0, 1, 1), event(1, 0, 2, 2)});
   bytes.pop_back();
@@ -114,7 +114,7 @@ TEST_CASE("a packet ends before an event more than 2^32 - 1 µs after its start"
   CHECK(packet.events[1].offset_us == 1);
 }
 
-TEST_CASE("EVT2 words in runs give the events and counts that they give one by one") {
+TEST_CASE("EVT2 words in runs give the same events and counts as one by one") {
   std::mt19937 random(6);
   const auto below = [&](std::uint32_t count) {
     return static_cast<std::uint32_t>(random() % count);
@@ -135,7 +135,7 @@ TEST_CASE("EVT2 words in runs give the events and counts that they give one by o
     }
     const auto bytes = bytes_of(words);
     Evt2Decoder one_by_one(kSensor);
-    // A word that comes in pieces cannot be part of a run.
+    // A divided word cannot be part of a run.
     const auto expected = decode_all(one_by_one, bytes, 1);
     REQUIRE(!expected.empty());
     for (const std::size_t piece :

@@ -54,7 +54,7 @@ TEST_CASE("a repeated EVT3 time word keeps the low part") {
   CHECK(events == std::vector<PlainEvent>{{4103, 1, 0, 1}});
 }
 
-TEST_CASE("EVT3 events do not depend on where the stream is cut or how small packets are") {
+TEST_CASE("EVT3 events do not depend on the division of the stream or the size of packets") {
   std::vector<std::uint16_t> words;
   for (unsigned i = 0; i < 100; ++i) {
     words.insert(words.end(), {high(i), low(i), row(i), column(1, i), base(0, 32 * (i % 8)),
@@ -72,7 +72,7 @@ TEST_CASE("EVT3 events do not depend on where the stream is cut or how small pac
   }
 }
 
-TEST_CASE("EVT3 never puts more events into a packet than asked for, also within a vector") {
+TEST_CASE("EVT3 packets never exceed the requested number of events, even within a vector") {
   Evt3Decoder decoder(kHdSensor);
   const auto bytes = bytes_of<std::uint16_t>({high(0), row(0), base(1, 0), vector12(0xfff)});
   EventPacket packet;
@@ -109,7 +109,7 @@ TEST_CASE("EVT3 words of unknown types are counted, triggers and the like are no
   CHECK(decoder.counters().malformed_words == 4);
 }
 
-TEST_CASE("EVT3 time goes on across its wrap after 2^24 µs") {
+TEST_CASE("EVT3 time continues across its wrap after 2^24 µs") {
   Evt3Decoder decoder(kHdSensor);
   const auto events = decode(decoder, {high(4095), low(4095), row(0), column(1, 1), high(0),
                                        column(1, 2), high(1), low(5), column(1, 3)});
@@ -117,7 +117,7 @@ TEST_CASE("EVT3 time goes on across its wrap after 2^24 µs") {
         std::vector<PlainEvent>{{16777215, 1, 0, 1}, {16777216, 2, 0, 1}, {16781317, 3, 0, 1}});
 }
 
-TEST_CASE("a pause counted through with time words decodes to its full length") {
+TEST_CASE("a pause with time words decodes to its full length") {
   Evt3Decoder decoder(kHdSensor);
   const auto events = decode(decoder, {high(0), row(0), column(1, 1), high(1500), high(3000),
                                        high(400), high(1900), high(1900), low(3), column(1, 2)});
@@ -125,7 +125,7 @@ TEST_CASE("a pause counted through with time words decodes to its full length") 
   CHECK(events[1].t_us == (std::int64_t{4096 + 1900} << 12) + 3);
 }
 
-TEST_CASE("a wrap and a jump in one are told from a clock that was set back") {
+TEST_CASE("a wrap with a jump is distinguished from a clock that was set back") {
   Evt3Decoder wrapped(kHdSensor);
   CHECK(
       decode(wrapped, {high(3000), row(0), column(1, 1), high(100), low(1), column(1, 2)}).back() ==
@@ -137,7 +137,7 @@ TEST_CASE("a wrap and a jump in one are told from a clock that was set back") {
   CHECK(set_back.counters().backwards == 1);
 }
 
-TEST_CASE("a single flipped bit in a time word moves no event") {
+TEST_CASE("a single flipped bit in a time word changes no event's time") {
   for (const unsigned glitch : {11u, 523u, 2057u, 1u}) {
     CAPTURE(glitch);
     Evt3Decoder decoder(kHdSensor);
@@ -150,7 +150,7 @@ TEST_CASE("a single flipped bit in a time word moves no event") {
   }
 }
 
-TEST_CASE("events behind a jump come out without another time word, at the latest at the end") {
+TEST_CASE("events after a jump are released without another time word, at the latest at the end") {
   Evt3Decoder decoder(kHdSensor);
   const auto bytes = bytes_of<std::uint16_t>({high(0), row(0), high(500), low(1), column(1, 2)});
   EventPacket packet;
@@ -162,7 +162,7 @@ TEST_CASE("events behind a jump come out without another time word, at the lates
   CHECK(packet.start.us == (500 << 12) + 1);
 }
 
-TEST_CASE("held-back events are bounded") {
+TEST_CASE("the number of held-back events is bounded") {
   Evt3Decoder decoder(kHdSensor);
   std::vector<std::uint16_t> words{high(0), row(0), high(500)};
   words.insert(words.end(), 70000, column(1, 2));
@@ -175,7 +175,7 @@ TEST_CASE("held-back events are bounded") {
   CHECK(packet.events.size() == 70000);
 }
 
-/// Words as a camera sends them, `oddities` in 1000 of which are anything at all.
+/// A camera's words, of which `oddities` in 1000 are arbitrary.
 std::vector<std::uint16_t> random_words(std::mt19937& random, unsigned oddities) {
   std::vector<std::uint16_t> words;
   unsigned time = 0;
@@ -207,18 +207,17 @@ std::vector<std::uint16_t> random_words(std::mt19937& random, unsigned oddities)
 }
 
 TEST_CASE(
-    "on every instruction set EVT3 words in runs give the events and counts that they give one by "
-    "one") {
+    "on every instruction set EVT3 words in runs give the same events and counts as one by one") {
   std::mt19937 random(5);
   for (const unsigned oddities : {0U, 2U, 20U, 300U}) {
     for (int round = 0; round < 10; ++round) {
       CAPTURE(oddities);
       CAPTURE(round);
       const auto bytes = bytes_of(random_words(random, oddities));
-      // A sensor that ends within vectors, and one on which every coordinate is inside.
+      // A sensor that ends within vectors, and one that contains every coordinate.
       for (const SensorSize sensor : {SensorSize{300, 200}, SensorSize{2048, 2048}}) {
         Evt3Decoder one_by_one(sensor);
-        // A word that comes in two pieces cannot be part of a run.
+        // A divided word cannot be part of a run.
         const auto expected = decode_all(one_by_one, bytes, 1);
         REQUIRE(!expected.empty());
         with_each_simd_target([&](const std::string& target) {
@@ -237,7 +236,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("EVT3 vectors at the edge of the largest sensor keep their polarity and their place") {
+TEST_CASE("EVT3 vectors at the edge of the largest sensor keep polarity and place") {
   Evt3Decoder decoder({2048, 2048});
   const auto events = decode(
       decoder, {high(0), row(2047), column(1, 1), base(0, 2036), vector12(0x801), vector12(0x001),
@@ -250,7 +249,7 @@ TEST_CASE("EVT3 vectors at the edge of the largest sensor keep their polarity an
   CHECK(decoder.counters().outside_sensor == 2);
 }
 
-TEST_CASE("EVT3 events more than an hour after the packet's start begin the next one") {
+TEST_CASE("EVT3 events more than an hour after the packet's start begin the next packet") {
   // 2^32 µs are 256 wraps of the format's time and some more.
   std::vector<std::uint16_t> words{high(0), row(0), column(1, 1), column(1, 2)};
   for (unsigned step = 1; step <= 0x100001; ++step) words.push_back(high(step & 0xfff));

@@ -20,7 +20,7 @@
 
 namespace puck {
 
-/// An event with its time in full, for comparisons.
+/// An event with its full time, for comparisons.
 struct PlainEvent {
   std::int64_t t_us = 0;
   int x = 0;
@@ -68,7 +68,7 @@ std::vector<std::byte> bytes_of(const std::vector<Word>& words) {
   return bytes;
 }
 
-/// Everything that the decoder makes of the bytes when they come in pieces of this length.
+/// All events that the decoder makes of the bytes in pieces of this length.
 inline std::vector<PlainEvent> decode_all(EventDecoder& decoder, std::span<const std::byte> bytes,
                                           std::size_t piece = 1 << 20,
                                           std::size_t max_events = 1 << 20) {
@@ -91,7 +91,7 @@ inline std::vector<PlainEvent> decode_all(EventDecoder& decoder, std::span<const
   return events;
 }
 
-/// The message of the exception that `action` throws; empty when it throws none.
+/// The message of the exception that `action` throws; empty without one.
 template <typename Error, typename Action>
 std::string message_of(Action action) {
   try {

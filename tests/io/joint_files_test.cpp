@@ -30,7 +30,7 @@ std::string refusal_of(const Read& read) {
   return {};
 }
 
-TEST_CASE("A joint table that was written is read back to the bit") {
+TEST_CASE("A written joint table is read back to the bit") {
   const TemporaryFolder folder;
   const JointTableParams params = simulated_joints();
   write_joint_table_file(folder.path() / "arm.toml", params, "made by a test");
@@ -40,13 +40,13 @@ TEST_CASE("A joint table that was written is read back to the bit") {
   CHECK(again.joints[3].control_deg == params.joints[3].control_deg);
 }
 
-TEST_CASE("The simulated arm's joint table is the one that is built in") {
+TEST_CASE("The simulated arm's joint table equals the built-in one") {
   const JointTableParams params =
       read_joint_table_file(source_folder() / "config/calibration/simulated_arm.toml");
   CHECK(joint_table_text(params, "") == joint_table_text(simulated_joints(), ""));
 }
 
-TEST_CASE("A joint table that cannot be used is refused with file and key") {
+TEST_CASE("An unusable joint table is refused with file and key") {
   const TemporaryFolder folder;
   const std::string good = joint_table_text(simulated_joints(), "");
   const auto refusal = [&](const std::string& text) {
@@ -68,7 +68,7 @@ TEST_CASE("A joint table that cannot be used is refused with file and key") {
         std::string::npos);
 }
 
-TEST_CASE("Measured pairs are read with as many joints as there are") {
+TEST_CASE("Measured pairs are read with any number of joints") {
   const TemporaryFolder folder;
   const auto pairs = read_joint_pairs(
       written(folder, "p.csv", "y_m,joint_0_deg,joint_1_deg\n-0.1,1,2\n0.1,3,4\n"));

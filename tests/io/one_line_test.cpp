@@ -8,7 +8,7 @@
 
 namespace puck {
 
-TEST_CASE("a refusal that quotes what breaks lines or steers terminals is one plain line") {
+TEST_CASE("a refusal that quotes line breaks or terminal controls is one plain line") {
   const std::string quote = "is \"\x1b[2J\n\r\t\x7f\"";
   const std::string plain = "is \"?[2J????\"";
   CHECK(ConfigError(quote).what() == plain);

@@ -14,7 +14,7 @@
 namespace puck {
 namespace {
 
-TEST_CASE("a pixel mask reads back as it was written, an empty one too") {
+TEST_CASE("a pixel mask, even an empty one, is unchanged by its file") {
   const TemporaryFolder folder;
   const std::vector<PixelPlace> pixels{{7, 0}, {3, 40}, {639, 479}};
   write_pixel_mask_file(folder / "mask.toml", PixelMask({640, 480}, pixels), "found");
@@ -42,7 +42,7 @@ TEST_CASE("a pixel mask with a half pair, a fraction, a stray pixel or no sensor
   CHECK(contains(refusal("height = 48\npixels = []\n"), "pixel_mask.width is missing"));
 }
 
-TEST_CASE("a masked reader leaves out masked events, counts them, and does not end too soon") {
+TEST_CASE("a masked reader leaves out masked events, counts them, and reads to the end") {
   const TemporaryFolder folder;
   std::vector<PlainEvent> events;
   for (int i = 0; i < 50; ++i) events.push_back({i, i < 40 ? 9 : i, 5, 1});

@@ -16,14 +16,14 @@ std::optional<RawHeader> parse(std::string_view text, bool is_all = true) {
   return parse_raw_header(std::as_bytes(std::span(text)), is_all);
 }
 
-TEST_CASE("a RAW header ends with its end line, or before the first line that is none") {
+TEST_CASE("a RAW header ends with its end line, or before the first line without a percent sign") {
   CHECK(parse("% evt 3.0\n% end\n% data")->length == 16);
   CHECK(parse("% evt 3.0\n\x25\x8b\x01\x60")->length == 10);
   CHECK(parse("% evt 3.0\n% \x01\x02\n")->length == 10);
   CHECK(parse("\x01\x02")->length == 0);
 }
 
-TEST_CASE("a RAW header that may go on asks for more bytes") {
+TEST_CASE("an unfinished RAW header requests more bytes") {
   for (const char* text : {"", "%", "% ", "% evt 3.0", "% evt 3.0\n", "% evt 3.0\n%"}) {
     CAPTURE(text);
     CHECK_FALSE(parse(text, false));
@@ -32,7 +32,7 @@ TEST_CASE("a RAW header that may go on asks for more bytes") {
   CHECK(parse("% evt 3.0\n\x01", false));
 }
 
-TEST_CASE("a RAW header tells encoding and sensor in the new form and the old") {
+TEST_CASE("a RAW header gives encoding and sensor in the new form and the old") {
   const auto by_format = parse("% format EVT3;height=720;width=1280\n");
   CHECK(by_format->encoding() == "EVT3");
   CHECK(by_format->sensor() == SensorSize{1280, 720});
@@ -65,7 +65,7 @@ std::string refusal_of_stream(std::string_view bytes, EventFileOptions options =
   });
 }
 
-TEST_CASE("a stream that does not say enough is refused with the option that would help") {
+TEST_CASE("an incomplete description of a stream is refused with the option that completes it") {
   CHECK(contains(refusal_of_stream("% evt 3.0\nxx"), "stdin: the header does not say how large"));
   CHECK(contains(refusal_of_stream("% evt 3.0\nxx"), "--width"));
   CHECK(contains(refusal_of_stream("% evt 2.1\nxx"), "EVT21; expected EVT2 or EVT3"));
@@ -87,7 +87,7 @@ TEST_CASE("a stream without a header needs the format and the size as options") 
   CHECK(packet.events[0].x == 3);
 }
 
-TEST_CASE("a stream may be cut anywhere, also in its header") {
+TEST_CASE("a stream may be divided anywhere, even in its header") {
   const std::string header = "% evt 3.0\n% geometry 640x480\n";
   auto bytes = bytes_of<std::uint16_t>({0x8000, 0x6001, 0x0002, 0x2803, 0x6002, 0x2804});
   std::vector<std::byte> whole(header.size());

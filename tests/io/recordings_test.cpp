@@ -1,5 +1,5 @@
-// Real recordings, made by others; what is expected of each comes from their MANIFEST.md, the first
-// times from their bytes.
+// Real recordings by others; the expected values are from their MANIFEST.md, the first times from
+// their bytes.
 #include "tests/support/recordings.h"
 
 #include <cmath>
@@ -22,11 +22,11 @@ struct Expected {
   SensorSize sensor;
   std::size_t events = 0;
   std::int64_t first_us = 0;
-  double span_s = 0;      // As the manifest rounds it …
-  double rounding_s = 0;  // … and by how much.
+  double span_s = 0;      // From the manifest, rounded …
+  double rounding_s = 0;  // … to this precision.
 };
 
-TEST_CASE("real recordings have the events, times and geometry that their manifest says") {
+TEST_CASE("real recordings have the events, times and geometry of their manifest") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   const std::filesystem::path& folder = *recordings;
@@ -83,7 +83,7 @@ TEST_CASE("recordings of other formats are refused by name") {
   CHECK(contains(refusal("ncars_td.dat"), "is a Prophesee DAT file; expected"));
 }
 
-TEST_CASE("the truth beside a real recording reads, and lies within the recording") {
+TEST_CASE("the truth of a real recording is readable, and lies within the recording") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   const std::filesystem::path& folder = *recordings;

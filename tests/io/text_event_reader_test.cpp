@@ -30,7 +30,7 @@ TEST_CASE("text events are seconds with a decimal point, else µs") {
   CHECK(read_text("2.4 61 31 1\n", {.text_unit = "us"}) == std::vector<PlainEvent>{{2, 61, 31, 1}});
 }
 
-TEST_CASE("text times are rounded to the µs, also late ones") {
+TEST_CASE("text times are rounded to the µs, even late ones") {
   CHECK(read_text("1699999999.123456 1 2 1\n")[0].t_us == 1699999999123456);
   CHECK(read_text("0.0000005 1 2 1\n")[0].t_us == 1);
 }
@@ -42,12 +42,12 @@ TEST_CASE("text columns may come in any order and with any separator") {
   CHECK(read_text("1500029|61|31|1\n1500038|59|32|-1\n", {.text_separator = "|"}) == kTwoEvents);
 }
 
-TEST_CASE("comments and empty lines are passed over") {
+TEST_CASE("comments and empty lines are skipped") {
   CHECK(read_text("# made by hand\n% t x y p\n\n1500029 61 31 1\n# more\n1500038 59 32 0") ==
         kTwoEvents);
 }
 
-TEST_CASE("a text file may tell its sensor's size") {
+TEST_CASE("a text file may give its sensor's size") {
   const TemporaryFolder folder;
   const auto path = folder.write("events.csv", "%geometry:320,200\n1 2 3 1\n");
   CHECK(open_event_file(path)->sensor_size() == SensorSize{320, 200});
@@ -63,7 +63,7 @@ TEST_CASE("a text file may tell its sensor's size") {
       "--width"));
 }
 
-TEST_CASE("a bad line is refused by file and line, with what was expected") {
+TEST_CASE("a bad line is refused with file and line, and the expected form") {
   for (const char* line : {"1500038 59 32", "1500038 59 32 1 7", "1500038 59 32 2", "x 59 32 1",
                            "1500038 5.5 32 1", "-3 59 32 1", "nan 59 32 1", "1e300 1 1 1"}) {
     CAPTURE(line);
@@ -93,7 +93,7 @@ TEST_CASE("text events outside the sensor or back in time are left out and count
   CHECK(reader->warnings().size() == 2);
 }
 
-TEST_CASE("a text file that was cut gives all whole events and says so") {
+TEST_CASE("a truncated text file gives all whole events and a warning") {
   const TemporaryFolder folder;
   const auto reader =
       open_event_file(folder.write("cut.txt", "1 2 3 1\n2 4"), {.sensor = kTextSensor});
@@ -109,7 +109,7 @@ TEST_CASE("a byte order mark before the first line is skipped") {
   CHECK(read_all(*reader) == std::vector<PlainEvent>{{1, 2, 3, 1}});
 }
 
-TEST_CASE("times in s are not taken for µs because the first of them is a whole number") {
+TEST_CASE("times in s are recognised even if the first one is a whole number") {
   CHECK(contains(refusal_of_text("0 2 3 1\n0.25 2 3 1\n", {.text_unit = "auto"}),
                  ":2: expected whole µs, because the first time has no decimal point"));
   const TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// The text log of an IIT camera, in its three encodings; and what may be wrong with one.
+// The text log of an IIT camera in its three encodings, and damaged ones.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -76,7 +76,7 @@ ReadLog read_log(const std::string& text, EventFileOptions options = {.sensor = 
 
 }  // namespace
 
-TEST_CASE("lists and stamped records of a YARP log give the events that were written") {
+TEST_CASE("lists and stamped records of a YARP log give the written events") {
   const std::vector<PlainEvent> events = random_events(50);
   for (const YarpEncoding encoding : {YarpEncoding::kList, YarpEncoding::kStamped}) {
     CAPTURE(static_cast<int>(encoding));
@@ -86,7 +86,7 @@ TEST_CASE("lists and stamped records of a YARP log give the events that were wri
   }
 }
 
-TEST_CASE("a counter of stamps that wraps after 31 bits, or begins at 0, loses nothing") {
+TEST_CASE("a stamp counter that wraps after 31 bits, or begins at 0, loses nothing") {
   const std::vector<PlainEvent> events = random_events(50);
   for (const YarpEncoding encoding : {YarpEncoding::kList, YarpEncoding::kStamped}) {
     for (const std::uint32_t first : {0x7fffffffU - 20'000, 0U}) {
@@ -108,7 +108,7 @@ TEST_CASE("records without stamps are spread evenly over their packet's duration
   }
 }
 
-TEST_CASE("a pause longer than the counter's turn is as long as the host's clock says") {
+TEST_CASE("a pause longer than the counter's period is measured by the host's clock") {
   // 80 ns in 31 bits are 171.8 s.
   std::vector<PlainEvent> events = random_events(2);
   for (std::size_t i = kEventsInPacket; i < events.size(); ++i) events[i].t_us += 600'000'000;
@@ -139,7 +139,7 @@ TEST_CASE("one eye's events are read, the other's and samples of other sensors a
   CHECK(rest.events.front().t_us == 0);
 }
 
-TEST_CASE("a second time in each line is that of receipt and changes nothing") {
+TEST_CASE("a second time in each line is the receipt's and changes nothing") {
   const std::vector<PlainEvent> events = random_events(3);
   std::string text = encoded(events, YarpEncoding::kList);
   for (std::size_t at = 0; (at = text.find(" AE", at)) != std::string::npos; at += 20) {
@@ -148,7 +148,7 @@ TEST_CASE("a second time in each line is that of receipt and changes nothing") {
   CHECK(read_log(text).events == events);
 }
 
-TEST_CASE("a log that is cut anywhere keeps all whole events before the cut, and says so") {
+TEST_CASE("a log truncated anywhere keeps all whole events before that, with a warning") {
   const std::vector<PlainEvent> events = random_events(3);
   for (const YarpEncoding encoding : {YarpEncoding::kList, YarpEncoding::kStamped}) {
     const std::string text = encoded(events, encoding);
@@ -177,7 +177,7 @@ std::string with_stamp(std::string text, int packet, std::int64_t stamp) {
   return text.replace(at + 4, end - at - 4, std::to_string(stamp));
 }
 
-TEST_CASE("a damaged stamp costs its own event alone, wherever it stands") {
+TEST_CASE("a damaged stamp at any place costs only its own event") {
   const std::vector<PlainEvent> events = random_events(20);
   const std::string text = encoded(events, YarpEncoding::kList);
   constexpr std::int64_t kFirst = 383'033'170;
@@ -201,7 +201,7 @@ TEST_CASE("a damaged stamp costs its own event alone, wherever it stands") {
   }
 }
 
-TEST_CASE("a packet that comes late is left out, and counted") {
+TEST_CASE("a late packet is left out, and counted") {
   const std::vector<PlainEvent> events = random_events(20);
   YarpLogEncoder encoder(YarpEncoding::kList, {0});
   const auto packets = packets_of(events);
@@ -212,7 +212,7 @@ TEST_CASE("a packet that comes late is left out, and counted") {
   CHECK(late.events.back() == packets[4].back());
 }
 
-TEST_CASE("after a counter was set anew time goes on, and nothing is lost") {
+TEST_CASE("after a counter's reset time continues, and nothing is lost") {
   const std::vector<PlainEvent> events = random_events(40);
   YarpLogEncoder encoder(YarpEncoding::kList, {0});
   YarpLogEncoder again(YarpEncoding::kList, {0}, 100);
@@ -220,14 +220,14 @@ TEST_CASE("after a counter was set anew time goes on, and nothing is lost") {
   for (std::size_t i = 0; i < packets.size(); ++i) {
     (i < 20 ? encoder : again).add(packet_of(packets[i]), kPacketUs);
   }
-  // The second count begins 20 ms after its own zero; its host times are those of the log.
+  // The second count begins 20 ms after its own zero; its host times continue the log's.
   const ReadLog log = read_log(encoder.text() + again.text());
   CHECK(log.counters.time_glitches == 0);
   REQUIRE(log.events.size() == events.size());
   CHECK(std::abs(log.events.back().t_us - events.back().t_us) <= 1000);
 }
 
-// The time of one line of the log, counted from 0, moved by so many seconds.
+// Moves the time of one line of the log, counted from 0, by so many seconds.
 std::string with_host_time_moved(const std::string& text, int line, double by_s) {
   std::istringstream lines(text);
   std::string moved;
@@ -245,7 +245,7 @@ std::string with_host_time_moved(const std::string& text, int line, double by_s)
   return moved;
 }
 
-TEST_CASE("a damaged host time moves no event") {
+TEST_CASE("a damaged host time changes no event's time") {
   const std::vector<PlainEvent> events = random_events(20);
   for (const double by_s : {600.0, 90.0, -600.0, 9e10, -5e8}) {
     for (const int line : {0, 9, 19}) {
@@ -265,7 +265,7 @@ TEST_CASE("a damaged host time moves no event") {
 }
 
 TEST_CASE(
-    "without stamps a pause is as long as the host's clock says, and one set back moves none") {
+    "without stamps the host's clock measures a pause, and a clock set back changes no event") {
   std::vector<PlainEvent> events = random_events(20);
   for (std::size_t i = 10 * kEventsInPacket; i < events.size(); ++i) events[i].t_us += 30'000'000;
   const ReadLog pause = read_log(encoded(events, YarpEncoding::kPlain));
@@ -278,7 +278,7 @@ TEST_CASE(
   CHECK(std::abs(back.events.back().t_us - (events.back().t_us + 30'000'000)) <= 100);
 }
 
-TEST_CASE("lines that are cut, of other sensors or few do not change the encoding") {
+TEST_CASE("truncated lines, lines of other sensors and short lines do not change the encoding") {
   const std::vector<PlainEvent> events = random_events(50);
   for (const std::uint32_t first : {383'033'170U, 1000U}) {
     const std::string text = encoded(events, YarpEncoding::kStamped, first);
@@ -296,7 +296,7 @@ TEST_CASE("lines that are cut, of other sensors or few do not change the encodin
     CHECK(read_log(samples + text).events == events);
     CHECK(read_log(text.substr(0, text.find('\n'))).events.size() == kEventsInPacket);
   }
-  // Sorted as a sensor that is read out row by row sorts them.
+  // In the order of a sensor that is read out row by row.
   std::vector<PlainEvent> sorted = events;
   std::sort(sorted.begin(), sorted.end(), [](const PlainEvent& a, const PlainEvent& b) {
     return std::pair(a.y, a.x) < std::pair(b.y, b.x);
@@ -321,7 +321,7 @@ TEST_CASE("addresses beyond the sensor, broken lines and odd values are counted"
   CHECK(broken.counters.malformed_words == 5);
 }
 
-TEST_CASE("a line longer than a buffer is read, and one beyond any packet is passed over") {
+TEST_CASE("a line longer than a buffer is read, and one longer than any packet is skipped") {
   const std::vector<PlainEvent> events = random_events(500);
   YarpLogEncoder encoder(YarpEncoding::kStamped, {0});
   encoder.add(packet_of(events), 500'000);
@@ -333,7 +333,7 @@ TEST_CASE("a line longer than a buffer is read, and one beyond any packet is pas
   CHECK(log.counters.events + log.counters.backwards == 2 * 10'000);
 }
 
-TEST_CASE("a YARP log must be told its sensor's size, and one with a damaged start its format") {
+TEST_CASE("a YARP log needs its sensor's size, and one with a damaged start its format") {
   const TemporaryFolder folder;
   const std::string text = encoded(random_events(3), YarpEncoding::kStamped);
   write_text(folder / "data.log", text);
@@ -344,7 +344,7 @@ TEST_CASE("a YARP log must be told its sensor's size, and one with a damaged sta
       60);
 }
 
-TEST_CASE("the real ball's log has the events that its manifest says") {
+TEST_CASE("the real ball's log has the events of its manifest") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   const auto reader = open_event_file(

@@ -48,7 +48,7 @@ TEST_CASE("a usage error ends with 2, help and version with 0") {
   CHECK(parse({"--version"}, line) == 0);
 }
 
-TEST_CASE("a service adds options of its own") {
+TEST_CASE("a service adds its own options") {
   CommandLine line;
   bool stop = false;
   CHECK(parse({"--stop"}, line, [&](CLI::App& app) { app.add_flag("--stop", stop); }) ==

@@ -18,7 +18,7 @@ namespace {
 
 using test::counter;
 
-/// A log whose lines can be read.
+/// A log with readable lines.
 struct ReadableLog {
   std::ostringstream text;
   spdlog::logger log{"test", std::make_shared<spdlog::sinks::ostream_sink_mt>(text)};
@@ -28,7 +28,7 @@ struct ReadableLog {
 
 }  // namespace
 
-TEST_CASE("a subject is warned of once a second, with the count kept silent") {
+TEST_CASE("warnings on a subject appear once a second, with the number of suppressed ones") {
   ReadableLog readable;
   RateLimitedLog limited(readable.log);
   const RateLimitedLog::Clock::time_point start{};
@@ -43,7 +43,7 @@ TEST_CASE("a subject is warned of once a second, with the count kept silent") {
         "camera: a\narm: d\ncamera: e (2 more like it not shown)\ncamera: f\n");
 }
 
-TEST_CASE("troubles on the bus are logged once, and summed up for the status") {
+TEST_CASE("problems on the bus are logged once, and summed up for the status") {
   ReadableLog readable;
   Bus bus({.url = "memq://"});
   BusWatch watch(bus, readable.log);
@@ -78,7 +78,7 @@ TEST_CASE("troubles on the bus are logged once, and summed up for the status") {
   CHECK(counter(report, "publish_failures") == 2);
 }
 
-TEST_CASE("messages that never came or came late are summed up for the status, of every channel") {
+TEST_CASE("lost and late messages of all channels are summed up for the status") {
   ReadableLog readable;
   Bus sender({.url = private_lcm_url()});
   Bus receiver({.url = private_lcm_url()});
@@ -101,7 +101,7 @@ TEST_CASE("messages that never came or came late are summed up for the status, o
   CHECK(counter(report, "PUCK_HEAD.lost") == 1);
 }
 
-TEST_CASE("a stranger on the port is named once, and counted") {
+TEST_CASE("a foreign sender on the port is named once, and counted") {
   ReadableLog readable;
   Bus stranger({.url = private_lcm_url(), .prefix = "RIGHT"});
   Bus bus({.url = private_lcm_url()});

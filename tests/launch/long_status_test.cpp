@@ -16,7 +16,7 @@
 namespace puck {
 namespace {
 
-/// Has more counters of its own than a frame has room for.
+/// Has more counters of its own than fit into a frame.
 class TalkativeService : public Service {
  public:
   void run(std::stop_token) override {}
@@ -29,7 +29,7 @@ class TalkativeService : public Service {
   int counters = 0;
 };
 
-/// A service among six others whose names are as long as names may be.
+/// A service among six others with names of the greatest length.
 struct LoudNetwork {
   LoudNetwork() {
     bench.bus.subscribe<head_state_t>([](const head_state_t&, const Receipt&) {});
@@ -73,7 +73,7 @@ struct LoudNetwork {
 
 }  // namespace
 
-TEST_CASE("a status says first what the bus lost, then of the service, of channels, of peers") {
+TEST_CASE("a status lists bus losses first, then the service, channels and peers") {
   LoudNetwork network;
   network.service.counters = 1;
   REQUIRE(network.until([&] { return network.place_of("clock_offset_us 6") >= 0; }));
@@ -86,7 +86,7 @@ TEST_CASE("a status says first what the bus lost, then of the service, of channe
   CHECK(network.newest.counter_name[place] == "clock_offset_us 1" + std::string(31, 'n'));
 }
 
-TEST_CASE("a status that does not fit its frame loses neither the bus's losses nor says 0") {
+TEST_CASE("a status too long for its frame keeps the bus's losses, none of them as 0") {
   LoudNetwork network;
   REQUIRE(network.until([&] { return network.knows_all_clocks(); }));
   network.service.counters = 60;

@@ -8,7 +8,7 @@
 namespace puck {
 namespace {
 
-/// Services that speak every 100 ms, and a puck-tracker that looks at them every 20 ms.
+/// Services with a STATUS every 100 ms, and a puck-tracker that checks them every 20 ms.
 class PeerBench {
  public:
   struct Speaker {
@@ -58,7 +58,7 @@ using Texts = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("a service that is needed and falls silent is told within 500 ms, once, and its return") {
+TEST_CASE("silence of a needed service is reported within 500 ms, once, and so is its return") {
   PeerBench bench({{1, "puck-camera", "eye", 11}, {2, "puck-arm", "robot", 12}});
   bench.pass(1'000'000);
   CHECK(bench.news.empty());
@@ -80,7 +80,7 @@ TEST_CASE("a service that is needed and falls silent is told within 500 ms, once
   CHECK(bench.news.size() == 2);
 }
 
-TEST_CASE("nobody is missed who is not needed, and nobody before it was heard") {
+TEST_CASE("services that are not needed, or not heard yet, are not missed") {
   PeerBench bench({{2, "puck-arm", "robot", 12}});
   bench.pass(1'000'000);
   bench.speakers[0].speaks = false;
@@ -89,7 +89,7 @@ TEST_CASE("nobody is missed who is not needed, and nobody before it was heard") 
   CHECK(bench.book.trouble().silent.empty());
 }
 
-TEST_CASE("a service that stops is told at once, and the one that takes its place") {
+TEST_CASE("a service's stop is reported at once, and so is its successor") {
   PeerBench bench({{1, "puck-camera", "eye", 11}});
   bench.pass(1'000'000);
   bench.say(bench.speakers[0], service_status_t::STATE_STOPPING);
@@ -103,7 +103,7 @@ TEST_CASE("a service that stops is told at once, and the one that takes its plac
   CHECK(bench.book.trouble().silent.empty());
 }
 
-TEST_CASE("one that is killed and started again at once is neither silent nor there twice") {
+TEST_CASE("a service killed and restarted at once is neither silent nor duplicated") {
   PeerBench bench({{1, "puck-camera", "eye", 11}});
   bench.pass(1'000'000);
   bench.speakers[0] = {3, "puck-camera", "eye", 13};
@@ -112,7 +112,7 @@ TEST_CASE("one that is killed and started again at once is neither silent nor th
   CHECK(bench.book.trouble().twice.empty());
 }
 
-TEST_CASE("two of a kind are told once, by host and pid, as long as both speak") {
+TEST_CASE("two services of a kind are reported once, by host and pid, while both publish") {
   PeerBench bench({{1, "puck-camera", "eye", 11}, {2, "puck-arm", "robot", 12}});
   bench.pass(1'000'000);
   bench.speakers.push_back({3, "puck-camera", "lab", 13});
@@ -132,7 +132,7 @@ TEST_CASE("two of a kind are told once, by host and pid, as long as both speak")
   CHECK(bench.news == Texts{both, "every service is unique again"});
 }
 
-TEST_CASE("another of this service's own kind is told; two loggers do not quarrel") {
+TEST_CASE("another service of this service's kind is reported; two loggers are allowed") {
   PeerBench bench({{1, "puck-tracker", "lab", 11},
                    {2, "puck-logger", "lab", 12},
                    {3, "puck-logger", "eye", 13}});
@@ -141,7 +141,7 @@ TEST_CASE("another of this service's own kind is told; two loggers do not quarre
                             "pid 11"});
 }
 
-TEST_CASE("whoever does not answer us is nobody: a log that is played has no services") {
+TEST_CASE("a peer that does not answer is ignored: a replayed log contains no services") {
   PeerBench bench({{1, "puck-camera", "eye", 11}, {3, "puck-camera", "past", 13, true, false}});
   bench.pass(1'000'000);
   CHECK(bench.news.empty());
@@ -151,7 +151,7 @@ TEST_CASE("whoever does not answer us is nobody: a log that is played has no ser
   CHECK(bench.book.name_of(31) == "session 31");
 }
 
-TEST_CASE("what was missed while this service itself stood still is held against nobody") {
+TEST_CASE("silence during a pause of this service itself is not reported") {
   PeerBench bench({{1, "puck-camera", "eye", 11}});
   bench.pass(1'000'000);
   bench.now_us += 3'000'000;

@@ -15,14 +15,14 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// What a test service did, for the test to look at.
+/// Records the actions of a test service.
 struct Diary {
   int volume = -1;
   std::vector<int> states;  ///< Of the statuses published.
   bool stopped = false;
 };
 
-/// Runs until a signal comes, which it sends itself.
+/// Runs until a signal, which it sends itself.
 class SelfStoppingService : public Service {
  public:
   SelfStoppingService(Diary& diary, ServiceContext& context) : diary_(diary), context_(context) {
@@ -77,7 +77,7 @@ TEST_CASE("a service runs until SIGTERM and ends with 0") {
   CHECK(diary.states.front() == service_status_t::STATE_RUNNING);
 }
 
-TEST_CASE("what a service throws while it runs ends it with 1") {
+TEST_CASE("an exception in a running service ends it with 1") {
   Diary diary;
   CHECK(run({"--lcm-url", "memq://", "--set", "test.volume=11"}, diary) == 1);
   CHECK_FALSE(diary.stopped);
@@ -94,13 +94,13 @@ TEST_CASE("an error in settings, URL or prefix ends the start with 1, a usage er
   CHECK_FALSE(diary.stopped);
 }
 
-TEST_CASE("a check of a service that does not run ends with 1") {
+TEST_CASE("a check of a service that is not running ends with 1") {
   Diary diary;
   CHECK(run({"--lcm-url", "memq://", "--check"}, diary) == 1);
   CHECK_FALSE(diary.stopped);
 }
 
-TEST_CASE("a prefix of digits stays text") {
+TEST_CASE("a numeric prefix stays text") {
   Diary diary;
   std::string prefix;
   ServiceInfo info{"puck-test", "", {}, [&](const BusParams& params, const std::stop_token&) {

@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// All that a pipe gives until its writers are gone.
+// All output of a pipe until its writers have closed it.
 std::string read_all(int descriptor) {
   std::string text;
   std::array<char, 4096> piece{};
@@ -57,17 +57,17 @@ TEST_CASE("A log is written whole and in order before it ends") {
   CHECK(text == expected);
 }
 
-TEST_CASE("A log that nobody reads keeps nobody waiting, counts what it loses, and ends") {
+TEST_CASE("An unread log delays no service, counts its lost lines, and ends") {
   const StuckPipe pipe;
   ServiceLog log("test", pipe.descriptor());
-  // Whoever waited for the reader would wait for ever.
+  // Waiting for the reader would block for ever.
   for (int i = 0; i < 5000; ++i) log.logger().info("line {}", i);
   // The writer may hold one line already.
   CHECK(log.lost_lines() >= 5000 - LineWriter::kMostLines - 1);
   CHECK(log.lost_lines() <= 5000 - LineWriter::kMostLines);
 }
 
-TEST_CASE("A log whose reader is gone ends no service") {
+TEST_CASE("A log with a closed reader ends no service") {
   Pipe pipe;
   ServiceLog log("test", pipe.ends[1]);
   pipe.close_end(0);
@@ -75,7 +75,7 @@ TEST_CASE("A log whose reader is gone ends no service") {
   CHECK(log.lost_lines() == 0);
 }
 
-TEST_CASE("A line of the log says when, who and how serious, without colours in a file") {
+TEST_CASE("A log line gives time, name and level, without colours in a file") {
   Pipe pipe;
   {
     ServiceLog log("puck-test", pipe.ends[1]);

@@ -1,5 +1,4 @@
-// Builds precompile the standard library's usual headers, so no compiler misses one that is
-// missing.
+// Builds precompile the usual standard headers, so the compiler does not notice a missing one.
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -21,7 +20,7 @@ namespace fs = std::filesystem;
 
 using Names = std::set<std::string>;
 
-// A header of the standard library, and some of what it alone declares.
+// Standard headers, and some names that only they declare.
 const std::vector<std::pair<std::string, Names>> kDeclared{
     {"algorithm",
      {"sort",      "min",           "max",       "clamp",       "find_if",     "any_of",
@@ -61,7 +60,7 @@ const std::vector<std::pair<std::string, Names>> kDeclared{
     {"variant", {"variant", "visit", "get_if", "monostate", "holds_alternative"}},
     {"vector", {"vector"}}};
 
-// Headers that have another one's names by their own interface.
+// Headers that provide another one's names by their own interface.
 const std::map<std::string, Names> kGivenBy{
     {"mutex", {"condition_variable"}},
     {"stop_token", {"thread", "condition_variable"}},
@@ -71,7 +70,7 @@ const std::map<std::string, Names> kGivenBy{
 
 struct Source {
   Names includes;
-  Names names;  // What stands behind `std::`.
+  Names names;  // Names after `std::`.
 };
 
 Names names_in(const std::string& line) {
@@ -96,7 +95,7 @@ Source source_of(std::istream& text) {
   return source;
 }
 
-// By their paths as include lines have them.
+// By their paths in include lines.
 std::map<std::string, Source> sources() {
   std::map<std::string, Source> found;
   const fs::path root = source_folder();
@@ -111,7 +110,7 @@ std::map<std::string, Source> sources() {
   return found;
 }
 
-// All that a source includes, also by other sources of the project.
+// All direct and indirect includes of a source.
 void add_included(const std::map<std::string, Source>& all, const Source& source, Names& included) {
   for (const std::string& include : source.includes) {
     if (!included.insert(include).second) continue;
@@ -141,7 +140,7 @@ Names missing_headers(const std::map<std::string, Source>& all, const Source& so
 
 }  // namespace
 
-TEST_CASE("every source includes the standard headers that it needs, or what includes them") {
+TEST_CASE("every source includes its standard headers, directly or through its own header") {
   const std::map<std::string, Source> all = sources();
   CHECK(all.size() > 1000);
   for (const auto& [path, source] : all) {
@@ -151,7 +150,7 @@ TEST_CASE("every source includes the standard headers that it needs, or what inc
   }
 }
 
-TEST_CASE("a standard header that is missing is noticed, one that another header has is not") {
+TEST_CASE("a missing standard header is found, one through another header is accepted") {
   const Source header{{"vector"}, {"vector"}};
   const std::map<std::string, Source> all{{"common/a.h", header}};
   CHECK(missing_headers(all, {{}, {"vector", "sort"}}) == Names{"algorithm", "vector"});

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct Include {
   fs::path file;
   int line = 0;
-  std::string target;  // what stands between the quotes or brackets
+  std::string target;  // the text between the quotes or brackets
 };
 
 fs::path source_dir() { return source_folder(); }
@@ -50,7 +50,7 @@ std::vector<std::string> folders_below(const fs::path& folder) {
   return names;
 }
 
-// The folder below `top` that an include of the project names; empty when it names none.
+// The folder below `top` of a project include; empty for any other include.
 std::string folder_of(const std::string& target, const std::string& top) {
   const fs::path path(target);
   auto part = path.begin();
@@ -63,7 +63,7 @@ bool begins_with_any(const std::string& target, const std::vector<std::string>& 
                      [&](const std::string& p) { return target.starts_with(p); });
 }
 
-// What each folder of common/ may include of the others.
+// Allowed includes of each folder of common/ from the others.
 const std::map<std::string, std::set<std::string>> kAllowed{
     {"events", {}},
     {"vision", {"events"}},
@@ -125,7 +125,7 @@ TEST_CASE("only messaging includes LCM's headers") {
   }
 }
 
-TEST_CASE("services and tools never include one another, but for what all of them share") {
+TEST_CASE("services and tools never include one another, except their common part") {
   for (const std::string top : {"services", "tools"}) {
     for (const std::string& folder : folders_below(source_dir() / top)) {
       for (const Include& include : includes_below(source_dir() / top / folder)) {
@@ -142,7 +142,7 @@ TEST_CASE("services and tools never include one another, but for what all of the
   }
 }
 
-TEST_CASE("the reader of include lines finds what it looks for") {
+TEST_CASE("the reader of include lines finds includes") {
   const auto includes = includes_below(source_dir() / "common" / "vision");
   CHECK(includes.size() > 40);
   CHECK(folder_of("common/vision/region.h", "common") == "vision");

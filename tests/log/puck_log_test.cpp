@@ -1,4 +1,4 @@
-// The real puck-log on logs that are whole, damaged, or none at all.
+// The real puck-log on intact and damaged logs, and on other files.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -38,8 +38,8 @@ void put(LogWriter& writer, std::int64_t utime, Message message) {
   writer.write(name_of(kChannelOf<Message>), utime, bytes);
 }
 
-/// One second: 101 packets of 1000 events, one of them lost, from two runs of the camera; heads
-/// with a gap of 500 ms; a message of somebody else.
+/// One second: 101 packets of 1000 events, one of them lost, from two sessions of the camera; heads
+/// with a gap of 500 ms; a foreign message.
 void write_known_log(const std::filesystem::path& path) {
   LogWriter writer(path);
   EventPacker packer({.sensor = {640, 480}, .packet_bytes = EventPackerParams::kMaxBytes});
@@ -88,7 +88,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("info tells what is in a log") {
+TEST_CASE("info summarises a log") {
   const TemporaryFolder folder;
   write_known_log(folder / "a.lcm");
   const Finished finished = puck_log({"info", folder / "a.lcm", "--json"});
@@ -130,7 +130,7 @@ TEST_CASE("info tells what is in a log") {
   CHECK(table.output.find("the log is valid") != std::string::npos);
 }
 
-TEST_CASE("verify finds nothing wrong with a whole log of every type") {
+TEST_CASE("verify accepts an intact log of every type") {
   const TemporaryFolder folder;
   write_all_types(folder / "a.lcm");
   const Finished finished = puck_log({"verify", folder / "a.lcm"});
@@ -138,7 +138,7 @@ TEST_CASE("verify finds nothing wrong with a whole log of every type") {
   CHECK(finished.output == "27 messages: the log is valid\n");
 }
 
-TEST_CASE("a report that cannot be written is not said to be fine") {
+TEST_CASE("a report that cannot be written is not reported as fine") {
   const TemporaryFolder folder;
   write_known_log(folder / "a.lcm");
   const std::string program = program_path("puck-log");
@@ -149,7 +149,7 @@ TEST_CASE("a report that cannot be written is not said to be fine") {
   }
 }
 
-TEST_CASE("verify names the byte of what is malformed, corrupt or cut off") {
+TEST_CASE("verify names the byte of malformed, corrupt or truncated records") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   const auto offsets = write_all_types(path);
@@ -172,7 +172,7 @@ TEST_CASE("verify names the byte of what is malformed, corrupt or cut off") {
   CHECK(lines[3].ends_with("at 2 places belong to no message, 1 messages are malformed"));
 }
 
-TEST_CASE("verify tells what was sealed with a key that the logger did not have") {
+TEST_CASE("verify reports messages sealed with a key that the logger did not have") {
   const TemporaryFolder folder;
   const auto key_file = folder.write("key", std::string(32, 'k'));
   std::filesystem::permissions(key_file, std::filesystem::perms::owner_read);
@@ -187,7 +187,7 @@ TEST_CASE("verify tells what was sealed with a key that the logger did not have"
         "byte 0: PUCK_HEAD: is sealed; the logger had no key (lcm.key_file)");
 }
 
-TEST_CASE("repair makes a log that is fine from one that is not, and says what it left out") {
+TEST_CASE("repair makes a damaged log intact, and reports the omitted parts") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   const auto offsets = write_all_types(path);
@@ -211,20 +211,20 @@ TEST_CASE("repair makes a log that is fine from one that is not, and says what i
   CHECK(again.errors.find("exists already and is not overwritten") != std::string::npos);
 }
 
-TEST_CASE("a repaired log that needed none is the same to the byte") {
+TEST_CASE("repair of an intact log changes no byte") {
   const TemporaryFolder folder;
   write_known_log(folder / "a.lcm");
   CHECK(puck_log({"repair", folder / "a.lcm", folder / "b.lcm"}).exit_code == 0);
   CHECK(read_text(folder / "a.lcm") == read_text(folder / "b.lcm"));
 }
 
-TEST_CASE("export writes a table a channel, with as many cells in each line as in the first") {
+TEST_CASE("export writes a table for each channel, with equal numbers of cells in all lines") {
   const TemporaryFolder folder;
   write_all_types(folder / "a.lcm");
   const auto csv = folder / "csv";
   const Finished finished = puck_log({"export", folder / "a.lcm", "--output", csv});
   CHECK(finished.exit_code == 0);
-  // Where no folder is named, it has the log's name.
+  // Without a folder name it uses the log's name.
   CHECK(puck_log({"export", folder / "a.lcm"}).exit_code == 0);
   CHECK(read_text(folder / "a-csv" / "PUCK_HEAD.csv") == read_text(csv / "PUCK_HEAD.csv"));
   for (const Channel channel : kAllChannels) {
@@ -276,7 +276,7 @@ TEST_CASE("export of one channel goes to stdout, and arrays and text stay in the
   CHECK(none.errors.find("no message of ours on PUCK_GAME") != std::string::npos);
 }
 
-TEST_CASE("a channel with a prefix is one of ours, any other name is not") {
+TEST_CASE("a channel with a prefix is recognised, any other name is not") {
   const TemporaryFolder folder;
   std::mt19937_64 random(4);
   {
@@ -295,7 +295,7 @@ TEST_CASE("a channel with a prefix is one of ours, any other name is not") {
   CHECK(info.output.find('\x1b') == std::string::npos);
 }
 
-TEST_CASE("what is no log and what is no usage have exit codes of their own") {
+TEST_CASE("files that are no log and usage errors have different exit codes") {
   const TemporaryFolder folder;
   write_text(folder / "text", "t,x,y,p\n");
   for (const std::string command : {"info", "verify"}) {
@@ -314,8 +314,7 @@ TEST_CASE("what is no log and what is no usage have exit codes of their own") {
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-TEST_CASE(
-    "whatever is flipped in a log, each command ends by itself and the repaired log is fine") {
+TEST_CASE("with any bit of a log flipped every command ends, and the repaired log is intact") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   const auto whole_path = folder / "whole.lcm";

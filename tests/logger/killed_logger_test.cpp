@@ -1,4 +1,4 @@
-// The real puck-logger, killed while it writes.
+// The real puck-logger, killed during a write.
 #include <csignal>
 #include <random>
 #include <thread>
@@ -38,14 +38,14 @@ LoggedPackets read_log(const std::filesystem::path& path) {
     ++logged.packets;
   }
   logged.lost = account.counters().lost;
-  // At most the write that it was killed in is torn.
+  // At most the last write is torn.
   CHECK(reader.bytes_skipped() <= 1 << 20);
   return logged;
 }
 
 }  // namespace
 
-TEST_CASE("a logger that is killed leaves all that it said it wrote, in a log that plays") {
+TEST_CASE("a killed logger leaves all messages that it reported as written, in a playable log") {
   const TemporaryFolder folder;
   std::mt19937 random(std::random_device{}());
   for (int kill = 0; kill < 3; ++kill) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kRecordBytes = 28 + 11 + 1000 - 39;
 
-/// Messages of 1000 bytes with all that belongs to them in a log; a second from each to the next.
+/// Messages of 1000 bytes with their headers in a log, a second apart.
 std::vector<std::uint8_t> records(int count, int first = 0) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(count) * kRecordBytes);
   const std::vector<std::uint8_t> message(kRecordBytes - 39);
@@ -52,8 +52,8 @@ std::vector<std::string> names_in(const TemporaryFolder& folder) {
   return names;
 }
 
-/// While it lives, this program may read the folder but not change it; root becomes nobody for
-/// that.
+/// While it exists, this program may read the folder but not change it; for that, root becomes
+/// nobody.
 class NobodysRights {
  public:
   explicit NobodysRights(const std::filesystem::path& folder) : folder_(folder) {
@@ -79,7 +79,7 @@ LoggerParams params_for(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("a log that rotates by size has whole files that together hold everything") {
+TEST_CASE("a log that rotates by size has whole files that together contain everything") {
   const TemporaryFolder folder;
   LogSync sync;
   LoggerParams params = params_for(folder / "a.lcm");
@@ -100,7 +100,7 @@ TEST_CASE("a log that rotates by size has whole files that together hold everyth
   CHECK(files.progress().path == (folder / "a.000002.lcm").string());
 }
 
-TEST_CASE("a log that rotates by time begins a file when the time is over") {
+TEST_CASE("a log that rotates by time begins a new file at the end of each period") {
   const TemporaryFolder folder;
   LogSync sync;
   LoggerParams params = params_for(folder / "a.lcm");
@@ -112,7 +112,7 @@ TEST_CASE("a log that rotates by time begins a file when the time is over") {
   CHECK(seconds_in(folder / "a.000002.lcm").size() == 30);
 }
 
-TEST_CASE("a clock that is set back does not keep a log from rotating by time") {
+TEST_CASE("a clock that is set back does not stop rotation by time") {
   const TemporaryFolder folder;
   LogSync sync;
   LoggerParams params = params_for(folder / "a.lcm");
@@ -125,7 +125,7 @@ TEST_CASE("a clock that is set back does not keep a log from rotating by time") 
   CHECK(seconds_in(folder / "a.000002.lcm").size() == 10);
 }
 
-TEST_CASE("a rotated log that is started again goes on with the next number") {
+TEST_CASE("a restarted rotated log continues with the next number") {
   const TemporaryFolder folder;
   LogSync sync;
   LoggerParams params = params_for(folder / "a.lcm");
@@ -140,7 +140,7 @@ TEST_CASE("a rotated log that is started again goes on with the next number") {
   }
 }
 
-TEST_CASE("the quota removes the oldest files of this log and nothing else") {
+TEST_CASE("the quota removes only the oldest files of this log") {
   const TemporaryFolder folder;
   write_text(folder / "a.lcm", std::string(500'000, 'x'));
   write_text(folder / "a.000000.lcm", std::string(500'000, 'x'));  // By its name only.
@@ -165,7 +165,7 @@ TEST_CASE("the quota removes the oldest files of this log and nothing else") {
     CHECK(bytes <= 350'000);
   }
   auto expected = foreign;
-  // Two whole files are left beside the newest: with a third the newest could not become full.
+  // Two whole files stay beside the newest: a third would leave no room for the newest.
   expected.insert(expected.end(), {"a.000010.lcm", "a.000011.lcm", "a.000012.lcm"});
   std::sort(expected.begin(), expected.end());
   CHECK(names_in(folder) == expected);
@@ -185,7 +185,7 @@ TEST_CASE("the quota spares a file that another logger writes") {
   CHECK(names_in(folder).empty());
 }
 
-TEST_CASE("the quota tells of a file that it cannot remove, and of a folder it cannot read") {
+TEST_CASE("the quota reports files that it cannot remove, and folders that it cannot read") {
   const TemporaryFolder folder;
   const std::filesystem::path logs = folder / "logs";
   std::filesystem::create_directory(logs);
@@ -205,7 +205,7 @@ TEST_CASE("the quota tells of a file that it cannot remove, and of a folder it c
         "cannot read " + logs.string() + ": No such file or directory");
 }
 
-TEST_CASE("the log stops for good at its largest size, over all its files, and counts the rest") {
+TEST_CASE("the log stops permanently at its largest size over all files, and counts the rest") {
   const TemporaryFolder folder;
   LogSync sync;
   LoggerParams params = params_for(folder / "a.lcm");
@@ -223,7 +223,7 @@ TEST_CASE("the log stops for good at its largest size, over all its files, and c
             {"messages_not_written", 50}, {"messages_not_written.PUCK_EVENTS", 50}});
 }
 
-TEST_CASE("a disk is never filled: the log stops before, and goes on when there is space again") {
+TEST_CASE("a disk is never filled: the log stops before, and continues when there is space") {
   const SmallDisk disk(4 << 20);
   if (!disk.is_mounted()) {
     MESSAGE("skipped: only root can mount a small disk");

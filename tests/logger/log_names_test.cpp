@@ -9,7 +9,7 @@
 
 namespace puck {
 
-TEST_CASE("the conversions in the path become the time, and a path must be left") {
+TEST_CASE("the conversions in the path become the time, and must leave a path") {
   std::tm time{};
   time.tm_year = 126;
   time.tm_mon = 10;
@@ -21,7 +21,7 @@ TEST_CASE("the conversions in the path become the time, and a path must be left"
   CHECK_THROWS_AS(expand_log_path("", 0), std::invalid_argument);
 }
 
-TEST_CASE("rotated files are numbered so that their names sort") {
+TEST_CASE("numbers of rotated files sort by name") {
   const LogNames names("log/%Y.lcm", "log/2026.lcm");
   CHECK(names.at(0) == "log/2026.000000.lcm");
   CHECK(names.at(12) == "log/2026.000012.lcm");
@@ -29,7 +29,7 @@ TEST_CASE("rotated files are numbered so that their names sort") {
   CHECK(LogNames("a", "a").at(3) == "./a.000003");
 }
 
-TEST_CASE("numbers go on after those that exist, with gaps or without") {
+TEST_CASE("numbers continue after existing ones, with or without gaps") {
   const TemporaryFolder folder;
   const LogNames names("%Y.lcm", folder / "2026.lcm");
   CHECK(names.first_free() == 0);
@@ -42,7 +42,7 @@ TEST_CASE("numbers go on after those that exist, with gaps or without") {
   CHECK(names.first_free() == 42);
 }
 
-TEST_CASE("only a name that the pattern gives for some time is a log of ours") {
+TEST_CASE("only names that the pattern produces for some time are logs of ours") {
   const LogNames names("x/puck-%Y-%m-%d-%H-%M-%S.lcm", "x/puck-2026-11-21-19-30-00.lcm");
   CHECK(names.is_ours("puck-2026-11-21-19-30-00.000000.lcm"));
   CHECK(names.is_ours("puck-2025-01-02-03-04-05.123456.lcm"));

@@ -20,7 +20,7 @@ std::vector<std::uint8_t> message(std::size_t bytes, int number) {
   return std::vector<std::uint8_t>(bytes, static_cast<std::uint8_t>(number));
 }
 
-/// Takes the oldest record out; its time, or -1 when there is none.
+/// Removes the oldest record and returns its time; -1 from an empty queue.
 std::int64_t take(LogQueue& queue) {
   const auto records = queue.front();
   if (records.empty()) return -1;
@@ -39,7 +39,7 @@ constexpr std::size_t kOverhead = kLogHeaderBytes + 1;  // Of a message on chann
 
 }  // namespace
 
-TEST_CASE("what is pushed comes out in order, and as a log lays it down") {
+TEST_CASE("pushed messages are popped in order, in the log's format") {
   LogQueue queue(1000);
   CHECK(queue.front().empty());
   REQUIRE(queue.push("A", 1, message(10, 1)));
@@ -53,7 +53,7 @@ TEST_CASE("what is pushed comes out in order, and as a log lays it down") {
   CHECK(queue.most_bytes() == 2 * kOverhead + 10);
 }
 
-TEST_CASE("what does not fit is refused, and what was there stays") {
+TEST_CASE("a message that does not fit is refused, and earlier ones stay") {
   LogQueue queue(10 * (kOverhead + 10));
   for (int i = 0; i < 10; ++i) REQUIRE(queue.push("A", i, message(10, i)));
   CHECK_FALSE(queue.push("A", 10, message(10, 10)));
@@ -65,7 +65,7 @@ TEST_CASE("what does not fit is refused, and what was there stays") {
   CHECK_FALSE(queue.push("A", 12, message(10 * (kOverhead + 10), 12)));
 }
 
-TEST_CASE("a queue of any history holds what a list would, and never more than its capacity") {
+TEST_CASE("a queue behaves like a list in any sequence of calls, and never exceeds its capacity") {
   std::mt19937 random(3);
   LogQueue queue(2000);
   std::deque<std::int64_t> expected;
@@ -91,7 +91,7 @@ TEST_CASE("a queue of any history holds what a list would, and never more than i
   CHECK(next > 5'000);
 }
 
-TEST_CASE("two threads hand over every message that was not refused") {
+TEST_CASE("every message that is not refused passes between two threads") {
   LogQueue queue(1 << 14);
   constexpr int kMessages = 20'000;
   std::int64_t pushed = 0;

@@ -23,7 +23,7 @@ std::vector<std::int64_t> times_of(std::span<const std::uint8_t> records) {
 
 }  // namespace
 
-TEST_CASE("while the disk stands still the bus goes on, and what fitted is written in the end") {
+TEST_CASE("while the disk blocks the bus continues, and queued messages are written in the end") {
   std::latch disk_moves(1);
   std::vector<std::int64_t> written;
   LogThread thread(100'000, [&](std::span<std::uint8_t> records) {
@@ -34,7 +34,7 @@ TEST_CASE("while the disk stands still the bus goes on, and what fitted is writt
   });
   const std::vector<std::uint8_t> message(1000);
   std::vector<std::int64_t> accepted;
-  // Were one of these to wait for the disk, the test would hang.
+  // A wait for the disk would block the test here.
   for (int i = 0; i < 1000; ++i) {
     if (thread.push("PUCK_EVENTS", i, message)) accepted.push_back(i);
   }
@@ -45,7 +45,7 @@ TEST_CASE("while the disk stands still the bus goes on, and what fitted is writt
   CHECK(written == accepted);
 }
 
-TEST_CASE("what is written piece by piece is handed on piece by piece") {
+TEST_CASE("messages written one by one are passed on one by one") {
   std::vector<std::int64_t> written;
   LogThread thread(100'000, [&](std::span<std::uint8_t> records) {
     written.push_back(times_of(records).front());

@@ -23,7 +23,7 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-/// A logger within the test, on a bus that hears only itself.
+/// A logger within the test, on a bus of its own.
 struct LoggerBench {
   Bus bus{BusParams{.url = "memq://"}};
   StatusReporter status{bus, "puck-logger"};
@@ -38,7 +38,7 @@ struct LoggerBench {
     REQUIRE(bus.start({}, [](const std::string&) {}));
   }
 
-  /// Lets it write what was published so far.
+  /// Lets it write the messages published so far.
   void run() {
     std::stop_source stop;
     stop.request_stop();
@@ -60,7 +60,7 @@ void publish_events(Bus& bus, int packets) {
   }
 }
 
-/// How many messages of each channel.
+/// Number of messages of each channel.
 std::map<std::string, int> channels_in(const std::filesystem::path& path) {
   LogReader reader(path);
   std::map<std::string, int> channels;
@@ -72,7 +72,7 @@ std::map<std::string, int> channels_in(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("the logger writes what comes on every channel") {
+TEST_CASE("the logger writes messages of every channel") {
   const TemporaryFolder folder;
   LoggerBench bench({.path = folder / "a.lcm"});
   publish_events(bench.bus, 5);
@@ -88,7 +88,7 @@ TEST_CASE("the logger writes what comes on every channel") {
         static_cast<std::int64_t>(std::filesystem::file_size(folder / "a.lcm")));
 }
 
-TEST_CASE("a little that comes does not wake the logger message by message") {
+TEST_CASE("slow traffic does not wake the logger for every message") {
   const TemporaryFolder folder;
   LoggerBench bench({.path = folder / "a.lcm"});
   WakeUpTally tally;
@@ -103,14 +103,14 @@ TEST_CASE("a little that comes does not wake the logger message by message") {
   CHECK(channels_in(folder / "a.lcm")["PUCK_HEAD"] == 2000);
 }
 
-TEST_CASE("the logger counts the event packets and the events that never came") {
+TEST_CASE("the logger counts event packets and missing events") {
   const TemporaryFolder folder;
   LoggerBench bench({.path = folder / "a.lcm"});
   EventPacker packer({.sensor = {640, 480}});
   for (int i = 0; i < 5; ++i) {
     packer.pack({i}, std::vector<Event>(10), [&](const event_packet_t& packet) {
       event_packet_t sent = packet;
-      // The bus refuses this one, but has numbered it.
+      // The bus refuses this one, but uses its number.
       if (i == 2) sent.encoding = 9;
       bench.bus.publish(sent);
     });
@@ -121,7 +121,7 @@ TEST_CASE("the logger counts the event packets and the events that never came") 
   CHECK(bench.counters()["events_lost"] == 10);
 }
 
-TEST_CASE("the logger stops at its quota, says so and counts what it did not write") {
+TEST_CASE("the logger stops at its quota, reports that and counts the unwritten messages") {
   const TemporaryFolder folder;
   const std::int64_t packet_bytes = 28 + 11 + 93 + 40;
   LoggerBench bench({.path = folder / "a.lcm", .max_bytes = 3 * packet_bytes + 1});
@@ -133,7 +133,7 @@ TEST_CASE("the logger stops at its quota, says so and counts what it did not wri
   CHECK(bench.status.state_text().find("logger.max_bytes = 517 is reached") != std::string::npos);
 }
 
-TEST_CASE("the logger counts by channel what its queue has no place for, and says so") {
+TEST_CASE("the logger counts messages beyond its queue by channel, and reports them") {
   const TemporaryFolder folder;
   // A queue that takes a packet of 10 events, but not one of 1000.
   LoggerBench bench({.path = folder / "a.lcm", .queue_bytes = 1000});
@@ -152,7 +152,7 @@ TEST_CASE("the logger counts by channel what its queue has no place for, and say
   CHECK(bench.status.state_text().find("logger.queue_bytes") != std::string::npos);
 }
 
-TEST_CASE("a logger that is started again within a second waits for the next second's name") {
+TEST_CASE("a logger restarted within a second waits for the next second's name") {
   const TemporaryFolder folder;
   const LoggerParams params{.path = (folder / "%Y-%m-%d-%H-%M-%S.lcm").string()};
   const LoggerBench first(params);
@@ -160,7 +160,7 @@ TEST_CASE("a logger that is started again within a second waits for the next sec
   CHECK(first.logger.path() < second.logger.path());
 }
 
-TEST_CASE("the logger writes the time of the start into the path, and over nothing that exists") {
+TEST_CASE("the logger writes its start time into the path, and overwrites nothing") {
   const TemporaryFolder folder;
   {
     LoggerBench bench({.path = (folder / "%Y.lcm").string()});
@@ -172,7 +172,7 @@ TEST_CASE("the logger writes the time of the start into the path, and over nothi
   CHECK_NOTHROW(LoggerBench({.path = params.path, .overwrite = true}));
 }
 
-TEST_CASE("the logger reads its settings and refuses those that make no sense") {
+TEST_CASE("the logger reads its settings and refuses impossible ones") {
   const auto params_of = [](const std::string& text) {
     Config config = Config::from_text(text, "logger.toml");
     const LoggerParams params = LoggerService::read_params(config);
@@ -219,7 +219,7 @@ TEST_CASE("the commented settings file holds every key with its default") {
   CHECK(params.queue_bytes == LoggerParams{}.queue_bytes);
 }
 
-TEST_CASE("puck-logger logs what lcm-logplayer plays again, and stops at once on SIGTERM") {
+TEST_CASE("puck-logger logs replayed messages of lcm-logplayer, and stops at once on SIGTERM") {
   const TemporaryFolder folder;
   const std::string path = folder / "a.lcm";
   const std::string live = private_lcm_url(0);

@@ -40,7 +40,7 @@ bool is_given_large_buffer() {
   return given >= kBytes;
 }
 
-/// Publishes any bytes at all, as a stranger would.
+/// Publishes arbitrary bytes.
 class Stranger {
  public:
   explicit Stranger(const std::string& url) : lcm_(lcm_create(url.c_str())) {}
@@ -88,7 +88,7 @@ TEST_CASE("a message is published with time, session and number, and received wi
   CHECK(bus.counters<head_state_t>().published == 2);
 }
 
-TEST_CASE("sequence numbers are those of one channel") {
+TEST_CASE("sequence numbers count the messages of one channel") {
   Bus bus({.url = "memq://"});
   start(bus);
   head_state_t head{};
@@ -113,7 +113,7 @@ TEST_CASE("several handlers of one type are all called, in order") {
   CHECK(bus.counters<head_state_t>().arrivals.received == 1);
 }
 
-TEST_CASE("what a handler throws is counted, and the next message still comes") {
+TEST_CASE("a handler's exception is counted, and the next message is still delivered") {
   Bus bus({.url = "memq://"});
   int calls = 0;
   bus.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) {
@@ -129,7 +129,7 @@ TEST_CASE("what a handler throws is counted, and the next message still comes") 
   CHECK(bus.counters<head_state_t>().last_handler_failure == "unknown exception");
 }
 
-TEST_CASE("a message that receivers would reject is not sent, and counted") {
+TEST_CASE("an invalid message is not sent, and counted") {
   Bus bus({.url = "memq://"});
   start(bus);
   arm_command_t command{};
@@ -160,7 +160,7 @@ TEST_CASE("a start waits for a route only until it is asked to stop") {
   CHECK_FALSE(bus.start(source.get_token(), [](const std::string&) {}));
 }
 
-TEST_CASE("two buses hear each other over UDP, and other prefixes do not") {
+TEST_CASE("two buses exchange messages over UDP, and ignore other prefixes") {
   const std::string url = private_lcm_url();
   Bus sender({.url = url, .prefix = "LEFT"});
   Bus receiver({.url = url, .prefix = "LEFT"});
@@ -179,7 +179,7 @@ TEST_CASE("two buses hear each other over UDP, and other prefixes do not") {
   CHECK(receiver.counters<head_state_t>().arrivals.lost == 0);
 }
 
-TEST_CASE("a burst of event packets waits in the queue and is not lost") {
+TEST_CASE("a burst of event packets is queued without loss") {
   if (!is_given_large_buffer()) {
     MESSAGE("skipped: net.core.rmem_max is too small here for a user without more rights");
     return;
@@ -204,7 +204,7 @@ TEST_CASE("a burst of event packets waits in the queue and is not lost") {
   CHECK(receiver.counters<event_packet_t>().arrivals.items_lost == 0);
 }
 
-TEST_CASE("a receipt says whether more has come") {
+TEST_CASE("a receipt tells whether more messages are waiting") {
   for (const std::string& url : {std::string("memq://"), private_lcm_url()}) {
     CAPTURE(url);
     Bus bus({.url = url});
@@ -222,7 +222,7 @@ TEST_CASE("a receipt says whether more has come") {
   }
 }
 
-TEST_CASE("packets that nobody reads wait in the socket, and no more of them than fit") {
+TEST_CASE("unread packets wait in the socket up to its capacity") {
   if (!is_given_large_buffer()) {
     MESSAGE("skipped: net.core.rmem_max is too small here for a user without more rights");
     return;
@@ -246,7 +246,7 @@ TEST_CASE("packets that nobody reads wait in the socket, and no more of them tha
     while (receiver.handle(milliseconds(50)) > 0) {
     }
   };
-  // Twice the socket's buffer of 4 MB at most: what nobody reads waits there and nowhere else.
+  // Twice the socket's buffer of 4 MB at most: unread packets wait there only.
   publish_unread(60'000, 1'000);
   handle_all();
   CHECK(received() > 0);
@@ -258,7 +258,7 @@ TEST_CASE("packets that nobody reads wait in the socket, and no more of them tha
   CHECK(received() - before > 700);
 }
 
-TEST_CASE("malformed messages on every channel are dropped and counted, and good ones still come") {
+TEST_CASE("malformed messages on every channel are dropped and counted, good ones still arrive") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url});
   std::array<int, kAllChannels.size()> received{};
@@ -291,7 +291,7 @@ TEST_CASE("malformed messages on every channel are dropped and counted, and good
   }
 }
 
-TEST_CASE("a message larger than its type can be is dropped unread") {
+TEST_CASE("a message larger than its type's limit is dropped unread") {
   Bus bus({.url = private_lcm_url()});
   int received = 0;
   bus.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { ++received; });
@@ -306,7 +306,7 @@ TEST_CASE("a message larger than its type can be is dropped unread") {
   CHECK(received == 0);
 }
 
-TEST_CASE("what is not ours is counted and named, and wakes nobody") {
+TEST_CASE("foreign datagrams are counted and named, and wake no thread") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url, .prefix = "LEFT"});
   bus.subscribe<head_state_t>([](const head_state_t&, const Receipt&) {});
@@ -325,7 +325,7 @@ TEST_CASE("what is not ours is counted and named, and wakes nobody") {
   CHECK(network.foreign_traffic[0].sender.address != 0);
 }
 
-TEST_CASE("a message of several datagrams is refused unless it is allowed") {
+TEST_CASE("a message in several datagrams is refused unless that is allowed") {
   const std::string url = private_lcm_url();
   Bus strict({.url = url});
   Bus generous({.url = url, .allow_fragments = true});
@@ -352,7 +352,7 @@ TEST_CASE("a message of several datagrams is refused unless it is allowed") {
         "lcm.allow_fragments is false)");
 }
 
-TEST_CASE("lost packets and events are counted from what the packets say") {
+TEST_CASE("lost packets and events are counted from the packets' own counts") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url});
   int received = 0;
@@ -376,7 +376,7 @@ TEST_CASE("lost packets and events are counted from what the packets say") {
   CHECK(arrivals.items_lost == 20);
 }
 
-TEST_CASE("a subscriber to everything hears every channel of its prefix as bytes") {
+TEST_CASE("a subscriber to all channels receives every channel of its prefix as bytes") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url, .prefix = "LEFT"});
   std::vector<std::string> channels;
@@ -401,7 +401,7 @@ TEST_CASE("a subscriber to everything hears every channel of its prefix as bytes
   CHECK(bytes_heard == 5 + static_cast<std::size_t>(head.getEncodedSize()));
 }
 
-TEST_CASE("threads may publish at the same time, and every number is given once") {
+TEST_CASE("threads may publish concurrently, and every number is used once") {
   Bus bus({.url = "memq://"});
   int received = 0;
   bus.subscribe<head_state_t>([&](const head_state_t&, const Receipt&) { ++received; });

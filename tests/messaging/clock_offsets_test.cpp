@@ -13,10 +13,10 @@ namespace {
 constexpr std::int64_t kSecond = 1'000'000;
 constexpr std::int64_t kHour = 3600 * kSecond;
 
-/// Our host, and others with clocks of their own, all as the test says.
+/// Simulated clocks of our host and of others.
 class ClockBench {
  public:
-  /// One ping and its answer; `there_us` and `back_us` are what the ways take.
+  /// One ping and its answer; `there_us` and `back_us` are the delays of the two ways.
   bool exchange(std::int64_t session, std::int64_t ahead_us, std::int64_t there_us,
                 std::int64_t back_us) {
     offsets.ping(now);
@@ -52,7 +52,7 @@ TEST_CASE("the offset of a clock hours away is known after one answer, to half t
     CAPTURE(ahead_us);
     ClockBench bench;
     CHECK_FALSE(bench.offsets.offset_of(7, bench.now));
-    // The way there takes 400 µs, the way back nothing: as wrong as it can be.
+    // The way there takes 400 µs, the way back nothing: the largest error.
     REQUIRE(bench.exchange(7, ahead_us, 400, 0));
     const ClockOffset clock = bench.clock(7);
     CHECK(clock.ahead_us == ahead_us + 200);
@@ -63,7 +63,7 @@ TEST_CASE("the offset of a clock hours away is known after one answer, to half t
   }
 }
 
-TEST_CASE("a clock that cannot be told from ours is taken for ours, to the microsecond") {
+TEST_CASE("a clock indistinguishable from ours is treated as ours, to the microsecond") {
   for (const std::int64_t ahead_us : {std::int64_t{0}, std::int64_t{90}, std::int64_t{-90}}) {
     CAPTURE(ahead_us);
     ClockBench bench;
@@ -73,19 +73,20 @@ TEST_CASE("a clock that cannot be told from ours is taken for ours, to the micro
   }
 }
 
-TEST_CASE("a clock taken for ours may be as far away as the measurement allowed, and says so") {
+TEST_CASE("a clock treated as ours has the measurement's uncertainty as its bound") {
   // Measured 140 ms ahead, give or take 150 ms; in truth it is 280 ms ahead.
   ClockBench bench;
   REQUIRE(bench.exchange(7, 280'000, 10'000, 290'000));
   const ClockOffset clock = bench.clock(7);
   CHECK(clock.ahead_us == 0);
   CHECK(clock.uncertainty_us >= 280'000);
-  // 240 ms old: that must not count as certain to be younger than 200 ms.
+  // 240 ms old: not certainly younger than 200 ms.
   const std::int64_t sent_utime = bench.now.utime + 280'000 - 240'000;
   CHECK(freshness_of(sent_utime, bench.now, clock, 200'000) == Freshness::kClockUnknown);
 }
 
-TEST_CASE("of many exchanges on a busy network the quickest counts, and its bound holds") {
+TEST_CASE(
+    "on a busy network the exchange with the shortest round trip counts, and its bound holds") {
   std::mt19937 random(3);
   std::exponential_distribution<double> delay(1.0 / 3000);
   ClockBench bench;
@@ -99,7 +100,7 @@ TEST_CASE("of many exchanges on a busy network the quickest counts, and its boun
   }
 }
 
-TEST_CASE("a step of our own clock changes the offset at once and by the same") {
+TEST_CASE("a step of our own clock changes the offset at once and by the same amount") {
   ClockBench bench;
   REQUIRE(bench.exchange(7, kHour, 100, 100));
   bench.now.utime += 2 * kHour;
@@ -114,7 +115,7 @@ TEST_CASE("a step of our own clock changes the offset at once and by the same") 
   CHECK(std::abs(bench.clock(7).ahead_us - kHour) < 1000);
 }
 
-TEST_CASE("a step of another clock is believed when two answers in a row tell of it") {
+TEST_CASE("a step of another clock is accepted after two consecutive answers") {
   ClockBench bench;
   for (int i = 0; i < 50; ++i) REQUIRE(bench.exchange(7, kHour, 100, 100));
   bench.exchange(7, -kHour, 100, 100);
@@ -122,7 +123,7 @@ TEST_CASE("a step of another clock is believed when two answers in a row tell of
   bench.exchange(7, -kHour, 100, 100);
   CHECK(bench.clock(7).ahead_us == -kHour);
 
-  SUBCASE("a lone wrong answer changes nothing, however often it comes between right ones") {
+  SUBCASE("a single wrong answer changes nothing, even repeatedly between right ones") {
     for (int i = 0; i < 20; ++i) {
       bench.exchange(7, 9 * kHour, 100, 100);
       bench.exchange(7, -kHour, 100, 100);
@@ -131,7 +132,7 @@ TEST_CASE("a step of another clock is believed when two answers in a row tell of
   }
 }
 
-TEST_CASE("a clock that drifts is followed, and the bound holds all the time") {
+TEST_CASE("a drifting clock is followed, and the bound holds all the time") {
   ClockBench bench;
   for (int i = 0; i < 600; ++i) {
     bench.pass(30'000);
@@ -143,7 +144,7 @@ TEST_CASE("a clock that drifts is followed, and the bound holds all the time") {
   }
 }
 
-TEST_CASE("without answers an offset becomes less and less sure") {
+TEST_CASE("without answers an offset's bound grows") {
   ClockBench bench;
   REQUIRE(bench.exchange(7, kHour, 100, 100));
   bench.pass(kHour);
@@ -152,7 +153,7 @@ TEST_CASE("without answers an offset becomes less and less sure") {
         Freshness::kClockUnknown);
 }
 
-TEST_CASE("a restarted run is a stranger until it answers") {
+TEST_CASE("a restarted run is unknown until it answers") {
   ClockBench bench;
   REQUIRE(bench.exchange(7, kHour, 100, 100));
   CHECK_FALSE(bench.offsets.offset_of(8, bench.now));
@@ -161,7 +162,7 @@ TEST_CASE("a restarted run is a stranger until it answers") {
   CHECK(bench.clock(8).ahead_us == 2 * kHour);
 }
 
-TEST_CASE("answers to what we never sent, or long ago, or that contradict themselves are refused") {
+TEST_CASE("answers to unknown or old questions, and contradictory ones, are refused") {
   ClockBench bench;
   bench.offsets.ping(bench.now);
   const HostNow sent = bench.now;
@@ -174,7 +175,7 @@ TEST_CASE("answers to what we never sent, or long ago, or that contradict themse
   };
   CHECK(refused([](ClockAnswer& a) { a.ping_utime += 1; }));
   CHECK(refused([](ClockAnswer& a) { a.ping_utime = 0; }));
-  // It waited there for longer than it was away.
+  // It waited there for longer than the round trip took.
   CHECK(refused([](ClockAnswer& a) { a.answered_utime += 60'000; }));
   CHECK(refused([](ClockAnswer& a) { a.answered_utime -= 60'000; }));
   CHECK(refused([](ClockAnswer& a) { a.received_utime = -1; }));
@@ -192,7 +193,7 @@ TEST_CASE("answers to what we never sent, or long ago, or that contradict themse
   CHECK(refused([](ClockAnswer&) {}));
 }
 
-TEST_CASE("answers that were held back widen the bound instead of moving the clock") {
+TEST_CASE("delayed answers widen the bound instead of changing the offset") {
   ClockBench bench;
   for (int i = 0; i < 100; ++i) REQUIRE(bench.exchange(7, kHour, 100, kSecond));
   const ClockOffset clock = bench.clock(7);
@@ -201,7 +202,7 @@ TEST_CASE("answers that were held back widen the bound instead of moving the clo
         Freshness::kClockUnknown);
 }
 
-TEST_CASE("a flood of runs takes no more than 64 places, and those heard last keep theirs") {
+TEST_CASE("a flood of runs takes at most 64 places, and the latest ones keep theirs") {
   ClockBench bench;
   REQUIRE(bench.exchange(7, kHour, 100, 100));
   for (std::int64_t session = 1000; session < 21'000; ++session) {
@@ -214,7 +215,7 @@ TEST_CASE("a flood of runs takes no more than 64 places, and those heard last ke
   CHECK_FALSE(bench.offsets.offset_of(1000, bench.now));
 }
 
-TEST_CASE("what was sent is of now, old or from the future by its sender's clock, for any utime") {
+TEST_CASE("a message is live, old or from the future by its sender's clock, for any utime") {
   const HostNow now{1'700'000'000 * kSecond, 1};
   const ClockOffset clock{5 * kHour, 1'000};
   const std::int64_t there = now.utime + 5 * kHour;

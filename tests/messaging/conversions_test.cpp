@@ -4,7 +4,7 @@
 
 namespace puck {
 
-TEST_CASE("an estimate survives the wire") {
+TEST_CASE("an estimate is unchanged by conversion to its message and back") {
   PuckEstimate estimate;
   estimate.state = TrackState::kTracking;
   estimate.coasting = true;
@@ -38,7 +38,7 @@ TEST_CASE("an estimate survives the wire") {
   CHECK_FALSE(back.left_image.has_value());
 }
 
-TEST_CASE("a puck that left the image has no position but a place where it left") {
+TEST_CASE("a puck that left the image has a place of exit and no position") {
   PuckEstimate estimate;
   estimate.state = TrackState::kLost;
   estimate.left_image = Pixel{639, 100};
@@ -49,7 +49,7 @@ TEST_CASE("a puck that left the image has no position but a place where it left"
   CHECK(back.left_image == Pixel{639, 100});
 }
 
-TEST_CASE("the states on the wire are those of the tracker") {
+TEST_CASE("the states in messages are those of the tracker") {
   CHECK(static_cast<int>(TrackState::kSearching) == puck_estimate_t::STATE_SEARCHING);
   CHECK(static_cast<int>(TrackState::kTracking) == puck_estimate_t::STATE_TRACKING);
   CHECK(static_cast<int>(TrackState::kLost) == puck_estimate_t::STATE_LOST);

@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// In memory of its own to the last byte, so that a sanitizer sees the first read beyond.
+/// Parses a copy of exactly this size, so that a sanitizer sees a read beyond.
 Datagram parse_exactly(const Bytes& bytes, std::unique_ptr<std::uint8_t[]>& memory) {
   memory = std::make_unique<std::uint8_t[]>(bytes.size());
   std::copy(bytes.begin(), bytes.end(), memory.get());
@@ -65,12 +65,12 @@ BadDatagram bad(const Bytes& bytes) {
   std::unique_ptr<std::uint8_t[]> memory;
   const Datagram datagram = parse_exactly(bytes, memory);
   REQUIRE(std::holds_alternative<BadDatagram>(datagram));
-  return std::get<BadDatagram>(datagram);  // Its words are constants: they outlive the bytes.
+  return std::get<BadDatagram>(datagram);  // Its text is constant and outlives the bytes.
 }
 
 }  // namespace
 
-TEST_CASE("a whole message is told apart into number, channel and payload") {
+TEST_CASE("a whole message is split into number, channel and payload") {
   const Bytes bytes = whole_message("PUCK_STATUS", std::string_view("a\0b", 3));
   const Datagram datagram = parse_datagram(bytes);
   REQUIRE(std::holds_alternative<WholeMessage>(datagram));
@@ -106,7 +106,7 @@ TEST_CASE("a channel name has up to 63 bytes and ends within the datagram") {
         "has an unterminated channel name");
 }
 
-TEST_CASE("what is shorter than a header is bad, at every length") {
+TEST_CASE("a datagram shorter than a header is bad, at every length") {
   const Bytes message = whole_message("A", "");
   const Bytes part = fragment({}, std::string_view("A\0xyz", 5));
   for (std::size_t size = 0; size < 4; ++size) {
@@ -120,7 +120,7 @@ TEST_CASE("what is shorter than a header is bad, at every length") {
   }
 }
 
-TEST_CASE("what does not begin as LCM does is not LCM") {
+TEST_CASE("a datagram without LCM's magic is not LCM") {
   Bytes bytes = whole_message("A", "abc");
   for (const char last : {'0', '1', '4', '\0'}) {
     bytes[3] = static_cast<std::uint8_t>(last);
@@ -151,7 +151,7 @@ TEST_CASE("only the first fragment has a channel") {
   CHECK(bad(fragment({}, "CH")).why == "has an unterminated channel name");
 }
 
-TEST_CASE("a fragment must lie within its message, also where 32 bits wrap") {
+TEST_CASE("a fragment must lie within its message, even where 32 bits wrap") {
   const FragmentHeader fits{.message_size = 10, .offset = 8, .index = 1};
   CHECK(std::holds_alternative<MessageFragment>(parse_datagram(fragment(fits, "ab"))));
   CHECK(bad(fragment(fits, "abc")).why == "is a fragment that reaches beyond its message");
@@ -164,7 +164,7 @@ TEST_CASE("a fragment must lie within its message, also where 32 bits wrap") {
   CHECK(bad(fragment(largest, "a")).why == "is a fragment that reaches beyond its message");
 }
 
-TEST_CASE("a fragment's number must be below their count") {
+TEST_CASE("a fragment's number must be below the number of fragments") {
   CHECK(bad(fragment({.index = 2, .fragments = 2}, "ab")).why ==
         "is a fragment numbered beyond the last one");
   CHECK(bad(fragment({.index = 0, .fragments = 0}, "ab")).why ==
@@ -173,7 +173,7 @@ TEST_CASE("a fragment's number must be below their count") {
       parse_datagram(fragment({.index = 65534, .fragments = 65535}, "ab"))));
 }
 
-TEST_CASE("whatever comes, what is returned lies within it") {
+TEST_CASE("for any bytes the returned parts lie within the datagram") {
   std::mt19937_64 random(6);
   const Bytes message = whole_message("PUCK_EVENTS", "some payload");
   const Bytes part = fragment({}, std::string_view("PUCK_EVENTS\0payload", 19));
@@ -207,7 +207,7 @@ TEST_CASE("whatever comes, what is returned lies within it") {
   CHECK(good > 10'000);
 }
 
-TEST_CASE("a name that is shown cannot control a terminal and is not taken for another") {
+TEST_CASE("a displayed name cannot control a terminal or imitate another name") {
   CHECK(printable("PUCK_EVENTS 1~") == "PUCK_EVENTS 1~");
   CHECK(printable("\x1b[2J\n\x7f\xc3\xa9") == "\\x1b[2J\\x0a\\x7f\\xc3\\xa9");
   CHECK(printable("a\\x0a") == "a\\x5cx0a");

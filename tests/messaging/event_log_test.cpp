@@ -37,7 +37,7 @@ std::string refusal_of(const std::filesystem::path& path, const std::string& pre
   }
 }
 
-TEST_CASE("a log without events names those of another prefix, and repeats no other name") {
+TEST_CASE("a log without events names the prefixes that have events, and repeats no other name") {
   const TemporaryFolder folder;
   for (const char* name : {"LEFT_PUCK_EVENTS", "left_PUCK_EVENTS", "A\x1b[2J_PUCK_EVENTS"}) {
     LogWriter(folder / "a.lcm", true).write(name, 1, {});
@@ -49,7 +49,7 @@ TEST_CASE("a log without events names those of another prefix, and repeats no ot
   }
 }
 
-TEST_CASE("a log's packets come as they were received, a large one in pieces, twice the same") {
+TEST_CASE("a log's packets are read in the order of receipt, a large one in pieces, reproducibly") {
   const TemporaryFolder folder;
   {
     EventLogWriter writer(folder / "a.lcm", kSensor);
@@ -74,7 +74,7 @@ TEST_CASE("a log's packets come as they were received, a large one in pieces, tw
   }
 }
 
-TEST_CASE("what is missing, late, twice or malformed in a log is counted, and the rest comes") {
+TEST_CASE("missing, late, duplicate and malformed packets of a log are counted, others are read") {
   const TemporaryFolder folder;
   {
     EventLogWriter writer(folder / "a.lcm", kSensor);
@@ -96,14 +96,14 @@ TEST_CASE("what is missing, late, twice or malformed in a log is counted, and th
   CHECK(starts_of(log) == std::vector<std::int64_t>{1000, 3000, 4000});
   CHECK(log.counters().packets_missing == 1);
   CHECK(log.counters().events_missing == 20);
-  // The last packet has the number that the one from before had taken.
+  // The last packet has a number that the one before has used.
   CHECK(log.counters().packets_late == 4);
   CHECK(log.counters().packets_malformed == 1);
   CHECK(tells(log, "1 packets of events missing; together with late packets, 20 events"));
   CHECK(tells(log, "1 packets of events left out: malformed"));
 }
 
-TEST_CASE("a camera that was started again goes on from where it ended, as much later as it was") {
+TEST_CASE("a restarted camera continues its sensor time, with the pause between the sessions") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   {
@@ -128,7 +128,7 @@ TEST_CASE("a camera that was started again goes on from where it ended, as much 
   CHECK(tells(first, "3 packets of events left out"));
 }
 
-TEST_CASE("a log without events under the prefix is refused, and the prefix it has is named") {
+TEST_CASE("a log without events under the prefix is refused, and its own prefix is named") {
   const TemporaryFolder folder;
   { EventLogWriter(folder / "a.lcm", kSensor, "LEFT_PUCK_EVENTS").write(numbered_events(0, 1)); }
   CHECK_NOTHROW(EventLog(folder / "a.lcm", "LEFT", EventLog::Sessions::kFirst));
@@ -138,7 +138,7 @@ TEST_CASE("a log without events under the prefix is refused, and the prefix it h
   CHECK(refusal_of(folder / "none.lcm", "").find("cannot be read") != std::string::npos);
 }
 
-TEST_CASE("of a damaged log comes what is whole, and the damage is told") {
+TEST_CASE("the intact part of a damaged log is read, and the damage is reported") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   {
@@ -161,7 +161,7 @@ TEST_CASE("of a damaged log comes what is whole, and the damage is told") {
   CHECK(tells(log, "bytes skipped"));
 }
 
-TEST_CASE("stamps and times at the end of their range bend nothing") {
+TEST_CASE("stamps and times at the end of their range are unchanged") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   constexpr std::int64_t kFar = std::int64_t{1} << 53;

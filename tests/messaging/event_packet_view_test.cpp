@@ -32,7 +32,7 @@ void check_same(const EventPacketView& view, const event_packet_t& message) {
 
 }  // namespace
 
-TEST_CASE("a view of a packet's bytes says what LCM's own decoder says") {
+TEST_CASE("a view of a packet's bytes equals the output of LCM's own decoder") {
   std::mt19937_64 random(8);
   for (int i = 0; i < 20; ++i) {
     const auto bytes = random_message(Channel::kEvents, random).bytes;
@@ -45,7 +45,7 @@ TEST_CASE("a view of a packet's bytes says what LCM's own decoder says") {
   }
 }
 
-TEST_CASE("whoever subscribes to views gets them checked, with the events of the message") {
+TEST_CASE("a subscriber to views gets checked views, with the events of the message") {
   Bus bus({.url = "memq://"});
   EventPacket received;
   int calls = 0;
@@ -67,7 +67,7 @@ TEST_CASE("whoever subscribes to views gets them checked, with the events of the
   CHECK(bus.counters<EventPacketView>().arrivals.received == 1);
 }
 
-TEST_CASE("a packet with one bad event anywhere is rejected, however many surround it") {
+TEST_CASE("a packet with one bad event at any place is rejected") {
   const SensorSize sensor{600, 400};
   std::vector<Event> events(300);
   for (std::size_t i = 0; i < events.size(); ++i) {

@@ -35,7 +35,7 @@ std::string problem_with(const EventPackerParams& params) {
 
 }  // namespace
 
-TEST_CASE("packed events come out as they went in, on sensors of every encoding") {
+TEST_CASE("packed events are unpacked unchanged, on sensors of every encoding") {
   struct Case {
     SensorSize sensor;
     std::int32_t encoding;
@@ -78,7 +78,7 @@ TEST_CASE("packed events come out as they went in, on sensors of every encoding"
   }
 }
 
-TEST_CASE("a packet fits one frame, LCM's header and the longest channel name included") {
+TEST_CASE("a packet fits one frame, with LCM's header and the longest channel name") {
   EventPacker packer({.sensor = {640, 480}});
   CHECK(packer.max_events() == 335);  // (1472 - 8 - 29 - 93) / 4
   const auto events = random_events({640, 480}, 1000, 0);
@@ -92,7 +92,7 @@ TEST_CASE("a packet fits one frame, LCM's header and the longest channel name in
   CHECK(counts == std::vector<int>{335, 335, 330});
 }
 
-TEST_CASE("a packet is never longer than it may be, however its events fit") {
+TEST_CASE("a packet never exceeds its size limit, for any events") {
   const auto events = random_events({640, 480}, 1000, 0);
   std::vector<std::uint8_t> bytes;
   for (int most = 256; most < 264; ++most) {
@@ -104,7 +104,7 @@ TEST_CASE("a packet is never longer than it may be, however its events fit") {
   }
 }
 
-TEST_CASE("a packet of 60000 bytes holds 14967 events, and a receiver takes it") {
+TEST_CASE("a packet of 60000 bytes holds 14967 events, and a receiver accepts it") {
   EventPacker packer({.sensor = {640, 480}, .packet_bytes = 60000});
   CHECK(packer.max_events() == 14967);
   const auto events = random_events({640, 480}, 14967, 0);
@@ -119,7 +119,7 @@ TEST_CASE("a packet of 60000 bytes holds 14967 events, and a receiver takes it")
   CHECK(packets == 1);
 }
 
-TEST_CASE("a new packet begins where the time from the first event would not fit") {
+TEST_CASE("a new packet begins where the time since the first event would not fit") {
   const std::vector<Event> events{{.offset_us = 10}, {.offset_us = 4105}, {.offset_us = 4106}};
   EventPacker packer({.sensor = {640, 480}});
   std::vector<std::int64_t> starts;
@@ -156,7 +156,7 @@ TEST_CASE("events outside the sensor are left out and counted") {
   CHECK(packer.events_outside() == 3);
 }
 
-TEST_CASE("a packer is refused when its sensor or its packets have an impossible size") {
+TEST_CASE("a sensor or packets of an impossible size are refused") {
   CHECK(problem_with({.sensor = {0, 480}}) ==
         "packer.sensor must be 1x1 to 2048x2048 px, got 0x480");
   CHECK(problem_with({.sensor = {2049, 1}}) ==

@@ -20,7 +20,7 @@ MessageFragment part(std::uint16_t index, std::uint16_t fragments, std::uint32_t
           .payload = {bytes + offset, size}};
 }
 
-/// Feeds fragments in order; the text of the message that comes out of it, or what is wrong.
+/// Feeds fragments in order; returns the text of the complete message, or the error.
 std::string assembled(FragmentAssembly& assembly, const std::vector<MessageFragment>& fragments,
                       const Sender& sender = kSender) {
   std::string result;
@@ -41,7 +41,7 @@ std::string assembled(const std::vector<MessageFragment>& fragments) {
 
 }  // namespace
 
-TEST_CASE("a message is whole when all its parts have come, in any order and once each") {
+TEST_CASE("a message is complete after all its parts, in any order and once each") {
   CHECK(assembled({part(0, 3, 0, 4), part(1, 3, 4, 4), part(2, 3, 8, 2)}) ==
         "PUCK_STATUS:abcdefghij");
   CHECK(assembled({part(2, 3, 8, 2), part(0, 3, 0, 4), part(1, 3, 4, 4)}) ==
@@ -59,7 +59,7 @@ TEST_CASE("parts that overlap, leave a gap or end too early make no message") {
         "is the last fragment of a message that ends too early");
 }
 
-TEST_CASE("parts that contradict one another drop their message") {
+TEST_CASE("contradictory parts drop their message") {
   FragmentAssembly assembly;
   MessageFragment larger = part(1, 2, 4, 6);
   larger.message_size = 11;
@@ -69,7 +69,7 @@ TEST_CASE("parts that contradict one another drop their message") {
   CHECK(assembled(assembly, {part(0, 2, 0, 4)}) == "PUCK_STATUS:abcdefghij");
 }
 
-TEST_CASE("what is too large to hold is refused before it takes memory") {
+TEST_CASE("a message above the size limit is refused before memory is allocated") {
   FragmentAssembly assembly;
   MessageFragment huge = part(0, 2, 0, 4);
   huge.message_size = 0xffffffff;
@@ -79,7 +79,7 @@ TEST_CASE("what is too large to hold is refused before it takes memory") {
   CHECK(assembled(assembly, {many}) == "is one of 65535 fragments, at most 1024 are taken");
 }
 
-TEST_CASE("senders are kept apart, and the oldest of too many messages gives way") {
+TEST_CASE("senders are kept separate, and the oldest of too many messages is dropped") {
   FragmentAssembly assembly;
   CHECK(assembled(assembly, {part(0, 2, 0, 4)}).empty());
   CHECK(assembled(assembly, {part(1, 2, 4, 6)}, {0x7f000001, 5001}).empty());

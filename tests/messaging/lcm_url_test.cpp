@@ -30,7 +30,7 @@ std::string problem_with_prefix(const std::string& prefix) {
 
 }  // namespace
 
-TEST_CASE("an LCM URL is taken apart and put together again") {
+TEST_CASE("an LCM URL is parsed and composed again") {
   const LcmUrl url = parse_lcm_url("udpm://239.1.2.3:7668?ttl=1&recv_buf_size=4096");
   CHECK(url.group == "239.1.2.3");
   CHECK(url.port == 7668);
@@ -40,14 +40,14 @@ TEST_CASE("an LCM URL is taken apart and put together again") {
   CHECK(parse_lcm_url(kDefaultLcmUrl).to_string() == kDefaultLcmUrl);
 }
 
-TEST_CASE("what an LCM URL leaves out is LCM's default") {
+TEST_CASE("parts missing from an LCM URL take LCM's defaults") {
   CHECK(parse_lcm_url("udpm://").to_string() == "udpm://239.255.76.67:7667?ttl=0");
   CHECK(parse_lcm_url("udpm://:9000").to_string() == "udpm://239.255.76.67:9000?ttl=0");
   CHECK(parse_lcm_url("udpm://239.0.0.1").to_string() == "udpm://239.0.0.1:7667?ttl=0");
   CHECK(parse_lcm_url("memq://").in_memory);
 }
 
-TEST_CASE("a malformed LCM URL is refused with one line that says what was expected") {
+TEST_CASE("a malformed LCM URL is refused with one line that gives the expected form") {
   CHECK(problem_with("239.255.76.67:7667").find("must begin with udpm://") != std::string::npos);
   CHECK(problem_with("") ==
         "lcm.url \"\": must begin with udpm://, as in "
@@ -71,7 +71,7 @@ TEST_CASE("a malformed LCM URL is refused with one line that says what was expec
   CHECK(problem_with("udpm://239.255.76.67:7667\n").find("the port must be") != std::string::npos);
 }
 
-TEST_CASE("a prefix of up to 16 capitals, digits and underscores is taken, no other") {
+TEST_CASE("a prefix has up to 16 capitals, digits and underscores") {
   CHECK(problem_with_prefix("").empty());
   CHECK(problem_with_prefix("LEFT_EYE_2").empty());
   CHECK(problem_with_prefix("ABCDEFGHIJKLMNOP").empty());
@@ -81,7 +81,7 @@ TEST_CASE("a prefix of up to 16 capitals, digits and underscores is taken, no ot
   CHECK(!problem_with_prefix("A.*").empty());
 }
 
-TEST_CASE("channels are named by their prefix and found by their name") {
+TEST_CASE("channels are named with their prefix and found by their name") {
   CHECK(channel_name(Channel::kEvents, "") == "PUCK_EVENTS");
   CHECK(channel_name(Channel::kArmCommand, "LEFT") == "LEFT_PUCK_ARM_COMMAND");
   CHECK(find_channel("LEFT_PUCK_EVENTS", "LEFT") == Channel::kEvents);

@@ -53,7 +53,7 @@ void overwrite_bytes(const std::filesystem::path& path, long offset, const std::
 
 constexpr int kRecordBytes = 28 + 6 + 100;
 
-/// Records of many lengths: one that is a flipped bit of another's, none, one that holds the mark.
+/// Records of many lengths: one differs from another by a bit, one is empty, one holds the mark.
 std::vector<LogRecord> various_records() {
   std::vector<LogRecord> records;
   const std::vector<std::size_t> lengths{92, 0, 1, 28, 92, 220, 7, 60};
@@ -90,8 +90,8 @@ bool is_same(const LogRecord& a, const LogRecord& b) {
   return a.utime == b.utime && a.channel == b.channel && a.bytes == b.bytes;
 }
 
-/// Whether all of `expected` but the one at `hit` were read, in order, with at most what `hit`
-/// became between them.
+/// Whether all of `expected` except the one at `hit` were read, in order, with at most a damaged
+/// form of `hit` between them.
 bool lost_only(std::size_t hit, const std::vector<LogRecord>& read,
                const std::vector<LogRecord>& expected) {
   if (read.size() + 1 < expected.size() || read.size() > expected.size()) return false;
@@ -103,7 +103,7 @@ bool lost_only(std::size_t hit, const std::vector<LogRecord>& read,
   return true;
 }
 
-/// Files of this process may not grow beyond a size while it lives.
+/// Limits the size of this process's files while it exists.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {
@@ -125,7 +125,7 @@ class FileSizeLimit {
 
 }  // namespace
 
-TEST_CASE("what is written is read again, and by LCM's own reader too") {
+TEST_CASE("written messages are read again, by LCM's own reader too") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   write_ten(path);
@@ -155,7 +155,7 @@ TEST_CASE("what is written is read again, and by LCM's own reader too") {
   CHECK(count == 10);
 }
 
-TEST_CASE("a typed message goes into a log and out again") {
+TEST_CASE("a typed message is written to a log and read again") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   head_state_t head{};
@@ -172,7 +172,7 @@ TEST_CASE("a typed message goes into a log and out again") {
   CHECK(again.yaw_deg == 1.5);
 }
 
-TEST_CASE("an existing log is not overwritten unless that is asked for") {
+TEST_CASE("an existing log is overwritten on request only") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   write_ten(path);
@@ -185,7 +185,7 @@ TEST_CASE("an existing log is not overwritten unless that is asked for") {
         (folder / "none/a.lcm").string() + ": cannot be written: No such file or directory");
 }
 
-TEST_CASE("a log cut off anywhere gives its whole messages and says that it ends within one") {
+TEST_CASE("a log truncated anywhere gives its whole messages and reports the truncation") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   write_ten(path);
@@ -198,7 +198,7 @@ TEST_CASE("a log cut off anywhere gives its whole messages and says that it ends
   }
 }
 
-TEST_CASE("damage in the middle of a log costs what it hits") {
+TEST_CASE("damage in the middle of a log costs only the damaged messages") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   write_ten(path);
@@ -221,7 +221,7 @@ TEST_CASE("a length beyond the end of the log costs that message only") {
   CHECK(reader.bytes_skipped() == kRecordBytes);
 }
 
-TEST_CASE("logs with flipped bytes neither crash the reader nor keep it for ever") {
+TEST_CASE("a log with flipped bytes neither crashes the reader nor makes it loop") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   std::mt19937 random(9);
@@ -238,7 +238,7 @@ TEST_CASE("logs with flipped bytes neither crash the reader nor keep it for ever
   }
 }
 
-TEST_CASE("one flipped bit anywhere in a log costs no other message than the one it hits") {
+TEST_CASE("a flipped bit anywhere in a log costs only its own message") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   const auto expected = various_records();
@@ -258,7 +258,7 @@ TEST_CASE("one flipped bit anywhere in a log costs no other message than the one
   }
 }
 
-TEST_CASE("a log cut at any byte gives all messages that are whole, and says so") {
+TEST_CASE("a log truncated at any byte gives all whole messages, and reports the truncation") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   const auto expected = various_records();
@@ -285,7 +285,7 @@ TEST_CASE("foreign bytes between two messages cost neither of them") {
   const auto expected = various_records();
   const auto offsets = write_records(path, expected);
   std::string text = read_text(path);
-  // As many as the reader sees at a time, and more.
+  // More than the reader's buffer.
   text.replace(offsets[2], offsets[3] - offsets[2], std::string(5'000'000, '\xed'));
   write_text(path, text);
   LogReader reader(path);
@@ -301,7 +301,7 @@ TEST_CASE("foreign bytes between two messages cost neither of them") {
   CHECK(damages[0].why == "no message begins");
 }
 
-TEST_CASE("every record tells where it begins") {
+TEST_CASE("every record has the position of its beginning") {
   const TemporaryFolder folder;
   const auto offsets = write_records(folder / "a.lcm", various_records());
   const auto records = read_all(folder / "a.lcm");
@@ -310,7 +310,7 @@ TEST_CASE("every record tells where it begins") {
   }
 }
 
-TEST_CASE("when the disk is full the log still ends with a whole message, and goes on later") {
+TEST_CASE("on a full disk the log ends with a whole message, and continues later") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   LogWriter writer(path);
@@ -333,7 +333,7 @@ TEST_CASE("when the disk is full the log still ends with a whole message, and go
   CHECK_FALSE(reader.damage().has_value());
 }
 
-TEST_CASE("records made elsewhere are numbered on through the log") {
+TEST_CASE("records made elsewhere get consecutive numbers") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   std::vector<std::uint8_t> records(2 * kRecordBytes);
@@ -355,7 +355,7 @@ TEST_CASE("records made elsewhere are numbered on through the log") {
   CHECK(read[2].channel == "PUCK_A");
 }
 
-TEST_CASE("two loggers do not write one log") {
+TEST_CASE("two loggers cannot write the same log") {
   const TemporaryFolder folder;
   const auto path = folder / "a.lcm";
   auto first = std::make_unique<LogWriter>(path);
@@ -383,7 +383,7 @@ TEST_CASE("a missing or foreign file is refused by name") {
         (folder / "short").string() + ": is not an LCM log: it does not begin with a message");
 }
 
-TEST_CASE("an empty log is whole") {
+TEST_CASE("an empty log is intact") {
   const TemporaryFolder folder;
   { LogWriter writer(folder / "a.lcm"); }
   LogReader reader(folder / "a.lcm");
@@ -392,7 +392,7 @@ TEST_CASE("an empty log is whole") {
   CHECK_FALSE(reader.damage().has_value());
 }
 
-TEST_CASE("lengths that all point before one far message cost one search, not one each") {
+TEST_CASE("lengths that all point to before one distant message cost one search, not one each") {
   constexpr std::size_t kHeads = 100'000;
   constexpr std::size_t kHeadBytes = 29;
   constexpr std::size_t kGap = kIsSanitized ? 1'000'000 : 20'000'000;

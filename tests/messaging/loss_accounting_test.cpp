@@ -16,7 +16,7 @@ TEST_CASE("messages in order are neither lost nor late") {
   CHECK(account.counters().sessions == 1);
 }
 
-TEST_CASE("a gap is loss, until what is missing comes late") {
+TEST_CASE("a gap is loss, until the missing message arrives late") {
   LossAccount account;
   account.add(7, 0);
   CHECK(account.add(7, 4) == Arrival::kNewest);
@@ -31,7 +31,7 @@ TEST_CASE("a gap is loss, until what is missing comes late") {
   CHECK(account.counters().duplicates == 2);
 }
 
-TEST_CASE("what was published before the first that was heard is not lost") {
+TEST_CASE("messages published before the first received one are not lost") {
   LossAccount account;
   CHECK(account.add(7, 1000) == Arrival::kNewSession);
   CHECK(account.counters().lost == 0);
@@ -39,7 +39,7 @@ TEST_CASE("what was published before the first that was heard is not lost") {
   CHECK(account.counters().lost == 0);
 }
 
-TEST_CASE("beyond the window of 64 an old message is late and changes nothing else") {
+TEST_CASE("an old message beyond the window of 64 is late and changes nothing else") {
   LossAccount account;
   account.add(7, 0);
   account.add(7, 100);
@@ -60,7 +60,7 @@ TEST_CASE("a new session is a restart, not a loss") {
   CHECK(account.counters().sessions == 2);
 }
 
-TEST_CASE("several publishers on one channel are told apart") {
+TEST_CASE("several publishers on one channel are counted separately") {
   LossAccount account;
   for (std::int64_t seq = 0; seq < 10; ++seq) {
     for (std::int64_t session = 1; session <= 5; ++session) account.add(session, seq);
@@ -70,14 +70,14 @@ TEST_CASE("several publishers on one channel are told apart") {
   CHECK(account.counters().sessions == 5);
 }
 
-TEST_CASE("the session that was silent longest is forgotten when there are too many") {
+TEST_CASE("of too many sessions the one silent for longest is dropped") {
   LossAccount account;
   for (std::int64_t session = 1; session <= 17; ++session) account.add(session, 0);
   CHECK(account.add(2, 1) == Arrival::kNewest);
   CHECK(account.add(1, 1) == Arrival::kNewSession);
 }
 
-TEST_CASE("events in packets that never came in order are counted from the cumulative count") {
+TEST_CASE("events in lost packets are counted from the cumulative count") {
   LossAccount account;
   account.add(7, 0, 0, 340);
   account.add(7, 1, 340, 100);

@@ -20,7 +20,7 @@ bool plug_in() {
 
 bool pull_out() { return ip("link delete cable"); }
 
-/// Publishes until the message is heard, for up to 10 s.
+/// Publishes until the message is received, for up to 10 s.
 bool hears_itself(Bus& bus, int& heard) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   const int before = heard;
@@ -34,7 +34,7 @@ bool hears_itself(Bus& bus, int& heard) {
 
 }  // namespace
 
-TEST_CASE("a bus hears again when its network was away and has come back") {
+TEST_CASE("a bus receives again after its network was away and has returned") {
   in_network_of_its_own([] {
     REQUIRE(plug_in());
     Bus bus({.url = private_lcm_url()});
@@ -43,7 +43,7 @@ TEST_CASE("a bus hears again when its network was away and has come back") {
     REQUIRE(bus.start({}, [](const std::string& reason) { MESSAGE(reason); }));
     REQUIRE(hears_itself(bus, heard));
 
-    // More often than a socket may join a group: each time it must be a new one.
+    // More often than a socket may join groups, so each time it must be a new one.
     for (int i = 1; i <= 25; ++i) {
       REQUIRE(pull_out());
       head_state_t head{};

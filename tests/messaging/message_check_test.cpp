@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-/// Bytes that passed must survive LCM's own code unchanged: they are what they seem.
+/// Bytes that passed the check must be unchanged by LCM's own code.
 void check_honest(Channel channel, const std::vector<std::uint8_t>& bytes) {
   with_message_type(channel, [&](auto message) {
     REQUIRE(decode(bytes, message) == std::nullopt);
@@ -26,7 +26,7 @@ void put_int32(std::vector<std::uint8_t>& bytes, std::size_t offset, std::int32_
   }
 }
 
-/// A packet of two events, to be spoilt and encoded.
+/// A packet of two events for a test to modify.
 event_packet_t two_events() {
   event_packet_t packet{};
   const std::vector<Event> events{{.x = 3, .y = 4, .polarity = 1, .offset_us = 0},
@@ -54,13 +54,13 @@ TEST_CASE("a valid message of every type passes") {
   }
 }
 
-TEST_CASE("a message cut off anywhere is rejected, and so is one that goes on") {
+TEST_CASE("a truncated message is rejected, and so is one with extra bytes") {
   std::mt19937_64 random(3);
   for (const Channel channel : kAllChannels) {
     CAPTURE(wire_layout(channel).type);
     auto bytes = random_message(channel, random).bytes;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
-      // A copy, so that a read beyond the end is seen by the address sanitizer.
+      // A copy, so that the address sanitizer sees a read beyond the end.
       const std::vector<std::uint8_t> part(bytes.begin(),
                                            bytes.begin() + static_cast<std::ptrdiff_t>(length));
       REQUIRE(check_message(channel, part).has_value());
@@ -71,7 +71,7 @@ TEST_CASE("a message cut off anywhere is rejected, and so is one that goes on") 
   }
 }
 
-TEST_CASE("a message with a flipped bit is rejected or still an honest message") {
+TEST_CASE("a message with a flipped bit is rejected or still valid") {
   std::mt19937_64 random(4);
   for (const Channel channel : kAllChannels) {
     CAPTURE(wire_layout(channel).type);
@@ -90,7 +90,7 @@ TEST_CASE("a message with a flipped bit is rejected or still an honest message")
   }
 }
 
-TEST_CASE("random bytes behind a good fingerprint are rejected or honest") {
+TEST_CASE("random bytes after a correct fingerprint are rejected or valid") {
   std::mt19937_64 random(5);
   for (const Channel channel : kAllChannels) {
     CAPTURE(wire_layout(channel).type);
@@ -122,7 +122,7 @@ TEST_CASE("impossible counts are rejected") {
   }
 }
 
-TEST_CASE("a message larger than any of ours is rejected before it is read") {
+TEST_CASE("a message larger than any of ours is rejected before decoding") {
   const std::vector<std::uint8_t> bytes((1U << 20) + 1);
   CHECK(check_message(Channel::kHead, bytes) == "head_state_t is too large");
 }
@@ -130,10 +130,11 @@ TEST_CASE("a message larger than any of ours is rejected before it is read") {
 TEST_CASE("the fingerprint of another type is rejected") {
   std::mt19937_64 random(7);
   const auto head = random_message(Channel::kHead, random).bytes;
-  CHECK(check_message(Channel::kGame, head) == "game_state_t is expected, but this is head_state_t");
+  CHECK(check_message(Channel::kGame, head) ==
+        "game_state_t is expected, but this is head_state_t");
 }
 
-TEST_CASE("values without a meaning are rejected, and the reason names the field") {
+TEST_CASE("undefined values are rejected, and the reason names the field") {
   head_state_t head{};
   head.session = 1;
   CHECK(rejection_of(head).empty());
@@ -156,7 +157,7 @@ TEST_CASE("values without a meaning are rejected, and the reason names the field
   CHECK(rejection_of(status) == "service_status_t.service has a length of 257");
 }
 
-TEST_CASE("event packets that contradict themselves are rejected") {
+TEST_CASE("contradictory event packets are rejected") {
   CHECK(rejection_of(two_events()).empty());
 
   auto packet = two_events();
@@ -185,7 +186,7 @@ TEST_CASE("event packets that contradict themselves are rejected") {
   CHECK(rejection_of(packet) == "event_packet_t.encoding must be 1 to 3, got 0");
 }
 
-TEST_CASE("counts on the wire follow the arrays, cut to the shortest that share a count") {
+TEST_CASE("counts in messages equal the arrays' lengths, the shortest where arrays share a count") {
   puck_trajectory_t trajectory{};
   trajectory.session = 1;
   trajectory.path_length = 1000;

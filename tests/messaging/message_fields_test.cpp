@@ -39,7 +39,7 @@ std::vector<std::string> lines_of(Message message) {
 
 }  // namespace
 
-TEST_CASE("the fields of a message are shown with name and value, in the order of the type") {
+TEST_CASE("a message's fields are shown with name and value, in the order of the type") {
   service_status_t status{};
   status.utime = 1'700'000'000'000'001;
   status.session = 7;
@@ -56,7 +56,8 @@ TEST_CASE("the fields of a message are shown with name and value, in the order o
             "counter_value[1]=4611686018427387904", "latency_count=0", "pong_count=0"});
 }
 
-TEST_CASE("numbers are written as shortly as reads back the same, booleans as 0 and 1") {
+TEST_CASE(
+    "numbers are written in the shortest form that reads back the same, booleans as 0 and 1") {
   arm_command_t command{};
   command.session = 1;
   command.from_operator = 1;
@@ -68,7 +69,7 @@ TEST_CASE("numbers are written as shortly as reads back the same, booleans as 0 
   CHECK(lines[6] == "target_normalised=-0.3333333333333333");
 }
 
-TEST_CASE("an array of fixed length has an index at each value, bytes are one value") {
+TEST_CASE("elements of an array of fixed length have an index each, bytes are one value") {
   puck_estimate_t estimate{};
   estimate.session = 1;
   estimate.covariance[15] = 2.5;
@@ -86,7 +87,7 @@ TEST_CASE("an array of fixed length has an index at each value, bytes are one va
   CHECK(lines_of(packet).back() == "data=00100a01");
 }
 
-TEST_CASE("every type is shown whole: as many values as were written, and each reads back") {
+TEST_CASE("every type is shown completely, and each value reads back") {
   std::mt19937_64 random(7);
   for (const Channel channel : kAllChannels) {
     CAPTURE(wire_layout(channel).type);

@@ -36,7 +36,7 @@ Bytes sealed(MessageSealer& sealer, Bytes message) {
   return message;
 }
 
-/// What comes out, or why nothing does.
+/// The opened message, or the reason of its rejection.
 std::string opened(SealOpener& opener, const Bytes& message,
                    std::string_view channel = "PUCK_HEAD") {
   std::string problem;
@@ -51,7 +51,7 @@ constexpr const char* kAgain =
 
 }  // namespace
 
-TEST_CASE("what one seals, another one with the same key opens, and only once") {
+TEST_CASE("a sealed message is opened with the same key, and only once") {
   const Keys keys;
   MessageSealer sealer(keys.key);
   SealOpener opener(keys.same);
@@ -63,7 +63,7 @@ TEST_CASE("what one seals, another one with the same key opens, and only once") 
   CHECK(opened(opener, sealed(sealer, {})).empty());
 }
 
-TEST_CASE("no bit of a sealed message can be changed, nor its channel, nor its key") {
+TEST_CASE("a changed bit of a sealed message, its channel or its key is detected") {
   const Keys keys;
   MessageSealer sealer(keys.key);
   SealOpener opener(keys.key);
@@ -88,7 +88,7 @@ TEST_CASE("no bit of a sealed message can be changed, nor its channel, nor its k
   CHECK(opened(opener, message) == "abc");  // None of it has used the message up.
 }
 
-TEST_CASE("a seal of another version is told from a wrong key, and by one without a key") {
+TEST_CASE("a seal of another version is distinguished from a wrong key, even without a key") {
   const Keys keys;
   MessageSealer sealer(keys.key);
   SealOpener opener(keys.key);
@@ -101,7 +101,7 @@ TEST_CASE("a seal of another version is told from a wrong key, and by one withou
   CHECK(looks_sealed(message));
 }
 
-TEST_CASE("messages may overtake one another, but none is taken twice however late") {
+TEST_CASE("messages may overtake one another, but a replay is rejected at any age") {
   const Keys keys;
   MessageSealer sealer(keys.key);
   SealOpener opener(keys.key);
@@ -118,7 +118,7 @@ TEST_CASE("messages may overtake one another, but none is taken twice however la
   CHECK(opened(opener, messages[35]) == kAgain);
 }
 
-TEST_CASE("publishers are told apart") {
+TEST_CASE("publishers are distinguished") {
   const Keys keys;
   MessageSealer left(keys.key);
   MessageSealer right(keys.key);
@@ -128,7 +128,7 @@ TEST_CASE("publishers are told apart") {
   CHECK(opened(opener, sealed(left, {'l'})) == "l");
 }
 
-TEST_CASE("a key that others may read, or that is missing or short, ends the start") {
+TEST_CASE("a missing or short key, or one readable by others, ends the start") {
   const TemporaryFolder folder;
   const std::string content(32, 'k');
   const auto problem = [](const std::filesystem::path& file) -> std::string {
@@ -152,7 +152,7 @@ TEST_CASE("a key that others may read, or that is missing or short, ends the sta
   CHECK_THROWS_AS(Bus({.url = "memq://", .key_file = (folder / "missing").string()}), BusError);
 }
 
-TEST_CASE("a bus with a key hears only what is sealed with it, and names the rest") {
+TEST_CASE("a bus with a key receives only messages sealed with it, and names the others") {
   const TemporaryFolder folder;
   const std::string key = key_file(folder, "key", std::string(32, 'k')).string();
   const std::string other = key_file(folder, "other", std::string(32, 'o')).string();
@@ -178,7 +178,7 @@ TEST_CASE("a bus with a key hears only what is sealed with it, and names the res
     head.yaw_deg = ++yaw_deg;
     REQUIRE(bus->publish(head));
   }
-  // On a channel that is none of ours, as whoever logs them all hears it.
+  // On an unknown channel, like a logger of all channels.
   lcm_t* const lcm = lcm_create(url.c_str());
   REQUIRE(lcm != nullptr);
   lcm_publish(lcm, "PUCK_UNKNOWN", "unsealed", 8);

@@ -33,7 +33,7 @@ constexpr std::string_view kSnmp =
 
 }  // namespace
 
-TEST_CASE("group memberships are read with their interface and the sockets that joined") {
+TEST_CASE("group memberships are read with their interface and the member sockets") {
   REQUIRE(htonl(1) != 1);
   const auto memberships = parse_memberships(kIgmp);
   REQUIRE(memberships.size() == 3);
@@ -54,7 +54,7 @@ TEST_CASE("UDP sockets are read with address, port and inode") {
   CHECK(sockets[1].port == 53);
 }
 
-TEST_CASE("a counter is found under its protocol and name") {
+TEST_CASE("a counter is found by its protocol and name") {
   CHECK(find_counter(kSnmp, "Ip", "ReasmFails") == 64);
   CHECK(find_counter(kSnmp, "Udp", "RcvbufErrors") == 17);
   CHECK(find_counter(kSnmp, "Udp", "ReasmFails") == std::nullopt);
@@ -63,7 +63,7 @@ TEST_CASE("a counter is found under its protocol and name") {
   CHECK(find_counter("Ip: A", "Ip", "A") == std::nullopt);
 }
 
-TEST_CASE("tables that are empty, cut off or nonsense give nothing") {
+TEST_CASE("empty, truncated and garbage tables give nothing") {
   for (const std::string_view text : {"", "\n", "\t\n", "x", "1\n\t\tZZ 1\n", ": : : : : : : : : :",
                                       "1: 00:FFFFFFFFFFFF a b c d e f g h i"}) {
     CAPTURE(text);
@@ -73,7 +73,7 @@ TEST_CASE("tables that are empty, cut off or nonsense give nothing") {
   }
 }
 
-TEST_CASE("the loopback is among the interfaces, and the way to 127.0.0.1 leads over it") {
+TEST_CASE("the loopback is among the interfaces, and the route to 127.0.0.1 leads over it") {
   const auto interfaces = list_network_interfaces();
   const auto lo = std::find_if(interfaces.begin(), interfaces.end(),
                                [](const auto& interface) { return interface.name == "lo"; });

@@ -27,10 +27,10 @@ class OwnSocket {
 
   int get() const { return socket_.number(); }
 
-  /// Whether a datagram comes through.
+  /// Whether a datagram passes.
   bool lets_through(std::string_view datagram) { return received_bytes(datagram) > 0; }
 
-  /// How much of a datagram comes through; on the loopback it is there at once or never.
+  /// Length of the passed part; on the loopback it arrives at once or never.
   std::size_t received_bytes(std::string_view datagram) {
     sendto(get(), datagram.data(), datagram.size(), 0, reinterpret_cast<const sockaddr*>(&address_),
            sizeof address_);
@@ -50,7 +50,7 @@ std::string message_on(const std::string& channel, const std::string& magic = "L
 
 }  // namespace
 
-TEST_CASE("only messages on the channels asked for come through, whole and by their full name") {
+TEST_CASE("only messages on the requested channels pass, whole and by their full name") {
   OwnSocket socket;
   REQUIRE(filter_channels(socket.get(), {"PUCK_STATUS", "LEFT_PUCK_ARM_STATE"}, false));
   CHECK(socket.lets_through(message_on("PUCK_STATUS")));
@@ -60,13 +60,13 @@ TEST_CASE("only messages on the channels asked for come through, whole and by th
   CHECK_FALSE(socket.lets_through(message_on("PUCK_STATU")));
   CHECK_FALSE(socket.lets_through(message_on("LEFT_PUCK_ARM_STATF")));
   CHECK_FALSE(socket.lets_through(message_on("")));
-  // A part of a larger message: none of ours is.
+  // A part of a larger message, which ours never are.
   CHECK_FALSE(socket.lets_through(message_on("PUCK_STATUS", "LC03")));
   CHECK_FALSE(socket.lets_through("LC02"));
   CHECK_FALSE(socket.lets_through(""));
 }
 
-TEST_CASE("names of every length are told apart to the last letter") {
+TEST_CASE("names of every length are compared to the last letter") {
   for (std::size_t size = 1; size <= 40; ++size) {
     OwnSocket socket;
     const std::string name(size, 'A');
@@ -77,7 +77,7 @@ TEST_CASE("names of every length are told apart to the last letter") {
   }
 }
 
-TEST_CASE("all channels that begin alike come through, and the foreign ones are all the others") {
+TEST_CASE("all channels with a common beginning pass, and all others are foreign") {
   OwnSocket ours;
   OwnSocket foreign;
   REQUIRE(filter_beginning(ours.get(), "LEFT_PUCK_", false));
@@ -99,7 +99,7 @@ TEST_CASE("all channels that begin alike come through, and the foreign ones are 
   CHECK(is_foreign("x"));
 }
 
-TEST_CASE("fragments come through where they are allowed") {
+TEST_CASE("fragments pass where they are allowed") {
   OwnSocket ours;
   OwnSocket foreign;
   const std::string fragment = message_on("PUCK_STATUS", "LC03");
@@ -111,7 +111,7 @@ TEST_CASE("fragments come through where they are allowed") {
   CHECK(ours.lets_through(fragment));
 }
 
-TEST_CASE("of what is foreign only the beginning is kept") {
+TEST_CASE("of a foreign datagram only the beginning is kept") {
   OwnSocket socket;
   REQUIRE(filter_foreign(socket.get(), "PUCK_", false));
   CHECK(socket.received_bytes(std::string(255, 'x')) == 255);

@@ -18,7 +18,7 @@ TEST_CASE("The first publisher is kept until it has been silent for 500 ms") {
   CHECK(publisher.session() == 8);
 }
 
-TEST_CASE("Late messages and duplicates are told, also after a silence, and keep nobody") {
+TEST_CASE("Late and duplicate messages are reported, even after a silence, and keep no publisher") {
   SinglePublisher publisher;
   publisher.hear(7, 5, 0);
   CHECK(publisher.hear(7, 5, 100'000) == Verdict::kLate);
@@ -36,7 +36,7 @@ TEST_CASE("A publisher is silent 500 ms after its last accepted message, and bef
   CHECK(publisher.is_silent(1'500'001));
 }
 
-TEST_CASE("A publisher that comes back after a silence goes on") {
+TEST_CASE("A publisher that returns after a silence is accepted again") {
   SinglePublisher publisher;
   publisher.hear(7, 5, 0);
   CHECK(publisher.hear(7, 6, 2'000'000) == Verdict::kAccepted);

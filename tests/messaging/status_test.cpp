@@ -26,7 +26,7 @@ void no_details(StatusReport&) {}
 
 }  // namespace
 
-TEST_CASE("a status says who, how and what") {
+TEST_CASE("a status has the sender's identity, state and counters") {
   Bus bus({.url = "memq://"});
   StatusReporter reporter(bus, "puck-tracker");
   std::vector<service_status_t> heard;
@@ -56,8 +56,7 @@ TEST_CASE("a status says who, how and what") {
   CHECK(status.latency_samples == std::vector<std::int64_t>{1000});
 }
 
-TEST_CASE(
-    "a status fits one frame however many counters there are, and says how many it left out") {
+TEST_CASE("a status fits one frame with any number of counters, and gives the number left out") {
   const TemporaryFolder folder;
   const auto key = folder / "key";
   std::ofstream(key) << std::string(32, 'k');
@@ -87,7 +86,7 @@ TEST_CASE(
   CHECK(status.counter_value.back() + std::ssize(status.counter_name) - 1 == 1000);
 }
 
-TEST_CASE("a counter that is too long for the frame keeps no shorter one out") {
+TEST_CASE("a counter too long for the frame does not displace shorter ones") {
   Bus bus({.url = "memq://"});
   StatusReporter reporter(bus, "puck-tracker");
   service_status_t newest{};
@@ -107,7 +106,7 @@ TEST_CASE("a counter that is too long for the frame keeps no shorter one out") {
   CHECK(newest.counter_name[newest.counter_name.size() - 2] == "short");
 }
 
-TEST_CASE("of many runs each is answered in its turn") {
+TEST_CASE("many runs are answered in turn") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url});
   StatusReporter reporter(bus, "puck-tracker");
@@ -132,7 +131,7 @@ TEST_CASE("of many runs each is answered in its turn") {
   CHECK(most == 8);
 }
 
-TEST_CASE("a status is published at once on a change of state, else when 100 ms have passed") {
+TEST_CASE("a status is published at once on a change of state, else every 100 ms") {
   Bus bus({.url = "memq://"});
   StatusReporter reporter(bus, "puck-arm");
   REQUIRE(bus.start({}, [](const std::string&) {}));
@@ -182,7 +181,7 @@ TEST_CASE("statuses of others are answered with pongs") {
   CHECK(heard[0].pong_received_utime[0] >= heard[0].pong_utime[0]);
 }
 
-TEST_CASE("services know each other's clocks from their statuses, and their own at once") {
+TEST_CASE("services know each other's clocks from their statuses, and their own clock at once") {
   const std::string url = private_lcm_url();
   Bus first({.url = url});
   Bus second({.url = url});
@@ -205,7 +204,7 @@ TEST_CASE("services know each other's clocks from their statuses, and their own 
   }
 }
 
-TEST_CASE("a flood of new runs locks out nobody who is heard often, and is answered at 50 Hz") {
+TEST_CASE("a flood of new runs locks out no regular peer, and is answered at 50 Hz") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url});
   StatusReporter reporter(bus, "puck-arm");
@@ -247,7 +246,7 @@ TEST_CASE("a flood of new runs locks out nobody who is heard often, and is answe
   CHECK(answers_friendly());
 }
 
-TEST_CASE("new runs are answered two at once and soon, however many are known") {
+TEST_CASE("new runs are answered two at a time and soon, with any number of known ones") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url});
   StatusReporter reporter(bus, "puck-arm");
@@ -279,7 +278,7 @@ TEST_CASE("new runs are answered two at once and soon, however many are known") 
     SkewedMachine(url, session, 0).serve();
   }
   for (int i = 0; i < 100 && heard.size() < known.size() + 5; ++i) bus.handle(milliseconds(20));
-  // Each of them is due, though it may be long until the 100 ms are over.
+  // Each of them is due, even before the 100 ms are over.
   for (std::size_t i = 1; i <= 3; ++i) {
     std::this_thread::sleep_for(milliseconds(25));
     const auto before = bus.counters<service_status_t>().published;
@@ -299,7 +298,7 @@ TEST_CASE("new runs are answered two at once and soon, however many are known") 
   CHECK(new_ones == std::set<std::int64_t>{101, 102, 103, 104, 105});
 }
 
-TEST_CASE("trouble of peers is shown before what a service says of itself, and makes it wait") {
+TEST_CASE("problems of peers come before a service's own state text, and delay it") {
   Bus bus({.url = "memq://"});
   StatusReporter reporter(bus, "puck-arm");
   service_status_t newest{};
@@ -325,7 +324,7 @@ TEST_CASE("trouble of peers is shown before what a service says of itself, and m
   CHECK(said() == std::pair(ServiceState::kDegraded, std::string("stopped")));
 }
 
-TEST_CASE("a check finds a service that runs, and says so when there is none or it is not well") {
+TEST_CASE("a check finds a running service, and reports a missing or degraded one") {
   const std::string url = private_lcm_url();
   Bus bus({.url = url});
   StatusReporter reporter(bus, "puck-bridge");
@@ -351,7 +350,7 @@ TEST_CASE("a check finds a service that runs, and says so when there is none or 
         "no puck-arm is heard on " + url);
 
   reporter.set_state(ServiceState::kDegraded, "no calibration");
-  // On a busy machine nothing may come within the time that one check waits.
+  // On a busy machine one check may time out.
   const auto give_up_at = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   bool is_said = false;
   while (!is_said && std::chrono::steady_clock::now() < give_up_at) {

@@ -37,7 +37,7 @@ std::string kind_name(WireKind kind) {
   return {};
 }
 
-/// The field as an .lcm file declares it: `double covariance[16]`.
+/// The field's declaration in an .lcm file: `double covariance[16]`.
 std::string declaration(const WireField& field) {
   std::string text = kind_name(field.kind) + " " + std::string(field.name);
   if (!field.count_field.empty()) return text + "[" + std::string(field.count_field) + "]";
@@ -84,7 +84,7 @@ std::vector<std::string> meanings_in(const std::filesystem::path& file, std::str
 
 }  // namespace
 
-TEST_CASE("every type in lcmtypes has the layout that its file declares") {
+TEST_CASE("every type in lcmtypes has the layout of its declaration") {
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(lcmtypes())) {
     if (entry.path().extension() == ".lcm") ++files;
@@ -100,7 +100,7 @@ TEST_CASE("every type in lcmtypes has the layout that its file declares") {
   }
 }
 
-TEST_CASE("the values of a state, mode or phase are called as in lcmtypes") {
+TEST_CASE("the values of a state, mode or phase have their names of lcmtypes") {
   int named = 0;
   for (const Channel channel : kAllChannels) {
     const WireLayout& layout = wire_layout(channel);
@@ -115,7 +115,7 @@ TEST_CASE("the values of a state, mode or phase are called as in lcmtypes") {
   CHECK(named == 6);
 }
 
-TEST_CASE("every layout is of the type that its channel carries") {
+TEST_CASE("every channel has the layout of its type") {
   for (const Channel channel : kAllChannels) {
     with_message_type(channel, [&]<typename Message>(Message) {
       CHECK(kChannelOf<Message> == channel);
@@ -125,14 +125,14 @@ TEST_CASE("every layout is of the type that its channel carries") {
   }
 }
 
-TEST_CASE("every layout consumes exactly what the generated encoder writes") {
+TEST_CASE("every layout consumes exactly the output of the generated encoder") {
   std::mt19937_64 random(1);
   for (const Channel channel : kAllChannels) {
     CAPTURE(wire_layout(channel).type);
     for (int i = 0; i < 200; ++i) {
       const auto bytes = random_structure(channel, random).bytes;
       with_message_type(channel, [&](auto message) {
-        // Written along the layout, read and written again by LCM's code.
+        // Written in the layout, read and written again by LCM's code.
         const int size = static_cast<int>(bytes.size());
         REQUIRE(message.decode(bytes.data(), 0, size) == size);
         std::vector<std::uint8_t> again(static_cast<std::size_t>(message.getEncodedSize()));

@@ -31,7 +31,7 @@ double shortest_s(double distance, const MotionLimits& limits) {
   return 4 * std::cbrt(distance / (2 * j));
 }
 
-// The differences of positions that are sampled evenly: what a joint sees.
+// The differences of evenly sampled positions, as a joint's motion.
 class Differences {
  public:
   Differences(double position, double dt_s) : dt_s_(dt_s), position_(position) {}
@@ -69,7 +69,7 @@ void check_within(const MotionLimits& most, const MotionLimits& limits, double d
   CHECK(most.jerk <= limits.jerk * (1 + 1e-9) + rounding / (dt_s * dt_s * dt_s));
 }
 
-TEST_CASE("A move from rest to rest takes the shortest time that its limits allow") {
+TEST_CASE("A move from rest to rest takes the shortest time within its limits") {
   for (const MotionLimits& limits :
        {kArm, MotionLimits{-0.3, 0.3, 0.3, 2, 20}, MotionLimits{-0.3, 0.3, 1.5, 100, 500}}) {
     for (const double distance : {1e-6, 0.001, 0.02, 0.1, 0.3, 0.6}) {
@@ -84,7 +84,7 @@ TEST_CASE("A move from rest to rest takes the shortest time that its limits allo
   }
 }
 
-TEST_CASE("It rests exactly at its target, at the time it said, and stays without a tremor") {
+TEST_CASE("It rests exactly at its target, at the predicted time, and stays without a tremor") {
   JerkLimitedMotion motion(kArm, 0);
   motion.set_target(0.123);
   const int steps = static_cast<int>(std::ceil(motion.time_left_s() / 0.001));
@@ -101,7 +101,7 @@ TEST_CASE("It rests exactly at its target, at the time it said, and stays withou
   }
 }
 
-TEST_CASE("A target that is no number is refused, one beyond an end is that end") {
+TEST_CASE("A target that is not finite is refused, one beyond an end is clamped to it") {
   JerkLimitedMotion motion(kArm, 0);
   motion.set_target(0.2);
   for (const double none :
@@ -120,7 +120,7 @@ TEST_CASE("A target that is no number is refused, one beyond an end is that end"
   CHECK(JerkLimitedMotion(kArm, 7).state().position == 0.3);
 }
 
-TEST_CASE("Limits that are none are refused") {
+TEST_CASE("Invalid limits are refused") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
     for (double MotionLimits::*limit :
@@ -135,7 +135,7 @@ TEST_CASE("Limits that are none are refused") {
   CHECK_THROWS_AS(JerkLimitedMotion(kArm, nan), std::invalid_argument);
 }
 
-TEST_CASE("Holding at full speed takes V/A + A/J, from wherever it is called") {
+TEST_CASE("Holding at full speed takes V/A + A/J, from any place") {
   JerkLimitedMotion motion(kArm, -0.3);
   motion.set_target(0.3);
   while (motion.state().velocity < 1.5) motion.step(0.001);
@@ -154,9 +154,9 @@ TEST_CASE("Holding at full speed takes V/A + A/J, from wherever it is called") {
   CHECK(motion.state().position == motion.target());
 }
 
-TEST_CASE("A target that is said anew on the way changes nothing but rounding") {
+TEST_CASE("Repeating a target during the motion changes nothing but rounding") {
   // The principle of optimality: the rest of a shortest motion is a shortest motion. Planned anew
-  // from any state on the way, it arrives at the same time.
+  // from any state on it, it arrives at the same time.
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> place(-0.3, 0.3);
   std::uniform_real_distribution<double> pause_s(0.001, 0.2);
@@ -180,8 +180,8 @@ TEST_CASE("A target that is said anew on the way changes nothing but rounding") 
 }
 
 TEST_CASE("No other motion with the jerk at its limits arrives sooner") {
-  // Tries switching times at random: whatever ends at rest on the way to the target, or beyond it,
-  // within the limits, was no quicker than the planned motion to where it ended.
+  // Random switching times: every motion that ends at rest at the target or beyond, within the
+  // limits, takes at least as long as the planned motion to its end.
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-0.2, 0.2);
   std::uniform_real_distribution<double> duration_s(0, 0.012);
@@ -204,7 +204,7 @@ TEST_CASE("No other motion with the jerk at its limits arrives sooner") {
       within = within && std::abs(s.acceleration) <= 20 && std::abs(s.velocity) <= 1.2;
     }
     if (!within) continue;
-    // To rest as textbooks have it, worked out apart from the class.
+    // The way to rest by the textbook, independent of the class.
     const double free = s.velocity + s.acceleration * std::abs(s.acceleration) / 4000;
     const double side = free < 0 ? -1 : 1;
     const double v = side * s.velocity;
@@ -226,9 +226,9 @@ TEST_CASE("No other motion with the jerk at its limits arrives sooner") {
   CHECK(tried > 2000);
 }
 
-TEST_CASE("A hold in the last of braking goes on braking, to either side") {
-  // In numbers that are exact: 1/8 s before its end the motion brakes by 1 at a speed of 1/16,
-  // which is let go to nothing.
+TEST_CASE("A hold in the last phase of braking continues braking, in either direction") {
+  // In exact numbers: 1/8 s before its end the motion brakes by 1 at a speed of 1/16, and the
+  // braking is reduced to zero.
   constexpr MotionLimits kExact{-4, 4, 0.5, 1024, 8};
   for (const double side : {1.0, -1.0}) {
     CAPTURE(side);
@@ -277,7 +277,7 @@ TEST_CASE("Over random targets and holds every limit is kept at every step") {
       }
       CAPTURE(dt_s);
       check_within(differences.most(), limits, dt_s);
-      // They were met, so that it is they that are tested.
+      // The limits were reached, so the test covers them.
       CHECK(differences.most().velocity > 0.9 * limits.velocity);
       CHECK(differences.most().acceleration > 0.99 * std::min(limits.acceleration, 35.0));
       CHECK(differences.most().jerk > 0.99 * limits.jerk);
@@ -288,7 +288,7 @@ TEST_CASE("Over random targets and holds every limit is kept at every step") {
   MESSAGE(targets, " random targets");
 }
 
-TEST_CASE("From wherever it is, it can come to rest before an end") {
+TEST_CASE("From every state it can come to rest before an end") {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> place(-0.3, 0.3);
   std::uniform_int_distribution<int> few(0, 40);

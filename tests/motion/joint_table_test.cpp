@@ -17,7 +17,7 @@ namespace {
 
 using Deg = std::array<double, 7>;
 
-// A joint that is 10 + 100 y: even control points of a line are the line.
+// A joint that is 10 + 100 y: evenly spaced control points reproduce a line.
 JointTableParams straight() {
   LineJoint joint{"straight", {-90, 90, 100, 1000, 10'000}, {}};
   for (int i = -1; i <= 4; ++i) joint.control_deg.push_back(10 + 100 * (-0.3 + 0.2 * i));
@@ -33,7 +33,7 @@ std::string refusal_of(const JointTableParams& params) {
   return {};
 }
 
-TEST_CASE("A joint on a straight line is where the line is, clamped to its ends") {
+TEST_CASE("A joint linear along the line is interpolated exactly, clamped to the line's ends") {
   const JointTable table(straight());
   std::array<double, 1> deg{};
   for (const double y_m : {-0.3, -0.123, 0.0, 0.1, 0.3}) {
@@ -46,7 +46,8 @@ TEST_CASE("A joint on a straight line is where the line is, clamped to its ends"
   CHECK(deg[0] == doctest::Approx(-20));
 }
 
-TEST_CASE("Joints and their first two derivatives have no steps, and monotone joints never turn") {
+TEST_CASE(
+    "Joints and their first two derivatives are continuous, and monotone joints stay monotone") {
   const JointTable table(simulated_joints());
   constexpr double kStepM = 1e-4;
   Deg before{}, deg{}, slope{}, slope_before{}, bend_before{};
@@ -68,7 +69,7 @@ TEST_CASE("Joints and their first two derivatives have no steps, and monotone jo
   CHECK(table.is_monotone(0));
 }
 
-TEST_CASE("From its joints the place on the line is found, and how far off it they are") {
+TEST_CASE("The place on the line and the distance from it follow from the joints") {
   const JointTable table(simulated_joints());
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> place(-0.3, 0.3);
@@ -86,13 +87,13 @@ TEST_CASE("From its joints the place on the line is found, and how far off it th
   }
 }
 
-TEST_CASE("A motion within the line's limits keeps every joint's") {
+TEST_CASE("A motion within the line's limits keeps every joint's limits") {
   const JointTable table(simulated_joints());
   MotionLimits line = table.line_limits({-0.3, 0.3, 1e3, 1e6, 1e9});
   CHECK(line.velocity > 1.5);
   CHECK(line.acceleration > 20);
   CHECK(line.jerk > 2000);
-  // What is wanted and fits stays as it is.
+  // Desired limits that fit are unchanged.
   const MotionLimits wanted = table.line_limits({-0.3, 0.3, 1.5, 20, 2000});
   CHECK(wanted.velocity == 1.5);
   CHECK(wanted.acceleration == 20);
@@ -104,7 +105,7 @@ TEST_CASE("A motion within the line's limits keeps every joint's") {
   constexpr double kDtS = 0.001;
   Deg before{}, velocity{}, acceleration{};
   table.at(0, before);
-  double nearest = 0;  // to a limit of jerk, as a share
+  double nearest = 0;  // largest share of a jerk limit
   for (int i = 0; i < 50'000; ++i) {
     if (i % 40 == 0) motion.set_target(place(random));
     motion.step(kDtS);
@@ -129,7 +130,7 @@ TEST_CASE("A motion within the line's limits keeps every joint's") {
   CHECK(nearest > 0.5);
 }
 
-TEST_CASE("A table that cannot be is refused, and says why") {
+TEST_CASE("An impossible table is refused with the reason") {
   CHECK(refusal_of(straight()).empty());
   JointTableParams params = straight();
   params.to_m = params.from_m;

@@ -13,7 +13,7 @@ namespace {
 // Rounding of places of about 1, thrice differenced.
 constexpr double kRounding = 1e-14;
 
-// Judges each step by differences of its own.
+// Checks each step by differences of its own.
 class Judge {
  public:
   Judge(const MotionLimits& limits, double position, double dt_s)
@@ -48,8 +48,7 @@ class Judge {
   double fastest_ = 0;
 };
 
-TEST_CASE(
-    "A cruise of minutes keeps its limits to the last step, and rests at its target in time") {
+TEST_CASE("A cruise of minutes keeps its limits to the last step, and reaches its target in time") {
   // 0.6 m at 1 mm/s; 90 deg at 0.1 deg/s.
   for (const MotionLimits& limits :
        {MotionLimits{-0.3, 0.3, 0.001, 20, 2000}, MotionLimits{0, 90, 0.1, 0.5, 5}}) {

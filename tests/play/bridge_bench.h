@@ -12,13 +12,13 @@ inline PuckTrack puck_at(double x, double y, double vx, double vy) {
   return {{{x, y}, {vx, vy}}, {}};
 }
 
-/// A bridge with a clock, a tracker that sees what the test says, and an arm that is there.
+/// A bridge with a simulated clock, tracker and arm.
 class BridgeBench {
  public:
   static constexpr std::int64_t kTrackerSession = 3001;
   static constexpr std::int64_t kArmSession = 1001;
 
-  /// The clock of the tracker and the arm is ahead by `sender_ahead_us`, as is known.
+  /// The clock of the tracker and the arm is ahead by `sender_ahead_us`, a known offset.
   explicit BridgeBench(const PlayBridgeParams& params = {}, std::int64_t sender_ahead_us = 0,
                        const std::optional<PinholeCamera>& camera = std::nullopt)
       : sender(ClockOffset{sender_ahead_us, 0}),
@@ -26,11 +26,11 @@ class BridgeBench {
 
   std::int64_t sender_utime() const { return now.utime + sender->ahead_us; }
 
-  /// A good estimate of a puck there, which a test may then spoil. 300 µs old, as its clock says.
+  /// A good estimate of a puck there for a test to modify, 300 µs old by its clock.
   puck_estimate_t estimate(const PuckState& puck) { return estimate(puck, test_camera()); }
   puck_estimate_t estimate(const PuckState& puck, const Homography& camera) {
     const Pixel pixel = *camera.to_image(puck.position);
-    // The image's velocity, through the point a microsecond on.
+    // The image's velocity, from the point a microsecond later.
     const Pixel next = *camera.to_image({puck.position.x_m + 1e-6 * puck.velocity.x_m_s,
                                          puck.position.y_m + 1e-6 * puck.velocity.y_m_s});
     puck_estimate_t message{};
@@ -57,7 +57,7 @@ class BridgeBench {
     return message;
   }
 
-  /// `command_session`: of whom it follows.
+  /// `command_session`: the session that the arm follows.
   void see_arm(std::int64_t command_session = 0, std::int8_t state = arm_state_t::STATE_IDLE) {
     arm_state_t message{};
     message.state = state;
@@ -70,8 +70,8 @@ class BridgeBench {
     bridge.hear(message, now, sender);
   }
 
-  /// An estimate each millisecond of a puck that begins there, for as long as a track needs to be
-  /// trusted. Nothing is taken, and nothing of the arm heard.
+  /// An estimate each millisecond of a puck that begins there, for the length of the probation. No
+  /// message is taken, and the arm is silent.
   void earn_trust(PuckTrack puck) {
     const PuckMotion motion(TableGeometry{});
     for (int i = 0; i < 20; ++i) {
@@ -86,8 +86,8 @@ class BridgeBench {
     now.monotonic_us += us;
   }
 
-  /// An estimate each millisecond of a puck that moves by `motion`, for `ms`; and the arm is there.
-  /// Takes the messages that are due, and keeps the last of each.
+  /// An estimate each millisecond of a puck that moves by `motion`, for `ms`, with an arm on the
+  /// bus. Takes the messages that are due, and keeps the last of each.
   void play(const PuckMotion& motion, PuckTrack& puck, int ms) {
     for (int i = 0; i < ms; ++i) {
       pass(1000);

@@ -14,12 +14,12 @@ namespace {
 constexpr int kSteps = kIsSanitized ? 20'000 : 500'000;
 constexpr std::int64_t kMaxAgeUs = 100'000;
 
-// Spoils estimates in every way that a bridge must see through, or survive.
+// Modifies estimates in every way that a bridge must detect or tolerate.
 class Mischief : public WildValues {
  public:
   using WildValues::WildValues;
 
-  /// Whether the estimate must now be refused, whatever came before it.
+  /// Returns whether the estimate must now be refused, after any earlier ones.
   bool spoil(puck_estimate_t& e) {
     switch (below(14)) {
       case 0:
@@ -77,7 +77,7 @@ struct Heard {
   std::int64_t event_us = 0;  // by the same
 };
 
-TEST_CASE("Whatever arrives, no command is sent that a good, live estimate does not bear") {
+TEST_CASE("Whatever arrives, every command is based on a good, live estimate") {
   int commands = 0;
   int refused = 0;
   int blind_steps = 0;
@@ -144,7 +144,7 @@ TEST_CASE("Whatever arrives, no command is sent that a good, live estimate does 
       REQUIRE(bench.now.monotonic_us - basis->second.event_us <= kMaxAgeUs);
     }
   }
-  // The test has to have met what it is about.
+  // The test must have covered its subject.
   CHECK(commands > kSteps / 50);
   CHECK(refused > kSteps / 50);
   CHECK(blind_steps > kSteps / 50);

@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// Of a track that has been followed for a while.
+// The covariance of a track that has been followed for a while.
 const Matrix4 kSure = diagonal(1e-6, 1e-6, 1e-4, 1e-4);
 
 // Shows the observer a puck once a millisecond.
@@ -36,7 +36,7 @@ class Game {
   GameObserver observer{motion_};
 };
 
-TEST_CASE("A puck on its way into the robot's goal is one shot; turned back, one save") {
+TEST_CASE("A puck towards the robot's goal is one shot; turned back, one save") {
   Game game;
   game.put(1.8, 0.1, -2, -0.1);
   game.glide(300);
@@ -53,7 +53,7 @@ TEST_CASE("A puck on its way into the robot's goal is one shot; turned back, one
   CHECK(game.belief().rally_hits == 2);
 }
 
-TEST_CASE("A shot that is turned aside beside the mallet is a save") {
+TEST_CASE("A shot deflected by the mallet to the goal's side is a save") {
   Game game;
   game.put(1.8, 0, -2, 0);
   game.glide(700);
@@ -72,7 +72,7 @@ TEST_CASE("A puck that would miss the goal is no shot, and its return from the r
   CHECK(game.belief().rally_hits == 1);
 }
 
-TEST_CASE("A puck that comes back from the opponent's end rail by itself is no shot") {
+TEST_CASE("A puck that returns from the opponent's end rail by itself is no shot") {
   Game game;
   game.put(1.5, 0.32, 3, -0.34);
   game.glide(1100);
@@ -83,7 +83,7 @@ TEST_CASE("A puck that comes back from the opponent's end rail by itself is no s
   CHECK(game.belief().shots == 0);
 }
 
-TEST_CASE("A puck that is served, out of the opponent's goal, is no shot") {
+TEST_CASE("A puck served out of the opponent's goal is no shot") {
   Game game;
   game.put(2.1, 0, -1.5, 0);
   game.glide(800);
@@ -100,7 +100,7 @@ TEST_CASE("A shot that grazes a goal post and goes in is no save") {
   CHECK(game.belief().saves == 0);
 }
 
-TEST_CASE("A puck that is still seen in the goal before it vanishes is one goal, and no save") {
+TEST_CASE("A puck seen in the goal before it vanishes is one goal, and no save") {
   for (const bool is_touched : {false, true}) {
     CAPTURE(is_touched);
     Game game;
@@ -128,7 +128,7 @@ TEST_CASE("A puck that is still seen in the goal before it vanishes is one goal,
   }
 }
 
-TEST_CASE("A puck that is served out of a goal and lost there is no goal") {
+TEST_CASE("A puck served out of a goal and lost there is no goal") {
   for (const double x_m : {2.1, -0.04}) {
     CAPTURE(x_m);
     Game game;
@@ -140,7 +140,7 @@ TEST_CASE("A puck that is served out of a goal and lost there is no goal") {
   }
 }
 
-TEST_CASE("A soft hit that changes the way of a puck that comes anyway makes it a shot") {
+TEST_CASE("A soft hit that deflects an approaching puck makes it a shot") {
   Game game;
   game.put(1.9, 0.4, -1.5, 0);
   game.glide(100);
@@ -151,7 +151,7 @@ TEST_CASE("A soft hit that changes the way of a puck that comes anyway makes it 
   CHECK(game.belief().rally_hits == 2);
 }
 
-TEST_CASE("A shot whose hit was hidden is one when it is seen late") {
+TEST_CASE("A shot with a hidden hit counts when it is seen late") {
   Game game;
   game.put(1.7, 0, 0, 0);
   game.glide(200);
@@ -164,7 +164,7 @@ TEST_CASE("A shot whose hit was hidden is one when it is seen late") {
   CHECK(game.belief().saves == 1);
 }
 
-TEST_CASE("A puck that vanishes on its way into a goal is a goal, one each time") {
+TEST_CASE("A puck that vanishes on its way into a goal is a goal, once each time") {
   Game game;
   game.put(1.0, 0, -3, 0);
   game.glide(200);

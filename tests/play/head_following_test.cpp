@@ -33,7 +33,7 @@ class TurningBench {
       return TableCamera(test_camera(), kCamera).view_at(pose_at(us))->homography();
     };
     puck_estimate_t message = bench.estimate(puck, seen_at(then_us));
-    // The turning moves it in the image, too.
+    // The turn moves it in the image, too.
     const Pixel next = *seen_at(then_us + 1000)
                             .to_image({puck.position.x_m + 1e-3 * puck.velocity.x_m_s,
                                        puck.position.y_m + 1e-3 * puck.velocity.y_m_s});
@@ -60,7 +60,7 @@ class TurningBench {
   std::int64_t next_seq_ = 0;
 };
 
-TEST_CASE("The puck stays where it is on the table while the head turns") {
+TEST_CASE("The puck keeps its place on the table while the head turns") {
   for (const int head_ms : {1, 5, 10}) {
     CAPTURE(head_ms);
     TurningBench turning;
@@ -77,7 +77,7 @@ TEST_CASE("The puck stays where it is on the table while the head turns") {
   }
 }
 
-TEST_CASE("A HEAD that does not know the sensor's time is taken to be of now") {
+TEST_CASE("A HEAD without sensor time is treated as live") {
   TurningBench turning;
   turning.says_time = false;
   turning.play(200, 2);
@@ -86,14 +86,14 @@ TEST_CASE("A HEAD that does not know the sensor's time is taken to be of now") {
   CHECK(std::abs(turning.bench.trajectory->y_m - 0.3) < 2e-3);
 }
 
-TEST_CASE("When HEAD falls silent the bridge is blind within 10 ms, until HEAD comes back") {
+TEST_CASE("After HEAD falls silent the bridge commands nothing after 10 ms, until HEAD returns") {
   TurningBench turning;
   turning.play(100, 1);
   BridgeBench& bench = turning.bench;
   CHECK_FALSE(bench.bridge.is_blind_to_head());
   turning.play(1, 1);
   turning.play(20, 1000);
-  // The first of them had a HEAD, nine more are carried on.
+  // The first of them had a HEAD, nine more use its extrapolation.
   CHECK(bench.bridge.is_blind_to_head());
   CHECK(bench.bridge.gate().count(EstimateVerdict::kBlind) == 10);
   CHECK(bench.trajectory->head_known == 0);
@@ -105,7 +105,7 @@ TEST_CASE("When HEAD falls silent the bridge is blind within 10 ms, until HEAD c
   CHECK(bench.command);
 }
 
-TEST_CASE("A bridge that needs HEAD is blind before it hears it") {
+TEST_CASE("A bridge that needs HEAD commands nothing before the first HEAD") {
   PlayBridgeParams params;
   params.needs_head = true;
   TurningBench turning(params);
@@ -121,7 +121,7 @@ TEST_CASE("A bridge that needs HEAD is blind before it hears it") {
   CHECK(turning.bench.command);
 }
 
-TEST_CASE("A HEAD of another time than the estimates leaves the bridge blind, whatever the time") {
+TEST_CASE("A HEAD of another time than the estimates leaves the bridge without commands") {
   for (const std::int64_t us : {std::int64_t{0}, std::int64_t{-5}, INT64_MAX, INT64_MIN}) {
     CAPTURE(us);
     TurningBench turning;

@@ -33,7 +33,7 @@ bool commands_next(BridgeBench& bench) {
   return bench.command.has_value();
 }
 
-TEST_CASE("The bridge sends the arm to where a straight shot will cross") {
+TEST_CASE("The bridge sends the arm to the crossing of a straight shot") {
   BridgeBench bench;
   const PuckMotion motion(TableGeometry{});
   PuckTrack puck = puck_at(1.8, -0.3, -2, 0.6);
@@ -51,7 +51,7 @@ TEST_CASE("The bridge sends the arm to where a straight shot will cross") {
   CHECK(bench.command->estimate_seq >= 196);
 }
 
-TEST_CASE("The bridge sends the arm to where a bank shot will cross") {
+TEST_CASE("The bridge sends the arm to the crossing of a bank shot") {
   BridgeBench bench;
   const PuckMotion motion(TableGeometry{});
   PuckTrack puck = puck_at(1.9, 0.2, -2.5, 2.0);
@@ -62,7 +62,7 @@ TEST_CASE("The bridge sends the arm to where a bank shot will cross") {
   CHECK(bench.command->target_m == doctest::Approx(truth.y_m).epsilon(0.2));
 }
 
-TEST_CASE("A puck that will miss the goal is waited for at the post, not beyond") {
+TEST_CASE("For a puck that will miss the goal the mallet waits at the post, not beyond") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.0, 0.45, -2, 0);
   bench.play(PuckMotion(TableGeometry{}), puck, 200);
@@ -70,7 +70,7 @@ TEST_CASE("A puck that will miss the goal is waited for at the post, not beyond"
   CHECK(bench.command->target_normalised == doctest::Approx(0.2 / 0.3));
 }
 
-TEST_CASE("A target beyond the end of the line that the arm says it has is that end") {
+TEST_CASE("A target beyond the end of the arm's line is clamped to that end") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.0, 0.45, -2, 0);
   bench.play(PuckMotion(TableGeometry{}), puck, 200);
@@ -87,7 +87,8 @@ TEST_CASE("A target beyond the end of the line that the arm says it has is that 
   CHECK(bench.command->target_normalised == 1);
 }
 
-TEST_CASE("An unsure crossing is gone for in part, a sure one wholly") {
+TEST_CASE(
+    "The mallet moves part of the way to an uncertain crossing, all the way to a certain one") {
   const TableGeometry table;
   const Strategy strategy({.crossing_prior_m = 0.15}, table);
   const PuckTrack puck = puck_at(1.5, 0, -2, 0);
@@ -103,13 +104,13 @@ TEST_CASE("An unsure crossing is gone for in part, a sure one wholly") {
   CHECK(strategy.decide(puck, crossing).arrive_in_s == 0.7);
 }
 
-TEST_CASE("After a save the mallet goes back to the middle at once") {
+TEST_CASE("After a save the mallet returns to the middle at once") {
   const Strategy strategy({}, TableGeometry{});
   CHECK(strategy.decide(puck_at(0.4, 0.3, 1.5, 0), std::nullopt).y_m == 0);
   CHECK(strategy.decide(puck_at(0.4, 0.3, 0, 0), std::nullopt).y_m == doctest::Approx(0.15));
 }
 
-TEST_CASE("A command whose target has moved goes out at once, one that repeats waits") {
+TEST_CASE("A changed target is sent at once, an unchanged one at the usual rate") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.2, 0.1, 2, 0.1);
   bench.play(PuckMotion(TableGeometry{}), puck, 50);
@@ -119,8 +120,8 @@ TEST_CASE("A command whose target has moved goes out at once, one that repeats w
   CHECK(bench.commands - before > 24 / 4 + 2);
 }
 
-TEST_CASE("The mallet returns to the middle when the puck goes away") {
-  // Rails that return little: the puck will not come back within the horizon.
+TEST_CASE("The mallet returns to the middle when the puck moves away") {
+  // Rails with little restitution: the puck will not return within the horizon.
   PlayBridgeParams params;
   params.motion.rail_restitution = 0.1;
   BridgeBench bench(params);
@@ -130,7 +131,7 @@ TEST_CASE("The mallet returns to the middle when the puck goes away") {
   CHECK(bench.command->target_m == 0);
 }
 
-TEST_CASE("The mallet shadows a puck that lies in the robot's half") {
+TEST_CASE("The mallet shadows a puck at rest in the robot's half") {
   BridgeBench bench;
   PuckTrack puck = puck_at(0.7, 0.3, 0, 0);
   bench.play(PuckMotion(TableGeometry{}), puck, 100);
@@ -138,15 +139,15 @@ TEST_CASE("The mallet shadows a puck that lies in the robot's half") {
   CHECK(bench.command->target_m == doctest::Approx(0.15).epsilon(0.05));
 }
 
-TEST_CASE("Commands keep their rate and their freshness") {
+TEST_CASE("Commands keep their rate and their validity") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0, -1, 0);
   bench.play(PuckMotion(TableGeometry{}), puck, 400);
-  CHECK(bench.commands == 97);       // 250 Hz, but for the 15 ms in which a track earns trust
+  CHECK(bench.commands == 97);       // 250 Hz, except in the probation of 15 ms
   CHECK(bench.trajectories == 400);  // one an estimate
 }
 
-TEST_CASE("No arm heard: no command; a new arm session is answered at once") {
+TEST_CASE("Without an arm there is no command; a new arm session is answered at once") {
   BridgeBench bench = following();
   bench.command.reset();
   bench.pass(600'000);
@@ -165,7 +166,7 @@ TEST_CASE("No arm heard: no command; a new arm session is answered at once") {
 }
 
 TEST_CASE(
-    "With the tracker's clock hours away the bridge plays as well, and knows how old news is") {
+    "With the tracker's clock hours away the bridge plays as well, and knows the estimates' age") {
   constexpr std::int64_t kHourUs = 3'600'000'000;
   const PuckMotion motion(TableGeometry{});
   std::optional<double> target_m;
@@ -175,7 +176,7 @@ TEST_CASE(
     PuckTrack puck = puck_at(1.8, -0.3, -2, 0.6);
     bench.play(motion, puck, 200);
     REQUIRE(bench.command);
-    // The age of an estimate moves the puck on: to the bit the same, whatever the clocks say.
+    // The age of an estimate moves the puck on: to the bit the same with any clocks.
     if (target_m) CHECK(bench.command->target_m == *target_m);
     target_m = bench.command->target_m;
 
@@ -187,7 +188,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("As long as the tracker's or the arm's clock is not known, the bridge commands nothing") {
+TEST_CASE("While the tracker's or the arm's clock is unknown, the bridge commands nothing") {
   BridgeBench bench;
   bench.sender = std::nullopt;
   for (int i = 0; i < 100; ++i) {
@@ -214,7 +215,7 @@ TEST_CASE("As long as the tracker's or the arm's clock is not known, the bridge 
   CHECK_FALSE(deaf.command);
 }
 
-TEST_CASE("An arm of a log is not answered in the place of the one that is there") {
+TEST_CASE("An arm in a log is not answered in place of the live one") {
   BridgeBench bench = following();
   bench.pass(600'000);
   arm_state_t logged{};
@@ -239,7 +240,7 @@ TEST_CASE("Commands end 100 ms after the last good estimate") {
   CHECK_FALSE(commands_next(bench));
 }
 
-TEST_CASE("Commands end at once with a newest estimate that cannot be trusted") {
+TEST_CASE("Commands end at once on a newest estimate that is not acceptable") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::pair<const char*, std::function<void(puck_estimate_t&)>>> spoils{
       {"lost", [](auto& e) { e.state = puck_estimate_t::STATE_LOST; }},
@@ -265,9 +266,9 @@ TEST_CASE("Commands end at once with a newest estimate that cannot be trusted") 
   }
 }
 
-TEST_CASE("A puck of the wrong size for its place is doubted, and one of no size is not asked") {
-  // A puck of 65 mm, 1.1 m from the camera's side of the table, where the mirror image of one would
-  // be that is much nearer.
+TEST_CASE("A puck of the wrong size for its place is rejected, a missing size is accepted") {
+  // A puck of 65 mm, 1.1 m from the camera's side of the table, at the place of the mirror image of
+  // a much nearer puck.
   const TablePoint place{1.1, 0.2};
   const Pixel left = *test_camera().to_image({place.x_m, place.y_m - 0.0325});
   const Pixel right = *test_camera().to_image({place.x_m, place.y_m + 0.0325});
@@ -294,7 +295,7 @@ TEST_CASE("A puck of the wrong size for its place is doubted, and one of no size
 TEST_CASE("Late, foreign and wrongly dated estimates are dropped, counted and change nothing") {
   BridgeBench bench = following();
   const auto expect_dropped = [&](puck_estimate_t estimate, EstimateVerdict verdict) {
-    estimate.state = puck_estimate_t::STATE_LOST;  // what it would do if it were heard
+    estimate.state = puck_estimate_t::STATE_LOST;  // ends the commands, if accepted
     bench.bridge.hear(estimate, bench.now, bench.sender);
     CHECK(bench.bridge.gate().count(verdict) == 1);
     CHECK(commands_next(bench));
@@ -310,7 +311,7 @@ TEST_CASE("Late, foreign and wrongly dated estimates are dropped, counted and ch
   expect_dropped(old, EstimateVerdict::kClock);
 }
 
-TEST_CASE("An estimate frozen in time commands for 100 ms only, unless the puck rests") {
+TEST_CASE("A frozen estimate gives commands for 100 ms only, unless the puck rests") {
   for (const bool resting : {false, true}) {
     CAPTURE(resting);
     BridgeBench bench = following();
@@ -328,7 +329,7 @@ TEST_CASE("An estimate frozen in time commands for 100 ms only, unless the puck 
   }
 }
 
-TEST_CASE("A lone teleport is an outlier and does not send the arm away") {
+TEST_CASE("A single jump is an outlier and does not send the arm away") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.1, -1.5, 0);
   const PuckMotion motion(TableGeometry{});
@@ -341,7 +342,7 @@ TEST_CASE("A lone teleport is an outlier and does not send the arm away") {
   CHECK(bench.command->target_m == doctest::Approx(before_m).epsilon(0.05));
 }
 
-TEST_CASE("No commands while the head has turned, and the trajectory says so") {
+TEST_CASE("No commands while the head is turned, and the trajectory reports it") {
   BridgeBench bench = following();
   head_state_t head{};
   head.session = 5001;
@@ -362,7 +363,7 @@ TEST_CASE("No commands while the head has turned, and the trajectory says so") {
   CHECK(commands_next(bench));
 }
 
-TEST_CASE("A late HEAD, or another robot's, does not say that the head is home again") {
+TEST_CASE("A late HEAD, or another robot's, does not count as the head's return") {
   BridgeBench bench = following();
   head_state_t head{};
   head.session = 5001;
@@ -379,8 +380,7 @@ TEST_CASE("A late HEAD, or another robot's, does not say that the head is home a
   CHECK(bench.bridge.is_blind_to_head());
 }
 
-TEST_CASE(
-    "The trajectory has the puck on the table in metres, and says when it is only predicted") {
+TEST_CASE("The trajectory gives the puck on the table in metres, and marks predictions") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.5, -0.2, -1, 0.5);
   bench.play(PuckMotion(TableGeometry{}), puck, 200);
@@ -403,7 +403,7 @@ TEST_CASE(
   CHECK(miss(90'000) == puck_trajectory_t::VALIDITY_NONE);
 }
 
-TEST_CASE("When the sensor's time begins anew the filter does too") {
+TEST_CASE("When the sensor's time restarts the filter does too") {
   BridgeBench bench = following();
   for (int i = 1; i <= 20; ++i) {
     bench.pass(1000);
@@ -416,7 +416,7 @@ TEST_CASE("When the sensor's time begins anew the filter does too") {
   CHECK(bench.bridge.outliers() == 0);
 }
 
-TEST_CASE("An estimate that was overtaken is used at its own time, and the track is the same") {
+TEST_CASE("An overtaken estimate is used at its own time, and the track is the same") {
   const PuckMotion motion(TableGeometry{});
   const auto play = [&](bool swaps) {
     BridgeBench bench;
@@ -443,7 +443,7 @@ TEST_CASE("An estimate that was overtaken is used at its own time, and the track
   CHECK(swapped.covariance[10] == in_order.covariance[10]);
 }
 
-TEST_CASE("An overtaken estimate of another sensor's time, or of events to come, changes nothing") {
+TEST_CASE("An overtaken estimate of another sensor's time, or of future events, changes nothing") {
   for (const bool is_other_sensor : {true, false}) {
     CAPTURE(is_other_sensor);
     BridgeBench bench;
@@ -477,7 +477,7 @@ TEST_CASE("GAME is sent every 100 ms and on a change") {
     bench.take();
   }
   CHECK(bench.games == 11);
-  // A shot changes the phase and the counts between the beats.
+  // A shot changes the phase and the counts between two periods.
   PuckTrack puck = puck_at(1.5, 0, -3, 0);
   bench.play(PuckMotion(TableGeometry{}), puck, 250);
   CHECK(bench.games >= 13);

@@ -15,8 +15,8 @@
 
 namespace puck {
 
-/// A simulated game that is not drawn, but measured as a tracker would: with errors in the image
-/// that last for some ms.
+/// A simulated game without images, measured with a tracker's errors in the image, which last for
+/// some ms.
 struct PredictionRun {
   SimulationParams world;
   PuckMotionParams motion;
@@ -36,7 +36,7 @@ struct PredictionRun {
     double worst_position_m = 0;  ///< Of the track against the truth.
     double rms_position_m = 0;
     double rms_velocity_m_s = 0;
-    double position_nees = 0;  ///< Mean normalised error squared; 2 is honest.
+    double position_nees = 0;  ///< Mean normalised error squared; 2 is consistent.
     double velocity_nees = 0;
   };
 

@@ -48,7 +48,7 @@ void check_honest(const std::array<PredictionBin, 10>& bins) {
   }
 }
 
-TEST_CASE("Shots are predicted to millimetres with the table's own constants, and honestly") {
+TEST_CASE("With the table's own constants shots are predicted to millimetres, with true errors") {
   PredictionRun run = shots();
   const PhysicsParams& physics = run.world.physics;
   run.motion = with_constants(
@@ -68,7 +68,7 @@ TEST_CASE("Shots are predicted to millimetres with the table's own constants, an
   CHECK(result.rms_position_m < 0.0015);
 }
 
-TEST_CASE("With another table's constants bank shots are predicted worse, and say so") {
+TEST_CASE("With another table's constants bank shots are predicted worse, with larger errors") {
   const PredictionRun::Result result = shots().play();
   MESSAGE(table_of("default constants, direct", result.report.direct));
   MESSAGE(table_of("default constants, bounced", result.report.bounced));

@@ -13,8 +13,8 @@
 namespace puck {
 namespace {
 
-// For `ms` an estimate each millisecond of what `look` makes of the true puck; how many commands
-// were sent meanwhile.
+// Shows an estimate each millisecond for `ms`, made by `look` from the true puck. Returns the
+// number of commands sent meanwhile.
 int commands_of(BridgeBench& bench, PuckTrack& puck, int ms,
                 const std::function<void(puck_estimate_t&, int)>& look) {
   const PuckMotion motion(TableGeometry{});
@@ -41,26 +41,26 @@ void move_to(puck_estimate_t& estimate, const TablePoint& place) {
   estimate.y_px = pixel.y;
 }
 
-TEST_CASE("A track that begins moves the arm when it has held for its probation") {
+TEST_CASE("A new track moves the arm after its probation") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.5, 0.1, -1, 0.1);
   CHECK(commands_of(bench, puck, 15) == 0);
   CHECK(commands_of(bench, puck, 20) >= 4);
 }
 
-TEST_CASE("A hit is no new track: the arm is commanded on at once") {
+TEST_CASE("A hit starts no new track: the commands continue") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.3, 0.1, 2, 0.1);
   commands_of(bench, puck, 50);
   puck.state.velocity = {-8, 0.5};
-  // Less the time in which a hit looks like outliers.
+  // Without the time in which a hit looks like outliers.
   CHECK(commands_of(bench, puck, 40) >= 8);
   CHECK(bench.bridge.probation().leaps() == 0);
   const double at_line_y_m = puck.state.position.y_m + 0.5 / 8 * (puck.state.position.x_m - 0.2325);
   CHECK(bench.command->target_m == doctest::Approx(at_line_y_m).epsilon(0.1));
 }
 
-TEST_CASE("A shot whose hit the tracker missed for the mallet moves the arm at once") {
+TEST_CASE("A shot whose hit was hidden by the mallet moves the arm at once") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.4, -0.2, 0, 0);
   commands_of(bench, puck, 50);
@@ -74,7 +74,7 @@ TEST_CASE("A shot whose hit the tracker missed for the mallet moves the arm at o
   CHECK(bench.bridge.jumps() == 0);
 }
 
-TEST_CASE("A track that leaps as no puck can has to earn trust again, and is counted") {
+TEST_CASE("A track with an impossible jump goes through probation again, and is counted") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.5, 0.3, -1, 0);
   commands_of(bench, puck, 50);
@@ -88,7 +88,7 @@ TEST_CASE("A track that leaps as no puck can has to earn trust again, and is cou
   CHECK(bench.command->target_m < -0.03);
 }
 
-TEST_CASE("A tracker that leaps to and fro never moves the arm, however sure it says it is") {
+TEST_CASE("A tracker that jumps to and fro never moves the arm, at any stated certainty") {
   for (const int every_ms : {1, 3, 8, 14}) {
     CAPTURE(every_ms);
     BridgeBench bench;
@@ -104,7 +104,7 @@ TEST_CASE("A tracker that leaps to and fro never moves the arm, however sure it 
   }
 }
 
-TEST_CASE("A velocity that is not that of the positions ends the commands, until it is again") {
+TEST_CASE("A velocity that contradicts the positions ends the commands, until it agrees again") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.3, -1.5, 0);
   commands_of(bench, puck, 50);
@@ -119,7 +119,7 @@ TEST_CASE("A velocity that is not that of the positions ends the commands, until
   CHECK(commands_of(bench, puck, 40) > 0);
 }
 
-TEST_CASE("A position that is held while the tracker says that it moves ends the commands") {
+TEST_CASE("A constant position with a stated velocity ends the commands") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.3, -4, 0);
   commands_of(bench, puck, 50);
@@ -129,7 +129,7 @@ TEST_CASE("A position that is held while the tracker says that it moves ends the
   CHECK(commands_of(bench, puck, 60, hold) == 0);
 }
 
-TEST_CASE("A tracker without velocities is no liar") {
+TEST_CASE("A tracker without velocities is accepted") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.3, -1.5, 0);
   CHECK(commands_of(bench, puck, 200, [](puck_estimate_t& estimate, int) {
@@ -151,7 +151,7 @@ TEST_CASE("The same estimate under new numbers is counted and moves the arm for 
   CHECK(bench.bridge.frozen() > 250);
 }
 
-TEST_CASE("Sensor time that runs ahead of the clock, or to and fro, is never trusted for long") {
+TEST_CASE("Sensor time that runs ahead of the clock, or to and fro, is never accepted for long") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
   commands_of(bench, puck, 50);
@@ -162,7 +162,7 @@ TEST_CASE("Sensor time that runs ahead of the clock, or to and fro, is never tru
   CHECK(commands_of(bench, puck, 300, leap) == 0);
 }
 
-TEST_CASE("An estimate of events to come, or one that is sure of nothing, is implausible") {
+TEST_CASE("An estimate of future events, or one with a huge variance, is implausible") {
   struct Spoil {
     const char* name;
     std::function<void(puck_estimate_t&)> spoil;
@@ -184,7 +184,7 @@ TEST_CASE("An estimate of events to come, or one that is sure of nothing, is imp
   }
 }
 
-TEST_CASE("Of two trackers one is followed, the other is counted and moves nothing") {
+TEST_CASE("Of two trackers one is followed, the other is counted and causes no motion") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
   commands_of(bench, puck, 50);
@@ -199,7 +199,7 @@ TEST_CASE("Of two trackers one is followed, the other is counted and moves nothi
   CHECK(bench.command->target_m == doctest::Approx(target_m).epsilon(0.05));
 }
 
-TEST_CASE("A bridge notices when the arm goes on following another one") {
+TEST_CASE("A bridge notices that the arm follows another bridge") {
   constexpr std::int64_t kOwn = 2001;
   BridgeBench bench;
   const auto arm_follows = [&](std::int64_t session, int ms,
@@ -215,7 +215,7 @@ TEST_CASE("A bridge notices when the arm goes on following another one") {
   CHECK(arm_follows(77, 400) == 0);
   CHECK(arm_follows(77, 200) == 77);
   CHECK(arm_follows(kOwn, 1) == 0);
-  // Whoever stopped it is not obeyed by it.
+  // A bridge that stopped the arm does not count as followed.
   CHECK(arm_follows(78, 600) == 78);
   CHECK(arm_follows(78, 600, arm_state_t::STATE_STOPPED) == 0);
 }

@@ -10,7 +10,7 @@
 namespace puck {
 namespace {
 
-// A puck that glides up and down the image, far from its edges.
+// A puck that moves up and down the image, far from its edges.
 class Glide {
  public:
   const SimulatedTruth& next() {
@@ -39,7 +39,7 @@ EstimateErrorParams still_errors() {
   return params;
 }
 
-TEST_CASE("The error has the spread, the memory and the bias that it is said to have") {
+TEST_CASE("The error has the specified spread, correlation time and bias") {
   EstimateErrorParams params = still_errors();
   params.sigma_x_px = 0.5;
   params.sigma_y_px = 0.2;
@@ -90,7 +90,7 @@ TEST_CASE("A lag leaves the estimate behind by the puck's speed") {
   }
 }
 
-TEST_CASE("After a turn the estimate goes straight on until the turn is noticed") {
+TEST_CASE("After a turn the estimate continues straight until the turn is noticed") {
   EstimateErrorParams params = still_errors();
   params.sigma_x_px = params.sigma_y_px = 0;
   params.notice_us = 3000;
@@ -111,7 +111,7 @@ TEST_CASE("After a turn the estimate goes straight on until the turn is noticed"
   CHECK(step_to(294) == doctest::Approx(294));
 }
 
-TEST_CASE("The puck is lost after the share of turns, and for the time, that it is said to be") {
+TEST_CASE("The puck is lost after the specified share of turns, for the specified time") {
   EstimateErrorParams params = still_errors();
   params.loss_share = 0.25;
   params.loss_us = 10'000;
@@ -136,7 +136,7 @@ TEST_CASE("The puck is lost after the share of turns, and for the time, that it 
   CHECK(lost_us / losses == doctest::Approx(10'000).epsilon(0.15));
 }
 
-TEST_CASE("A puck that comes into the game is searched for; one outside the image is lost") {
+TEST_CASE("A puck that enters the game is searched for; one outside the image is lost") {
   EstimateErrorParams params = still_errors();
   params.detection_us = 1000;
   EstimateErrors errors(params, kSensor, 1);

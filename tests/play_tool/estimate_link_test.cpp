@@ -51,7 +51,7 @@ double mean_burst(const Traffic& traffic) {
   return static_cast<double>(lost) / bursts;
 }
 
-TEST_CASE("Estimates are due at their rate, also where that is no multiple of the step") {
+TEST_CASE("Estimates are due at their rate, even where it is no multiple of the step") {
   CHECK(run({.rate_hz = 1000, .latency_us = 0}).sent == 200'000);
   CHECK(run({.rate_hz = 30, .latency_us = 0}).sent == 6'000);
   CHECK(run({.rate_hz = 5000, .latency_us = 0}).sent == 1'000'000);
@@ -68,7 +68,7 @@ TEST_CASE("An estimate arrives after the latency, and not before") {
   CHECK_FALSE(link.receive(1'000'000));
 }
 
-TEST_CASE("The share that is lost is the one asked for, one by one or in bursts") {
+TEST_CASE("The share of lost estimates is the specified one, single or in bursts") {
   CHECK(lost_percent(run({.latency_us = 0, .loss_percent = 0})) == 0);
   CHECK(lost_percent(run({.latency_us = 0, .loss_percent = 100})) == 100);
   const Traffic single = run({.latency_us = 0, .loss_percent = 25});
@@ -79,7 +79,7 @@ TEST_CASE("The share that is lost is the one asked for, one by one or in bursts"
   CHECK(mean_burst(bursts) == doctest::Approx(20).epsilon(0.1));
 }
 
-TEST_CASE("A link refuses what it cannot be, by the option's name") {
+TEST_CASE("A link refuses impossible values, by the option's name") {
   CHECK_THROWS_WITH(EstimateLink({.rate_hz = 0}, 1),
                     "--rate-hz must be between 1 and 5000, got 0.000000");
   CHECK_THROWS_AS(EstimateLink({.latency_us = -1}, 1), std::invalid_argument);

@@ -10,7 +10,7 @@
 namespace puck {
 namespace {
 
-TEST_CASE("A camera sees the puck where it was in the middle of each exposure") {
+TEST_CASE("A camera gives the puck's place in the middle of each exposure") {
   FrameTrackerParams params{.rate_hz = 50, .sigma_px = 0, .smear_share = 0};
   FrameTracker tracker(params, kSensor, 1);
   SimulatedTruth truth;
@@ -33,7 +33,7 @@ TEST_CASE("A camera sees the puck where it was in the middle of each exposure") 
   CHECK(tracker.delay_us() == 23'000);
 }
 
-TEST_CASE("A smear makes a picture less sharp") {
+TEST_CASE("Motion blur makes an image less sharp") {
   FrameTrackerParams params{.rate_hz = 500, .sigma_px = 0.3, .smear_share = 0.1};
   FrameTracker tracker(params, kSensor, 1);
   SimulatedTruth truth;
@@ -54,7 +54,7 @@ TEST_CASE("A smear makes a picture less sharp") {
   CHECK(std::sqrt(square / pictures) == doctest::Approx(std::hypot(0.3, 0.4)).epsilon(0.1));
 }
 
-TEST_CASE("A puck that leaves the image while the shutter is open is not tracked") {
+TEST_CASE("A puck that leaves the image during an exposure is not tracked") {
   FrameTracker tracker({.rate_hz = 50}, kSensor, 1);
   SimulatedTruth truth;
   truth.in_play = true;
@@ -70,7 +70,7 @@ TEST_CASE("A puck that leaves the image while the shutter is open is not tracked
   FAIL("no picture");
 }
 
-TEST_CASE("A camera refuses a rate or an exposure that it cannot have") {
+TEST_CASE("A camera refuses an impossible rate or exposure") {
   CHECK_THROWS_AS(FrameTracker({.rate_hz = 0}, kSensor, 1), std::invalid_argument);
   CHECK_THROWS_AS(FrameTracker({.exposure_share = 1.1}, kSensor, 1), std::invalid_argument);
 }

@@ -21,8 +21,7 @@ struct Disagreement {
   int goals = 0;
 };
 
-// Summed over games without the sign: what one game has too many does not make good for
-// what another has too few.
+// Summed over games by absolute value, so that games do not compensate for one another.
 Disagreement disagreement(const PlaySetup& setup) {
   Disagreement sum;
   for (int seed = 101; seed <= 100 + kGames; ++seed) {

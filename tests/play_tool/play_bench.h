@@ -10,11 +10,11 @@
 namespace puck {
 
 inline constexpr SensorSize kSensor{640, 480};
-/// From one truth to the next.
+/// Time between two rows of truth.
 inline constexpr std::int64_t kStepUs = 200;
 inline constexpr int kShots = kIsSanitized ? 5 : 25;
 
-/// Single shots as fast as the opponent can, on the project's own calibration.
+/// Single shots at the opponent's highest speed, on the project's own calibration.
 inline PlaySetup fast_shots() {
   PlaySetup setup = for_single_shots(default_setup(source_folder() / "config/calibration"));
   set_shot_speed(setup.world.game, 15);

@@ -22,7 +22,7 @@ Finished play(std::vector<std::string> arguments) {
   return run_program(arguments, {.folder = source_folder()});
 }
 
-TEST_CASE("puck-play writes the figures that scripts rely on") {
+TEST_CASE("puck-play writes the figures for scripts") {
   const TemporaryFolder folder;
   const std::filesystem::path json = folder / "play.json";
   const Finished run =
@@ -54,7 +54,7 @@ TEST_CASE("puck-play writes a sweep's points and its plot") {
   CHECK(std::filesystem::file_size(folder / "plots" / "saves_loss.png") > 1000);
 }
 
-TEST_CASE("puck-play tells of a whole game's bound that it is not known") {
+TEST_CASE("puck-play reports that a whole game's bound is unknown") {
   const TemporaryFolder folder;
   const std::filesystem::path json = folder / "play.json";
   const Finished run = play({"--seconds", "2", "--json", json});
@@ -62,7 +62,7 @@ TEST_CASE("puck-play tells of a whole game's bound that it is not known") {
   CHECK(Json::parse(read_text(json))["bound_percent"].is_null());
 }
 
-TEST_CASE("puck-play refuses what it cannot do") {
+TEST_CASE("puck-play refuses impossible options") {
   CHECK(play({"--shots", "0"}).exit_code == 2);
   CHECK(play({"--shots", "3", "--seconds", "3"}).exit_code == 2);
   CHECK(play({"--sweep", "size"}).exit_code == 2);

@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// But for this share of it.
+// With this relative tolerance.
 doctest::Approx within(double share, double value) {
   return doctest::Approx(value).epsilon(share).scale(0);
 }
@@ -30,7 +30,7 @@ int saves_of(const std::vector<ShotOutcome>& outcomes) {
   }));
 }
 
-TEST_CASE("Each shot is a shot, at the speed asked for, and hits the line within the goal") {
+TEST_CASE("Each shot has the specified speed, and hits the line within the goal") {
   const PlaySetup setup = fast_shots();
   const TableGeometry& table = setup.world.table;
   const auto shots = find_shots(setup, 1, kShots, 2);
@@ -45,7 +45,7 @@ TEST_CASE("Each shot is a shot, at the speed asked for, and hits the line within
   }
 }
 
-TEST_CASE("The same seed plays the same shots to the bit, however many threads play them") {
+TEST_CASE("The same seed plays the same shots to the bit, with any number of threads") {
   const PlaySetup setup = fast_shots();
   const auto shots = find_shots(setup, 1, kShots, 1);
   const auto again = find_shots(setup, 1, kShots, 3);
@@ -60,21 +60,20 @@ TEST_CASE("The same seed plays the same shots to the bit, however many threads p
   }
 }
 
-TEST_CASE(
-    "A shot seen by PUCK itself is the same to the bit, too, and the same as without images") {
+TEST_CASE("A shot tracked by PUCK itself is reproducible to the bit, with or without images") {
   PlaySetup setup = fast_shots();
   const auto shots = find_shots(setup, 1, 1, 1);
   const auto without = play_shots(setup, shots, 1);
   setup.source = EstimateSource::kEvents;
   const auto first = play_shots(setup, shots, 2);
-  // A second time it goes the same ways through the code, and takes long under sanitizers.
+  // A repetition covers the same code, and takes long under sanitizers.
   if (!kIsSanitized) CHECK(equal(first[0], play_shots(setup, shots, 1)[0]));
   CHECK(first[0].tracked_share > 0.5);
   CHECK(first[0].end != ShotOutcome::End::kUnjudged);
   CHECK_FALSE(equal(first[0], without[0]));
 }
 
-TEST_CASE("A robot that hears nothing saves just what hits a mallet in the middle") {
+TEST_CASE("A robot without estimates saves only shots at a mallet in the middle") {
   PlaySetup setup = fast_shots();
   setup.link.loss_percent = 100;
   const auto shots = find_shots(setup, 1, kShots, 2);
@@ -83,7 +82,7 @@ TEST_CASE("A robot that hears nothing saves just what hits a mallet in the middl
   for (std::size_t i = 0; i < shots.size(); ++i) {
     CHECK((outcomes[i].end == ShotOutcome::End::kSaved) == shots[i].hits_waiting_mallet);
     CHECK(outcomes[i].tracked_share == 0);
-    // Beside the mallet with all of the puck, and straight into the goal.
+    // More than a puck's width beside the mallet, and straight into the goal.
     if (std::abs(shots[i].crossing_y_m) < 0.03) CHECK(shots[i].hits_waiting_mallet);
     if (outcomes[i].end != ShotOutcome::End::kGoal) continue;
     ++goals;
@@ -93,7 +92,7 @@ TEST_CASE("A robot that hears nothing saves just what hits a mallet in the middl
   CHECK(goals > kShots / 5);
 }
 
-TEST_CASE("An arm without limits that hears at once saves nearly all, and the bound says all") {
+TEST_CASE("An arm without limits or latency saves nearly all shots, and the bound all") {
   PlaySetup setup = fast_shots();
   setup.arm.arm = {.max_speed_m_s = 20, .max_acceleration_m_s2 = 1000, .max_jerk_m_s3 = 1e6};
   setup.link.latency_us = 0;
@@ -104,7 +103,7 @@ TEST_CASE("An arm without limits that hears at once saves nearly all, and the bo
   CHECK(saves_of(play_shots(setup, shots, 2)) >= kShots - 1 - kShots / 20);
 }
 
-TEST_CASE("Who hears late saves less") {
+TEST_CASE("A larger latency saves fewer shots") {
   PlaySetup setup = fast_shots();
   const auto shots = find_shots(setup, 1, kShots, 2);
   const int at_once = saves_of(play_shots(setup, shots, 2));
@@ -112,14 +111,14 @@ TEST_CASE("Who hears late saves less") {
   CHECK(saves_of(play_shots(setup, shots, 2)) < at_once);
 }
 
-TEST_CASE("A whole game counts as its referee does, and plays for as long as it is asked to") {
+TEST_CASE("A whole game's counts equal its referee's, and it lasts the specified time") {
   PlaySetup setup = fast_shots();
   setup.world.game = {};
   const double seconds = 1.5 * kShots;
   const SaveFigures game = play_game(setup, 3, seconds);
   CHECK(game.played_s == doctest::Approx(seconds));
   CHECK(game.shots > 0);
-  CHECK(game.saves + game.goals <= game.shots + 1);  // a goal can come of no shot
+  CHECK(game.saves + game.goals <= game.shots + 1);  // a goal needs no shot
   CHECK_FALSE(game.bound_percent());
   CHECK_FALSE(game.causes);
   const SaveFigures again = play_game(setup, 3, seconds);
@@ -127,7 +126,7 @@ TEST_CASE("A whole game counts as its referee does, and plays for as long as it 
   CHECK(again.saves == game.saves);
 }
 
-TEST_CASE("The fit of the errors finds what the model was told") {
+TEST_CASE("The fit of the errors recovers the model's parameters") {
   PlaySetup setup = fast_shots();
   setup.errors = {.sigma_x_px = 0.3,
                   .sigma_y_px = 0.2,
@@ -146,7 +145,7 @@ TEST_CASE("The fit of the errors finds what the model was told") {
   const EstimateErrorParams fit = fit_estimate_errors(flights, 1'000);
   CHECK(fit.reported_sigma_px == within(0.01, 0.25));
   CHECK(fit.detection_us == within(0.02, 100'000));
-  // As few shots as there are under sanitizers say little of what is left to chance.
+  // The few shots under sanitizers do not determine random quantities.
   if (kIsSanitized) return;
   CHECK(fit.sigma_x_px == within(0.25, 0.3));
   CHECK(fit.sigma_y_px == within(0.25, 0.2));
@@ -157,7 +156,7 @@ TEST_CASE("The fit of the errors finds what the model was told") {
   CHECK(fit.loss_us == within(0.6, 8'000));
 }
 
-TEST_CASE("The errors that are built in are about those that PUCK makes on events" *
+TEST_CASE("The built-in errors are about those of PUCK on events" *
           doctest::test_suite("deep") * doctest::skip(kIsSanitized)) {
   PlaySetup setup = fast_shots();
   const EstimateErrorParams built_in = setup.errors;
@@ -167,7 +166,7 @@ TEST_CASE("The errors that are built in are about those that PUCK makes on event
     flights.push_back(watch_flight(setup, facts));
   }
   const EstimateErrorParams fit = fit_estimate_errors(flights, 1'000);
-  // What eight shots tell: tools/play/estimate_errors.h says how to fit them anew.
+  // From eight shots: tools/play/estimate_errors.h explains the fit.
   CHECK(fit.sigma_x_px == within(0.4, built_in.sigma_x_px));
   CHECK(fit.sigma_y_px == within(0.4, built_in.sigma_y_px));
   CHECK(fit.correlation_us == within(0.5, built_in.correlation_us));
@@ -196,11 +195,11 @@ TEST_CASE("A sweep plays the same shots at each of its points") {
     CHECK(point.figures.bound_percent() == sweep.points[0].figures.bound_percent());
     CHECK(point.figures.waiting_percent() == sweep.points[0].figures.waiting_percent());
   }
-  // 133 ms after the exposure the bridge does not believe an estimate any more.
+  // 133 ms after the exposure the bridge rejects an estimate.
   CHECK(sweep.points[2].figures.save_percent() == sweep.points[2].figures.waiting_percent());
 }
 
-TEST_CASE("Every sweep that the help names has its points, and no other") {
+TEST_CASE("The help names exactly the existing sweeps") {
   const PlaySetup setup = fast_shots();
   for (const char* name : {"latency", "speed", "rate", "loss"}) {
     CHECK(plan_sweep(name, setup, 15).points.size() > 20);

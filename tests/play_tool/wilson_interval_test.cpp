@@ -4,7 +4,7 @@
 
 namespace puck {
 
-TEST_CASE("Wilson's interval is that of the tables") {
+TEST_CASE("Wilson's interval equals published tables") {
   // Newcombe 1998, Statistics in Medicine 17, table I: 81 of 263, 15 of 148, 0 of 20, 1 of 29.
   const Interval many = wilson_interval(81, 263);
   CHECK(many.low == doctest::Approx(0.2553).epsilon(1e-3));
@@ -20,7 +20,7 @@ TEST_CASE("Wilson's interval is that of the tables") {
   CHECK(one.high == doctest::Approx(0.1718).epsilon(1e-3));
 }
 
-TEST_CASE("Of nothing, every share is possible; all saved is not certain to go on") {
+TEST_CASE("Without shots every share is possible; with all saved the bound stays below 1") {
   CHECK(wilson_interval(0, 0).low == 0);
   CHECK(wilson_interval(0, 0).high == 1);
   CHECK(wilson_interval(20, 20).high == 1);

@@ -15,7 +15,7 @@ constexpr Ink kRed{255, 0, 0};
 
 bool is_red(const cv::Vec3b& pixel) { return pixel[2] > 200 && pixel[0] < 100 && pixel[1] < 100; }
 
-// Columns and rows that hold something red; columns are counted from the left, rows from above.
+// Columns and rows with red in them; columns count from the left, rows from above.
 cv::Rect red_part(const cv::Mat& picture) {
   cv::Rect part;
   for (int y = 0; y < picture.rows; ++y) {
@@ -43,7 +43,7 @@ TEST_CASE("ticks are round numbers within the axis") {
   CHECK(decades.back().label == "100");
 }
 
-TEST_CASE("a value lies where its axis says") {
+TEST_CASE("a value is drawn at its place on the axis") {
   CHECK(Axis{.from = 10, .to = 20}.fraction(15) == doctest::Approx(0.5));
   CHECK(Axis{.from = 480, .to = 0}.fraction(120) == doctest::Approx(0.75));
   CHECK(Axis{.from = 0.1, .to = 10, .logarithmic = true}.fraction(1) == doctest::Approx(0.5));
@@ -51,7 +51,7 @@ TEST_CASE("a value lies where its axis says") {
   CHECK(Axis{.things = {"a", "b"}}.fraction(0.5) == doctest::Approx(0.25));
 }
 
-TEST_CASE("axes are made to hold their values") {
+TEST_CASE("axes cover their values") {
   CHECK(axis_from_zero("", 20).to == doctest::Approx(21));
   CHECK(axis_from_zero("", 0).to == 1);
   const Axis axis = logarithmic_axis("", 0.03, 250);
@@ -71,7 +71,7 @@ TEST_CASE("a line rises from the lower left to the upper right and is cut off at
   CHECK(is_red(drawn.picture().at<cv::Vec3b>(part.br().y - 3, part.x + 3)));
 }
 
-TEST_CASE("a line is interrupted where a value is not known") {
+TEST_CASE("a line is interrupted at unknown values") {
   Chart drawn = chart();
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   drawn.line({{0, 5}, {4, 5}, {5, unknown}, {6, 5}, {10, 5}}, kRed);
@@ -90,7 +90,7 @@ TEST_CASE("a bar twice as high is twice as high") {
         doctest::Approx(2 * red_part(low.picture()).height).epsilon(0.02));
 }
 
-TEST_CASE("charts are written as a picture, stacked, and a bad path is told") {
+TEST_CASE("stacked charts are written as a picture, and an impossible path is reported") {
   const TemporaryFolder folder;
   chart().save(folder / "one.png");
   save_stacked({chart(), chart()}, folder / "two.png");

@@ -14,7 +14,7 @@ bool is_open(int number) { return fcntl(number, F_GETFD) >= 0; }
 
 }  // namespace
 
-TEST_CASE("a descriptor is closed in the end, and when another one takes its place") {
+TEST_CASE("a descriptor is closed at its end, and when another one replaces it") {
   int first = -1;
   int second = -1;
   {
@@ -30,7 +30,7 @@ TEST_CASE("a descriptor is closed in the end, and when another one takes its pla
   CHECK_FALSE(is_open(second));
 }
 
-TEST_CASE("a descriptor that is moved has one owner only") {
+TEST_CASE("a moved descriptor has one owner only") {
   FileDescriptor descriptor = opened();
   const int number = descriptor.number();
   {
@@ -48,7 +48,7 @@ TEST_CASE("a descriptor that is moved has one owner only") {
   CHECK_FALSE(is_open(number));
 }
 
-TEST_CASE("what could not be opened is none") {
+TEST_CASE("a failed open gives no descriptor") {
   const FileDescriptor missing(open("/nowhere/at/all", O_RDONLY | O_CLOEXEC));
   CHECK_FALSE(missing.is_open());
   CHECK_FALSE(FileDescriptor().is_open());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Region kAll{0, 0, 100, 100};
 
-// `count` events, a microsecond apart, whose x counts them.
+// `count` events, a microsecond apart, with their number in x.
 std::vector<Event> numbered(int first, int count) {
   std::vector<Event> events;
   for (int i = 0; i < count; ++i) {
@@ -22,7 +22,7 @@ std::vector<Event> numbered(int first, int count) {
   return events;
 }
 
-// Everything that the queue holds: the times in µs.
+// The times of all events in the queue, µs.
 std::vector<std::int64_t> pop_all(EventQueue& queue) {
   std::vector<std::int64_t> times;
   std::vector<Event> events;
@@ -48,7 +48,7 @@ TEST_CASE("events of the region come out in order with their times, the others d
   CHECK(queue.thinned() == 0);
 }
 
-TEST_CASE("only as many are taken as were asked for, and none from beyond a position") {
+TEST_CASE("at most the requested number of events is taken, and none beyond a position") {
   EventQueue queue(100);
   queue.push({0}, numbered(0, 10), kAll);
   const std::uint64_t until = queue.end();
@@ -63,7 +63,7 @@ TEST_CASE("only as many are taken as were asked for, and none from beyond a posi
   CHECK(pop_all(queue).front() == 10);
 }
 
-TEST_CASE("a pause too long for an event's offset ends a handful, and loses nothing") {
+TEST_CASE("a pause too long for an event's offset ends a batch, and loses nothing") {
   EventQueue queue(10);
   queue.push({0}, numbered(0, 1), kAll);
   queue.push({10'000'000'000}, numbered(0, 1), kAll);
@@ -74,7 +74,7 @@ TEST_CASE("a pause too long for an event's offset ends a handful, and loses noth
   CHECK(out.size() == 1);
 }
 
-TEST_CASE("a queue that nobody empties takes half of its room whole and thins the rest evenly") {
+TEST_CASE("an unread queue takes half of its capacity whole and thins the rest evenly") {
   EventQueue queue(64);
   CHECK(queue.push({0}, numbered(0, 1000), kAll) == 1000);
   const std::vector<std::int64_t> times = pop_all(queue);
@@ -92,7 +92,7 @@ TEST_CASE("a queue that nobody empties takes half of its room whole and thins th
   CHECK(pop_all(queue).size() == 30);  // whole again once there is room
 }
 
-TEST_CASE("what comes through between two threads is in order and what does not is counted") {
+TEST_CASE("between two threads events pass in order, and lost ones are counted") {
   EventQueue queue(256);
   constexpr int kEvents = 200'000;
   std::jthread producer([&] {
@@ -115,7 +115,7 @@ TEST_CASE("what comes through between two threads is in order and what does not 
   CHECK(taken > 0);
 }
 
-TEST_CASE("a queue without room is refused") {
+TEST_CASE("a queue without capacity is refused") {
   CHECK_THROWS_WITH_AS(EventQueue(1), "an event queue needs room for at least 2 events, got 1",
                        std::invalid_argument);
 }

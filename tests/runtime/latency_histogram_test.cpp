@@ -26,13 +26,13 @@ TEST_CASE("percentiles are at most a sixteenth too high and never too low") {
   CHECK(summary.p99_us <= 10'000);
 }
 
-TEST_CASE("no duration up to an hour is read more than a sixteenth too high, nor too low") {
+TEST_CASE("durations up to an hour are read at most a sixteenth too high, and never too low") {
   constexpr std::int64_t kHourUs = 3'600'000'000;
   for (std::int64_t duration_us = 1; duration_us < kHourUs; duration_us += 1 + duration_us / 50) {
     LatencyHistogram histogram;
     histogram.record(duration_us);
     histogram.record(duration_us);
-    // So that the longest, which is exact, does not hide what its bucket would say.
+    // A longer one, because the longest is exact and would hide its bucket.
     histogram.record(kHourUs * 2);
     REQUIRE(histogram.summary().p50_us >= duration_us);
     REQUIRE(histogram.summary().p50_us * 16 <= duration_us * 17);
@@ -48,7 +48,7 @@ TEST_CASE("short durations are exact") {
   CHECK(histogram.summary().max_us == 15);
 }
 
-TEST_CASE("one long duration stands out in the maximum alone") {
+TEST_CASE("one long duration changes the maximum alone") {
   LatencyHistogram histogram;
   for (int i = 0; i < 1000; ++i) histogram.record(20);
   histogram.record(1'000'000);

@@ -26,7 +26,7 @@ EventPacket packet_at(int i) {
   return {{i * 1000}, test::contour_events(kSensor, truth, kSizeModel.at(truth), 150)};
 }
 
-// Who published what with events.
+// Estimates with events by publishing thread.
 struct Publishers {
   std::thread::id event_thread = std::this_thread::get_id();
   std::atomic<int> by_event_thread{0};
@@ -53,7 +53,7 @@ LiveTracker tracker_for(Publishers& publishers) {
 
 }  // namespace
 
-TEST_CASE("a packet behind which nothing waits is answered before its update returns") {
+TEST_CASE("a packet with none waiting behind it is answered before its update returns") {
   Publishers publishers;
   LiveTracker tracker = tracker_for(publishers);
   int i = 0;
@@ -66,16 +66,16 @@ TEST_CASE("a packet behind which nothing waits is answered before its update ret
     const EventPacket packet = packet_at(++i);
     tracker.update(packet, {}, false);
     if (publishers.newest_us == packet.newest().us) ++answered;
-    // So that the tracking thread is asleep again, if it was at work.
+    // Lets the tracking thread fall asleep again.
     REQUIRE(wait_until([&] { return publishers.newest_us == packet.newest().us; }));
     std::this_thread::sleep_for(milliseconds(1));
   }
-  // But where the tracking thread happened to be at work.
+  // Except when the tracking thread was busy.
   CHECK(answered > kPackets / 2);
   CHECK(publishers.by_event_thread >= answered);
 }
 
-TEST_CASE("while packets wait every step is the tracking thread's") {
+TEST_CASE("while packets wait the tracking thread makes every step") {
   Publishers publishers;
   LiveTracker tracker = tracker_for(publishers);
   for (int i = 1; i <= kPackets; ++i) {
@@ -87,13 +87,13 @@ TEST_CASE("while packets wait every step is the tracking thread's") {
   CHECK(publishers.by_tracking_thread > 0);
 }
 
-TEST_CASE("whoever makes the steps, none is forgotten") {
+TEST_CASE("no step is missed, whichever thread makes it") {
   Publishers publishers;
   LiveTracker tracker = tracker_for(publishers);
   for (int i = 1; i <= 2000; ++i) {
     const EventPacket later = packet_at(i);
     tracker.update(later, {}, i % 3 == 0);
-    // The heartbeat, after 10 s, is too late to make up for a forgotten step.
+    // The heartbeat, after 10 s, is too late to replace a missed step.
     if (i % 20 != 0) continue;
     const auto end = std::chrono::steady_clock::now() + milliseconds(5000);
     while (publishers.newest_us < later.newest().us && std::chrono::steady_clock::now() < end) {

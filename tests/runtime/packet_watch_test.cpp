@@ -13,7 +13,7 @@ PacketWatch::Clock::time_point at(int time_us) {
 
 }  // namespace
 
-TEST_CASE("a packet waits until an estimate rests on its last event") {
+TEST_CASE("a packet waits until an estimate includes its last event") {
   PacketWatch watch;
   LatencyHistogram waits;
   watch.expect({1000}, at(50));
@@ -26,7 +26,7 @@ TEST_CASE("a packet waits until an estimate rests on its last event") {
   CHECK(waits.summary().samples == 1);
 }
 
-TEST_CASE("an estimate that was long in coming ends the waits of all packets that it rests on") {
+TEST_CASE("a late estimate ends the waits of all packets that it includes") {
   PacketWatch watch;
   LatencyHistogram waits;
   watch.expect({1000}, at(1));
@@ -39,7 +39,7 @@ TEST_CASE("an estimate that was long in coming ends the waits of all packets tha
   CHECK(waits.summary().samples == 3);
 }
 
-TEST_CASE("packets that nobody answers take no more than their room, and can be forgotten") {
+TEST_CASE("unanswered packets have limited room, and can be dropped") {
   PacketWatch watch;
   LatencyHistogram waits;
   for (int i = 0; i < 100'000; ++i) watch.expect({i}, at(i));

@@ -8,7 +8,7 @@
 
 namespace puck {
 
-TEST_CASE("everything is done once, whatever the number of threads") {
+TEST_CASE("every item is done once, with any number of threads") {
   for (const int threads : {1, 2, 7}) {
     std::vector<std::atomic<int>> done(100);
     run_in_parallel(threads, done.size(), [&](std::size_t i) { ++done[i]; });
@@ -16,7 +16,7 @@ TEST_CASE("everything is done once, whatever the number of threads") {
   }
 }
 
-TEST_CASE("a failure is thrown on and nothing more is begun") {
+TEST_CASE("an exception is passed on and no further item is begun") {
   int begun = 0;
   CHECK_THROWS_AS(run_in_parallel(1, 100,
                                   [&](std::size_t) {

@@ -14,8 +14,8 @@
 namespace puck {
 namespace {
 
-// The third of the kernel's 64-bit numbers after two of 32 bits and flags: struct sched_attr.
-// Nothing where it does not tell.
+// The third 64-bit number of struct sched_attr, after two 32-bit ones and the flags. Nothing where
+// the kernel does not give it.
 std::optional<std::uint64_t> turn_ns() {
   std::array<std::uint64_t, 6> attributes{};
   if (syscall(SYS_sched_getattr, 0, attributes.data(), sizeof attributes, 0U) != 0) return {};
@@ -26,12 +26,12 @@ int nice_value() { return getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()))
 
 }  // namespace
 
-TEST_CASE("a thread that takes short turns, and those that it starts, keep their priority") {
+TEST_CASE("a thread with short time slices, and threads that it starts, keep their priority") {
   std::thread([] {
     CHECK(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 5) == 0);
     const auto before_ns = turn_ns();
     take_short_turns();
-    // 0: a kernel that knows no turns.
+    // 0: a kernel without time slices.
     const auto expected = before_ns.value_or(0) == 0 ? before_ns : 100'000;
     CHECK(turn_ns() == expected);
     std::thread([&] { CHECK(turn_ns() == expected); }).join();
@@ -40,7 +40,7 @@ TEST_CASE("a thread that takes short turns, and those that it starts, keep their
   }).join();
 }
 
-TEST_CASE("a thread behind others takes usual turns, whatever whoever started it took") {
+TEST_CASE("a background thread has usual time slices, whatever its parent has") {
   std::thread([] {
     const auto usual_ns = turn_ns();
     take_short_turns();
@@ -54,7 +54,7 @@ TEST_CASE("a thread behind others takes usual turns, whatever whoever started it
   }).join();
 }
 
-TEST_CASE("a thread behind others has no more weight than before") {
+TEST_CASE("a background thread has no more weight than before") {
   std::thread([] {
     CHECK(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 15) == 0);
     take_turns_behind_others();

@@ -31,7 +31,7 @@ SearchResult result_of(SearchWorker& worker, SharedSurface& surface) {
 
 }  // namespace
 
-TEST_CASE("a worker finds the same as a search at once, far and near, time after time") {
+TEST_CASE("a worker finds the same as an immediate search, near and far, repeatedly") {
   constexpr SensorSize kSensor{320, 240};
   const ErosParams eros = preset_params(Preset::kCorrelation).eros;
   SharedSurface shared(kSensor, eros);
@@ -64,7 +64,7 @@ TEST_CASE("a worker finds the same as a search at once, far and near, time after
   }
 }
 
-TEST_CASE("a small search is made at once, urgent or not, and known to be") {
+TEST_CASE("a small search is made at once, urgent or not, and known to be small") {
   constexpr SensorSize kSensor{320, 240};
   SharedSurface shared(kSensor, preset_params(Preset::kCorrelation).eros);
   SearchWorker worker(search_for(kSensor));
@@ -76,7 +76,7 @@ TEST_CASE("a small search is made at once, urgent or not, and known to be") {
   CHECK(worker.poll() != nullptr);
 }
 
-TEST_CASE("a worker that is to see what is fresh does not see a puck of 40 ms ago") {
+TEST_CASE("a worker limited to recent pixels does not see a puck of 40 ms ago") {
   constexpr SensorSize kSensor{320, 240};
   SharedSurface shared(kSensor, preset_params(Preset::kCorrelation).eros);
   SearchWorker worker(search_for(kSensor));
@@ -105,7 +105,7 @@ TEST_CASE("a large surface is copied a few rows at a time") {
   CHECK(result_of(worker, shared).candidates.empty());
 }
 
-TEST_CASE("a worker ends while it searches, copies, or has nothing to do") {
+TEST_CASE("a worker ends during a search, a copy, or a wait") {
   constexpr SensorSize kSensor{320, 240};
   SharedSurface shared(kSensor, {});
   const SearchWorker idle(search_for(kSensor));

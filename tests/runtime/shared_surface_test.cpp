@@ -50,7 +50,7 @@ bool same_picture(const SurfaceSnapshot& a, const SurfaceSnapshot& b) {
 
 }  // namespace
 
-TEST_CASE("a snapshot is served while the event thread has nothing to do") {
+TEST_CASE("a snapshot is served while the event thread is idle") {
   SharedSurface shared(kSensor, {});
   const std::vector<EventPacket> packets{random_packet({5000}, 1000, 1)};
   shared.update(packets[0], {.session = 42, .received_utime = 77});
@@ -96,7 +96,7 @@ TEST_CASE("every snapshot of a busy surface is the surface after some number of 
 }
 
 TEST_CASE(
-    "a surface that keeps only the regions asked for is dark elsewhere, and whole while none is") {
+    "a surface that keeps only the requested regions is dark elsewhere, without one it is whole") {
   SharedSurface shared(kSensor, {}, {.roi_only = true});
   SharedSnapshot snapshot;
   SurfaceSnapshot whole;
@@ -119,7 +119,7 @@ TEST_CASE(
   CHECK(whole.grey(10, 10) == 255);
 }
 
-TEST_CASE("there is news only for events in the region of the last snapshot") {
+TEST_CASE("only events in the region of the last snapshot count as news") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
   shared.snapshot({100, 100, 20, 20}, {}, snapshot);
@@ -129,7 +129,7 @@ TEST_CASE("there is news only for events in the region of the last snapshot") {
   EventPacket inside{{10}, {{10, 10, 1, 0}, {119, 119, 0, 1}}};
   shared.update(inside, {});
   CHECK(shared.wait_for_news(milliseconds(0)));
-  CHECK(shared.wait_for_news(milliseconds(0)));  // until it is looked at
+  CHECK(shared.wait_for_news(milliseconds(0)));  // until the next snapshot
   shared.snapshot({100, 100, 20, 20}, {}, snapshot);
   CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
 }
@@ -144,7 +144,7 @@ TEST_CASE("an empty region watches the whole sensor") {
   CHECK(shared.wait_for_news(milliseconds(0)));
 }
 
-TEST_CASE("the events of a region come over in a queue, and only they are news") {
+TEST_CASE("the events of a region pass through a queue, and only they are news") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
   shared.snapshot({}, {100, 100, 20, 20}, snapshot);
@@ -156,7 +156,7 @@ TEST_CASE("the events of a region come over in a queue, and only they are news")
   shared.snapshot({}, {0, 0, 5, 5}, snapshot);
   shared.update({{40}, {{3, 3, 1, 0}, {119, 119, 0, 1}}}, {});
 
-  // Up to the snapshot, whatever has come since; then the events of the new region.
+  // Up to the snapshot; then the events of the new region.
   CHECK(shared.pop_events(snapshot.events_end, 10, events) == Timestamp{21});
   REQUIRE(events.size() == 1);
   CHECK(events[0].x == 119);
@@ -167,7 +167,7 @@ TEST_CASE("the events of a region come over in a queue, and only they are news")
   CHECK(shared.events_thinned() == 0);
 }
 
-TEST_CASE("a part is copied to its place without a change of what is watched") {
+TEST_CASE("a part is copied to its place without a change of the watched region") {
   SharedSurface shared(kSensor, {});
   const std::vector<EventPacket> packets{random_packet({5000}, 1000, 1)};
   shared.update(packets[0], {});
@@ -185,7 +185,7 @@ TEST_CASE("a part is copied to its place without a change of what is watched") {
   CHECK(shared.wait_for_news(milliseconds(0)));
 }
 
-TEST_CASE("a part of what is fresh shows no pixel that has not fired of late") {
+TEST_CASE("a part of the recent pixels shows no pixel without recent events") {
   SharedSurface shared(kSensor, {});
   shared.update({{0}, {{10, 10, 1, 0}, {110, 100, 1, 1}}}, {});
   shared.update({{40'000}, {{11, 90, 1, 0}}}, {});

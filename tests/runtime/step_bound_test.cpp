@@ -1,4 +1,4 @@
-// What keeps a step from holding up the event thread, and what the event thread leaves undone.
+// Bounds on a step's time in the event thread, and the work that it leaves undone.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -24,7 +24,7 @@ using namespace test;
 
 constexpr Region kRegion{0, 0, 40, 40};
 
-// How a pipeline is to behave, and what became of it.
+// Behaviour of a pipeline, and its record.
 struct Conduct {
   std::thread::id event_thread = std::this_thread::get_id();
   TrackState state = TrackState::kTracking;
@@ -77,7 +77,7 @@ class ConductedPipeline final : public TrackingPipeline {
   Conduct& conduct_;
 };
 
-// The two threads; the test's is the event thread.
+// The two threads; the test's own is the event thread.
 struct Threads {
   Threads(Conduct& its_conduct, const TrackingThreadParams& params)
       : conduct(its_conduct),
@@ -115,7 +115,7 @@ struct Threads {
 
 }  // namespace
 
-TEST_CASE("a slow step holds the event thread up once, and quick ones come back to it") {
+TEST_CASE("a slow step delays the event thread once; quick steps return to it") {
   Conduct conduct;
   Threads threads(conduct, {});
   REQUIRE(threads.comes_to_event_thread());
@@ -131,7 +131,7 @@ TEST_CASE("a slow step holds the event thread up once, and quick ones come back 
   CHECK(threads.comes_to_event_thread());
 }
 
-TEST_CASE("without a track no step is the event thread's") {
+TEST_CASE("without a track the event thread makes no step") {
   for (const TrackState state : {TrackState::kSearching, TrackState::kLost}) {
     Conduct conduct;
     conduct.state = state;
@@ -162,7 +162,7 @@ TEST_CASE("the event thread takes a few of many events and leaves the others to 
   CHECK(most == 1);
 }
 
-TEST_CASE("what comes too soon after an estimate is published when its time has come") {
+TEST_CASE("an estimate due too early is published at its time") {
   Conduct conduct;
   Threads threads(
       conduct,
@@ -183,7 +183,7 @@ TEST_CASE("what comes too soon after an estimate is published when its time has 
     std::this_thread::sleep_for(milliseconds(1));
   }
   const int published = threads.published - before;
-  // One more may follow at once after a pause, and one as the time ends.
+  // One more may follow at once after a pause, and one at the end of the time.
   CHECK(published <= 50 * std::chrono::duration<double>(Clock::now() - begin).count() + 2);
   CHECK(published > 1);
 }

@@ -17,7 +17,7 @@ using namespace test;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// A puck that moves on with each packet; packets of unlike lengths.
+// A puck that moves with each packet; packets of different lengths.
 EventPacket packet_number(int i) {
   EventPacket packet{{1000 * i},
                      contour_events(kSensor, {40 + 0.3 * i, 60}, {25, 17}, 100 + i % 7)};
@@ -37,11 +37,11 @@ bool is_equal(const PuckEstimate& a, const PuckEstimate& b) {
          std::memcmp(a.covariance.data(), b.covariance.data(), sizeof a.covariance) == 0;
 }
 
-TEST_CASE("every estimate of a stepped tracker can be made again, to the bit, from its count") {
+TEST_CASE("every estimate of a stepped tracker is reproducible to the bit from its count") {
   for (const Preset preset : {Preset::kDefault, Preset::kCorrelation}) {
     const PipelineParams params = preset_params(preset);
     Published published;
-    // So seldom that most packets go unanswered, however slow the machine is.
+    // At so low a rate that most packets go unanswered on any machine.
     SteppedTracker stepped(kSensor, params, kSizeModel, {.max_publish_hz = 50},
                            [&](const TrackedEstimate& tracked) { published.add(tracked); });
     int sent = 0;
@@ -54,7 +54,7 @@ TEST_CASE("every estimate of a stepped tracker can be made again, to the bit, fr
     int packets = 0;
     int answers = 0;
     for (const TrackedEstimate& tracked : published.all()) {
-      if (tracked.estimate.events_applied == applied) continue;  // Said once more.
+      if (tracked.estimate.events_applied == applied) continue;  // Repeated.
       while (applied < tracked.estimate.events_applied) {
         const EventPacket packet = packet_number(++packets);
         applied += static_cast<std::int64_t>(packet.events.size());
@@ -72,7 +72,7 @@ TEST_CASE("every estimate of a stepped tracker can be made again, to the bit, fr
   }
 }
 
-TEST_CASE("a stepped tracker answers the last packet when it may, and repeats itself in silence") {
+TEST_CASE("a stepped tracker answers the last packet in time, and repeats itself in silence") {
   Published published;
   SteppedTracker stepped(kSensor, preset_params(Preset::kCorrelation), kSizeModel,
                          {.max_publish_hz = 50},

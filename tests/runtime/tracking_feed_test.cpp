@@ -20,7 +20,7 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using namespace test;
 
-// What a pipeline lived through; written by the tracking thread, read after its end.
+// A pipeline's record; written by the tracking thread, read after its end.
 struct Life {
   std::vector<std::int64_t> event_times;
   std::vector<std::size_t> events_at_step;  // how many it had taken at each step
@@ -30,7 +30,7 @@ struct Life {
   std::atomic<int> steps_during_search{0};  // at most
 };
 
-// Wants single events and searches, and does no more with them than remember.
+// Requests single events and searches, and only records them.
 class LivingPipeline final : public TrackingPipeline {
  public:
   LivingPipeline(Life& life, const Region& events, const Region& search)
@@ -72,7 +72,7 @@ class LivingPipeline final : public TrackingPipeline {
 
 }  // namespace
 
-TEST_CASE("single events come in order, in pieces, and never later than the step that shows them") {
+TEST_CASE("single events arrive in order, in pieces, and before the step on their snapshot") {
   const Region region{40, 30, 60, 60};
   SharedSurface surface(kSensor, {});
   Published published;
@@ -82,7 +82,7 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
     const TrackingThread thread(surface, std::make_unique<LivingPipeline>(life, region, Region{}),
                                 default_search(), {.heartbeat = milliseconds(5)},
                                 [&](const TrackedEstimate& e) { published.add(e); });
-    // Events are asked for with the first look, which something new has to bring about.
+    // Events are requested in the first step, which needs a new event.
     surface.update({{0}, {{1, 1, 0, 0}}}, {});
     REQUIRE(wait_until([&] {
       const auto all = published.all();
@@ -113,7 +113,7 @@ TEST_CASE("single events come in order, in pieces, and never later than the step
   }
 }
 
-TEST_CASE("a tracking thread that falls behind gets fewer events, and the others are counted") {
+TEST_CASE("a slow tracking thread gets fewer events, and the others are counted") {
   SharedSurface surface(kSensor, {});
   Published published;
   Life life;
@@ -154,9 +154,9 @@ TEST_CASE("a tracking thread that falls behind gets fewer events, and the others
   CHECK(life.event_times.back() > 10'000);
 }
 
-TEST_CASE("the tracking and its heartbeat go on while a large surface is searched") {
-  // A search of all of it takes far longer than the surface's copy, with some twenty steps in
-  // between, and some hundred times as long as a step.
+TEST_CASE("tracking and its heartbeat continue during a search of a large surface") {
+  // A search of all of it takes far longer than the surface's copy, and about a hundred times as
+  // long as a step, with some twenty steps in between.
   constexpr SensorSize kLarge{SensorSize::kMax, SensorSize::kMax};
   constexpr int kManySteps = 60;
   const PipelineParams params = preset_params(Preset::kCorrelation);
@@ -169,7 +169,7 @@ TEST_CASE("the tracking and its heartbeat go on while a large surface is searche
         std::make_unique<LivingPipeline>(life, Region{0, 0, 200, 200}, Region::all_of(kLarge)),
         PuckSearch(kLarge, params, kSizeModel), {.heartbeat = milliseconds(2)},
         [&](const TrackedEstimate& e) { published.add(e); });
-    // A single search may happen to meet a machine that is busy with something else.
+    // A single search may meet a busy machine.
     for (int i = 1; life.steps_during_search < kManySteps && life.results < 20; ++i) {
       surface.update({{i * 1000}, {{100, 100, 1, 0}, {1500, 1500, 1, 1}}}, {});
       std::this_thread::sleep_for(microseconds(50));
@@ -179,9 +179,9 @@ TEST_CASE("the tracking and its heartbeat go on while a large surface is searche
   CHECK(published.count() >= 10);
 }
 
-TEST_CASE("a search that ends when there is nothing new is told all the same") {
+TEST_CASE("the result of a search is published even without new events") {
   const PipelineParams params = preset_params(Preset::kCorrelation);
-  // A small one is searched at once, a large one by the worker.
+  // A small region is searched at once, a large one by the worker.
   for (const SensorSize sensor : {SensorSize{120, 100}, SensorSize{640, 480}}) {
     CAPTURE(sensor.width);
     SharedSurface surface(sensor, params.eros);

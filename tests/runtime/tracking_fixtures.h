@@ -13,11 +13,11 @@
 
 namespace puck::test {
 
-// Small, so that a search of all of it is quick under ThreadSanitizer too.
+// Small, so that a search of all of it is quick even under ThreadSanitizer.
 inline constexpr SensorSize kSensor{160, 120};
 inline constexpr PuckSizeModel kSizeModel{25, 0, 0, 17, 0, 0};
 
-// Collects what the tracking thread publishes.
+// Collects the tracking thread's estimates.
 class Published {
  public:
   void add(const TrackedEstimate& estimate) {

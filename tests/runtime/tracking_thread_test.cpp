@@ -19,7 +19,7 @@ using namespace test;
 
 }  // namespace
 
-TEST_CASE("the two threads follow the puck and stamp estimates with the packet they rest on") {
+TEST_CASE("the two threads follow the puck and stamp estimates with their newest packet") {
   const PipelineParams params = preset_params(Preset::kCorrelation);
   SharedSurface surface(kSensor, params.eros);
   Published published;
@@ -32,7 +32,7 @@ TEST_CASE("the two threads follow the puck and stamp estimates with the packet t
     surface.update(packet, {.session = 9, .received_utime = i});
     std::this_thread::sleep_for(milliseconds(1));
   }
-  // A thread that is held up for long finds the puck again, from the same events, a moment later.
+  // After a long delay the thread finds the puck again, from the same events.
   TrackedEstimate last;
   const auto tracks_newest = [&] {
     const auto all = published.all();
@@ -41,7 +41,7 @@ TEST_CASE("the two threads follow the puck and stamp estimates with the packet t
            last.estimate.state == TrackState::kTracking;
   };
   REQUIRE(wait_until(tracks_newest));
-  // … but it has followed the puck while it moved, too.
+  // … but it also followed the puck during its motion.
   const auto all = published.all();
   CHECK(std::any_of(all.begin(), all.end(), [](const TrackedEstimate& e) {
     const double i = static_cast<double>(e.estimate.newest_event.us) / 1000;
@@ -57,7 +57,7 @@ TEST_CASE("the two threads follow the puck and stamp estimates with the packet t
   CHECK(last.backlog_events == 0);
 }
 
-TEST_CASE("the tracking thread sleeps while nothing is new, but never falls silent") {
+TEST_CASE("the tracking thread sleeps without new events, but publishes its heartbeat") {
   SharedSurface surface(kSensor, {});
   Published published;
   const TrackingThread thread(surface, default_pipeline(), default_search(),
@@ -66,12 +66,12 @@ TEST_CASE("the tracking thread sleeps while nothing is new, but never falls sile
   CHECK(wait_until([&] { return published.count() >= 5; }));
   for (const TrackedEstimate& e : published.all()) {
     CHECK(e.estimate.state == TrackState::kSearching);
-    // No step was made: a step would have said when it started.
+    // No step was made: a step would have set its start time.
     CHECK(e.tracking_started == std::chrono::system_clock::time_point{});
   }
 }
 
-TEST_CASE("estimates are published no more often than asked for") {
+TEST_CASE("estimates are published at most at the requested rate") {
   SharedSurface surface(kSensor, {});
   Published published;
   const auto begin = std::chrono::steady_clock::now();
@@ -92,7 +92,7 @@ TEST_CASE("estimates are published no more often than asked for") {
   CHECK(published.count() >= 2);
 }
 
-TEST_CASE("a tracking thread ends promptly when it is destroyed asleep") {
+TEST_CASE("a sleeping tracking thread ends promptly when it is destroyed") {
   SharedSurface surface(kSensor, {});
   {
     const TrackingThread thread(surface, default_pipeline(), default_search(), {},

@@ -14,7 +14,7 @@ constexpr SensorSize kSize{640, 480};
 
 }  // namespace
 
-TEST_CASE("The point at which the camera looks lies in the middle of the image") {
+TEST_CASE("The camera's target lies in the middle of the image") {
   const CameraParams params;
   const CameraView view(params, kSize);
   const double pitch = params.pitch_deg * M_PI / 180;
@@ -88,7 +88,7 @@ TEST_CASE("The box around a cylinder touches all points of its rims") {
   CHECK(puck.box().centre.y == doctest::Approx((top + bottom) / 2).epsilon(1e-6));
 }
 
-TEST_CASE("An outline's untouched pixels are bare and its inside ones are covered") {
+TEST_CASE("Pixels outside an outline are bare and those inside it covered") {
   const CameraView view({}, kSize);
   const ProjectedCylinder mallet(view, {0.2, 0.1}, 0.05, 0, 0.03);
   const ProjectedCapsule arm(view, {0.2, 0.1, 0.07}, 0.03, {-0.1, -0.1, 0.2}, 0.035);
@@ -113,7 +113,7 @@ TEST_CASE("An outline's untouched pixels are bare and its inside ones are covere
   CHECK(check_shape(arm) > 3000);
 }
 
-TEST_CASE("The covered area of a cylinder is what its ellipse has") {
+TEST_CASE("The covered area of a cylinder is that of its ellipse") {
   const CameraView view({}, kSize);
   const ProjectedCylinder disc(view, {1, 0}, 0.0325, 0, 0);
   double area = 0;

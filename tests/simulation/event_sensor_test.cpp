@@ -71,7 +71,7 @@ TEST_CASE("The low-pass delays a small step's event by its exact exponential") {
 }
 
 TEST_CASE(
-    "Where the cutoff goes with a pixel's light, growing dark is told later than growing bright") {
+    "Where the cutoff scales with a pixel's light, darkening is reported later than brightening") {
   const auto delay_us = [](float step) {
     EventSensorParams params = quiet();
     params.cutoff_hz = 500;
@@ -83,14 +83,14 @@ TEST_CASE(
     REQUIRE(packet.events.size() == 1);
     return static_cast<double>(packet.newest().us);
   };
-  // tau ln(0.39 / 0.19), with a tau of 318.3 µs at a luminance of 1 that goes with 1 / luminance.
+  // tau ln(0.39 / 0.19), with tau 318.3 µs at luminance 1, inversely proportional to luminance.
   CHECK(delay_us(0.39f) ==
         doctest::Approx(318.3 / std::exp(0.39) * std::log(0.39 / 0.19)).epsilon(0.02));
   CHECK(delay_us(-0.39f) ==
         doctest::Approx(318.3 * std::exp(0.39) * std::log(0.39 / 0.19)).epsilon(0.02));
 }
 
-TEST_CASE("No pixel fires again within its refractory period, with jitter and noise as well") {
+TEST_CASE("No pixel fires again within its refractory period, even with jitter and noise") {
   EventSensorParams params;
   params.refractory_us = 300;
   params.jitter_us = 25;
@@ -119,7 +119,7 @@ TEST_CASE("No pixel fires again within its refractory period, with jitter and no
   CHECK(gaps > 2000);
 }
 
-TEST_CASE("Contrast that comes within a refractory period is not lost") {
+TEST_CASE("Contrast within a refractory period is not lost") {
   EventSensorParams params = quiet();
   params.refractory_us = 2000;
   EventSensor sensor(params, flat(4, 4).view(), 1);
@@ -155,7 +155,7 @@ TEST_CASE("Events come in the order of their times, within their slice") {
   CHECK(count > 1000);
 }
 
-TEST_CASE("A packet that holds events already keeps its start") {
+TEST_CASE("A packet with earlier events keeps its start") {
   EventSensorParams params = quiet();
   params.noise_hz = 1000;
   EventSensor sensor(params, flat(30, 30).view(), 5);
@@ -169,7 +169,7 @@ TEST_CASE("A packet that holds events already keeps its start") {
   CHECK(packet.newest() >= Timestamp{500});
 }
 
-TEST_CASE("Noise has the rate that was asked for") {
+TEST_CASE("Noise has the specified rate") {
   EventSensorParams params = quiet();
   params.noise_hz = 2;
   EventSensor sensor(params, flat(100, 100).view(), 7);
@@ -179,7 +179,7 @@ TEST_CASE("Noise has the rate that was asked for") {
   CHECK(packet.events.size() < 20'700);
 }
 
-TEST_CASE("An unchanged picture makes no events without noise") {
+TEST_CASE("A constant picture makes no events without noise") {
   EventSensor sensor(quiet(), flat(50, 50, -1.0f).view(), 7);
   CHECK(run_slices(sensor, 0, 100).events.empty());
 }

@@ -31,7 +31,7 @@ TEST_CASE("A flickering lamp adds its filtered ln to every response") {
   }
 }
 
-TEST_CASE("Flicker makes all pixels fire in step, and a weak one makes none fire") {
+TEST_CASE("Strong flicker makes all pixels fire in step, weak flicker none") {
   SensorBench::Set set;
   set.sensor.noise_hz = 0;
   set.sensor.hot_pixel_fraction = 0;
@@ -54,7 +54,7 @@ TEST_CASE("Flicker makes all pixels fire in step, and a weak one makes none fire
   }
   CHECK(on >= 2 * 10 * strong.pixel_count());
   CHECK(on <= 3 * 10 * strong.pixel_count());
-  // The light grows for a half of each 10 ms: never at the other.
+  // The light grows for half of each 10 ms: no ON events in the other half.
   CHECK(on_by_ms.size() <= 6);
 }
 

@@ -10,10 +10,10 @@
 #include "tests/simulation/test_worlds.h"
 
 namespace puck {
-TEST_CASE("A puck left to rest lies still for as long as asked, is never taken off, and is hit") {
+TEST_CASE("A resting puck lies still for the specified time, is never removed, and is hit") {
   SimulationParams params = small_world(3);
   params.game.rest_probability = 1;
-  params.game.rest_min_s = 2.5;  // Longer than a stuck puck would be left.
+  params.game.rest_min_s = 2.5;  // Longer than the limit for a stuck puck.
   params.game.rest_max_s = 2.5;
   TableGame game(params);
   double still_s = 0;
@@ -35,7 +35,7 @@ TEST_CASE("A puck left to rest lies still for as long as asked, is never taken o
   CHECK(game.counts().shots >= 3);
 }
 
-TEST_CASE("The free hand hides the puck from the camera, and goes away again") {
+TEST_CASE("The free hand hides the puck from the camera, and leaves again") {
   SimulationParams params = small_world(3);
   params.game.reach_probability = 1;
   params.game.reach_min_s = params.game.reach_max_s = 0.4;
@@ -60,7 +60,7 @@ TEST_CASE("The free hand hides the puck from the camera, and goes away again") {
   CHECK(away_ms > 3000);
 }
 
-TEST_CASE("A second puck glides on at its speed, stays on the table, and apart from the first") {
+TEST_CASE("A second puck keeps its speed, stays on the table, and apart from the first") {
   SimulationParams params = small_world(3);
   params.game.second_puck_speed_m_s = 1.2;
   TableGame game(params);
@@ -82,13 +82,13 @@ TEST_CASE("A second puck glides on at its speed, stays on the table, and apart f
   CHECK(inside);
   CHECK(nearest_m > 0.06);
   CHECK(game.counts().shots > 5);
-  // Truth is about the other one.
+  // Truth is that of the other puck.
   SimulatedTable table(params);
   const TablePoint first = table.truth().position;
   CHECK(first.x_m > 0.6 * params.table.length_m);
 }
 
-TEST_CASE("Two pucks of one mass share what a bounce between them changes") {
+TEST_CASE("Two pucks of the same mass exchange momentum in a bounce") {
   SecondPuck second({}, {}, 1, Random(1, 1));
   const DiscState before = second.state();
   DiscState puck{before.position, {0, 0}};
@@ -106,7 +106,7 @@ TEST_CASE("Two pucks of one mass share what a bounce between them changes") {
   CHECK_FALSE(second.collide(puck));
 }
 
-TEST_CASE("Shots are as fast as asked, to 15 m/s") {
+TEST_CASE("Shots have the specified speed, up to 15 m/s") {
   SimulationParams params = small_world(2);
   params.game.shot_speed_min_m_s = 14;
   params.game.shot_speed_max_m_s = 15;

@@ -31,7 +31,7 @@ double luminance_at(const SimulationParams& params, double x_m, double y_m) {
 
 }  // namespace
 
-TEST_CASE("A puck whose side is as bright as the table shows only its top") {
+TEST_CASE("A puck with a side as bright as the table shows only its top") {
   SimulationParams params = small_world();
   params.scene.puck_luminance = 0.85;
   params.scene.puck_side_luminance = params.scene.table_luminance;
@@ -40,7 +40,7 @@ TEST_CASE("A puck whose side is as bright as the table shows only its top") {
   TableGame game(params);
   game.place_puck({{0.5, 0}, {0, 0}});
   SimulatedTable table(params);
-  // At the serve nothing else is near it.
+  // At the serve no other object is near it.
   const SimulatedTruth truth = table.truth();
   const Image<float> image = table.log_intensity();
   const auto light_at = [&](double dx_px, double dy_px) {
@@ -52,12 +52,12 @@ TEST_CASE("A puck whose side is as bright as the table shows only its top") {
   REQUIRE(body.shapes.size() == 2);
   CHECK(body.shapes[0].luminance == doctest::Approx(0.85));
   CHECK(body.shapes[1].luminance == doctest::Approx(0.6));
-  // The lowest row is the side's.
+  // The lowest row belongs to the side.
   const float bottom = light_at(0, truth.size_px.height / 2 - 0.5);
   CHECK(bottom == doctest::Approx(0.6).epsilon(0.02));
 }
 
-TEST_CASE("A ring printed on the puck lies on its face, and nowhere else") {
+TEST_CASE("A ring printed on the puck lies on its face only") {
   SimulationParams params = small_world();
   const auto light_of = [&] {
     SimulatedTable table(params);
@@ -84,13 +84,13 @@ TEST_CASE("A ring printed on the puck lies on its face, and nowhere else") {
   CHECK(changed > 20);
   CHECK(brightest > 0.3f);
   CHECK(brightest <= 0.501f);
-  // In its middle the face shows.
+  // The face is visible in its middle.
   const auto x = static_cast<int>(std::lround(truth.position_px.x));
   const auto y = static_cast<int>(std::lround(truth.position_px.y)) - 1;
   CHECK(printed(x, y) < std::log(0.35f));
 }
 
-TEST_CASE("A printed ring that the puck's face cannot hold is refused, if there is one") {
+TEST_CASE("A printed ring too large for the puck's face is refused") {
   SimulationParams params = small_world();
   params.scene.puck_print_radius_m = params.table.puck_radius_m;
   CHECK_NOTHROW(check(params));
@@ -114,7 +114,7 @@ TEST_CASE("Logos stand on the plain table, away from the markings") {
     for (double y_m = -0.61; y_m < 0.61; y_m += kStep_m) {
       if (luminance_at(params, x_m, y_m) != 0.123) continue;
       area_m2 += kStep_m * kStep_m;
-      // 2 cm around it nothing else is printed.
+      // Nothing is printed within 2 cm.
       for (int i = 0; i < 8; ++i) {
         const double angle = std::numbers::pi / 4 * i;
         CHECK(luminance_at(plain, x_m + 0.02 * std::cos(angle), y_m + 0.02 * std::sin(angle)) ==
@@ -126,7 +126,7 @@ TEST_CASE("Logos stand on the plain table, away from the markings") {
   CHECK(area_m2 == doctest::Approx(8 * logo_m2).epsilon(0.01));
 }
 
-TEST_CASE("A 15 m/s shot's events do not depend on how much is computed at once") {
+TEST_CASE("A 15 m/s shot's events do not depend on the computation's slice length") {
   // 25 µs a slice: nothing moves more than 0.2 px between two drawings.
   const auto events_by_ms = [](std::int64_t slice_us) {
     SimulationParams params = quiet_world();
@@ -158,7 +158,7 @@ TEST_CASE("A 15 m/s shot's events do not depend on how much is computed at once"
   CHECK(different < 0.01 * all);
 }
 
-TEST_CASE("A puck that leaves the image at the near side is not visible, and comes back") {
+TEST_CASE("A puck that leaves the image at the near side is not visible, and returns") {
   SimulationParams params = quiet_world();
   params.camera.pitch_deg = 18;
   params.moving_camera = true;
@@ -195,11 +195,11 @@ TEST_CASE("Dim light makes the same edge's events later") {
     while (table.now().us < 700'000) table.advance(packet);
     return packet.events.size();
   };
-  // A third of the cutoff: what passes in less than its time constant is lost.
+  // A third of the cutoff: changes shorter than its time constant are lost.
   CHECK(events_of(30) < events_of(300));
 }
 
-TEST_CASE("All difficulties at once, and still the same seed gives the same events") {
+TEST_CASE("With all difficulties at once the same seed gives the same events") {
   SimulationParams params = small_world(6);
   params.moving_camera = true;
   params.scene.puck_luminance = 0.75;
@@ -229,7 +229,7 @@ TEST_CASE("All difficulties at once, and still the same seed gives the same even
   }
   CHECK(same);
   CHECK(ordered);
-  // No more than the readout lets pass.
+  // Events beyond the readout's limit.
   CHECK(one.events_lost() > 0);
 }
 

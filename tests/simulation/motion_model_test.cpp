@@ -16,8 +16,8 @@ struct Comparison {
   int disputed_goals = 0;
 };
 
-// Pucks sent off from anywhere in a box for 0.6 s, by the simulated world and by the model with the
-// world's constants.
+// Moves pucks from random places in a box for 0.6 s, in the simulated world and in the model with
+// the world's constants.
 Comparison compare(TablePoint lowest, TablePoint highest, double slowest, double fastest) {
   const TableGeometry table;
   const PhysicsParams world;
@@ -47,7 +47,7 @@ Comparison compare(TablePoint lowest, TablePoint highest, double slowest, double
   return comparison;
 }
 
-TEST_CASE("The motion model goes where the simulated puck goes, rails and corners included") {
+TEST_CASE("The motion model follows the simulated puck's path, rails and corners included") {
   const Comparison all = compare({0.1, -0.5}, {2.0, 0.5}, 0.5, 5);
   CHECK(all.off_mm[all.off_mm.size() / 2] < 0.5);
   CHECK(all.off_mm[all.off_mm.size() * 95 / 100] < 3);
@@ -56,8 +56,8 @@ TEST_CASE("The motion model goes where the simulated puck goes, rails and corner
   CHECK(corner.off_mm[corner.off_mm.size() * 95 / 100] < 3);
 }
 
-TEST_CASE("The motion model knows the goals' posts") {
-  // Right before the posts of both goals; the touch of a point magnifies every difference.
+TEST_CASE("The motion model includes the goals' posts") {
+  // Just before the posts of both goals; contact with a point magnifies every difference.
   for (const double x_m : {0.06, 2.075}) {
     const Comparison posts = compare({x_m - 0.02, 0.14}, {x_m + 0.02, 0.23}, 1, 3);
     CHECK(posts.off_mm[posts.off_mm.size() / 2] < 1);

@@ -55,7 +55,7 @@ TEST_CASE("An end rail beside the goal reflects, the goal does not") {
   CHECK(physics.goal_of(far_end) == GoalEntered::kOpponents);
 }
 
-TEST_CASE("A goal post turns the puck away to the side on which it is met") {
+TEST_CASE("A goal post deflects the puck to the side of the contact") {
   const PuckPhysics physics({}, without_damping());
   DiscState puck{{0.3, 0.19}, {-2, 0}};
   run(physics, puck, 0.2);
@@ -64,7 +64,7 @@ TEST_CASE("A goal post turns the puck away to the side on which it is met") {
   CHECK(speed_of(puck) < 2);
 }
 
-TEST_CASE("Nothing is tunnelled through at 15 m/s and no energy is gained") {
+TEST_CASE("At 15 m/s the puck passes through nothing and gains no energy") {
   PhysicsParams params = without_damping();
   params.rail_normal_keep = 1;
   params.rail_tangential_keep = 1;
@@ -105,7 +105,7 @@ TEST_CASE("A moving mallet adds its speed") {
   CHECK(puck.position.x_m == doctest::Approx(1.08 - 0.0825));
 }
 
-TEST_CASE("Where a shot would end is told from its path alone") {
+TEST_CASE("The end of a shot is predicted from its path alone") {
   const PuckPhysics physics({}, {});
   CHECK(physics.would_enter_robots_goal({{1.6, 0}, {-2, 0}}));
   CHECK_FALSE(physics.would_enter_robots_goal({{1.6, 0.4}, {-2, 0}}));

@@ -46,7 +46,7 @@ TEST_CASE("A served puck is pushed from one place to another and left there at r
   CHECK(fastest_m_s == doctest::Approx(0.7 / 0.5 * 1.5708).epsilon(0.01));
 }
 
-TEST_CASE("A served puck goes around what lies beside the straight way, as fast as it says") {
+TEST_CASE("A served puck goes around obstacles on the straight way, at the specified speed") {
   PuckServe serve({2.2, 0}, {1.9, 0.3}, {1.5, 0.1});
   constexpr double kStep_s = 1e-3;
   DiscState puck = serve.step(0);
@@ -63,7 +63,7 @@ TEST_CASE("A served puck goes around what lies beside the straight way, as fast 
   CHECK(puck.position.y_m == doctest::Approx(0.1));
 }
 
-TEST_CASE("A served puck passes the opponent's mallet, which waits, without touching it") {
+TEST_CASE("A served puck passes the opponent's waiting mallet without contact") {
   struct World {
     std::string name;
     SimulationParams params;
@@ -112,7 +112,7 @@ TEST_CASE("A served puck passes the opponent's mallet, which waits, without touc
   }
 }
 
-TEST_CASE("Nothing appears all at once, nor vanishes, but a puck that falls into a goal") {
+TEST_CASE("Nothing appears or vanishes suddenly, except a puck that falls into a goal") {
   SimulationParams params = small_world();
   params.table.goal_width_m = 1;
   const WorldView world(params.table, params.scene, params.sensor_size);
@@ -126,7 +126,7 @@ TEST_CASE("Nothing appears all at once, nor vanishes, but a puck that falls into
     std::optional<double> now;
     if (game.puck()) now = world.visible_share(game, view);
     if (now && before) most = std::max(most, std::abs(*now - *before));
-    // A puck that comes back is behind the mallet at first.
+    // A returning puck is behind the mallet at first.
     if (now && !before && ms > 0) {
       ++serves;
       CHECK(*now < 0.25);

@@ -16,7 +16,7 @@ SimulationParams tiny_world() {
   return params;
 }
 
-TEST_CASE("a recording leaves a size model beside it alone") {
+TEST_CASE("a recording does not replace an existing size model") {
   const TemporaryFolder folder;
   const auto beside = folder / "a.size.toml";
   write_text(beside, "mine");
@@ -28,7 +28,7 @@ TEST_CASE("a recording leaves a size model beside it alone") {
   CHECK(read_table_file(folder / "a.toml").geometry.length_m == 2.135);
 }
 
-TEST_CASE("a recording says that the camera moves when only the scene tells it to") {
+TEST_CASE("a recording notes a moving camera, even if only the scene sets it") {
   const TemporaryFolder folder;
   SimulateSettings settings;
   settings.output = folder / "a";

@@ -23,7 +23,7 @@ void opponent_hits(Referee& judge, const DiscState& after, double t_s) {
 
 }  // namespace
 
-TEST_CASE("A hit at the goal is a shot, one beside it is not") {
+TEST_CASE("A hit towards the goal is a shot, one beside it is not") {
   Referee judge = referee();
   opponent_hits(judge, kAtGoal, 1);
   CHECK(judge.counts() == GameCounts{1, 0, 0, 0});
@@ -44,7 +44,7 @@ TEST_CASE("Contacts within 10 ms are one hit, judged once") {
   CHECK(judge.counts().shots == 1);
 }
 
-TEST_CASE("A shot that the robot turns away is a save, counted once") {
+TEST_CASE("A shot that the robot turns away is one save") {
   Referee judge = referee();
   opponent_hits(judge, kAtGoal, 1);
   judge.robot_touched(kAtGoalNear, 2);
@@ -69,7 +69,7 @@ TEST_CASE("A shot that the robot only brushes, and a touch without a shot, are n
   CHECK(judge.counts() == GameCounts{1, 0, 1, 0});
 }
 
-TEST_CASE("A shot that the opponent turns away himself is neither a save nor a goal") {
+TEST_CASE("A shot that the opponent deflects himself is neither a save nor a goal") {
   Referee judge = referee();
   opponent_hits(judge, kAtGoal, 1);
   opponent_hits(judge, kBesideGoal, 2);
@@ -78,21 +78,21 @@ TEST_CASE("A shot that the opponent turns away himself is neither a save nor a g
   CHECK(judge.counts() == GameCounts{1, 0, 0, 0});
 }
 
-TEST_CASE("A shot so near that it is in before its hit is over still counts") {
+TEST_CASE("A shot that is in before its hit is over still counts") {
   Referee judge = referee();
   judge.opponent_touched(kResting, 1);
   judge.puck_left({{-0.04, 0}, {-15, 0}}, GoalEntered::kRobots);
   CHECK(judge.counts() == GameCounts{1, 0, 1, 0});
 }
 
-TEST_CASE("Goals count for whom they are") {
+TEST_CASE("Goals count for the right player") {
   Referee judge = referee();
   judge.puck_left({{2.2, 0}, {2, 0}}, GoalEntered::kOpponents);
   judge.puck_left({{1, 0}, {0, 0}}, GoalEntered::kNone);
   CHECK(judge.counts() == GameCounts{0, 0, 0, 1});
 }
 
-TEST_CASE("In a game a robot that stands in the way saves, and one that is away does not") {
+TEST_CASE("In a game a robot in the way saves, and an absent one does not") {
   SimulationParams params;
   const auto play = [&](double robot_y_m, const DiscState& shot) {
     TableGame game(params);
@@ -127,7 +127,7 @@ TEST_CASE("Over a long game shots end in saves and goals") {
   CHECK(counts.saves + counts.goals_against >= counts.shots - 1);
 }
 
-TEST_CASE("A puck that nobody can reach is served again") {
+TEST_CASE("A puck out of every player's reach is served again") {
   SimulationParams params;
   TableGame game(params);
   game.place_puck({{0.5, 0.5}, {0, 0}});

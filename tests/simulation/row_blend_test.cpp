@@ -12,7 +12,7 @@
 
 namespace puck {
 
-TEST_CASE("Of shapes that hold one another each shows what it covers beyond the one before it") {
+TEST_CASE("Each of several nested shapes shows its cover beyond the one before it") {
   const SimulationParams params = small_world();
   const CameraView view(params.camera, params.sensor_size);
   const std::array<double, 3> tones{0.2, 0.7, 0.4};

@@ -17,7 +17,7 @@ namespace {
 constexpr std::int64_t kSlice_us = 500;
 constexpr int kGameStepsPerSlice = 20;
 
-/// A renderer with the sensor that it draws on.
+/// A renderer with its sensor.
 struct Picture {
   Picture(const SimulationParams& params, const CameraView& home)
       : renderer(StaticScene(params.table, params.scene), home, params.sensor_size, {60, 60}),
@@ -72,11 +72,11 @@ int count_of_wrong_pixels(bool moving) {
 
 }  // namespace
 
-TEST_CASE("A picture kept up to date by its changes is the picture drawn afresh: still camera") {
+TEST_CASE("An incremental picture equals a full one: still camera") {
   CHECK(count_of_wrong_pixels(false) == 0);
 }
 
-TEST_CASE("A picture kept up to date by its changes is the picture drawn afresh: moving camera") {
+TEST_CASE("An incremental picture equals a full one: moving camera") {
   CHECK(count_of_wrong_pixels(true) == 0);
 }
 

@@ -29,7 +29,7 @@ SensorBench::Set in_light(double lux) {
 
 }  // namespace
 
-TEST_CASE("A step's events spread over the pixels as threshold, mismatch and start say") {
+TEST_CASE("A step's events spread over the pixels according to threshold, mismatch and start") {
   for (const double ratio : {std::log(2.0), std::log(5.0), -std::log(3.0)}) {
     const StepResponse response = step_response({}, ratio);
     double worst = 0;
@@ -48,7 +48,7 @@ TEST_CASE("A step's events spread over the pixels as threshold, mismatch and sta
   }
 }
 
-TEST_CASE("A sinusoid's rate is nothing below the threshold and grows by 2 events a threshold") {
+TEST_CASE("A sinusoid's rate is zero below the threshold and grows by 2 events a threshold") {
   SensorBench::Set set;
   set.size = {32, 24};
   const Curve curve = contrast_response(set);
@@ -59,8 +59,7 @@ TEST_CASE("A sinusoid's rate is nothing below the threshold and grows by 2 event
   CHECK(at_x(curve, 1.0) < 10);
 }
 
-TEST_CASE(
-    "A fast sinusoid's rate falls as a first-order low-pass whose corner goes with the light") {
+TEST_CASE("A fast sinusoid's rate falls as a first-order low-pass whose corner scales with light") {
   for (const double lux : {100.0, 300.0, 1000.0}) {
     CAPTURE(lux);
     SensorBench::Set set = in_light(lux);
@@ -92,7 +91,7 @@ TEST_CASE("Events are 0.1 ms late in bright light and milliseconds in dim, with 
   CHECK(median_before_us > 1000);
 }
 
-TEST_CASE("Noise is a Poisson process, ON as often as OFF, and dim light has more of it") {
+TEST_CASE("Noise is a Poisson process, ON as often as OFF, and stronger in dim light") {
   for (const double lux : {30.0, 300.0, 3000.0}) {
     CAPTURE(lux);
     SensorBench::Set set = in_light(lux);
@@ -112,7 +111,7 @@ TEST_CASE("Noise is a Poisson process, ON as often as OFF, and dim light has mor
   CHECK(at_share(found.intervals_s, 0.9) == doctest::Approx(std::log(10.0) / 50).epsilon(0.06));
 }
 
-TEST_CASE("Hot pixels are as many as asked, and fire as often as asked") {
+TEST_CASE("Hot pixels have the specified number and rate") {
   SensorBench::Set set;
   set.sensor.noise_hz = 0;
   set.sensor.hot_pixel_fraction = 0.005;
@@ -123,14 +122,14 @@ TEST_CASE("Hot pixels are as many as asked, and fire as often as asked") {
   for (const auto& events : bench.events_by_pixel()) {
     if (events.empty()) continue;
     ++hot;
-    // A hundred may fall on one pixel twice; else 800, less what the refractory period takes.
+    // Two of a hundred may fall on the same pixel; else 800, minus the refractory period's share.
     CHECK(events.size() > 600);
   }
   CHECK(hot >= 13);
   CHECK(hot <= 15);
 }
 
-TEST_CASE("The S-curve gives back threshold and mismatch") {
+TEST_CASE("The S-curve returns threshold and mismatch") {
   const std::vector<double> found = thresholds({});
   REQUIRE(found.size() > 3000);
   CHECK(at_share(found, 0.5) == doctest::Approx(0.2).epsilon(0.02));
@@ -138,7 +137,7 @@ TEST_CASE("The S-curve gives back threshold and mismatch") {
   CHECK(sigma == doctest::Approx(0.03).epsilon(0.08));
 }
 
-TEST_CASE("No two events of a pixel are nearer than the refractory period, and many just are not") {
+TEST_CASE("Events of a pixel keep the refractory period, and many are just beyond it") {
   for (const double refractory_us : {50.0, 300.0}) {
     SensorBench::Set set;
     set.sensor.refractory_us = refractory_us;
@@ -151,7 +150,7 @@ TEST_CASE("No two events of a pixel are nearer than the refractory period, and m
 }
 
 TEST_CASE(
-    "The readout lets pass what it can; the rest waits by rows, and pixels that wait are mute") {
+    "The readout passes events up to its rate; the rest waits by rows, with waiting pixels mute") {
   const Saturation found = saturation({});
   for (const Curve::Point& point : found.output_mev_s.points) {
     CAPTURE(point.x);
@@ -180,9 +179,9 @@ TEST_CASE("Signed events add up to the change of the light") {
   for (std::size_t i = 0; i < usual.light.points.size(); ++i) {
     worst = std::max(worst, std::abs(usual.light.points[i].y - usual.sum.points[i].y));
   }
-  // One threshold, and what the light does in the photoreceptor's 0.3 ms, at up to 140 a second.
+  // One threshold, and the change of light in the photoreceptor's 0.3 ms, at up to 140 a second.
   CHECK(worst < 0.2 + 0.05);
-  // Without mismatch no pixel ever gains or loses, for all the pauses.
+  // Without mismatch no pixel drifts, during all pauses.
   set.sensor.threshold_mismatch = 0;
   set.sensor.refractory_us = 500;
   const Conservation exact = conservation(set);

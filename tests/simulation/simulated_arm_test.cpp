@@ -7,7 +7,7 @@
 
 namespace puck {
 
-// Its limits at every step: tests/motion.
+// tests/motion checks the limits at every step.
 
 TEST_CASE("The arm reaches its target in the time that its limits allow, and stays") {
   SimulatedArmParams params;
@@ -27,7 +27,7 @@ TEST_CASE("The arm reaches its target in the time that its limits allow, and sta
   CHECK(arm.velocity_m_s() == 0);
 }
 
-TEST_CASE("The arm stays on its line and ignores targets that are no numbers") {
+TEST_CASE("The arm stays on its line and ignores targets that are not finite") {
   SimulatedArm arm({}, 0.3);
   arm.set_target(7);
   CHECK(arm.target_m() == 0.3);
@@ -53,7 +53,7 @@ TEST_CASE("Holding brakes and stays until the next target") {
   CHECK(arm.position_m() == 0);
 }
 
-TEST_CASE("An arm that cannot move is refused by its key") {
+TEST_CASE("An immobile arm is refused by its key") {
   SimulatedArmParams params;
   params.max_jerk_m_s3 = 0;
   CHECK_THROWS_WITH_AS(SimulatedArm(params, 0.3),

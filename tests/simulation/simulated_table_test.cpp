@@ -44,7 +44,7 @@ TEST_CASE("The same seed gives the same events, to the bit; another seed gives o
   }
 }
 
-TEST_CASE("Events come in the order of their times, each in its slice and on the sensor") {
+TEST_CASE("Events are in the order of their times, each in its slice and on the sensor") {
   for (const bool moving : {false, true}) {
     SimulationParams params = small_world();
     params.moving_camera = moving;
@@ -69,7 +69,7 @@ TEST_CASE("Events come in the order of their times, each in its slice and on the
   }
 }
 
-TEST_CASE("Event rates are those of the real camera, and a moving one makes more events") {
+TEST_CASE("Event rates are those of the real camera, and higher for a moving one") {
   SimulationParams params = small_world();
   params.sensor_size = {640, 480};
   params.camera.focal_px = CameraParams{}.focal_px;
@@ -98,13 +98,13 @@ TEST_CASE("Truth in the image agrees with truth on the table through the homogra
     ++checked;
     const auto place = table_from_image.to_table(truth.position_px);
     REQUIRE(place);
-    // The silhouette's middle is the centre's image but for the perspective within the puck.
+    // The silhouette's middle is the centre's image, except for the perspective within the puck.
     CHECK(std::hypot(place->x_m - truth.position.x_m, place->y_m - truth.position.y_m) < 0.004);
   }
   CHECK(checked > 60);
 }
 
-TEST_CASE("The puck is drawn where truth says") {
+TEST_CASE("The puck is drawn at its true place") {
   SimulatedTable table(small_world());
   EventPacket packet;
   int checked = 0;
@@ -129,7 +129,7 @@ TEST_CASE("The puck is drawn where truth says") {
   CHECK(checked > 5);
 }
 
-TEST_CASE("A moving camera draws the picture that its pose sees") {
+TEST_CASE("A moving camera draws the picture of its pose") {
   SimulationParams params = small_world();
   params.moving_camera = true;
   SimulatedTable table(params);
@@ -178,7 +178,7 @@ TEST_CASE("A moving puck's events lie along its contour") {
   CHECK(near > 0.95 * all);
 }
 
-TEST_CASE("The robot's mallet follows the arm, stays on its line, and ignores nonsense") {
+TEST_CASE("The robot's mallet follows the arm, stays on its line, and ignores impossible values") {
   SimulationParams params = small_world();
   params.autonomous_robot = false;
   SimulatedTable table(params);
@@ -194,7 +194,7 @@ TEST_CASE("The robot's mallet follows the arm, stays on its line, and ignores no
   CHECK(table.truth().robot_mallet.x_m == 0.15);
 }
 
-TEST_CASE("A puck behind the robot's mallet is not seen in full") {
+TEST_CASE("The robot's mallet hides a puck behind it in part") {
   SimulationParams params;
   TableGame game(params);
   const WorldView world(params.table, params.scene, params.sensor_size);
@@ -211,7 +211,7 @@ TEST_CASE("A puck behind the robot's mallet is not seen in full") {
   CHECK(world.visible_share(game, view) == doctest::Approx(0.5).epsilon(0.2));
 }
 
-TEST_CASE("An arm hides what lies beneath it, nearer than its mallet as well") {
+TEST_CASE("An arm hides objects beneath it, even nearer than its mallet") {
   const SimulationParams params;
   TableGame game(params);
   const WorldView world(params.table, params.scene, params.sensor_size);
@@ -232,7 +232,7 @@ TEST_CASE("An arm hides what lies beneath it, nearer than its mallet as well") {
   CHECK(place_of(WorldView::kPuck) < place_of(WorldView::kRobot));
 }
 
-TEST_CASE("The puck is seen on nearly all of the table, in the sizes that the references give") {
+TEST_CASE("The puck is visible on nearly all of the table, in the sizes of the references") {
   const SimulationParams params;
   const WorldView world(params.table, params.scene, params.sensor_size);
   const CameraView view(params.camera, params.sensor_size);
@@ -271,7 +271,7 @@ TEST_CASE("The defaults are the paper's table, puck and moving head") {
   CHECK(highest_deg - lowest_deg < 6.3);
 }
 
-TEST_CASE("Parameters that make no world are refused by name") {
+TEST_CASE("Impossible parameters are refused by name") {
   const auto message_of = [](const SimulationParams& params) {
     try {
       SimulatedTable table(params);

@@ -8,10 +8,10 @@
 
 namespace puck {
 
-/// Of TableGame.
+/// Steps of TableGame.
 inline constexpr std::int64_t kStepsPerSecond = 1'000'000 / PuckPhysics::kStep_us;
 
-/// A quarter of the usual picture of the same world, so that tests stay quick.
+/// The same world at a quarter of the usual image size, for quick tests.
 inline SimulationParams small_world(std::int64_t seed = 1) {
   SimulationParams params;
   params.seed = seed;

@@ -17,7 +17,7 @@ namespace {
 constexpr SensorSize kSensor{640, 480};
 constexpr double kHalfPuckM = 0.006;
 
-TEST_CASE("A turned table camera sees what the simulated camera sees") {
+TEST_CASE("A turned table camera sees the same as the simulated camera") {
   const CameraView home(CameraParams{}, kSensor);
   const TableCamera camera(home.table_from_image(0), {home.focal_px(), home.principal_point(), {}});
   for (const HeadPose pose : {HeadPose{3, -1, 0.5}, HeadPose{-20, 10, -8}, HeadPose{0, 0, 30}}) {
@@ -34,8 +34,8 @@ TEST_CASE("A turned table camera sees what the simulated camera sees") {
         doctest::Approx(home.project({1.5, 0.2, kHalfPuckM})->pixel.y));
 }
 
-// The place on the table from the true place of the puck's outline in the image, with the head as
-// HEAD tells it every `period_us` and `late_us` late; mm.
+// Error of the place on the table, from the true place of the puck's outline in the image and HEADs
+// every `period_us`, `late_us` late; mm.
 struct Errors {
   double median_mm = 0;
   double worst_mm = 0;

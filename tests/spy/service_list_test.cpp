@@ -19,7 +19,7 @@ constexpr std::int8_t kStopping = service_status_t::STATE_STOPPING;
 
 }  // namespace
 
-TEST_CASE("a service is what it last said of itself") {
+TEST_CASE("a service is shown by its latest status") {
   service_status_t status = status_of("puck-tracker", "eye", 17);
   status.session = 7;
   status.state = service_status_t::STATE_DEGRADED;
@@ -53,7 +53,7 @@ TEST_CASE("a service is what it last said of itself") {
   CHECK(describe(row.latencies[0]) == "75/671/24111 packet_to_estimate");
 }
 
-TEST_CASE("a service is silent after half a second, unless it had said that it stops") {
+TEST_CASE("a service is silent after half a second, unless it announced its stop") {
   ServiceList services({});
   services.hear(status_with(status_of("puck-arm"), 7, kRunning), 0);
   services.hear(status_with(status_of("puck-bridge"), 8, kStopping), 0);
@@ -65,7 +65,7 @@ TEST_CASE("a service is silent after half a second, unless it had said that it s
   CHECK(state_of(rows[1]) == "stopped");
 }
 
-TEST_CASE("a killed service stays in sight until a new run of it speaks") {
+TEST_CASE("a killed service stays listed until a new run of it publishes") {
   ServiceList services({});
   services.hear(status_with(status_of("puck-arm", "robot", 10), 7, kRunning), 0);
   CHECK(services.rows(30'000'000).size() == 1);
@@ -73,13 +73,13 @@ TEST_CASE("a killed service stays in sight until a new run of it speaks") {
   const std::vector<ServiceRow> rows = services.rows(30'000'000);
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].pid == 11);
-  // What it published may still be on the screen.
+  // Its channels may still be on the screen.
   PublisherRow publisher{.session = 7};
   services.name(publisher);
   CHECK(publisher.pid == 10);
 }
 
-TEST_CASE("two services of one name that both speak are both shown") {
+TEST_CASE("two services of one name that both publish are both listed") {
   ServiceList services({});
   for (int i = 0; i < 3; ++i) {
     services.hear(status_with(status_of("puck-arm", "robot", 11), 8, kRunning), i * 100'000);
@@ -91,7 +91,7 @@ TEST_CASE("two services of one name that both speak are both shown") {
   CHECK(rows[1].pid == 11);
 }
 
-TEST_CASE("a service that has long been gone is forgotten, and 1000 take the room of 64") {
+TEST_CASE("a service gone for long is dropped, and 1000 take the room of 64") {
   ServiceList services({});
   services.hear(status_with(status_of("puck-arm"), 7, kRunning), 0);
   CHECK(services.rows(60'000'001).empty());

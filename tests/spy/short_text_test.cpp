@@ -18,7 +18,7 @@ TEST_CASE("counts take five characters") {
   CHECK(short_count(-7) == "-7");
 }
 
-TEST_CASE("rates have a decimal where they are small") {
+TEST_CASE("small rates have a decimal") {
   CHECK(short_rate(0) == "0.0");
   CHECK(short_rate(9.96) == "10.0");
   CHECK(short_rate(99.94) == "99.9");
@@ -39,7 +39,7 @@ TEST_CASE("durations take six characters") {
   CHECK(short_duration(360'000'000'000) == "4d");
 }
 
-TEST_CASE("nothing that a terminal would obey or misplace is let through") {
+TEST_CASE("no text can control a terminal or shift the layout") {
   CHECK(plain_text("puck-arm") == "puck-arm");
   CHECK(plain_text("\x1b[2J\n\x7f") == "?[2J??");
   CHECK(plain_text("5 µs, caf\xc3\xa9") == "5 ?s, caf?");

@@ -10,7 +10,7 @@
 
 namespace puck {
 
-/// A model that is fed by a test, with times of its own.
+/// A model for tests, with simulated times.
 struct SpyBench {
   SpyModel model;
 
@@ -32,7 +32,7 @@ struct SpyBench {
   }
 };
 
-/// A packet with so many events, as the camera makes them.
+/// A camera's packet with so many events.
 inline event_packet_t packet_of(std::size_t events) {
   event_packet_t made{};
   EventPacker packer({.sensor = {640, 480}, .packet_bytes = EventPackerParams::kMaxBytes});

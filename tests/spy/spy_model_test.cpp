@@ -8,7 +8,7 @@
 
 namespace puck {
 
-TEST_CASE("the spy knows the rates of the last second, and the sums of all time") {
+TEST_CASE("the spy computes rates over the last second, and sums over all time") {
   SpyBench spy;
   // Three seconds of 100 packets a second, then one of 10.
   std::int64_t seq = 0;
@@ -32,20 +32,20 @@ TEST_CASE("the spy knows the rates of the last second, and the sums of all time"
   CHECK(snapshot.listened_us == 4'000'000);
 }
 
-TEST_CASE("the rates of a report are over all the time listened to") {
+TEST_CASE("the rates of a report cover the whole time of listening") {
   SpyBench spy({}, SpyParams::whole_time());
   for (int i = 0; i < 10; ++i) spy.hear(head_state_t{}, 7, i, 1'900'000);
   const Snapshot snapshot = spy.model.snapshot(2'000'000);
   CHECK(snapshot.channels[0].messages_per_s == doctest::Approx(5));
 }
 
-TEST_CASE("a channel that begins to speak is not as fast as if it had spoken for a second") {
+TEST_CASE("a new channel's rate is not extrapolated to a full second") {
   SpyBench spy;
   for (int i = 0; i < 5; ++i) spy.hear(head_state_t{}, 7, i, 10'000'000 + i);
   CHECK(spy.model.snapshot(10'000'010).channels[0].messages_per_s == doctest::Approx(5));
 }
 
-TEST_CASE("the spy counts what is lost, late, twice, malformed and of a new run") {
+TEST_CASE("the spy counts lost, late, duplicate and malformed messages, and restarts") {
   SpyBench spy;
   for (const int seq : {0, 1, 5, 3, 5}) spy.hear(head_state_t{}, 7, seq, 1000);
   spy.hear(head_state_t{}, 8, 100, 2000);
@@ -63,8 +63,7 @@ TEST_CASE("the spy counts what is lost, late, twice, malformed and of a new run"
   CHECK(snapshot.messages == 7);
 }
 
-TEST_CASE(
-    "what is too large, sealed without our having the key, or not sealed with it is told apart") {
+TEST_CASE("oversized, undecryptable and unsealed messages are distinguished") {
   SpyBench spy;
   spy.hear_bytes("PUCK_HEAD", std::vector<std::uint8_t>(89), 1000);
   const TemporaryFolder folder;
@@ -92,13 +91,13 @@ TEST_CASE(
   CHECK(snapshot.channels[0].name == "PUCK_GAME");
   CHECK(snapshot.channels[0].unauthenticated == 5);
   CHECK(snapshot.channels[0].last_rejection == "is not sealed");
-  // When they came is not known.
+  // Their times are unknown.
   CHECK_FALSE(snapshot.channels[0].newest_age_us.has_value());
   CHECK(snapshot.channels[1].newest_age_us == 2000);
   CHECK(snapshot.channels[1].unauthenticated == 0);
 }
 
-TEST_CASE("trouble is over when the last second had none") {
+TEST_CASE("a problem ends after a second without one") {
   SpyBench spy;
   spy.hear(head_state_t{}, 7, 0, 1000);
   spy.hear(head_state_t{}, 7, 9, 2000);
@@ -107,7 +106,7 @@ TEST_CASE("trouble is over when the last second had none") {
   CHECK_FALSE(spy.model.snapshot(2'500'000).channels[0].in_trouble);
 }
 
-TEST_CASE("events lost with their packets are counted by the numbering of the events") {
+TEST_CASE("events in lost packets are counted by the numbering of the events") {
   SpyBench spy;
   event_packet_t packet = packet_of(10);
   for (const int seq : {0, 1, 4}) {
@@ -132,7 +131,7 @@ TEST_CASE("publishers are named after the status of their session") {
   CHECK(camera.age_us == 2000);
 }
 
-TEST_CASE("two publishers of one channel are told from one that was restarted") {
+TEST_CASE("two publishers of one channel are distinguished from a restarted one") {
   SUBCASE("at the same time") {
     SpyBench spy;
     for (int i = 0; i < 3; ++i) {
@@ -144,7 +143,7 @@ TEST_CASE("two publishers of one channel are told from one that was restarted") 
     REQUIRE(row.publishers.size() == 2);
     CHECK(row.publishers[0].session == 7);
     CHECK(row.publishers[1].session == 8);
-    // The first goes away, and is forgotten.
+    // The first falls silent, and is dropped.
     spy.hear(head_state_t{}, 8, 3, 3'000'000);
     CHECK_FALSE(spy.model.snapshot(3'000'000).channels[0].several_publishers);
   }
@@ -157,7 +156,7 @@ TEST_CASE("two publishers of one channel are told from one that was restarted") 
     CHECK(row.publishers.back().session == 8);
     CHECK(row.arrivals.lost == 0);
   }
-  SUBCASE("but all services publish STATUS") {
+  SUBCASE("except on STATUS, which all services publish") {
     SpyBench spy;
     for (int i = 0; i < 3; ++i) {
       spy.hear(status_of("puck-camera"), 7, i, 1000 * i);
@@ -167,7 +166,7 @@ TEST_CASE("two publishers of one channel are told from one that was restarted") 
   }
 }
 
-TEST_CASE("channels stand in the order of the data's way, names that are not ours after them") {
+TEST_CASE("channels are listed in the order of the data flow, foreign names last") {
   SpyBench spy("LEFT");
   spy.hear_bytes("LEFT_PUCK_WHATEVER", {1, 2, 3}, 1000);
   spy.hear(status_of("puck-camera"), 7, 0, 1000, "LEFT");
@@ -181,7 +180,7 @@ TEST_CASE("channels stand in the order of the data's way, names that are not our
   CHECK(snapshot.channels[2].arrivals.received == 1);
 }
 
-TEST_CASE("20,000 names take no more room than a few, and none from our own channels") {
+TEST_CASE("20,000 names take no more room than a few, and displace no channels of ours") {
   SpyBench spy;
   for (int i = 0; i < 20'000; ++i) spy.hear_bytes("PUCK_" + std::to_string(i), {1}, 1000);
   spy.hear(head_state_t{}, 7, 0, 1000);
@@ -195,7 +194,7 @@ TEST_CASE("20,000 names take no more room than a few, and none from our own chan
   CHECK(snapshot.messages == 20'001);
 }
 
-TEST_CASE("1000 sessions on one channel are not all remembered as publishers") {
+TEST_CASE("the number of remembered publishers of a channel is bounded under 1000 sessions") {
   SpyBench spy;
   for (int i = 1; i <= 1000; ++i) spy.hear(head_state_t{}, i, 0, i);
   const ChannelRow row = spy.model.snapshot(2000).channels[0];
@@ -204,7 +203,7 @@ TEST_CASE("1000 sessions on one channel are not all remembered as publishers") {
   CHECK(row.arrivals.sessions == 1000);
 }
 
-TEST_CASE("the newest valid message is kept as it came") {
+TEST_CASE("the newest valid message is kept unchanged") {
   SpyBench spy;
   head_state_t head{};
   head.yaw_deg = 3;

@@ -73,12 +73,12 @@ class SpyInTerminal {
   SpyInTerminal(const SpyInTerminal&) = delete;
   SpyInTerminal& operator=(const SpyInTerminal&) = delete;
 
-  /// Reads what is drawn until this appears; false when it ends before.
+  /// Reads the output until this appears; false if it ends before.
   bool reads(const std::string& text) {
     std::string part(4096, 0);
     while (output_.find(text) == std::string::npos) {
       ssize_t count = read(terminal_, part.data(), part.size());
-      // Its last words may be on their way while the kernel already says that it is gone.
+      // Its last output may arrive after the kernel reports its end.
       if (count <= 0) count = read(terminal_, part.data(), part.size());
       if (count <= 0) return false;
       output_.append(part, 0, static_cast<std::size_t>(count));
@@ -94,7 +94,7 @@ class SpyInTerminal {
     REQUIRE(ioctl(terminal_, TIOCSWINSZ, &size) == 0);
   }
   void send(int signal) { kill(pid_, signal); }
-  /// The exit code; -1: a signal ended it.
+  /// The exit code; -1: ended by a signal.
   int wait() {
     int status = 0;
     waitpid(pid_, &status, 0);
@@ -110,7 +110,7 @@ class SpyInTerminal {
 
 }  // namespace
 
-TEST_CASE("puck-spy --once --json prints what is on the bus, under its prefix") {
+TEST_CASE("puck-spy --once --json prints the traffic on the bus under its prefix") {
   const Camera camera({.url = private_lcm_url(0), .prefix = "LEFT"});
   const Finished spy = run_program({spy_path(), "--lcm-url", private_lcm_url(0), "--prefix", "LEFT",
                                     "--once", "--seconds", "3", "--json"});
@@ -131,7 +131,7 @@ TEST_CASE("puck-spy --once --json prints what is on the bus, under its prefix") 
   CHECK(table.output.find("LEFT_PUCK_EVENTS") != std::string::npos);
 }
 
-TEST_CASE("puck-spy --once says where it heard nothing, and exits with 1") {
+TEST_CASE("puck-spy --once reports a silent bus, and exits with 1") {
   const Finished spy = run_program(
       {spy_path(), "--lcm-url", private_lcm_url(1), "--once", "--seconds", "0.2", "--json"});
   CHECK(spy.exit_code == 1);
@@ -139,7 +139,7 @@ TEST_CASE("puck-spy --once says where it heard nothing, and exits with 1") {
   CHECK(Json::parse(spy.output)["messages"] == 0);
 }
 
-TEST_CASE("puck-spy names the others that it heard where it heard none of ours") {
+TEST_CASE("without messages of ours puck-spy names the foreign ones") {
   const Camera camera({.url = private_lcm_url(0), .prefix = "RIGHT"});
   const Finished spy = run_program({spy_path(), "--lcm-url", private_lcm_url(0), "--prefix", "LEFT",
                                     "--once", "--seconds", "3"});
@@ -148,7 +148,7 @@ TEST_CASE("puck-spy names the others that it heard where it heard none of ours")
   CHECK(spy.output.find("FOREIGN TRAFFIC") != std::string::npos);
 }
 
-TEST_CASE("puck-spy with a key says that what comes is not sealed with it") {
+TEST_CASE("puck-spy with a key reports unsealed messages") {
   const TemporaryFolder folder;
   const auto key = folder.write("key", std::string(32, 'k'));
   std::filesystem::permissions(key, std::filesystem::perms::owner_read);
@@ -160,7 +160,7 @@ TEST_CASE("puck-spy with a key says that what comes is not sealed with it") {
                         "this service has a key, from ") != std::string::npos);
 }
 
-TEST_CASE("puck-spy takes the bus from any service's settings, and refuses what it cannot use") {
+TEST_CASE("puck-spy takes the bus from any service's settings, and refuses unusable ones") {
   const std::string config = source_folder() / "config/tracker.toml";
   const Finished spy = run_program({spy_path(), "--config", config, "--lcm-url", private_lcm_url(1),
                                     "--once", "--seconds", "0.2"});
@@ -186,8 +186,7 @@ TEST_CASE("puck-spy takes the bus from any service's settings, and refuses what 
   CHECK(piped.errors == "puck-spy: the live view needs a terminal; without one use --once\n");
 }
 
-TEST_CASE(
-    "the live view follows keys and the size of its terminal, and gives it back on quitting") {
+TEST_CASE("the live view follows keys and the terminal's size, and restores the terminal") {
   const Camera camera({.url = private_lcm_url(2)});
   SpyInTerminal spy(private_lcm_url(2));
   REQUIRE(spy.reads(kFullScreen));
@@ -205,7 +204,7 @@ TEST_CASE(
   CHECK(spy.wait() == 0);
 }
 
-TEST_CASE("the live view gives the terminal back when it is told to end") {
+TEST_CASE("the live view restores the terminal on SIGTERM") {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     SpyInTerminal spy(private_lcm_url(3));
     REQUIRE(spy.reads(kFullScreen));
@@ -216,7 +215,7 @@ TEST_CASE("the live view gives the terminal back when it is told to end") {
   }
 }
 
-TEST_CASE("the live view gives the terminal back when it ends with an error") {
+TEST_CASE("the live view restores the terminal after an error") {
   SpyInTerminal spy("nonsense");
   REQUIRE(spy.reads(kFullScreen));
   CHECK(spy.reads(kFullScreenOver));
@@ -224,7 +223,7 @@ TEST_CASE("the live view gives the terminal back when it ends with an error") {
   CHECK(spy.wait() == 1);
 }
 
-TEST_CASE("an unknown terminal is refused with a word on what to do") {
+TEST_CASE("an unknown terminal is refused with advice") {
   SpyInTerminal spy(private_lcm_url(3), "no-such-terminal");
   CHECK(spy.reads("TERM=no-such-terminal; try TERM=xterm"));
   CHECK(spy.wait() == 1);

@@ -19,7 +19,7 @@ Snapshot heard(const service_status_t& status) {
 
 }  // namespace
 
-TEST_CASE("the JSON report is flat: a script finds every figure by its name") {
+TEST_CASE("the JSON report is flat: every figure has a name") {
   service_status_t status = status_of("puck-camera", "eye", 99);
   status.counter_name = {"events_sent"};
   status.counter_value = {30};
@@ -74,7 +74,7 @@ TEST_CASE("rates have one decimal, and ages whole microseconds") {
   CHECK(report.find("\"age_ms\": 647.377\n") != std::string::npos);
 }
 
-TEST_CASE("a latency that was never measured has no value") {
+TEST_CASE("an unmeasured latency has no value") {
   service_status_t status = status_of("puck-tracker");
   status.latency_name = {"sensor_to_estimate"};
   status.latency_p50_us = status.latency_p99_us = status.latency_max_us = {0};
@@ -84,7 +84,7 @@ TEST_CASE("a latency that was never measured has no value") {
   CHECK(tracker["latency_sensor_to_estimate_samples"] == 0);
 }
 
-TEST_CASE("a channel of which all was dropped for want of our key has no age") {
+TEST_CASE("a channel whose messages were all dropped without our key has no age") {
   SpyBench spy;
   spy.model.set_unauthenticated(Channel::kGame, 5, "is not sealed", 900'000'000);
   const Snapshot snapshot = spy.model.snapshot(900'000'000);
@@ -99,7 +99,7 @@ TEST_CASE("text that is not UTF-8 does not break the report") {
   CHECK(report["services"][0]["service"].get<std::string>().starts_with("puck-"));
 }
 
-TEST_CASE("nothing heard makes an empty report") {
+TEST_CASE("a silent bus makes an empty report") {
   const Json report = Json::parse(json_report({}, "memq://", ""));
   CHECK(report["messages"] == 0);
   CHECK(report["channels"].empty());
@@ -107,7 +107,7 @@ TEST_CASE("nothing heard makes an empty report") {
   CHECK(text_report({}, 80).empty());
 }
 
-TEST_CASE("the text report has all columns and every word in full where nothing bounds its width") {
+TEST_CASE("the text report has all columns and every word in full at unlimited width") {
   service_status_t status = status_of("puck-camera");
   status.state_text = std::string(200, 'x') + " end";
   const std::string report = text_report(heard(status), 10'000);

@@ -14,7 +14,7 @@
 namespace puck {
 namespace {
 
-/// A game as it looks from outside: every channel, and five services.
+/// A game's snapshot: every channel, and five services.
 Snapshot game() {
   SpyBench spy;
   std::mt19937_64 random(1);
@@ -52,7 +52,7 @@ bool has(const Screen& screen, const std::string& text) {
 
 using Cells = std::vector<std::string>;
 
-/// Those that are not empty, of the line that begins with this word.
+/// The cells with text of the line that begins with this word.
 Cells cells_of(const Screen& screen, const std::string& word) {
   for (const ScreenLine& line : screen) {
     std::istringstream words(line.text);
@@ -77,7 +77,7 @@ SpyView view_on(Snapshot snapshot) {
 
 }  // namespace
 
-TEST_CASE("every page fills a screen of any size exactly, and says nothing beyond its edge") {
+TEST_CASE("every page fills a screen of any size exactly, without text beyond its edge") {
   for (const SpyKey page : {SpyKey::kFirst, SpyKey::kShow, SpyKey::kHelp}) {
     for (const int columns : {0, 1, 7, 59, 60, 80, 100, 160, 300}) {
       for (const int rows : {0, 1, 2, 3, 4, 5, 15, 24, 50, 100}) {
@@ -93,7 +93,7 @@ TEST_CASE("every page fills a screen of any size exactly, and says nothing beyon
   }
 }
 
-TEST_CASE("the smallest screen shows the channels and services, with what matters most") {
+TEST_CASE("the smallest screen shows the channels and services, with the most important columns") {
   SpyView view = view_on(game());
   const Screen screen = view.draw({60, 15});
   CHECK(text_of(screen)[0].starts_with("puck-spy  239.255.76.67:7667 ttl 0"));
@@ -119,7 +119,7 @@ TEST_CASE("a large screen shows all channels, all services and all columns") {
   CHECK(has(view.draw({200, 50}), "packets_lost 3, packets_received 12"));
 }
 
-TEST_CASE("the selection walks through channels and services, and stays in sight") {
+TEST_CASE("the selection moves through channels and services, and stays visible") {
   SpyView view = view_on(game());
   const ScreenSize small{60, 15};
   CHECK(selected(view.draw(small)) == "PUCK_EVENTS");
@@ -141,7 +141,7 @@ TEST_CASE("the selection walks through channels and services, and stays in sight
   CHECK(selected(view.draw(small)) == "PUCK_EVENTS");
 }
 
-TEST_CASE("the selection stays with its channel when rows come and change places") {
+TEST_CASE("the selection stays with its channel when rows are added or move") {
   SpyBench spy;
   spy.hear(head_state_t{}, 7, 0, 1000);
   SpyView view = view_on(spy.model.snapshot(2000));
@@ -152,7 +152,7 @@ TEST_CASE("the selection stays with its channel when rows come and change places
   CHECK(text_of(view.draw({80, 24}))[2].substr(2, 11) == "PUCK_EVENTS");
 }
 
-TEST_CASE("the channels are sorted by what is asked for, and reversed") {
+TEST_CASE("the channels are sorted by the selected column, and reversed") {
   SpyBench spy;
   spy.hear(packet_of(500), 7, 0, 1000);
   for (int i = 0; i < 3; ++i) spy.hear(head_state_t{}, 7, i, 1000);
@@ -172,7 +172,7 @@ TEST_CASE("the channels are sorted by what is asked for, and reversed") {
   CHECK(first() == "PUCK_EVENTS");
 }
 
-TEST_CASE("while it is paused, what is shown stays, and then is the newest again") {
+TEST_CASE("a paused view is constant, and shows the newest values again afterwards") {
   SpyBench spy;
   spy.hear(head_state_t{}, 7, 0, 1000);
   SpyView view = view_on(spy.model.snapshot(2000));
@@ -187,7 +187,7 @@ TEST_CASE("while it is paused, what is shown stays, and then is the newest again
   CHECK(has(view.draw({80, 24}), "PUCK_EVENTS"));
 }
 
-TEST_CASE("a channel is shown with its publishers and its newest message, live; below if it fits") {
+TEST_CASE("a channel's live page has its publishers and its newest message, below if it fits") {
   SpyBench spy;
   head_state_t head{};
   head.yaw_deg = 12.5;
@@ -210,7 +210,7 @@ TEST_CASE("a channel is shown with its publishers and its newest message, live; 
   CHECK_FALSE(has(view.draw({80, 12}), "yaw_deg"));
 }
 
-TEST_CASE("states, modes and phases are shown by their names") {
+TEST_CASE("states, modes and phases are shown by name") {
   SpyBench spy;
   puck_estimate_t estimate{};
   estimate.state = puck_estimate_t::STATE_LOST;
@@ -220,7 +220,7 @@ TEST_CASE("states, modes and phases are shown by their names") {
   CHECK(has(view.draw({80, 60}), "state                    lost"));
 }
 
-TEST_CASE("what is longer than the screen scrolls to its last line and no further") {
+TEST_CASE("a page longer than the screen scrolls to its last line and no further") {
   SpyView view = view_on(game());
   view.press(SpyKey::kDown);
   view.press(SpyKey::kShow);
@@ -251,7 +251,7 @@ TEST_CASE("the events of a packet are shown as events") {
   CHECK(has(screen, "... and 44 more events"));
 }
 
-TEST_CASE("that a service left counters out is shown before what is well") {
+TEST_CASE("counters left out by a service are shown before its good ones") {
   SpyBench spy;
   service_status_t status = status_of("puck-tracker");
   status.counter_name = {"packets_received", "counters_left_out"};
@@ -286,7 +286,7 @@ TEST_CASE("a service is shown with its words in full, its latencies and all coun
   CHECK(has(screen, "! puck-logger  degraded"));
 }
 
-TEST_CASE("two publishers at once and a silent service are marked, and drawn as an alarm") {
+TEST_CASE("simultaneous publishers and a silent service are marked, and drawn as an alarm") {
   SpyBench spy;
   spy.hear(status_of("puck-tracker", "one", 11), 7, 0, 0);
   spy.hear(status_of("puck-tracker", "two", 12), 8, 0, 900'000);
@@ -304,7 +304,7 @@ TEST_CASE("two publishers at once and a silent service are marked, and drawn as 
   CHECK(screen[7].text.starts_with("   puck-tracker  running"));
 }
 
-TEST_CASE("while nothing comes it says so, and what it waits for") {
+TEST_CASE("a silent bus is reported with the expected prefix and group") {
   SpyView view = view_on({});
   view.set_notice("no multicast route");
   CHECK(has(view.draw({60, 15}), "no message received yet"));
@@ -314,7 +314,7 @@ TEST_CASE("while nothing comes it says so, and what it waits for") {
   CHECK(has(view.draw({60, 15}), "no message received yet"));
 }
 
-TEST_CASE("what comes without our key is shown where nothing else does") {
+TEST_CASE("messages without our key are shown if there are no others") {
   SpyBench spy;
   spy.model.set_unauthenticated(Channel::kGame, 5, "is not sealed, from 10.9.8.2:40000", 1'000'000);
   SpyView view = view_on(spy.model.snapshot(1'000'000));
@@ -324,7 +324,7 @@ TEST_CASE("what comes without our key is shown where nothing else does") {
   CHECK(has(view.draw({160, 24}), "is not sealed, from 10.9.8.2:40000"));
 }
 
-TEST_CASE("what others send at the port is counted in a line, and shown on a page of its own") {
+TEST_CASE("foreign datagrams at the port are counted in a line, and shown on a page of their own") {
   Snapshot snapshot = game();
   snapshot.network.foreign = 12;
   snapshot.network.foreign_traffic = {{"channel \"RIGHT_PUCK_EVENTS\"", {0xac120003, 40'000}, 11},
@@ -347,7 +347,7 @@ TEST_CASE("what others send at the port is counted in a line, and shown on a pag
   CHECK(has(view_on(silent).draw({80, 24}), "12 foreign datagrams"));
 }
 
-TEST_CASE("the first line counts the rows that are marked, for not all may be in sight") {
+TEST_CASE("the first line counts all marked rows, even those outside the screen") {
   CHECK_FALSE(has(view_on(game()).draw({60, 15}), "!"));
   Snapshot snapshot = game();
   snapshot.channels[8].in_trouble = true;
@@ -355,7 +355,7 @@ TEST_CASE("the first line counts the rows that are marked, for not all may be in
   CHECK(text_of(view_on(snapshot).draw({60, 15}))[0].find(" !2 ") != std::string::npos);
 }
 
-TEST_CASE("what is looked at stays when it is not heard any more, and the view goes back") {
+TEST_CASE("a selected channel stays after it falls silent, and the view returns") {
   SpyBench spy;
   spy.hear(status_of("puck-arm"), 7, 0, 0);
   SpyView view = view_on(spy.model.snapshot(1000));

@@ -9,8 +9,8 @@
 
 namespace puck {
 
-/// Puts the board's first joints where an arm with this joint table has its mallet in the middle of
-/// the line. Throws ConfigError.
+/// Moves the board's first joints so that an arm with this joint table has its mallet in the middle
+/// of the line. Throws ConfigError.
 inline void move_to_the_middle(TestBoard& board, const std::filesystem::path& joint_table) {
   const JointAngles middle = joints_at(JointTable(read_joint_table_file(joint_table)), 0);
   for (std::size_t joint = 0; joint < middle.size(); ++joint) {

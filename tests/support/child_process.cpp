@@ -45,7 +45,7 @@ class SpawnAttributes {
  public:
   SpawnAttributes() {
     posix_spawnattr_init(&attributes_);
-    // Tests that run in the background ignore SIGINT, and a shell keeps what it finds ignored.
+    // Background jobs ignore SIGINT, and the child would inherit that.
     sigset_t defaults;
     sigemptyset(&defaults);
     sigaddset(&defaults, SIGINT);

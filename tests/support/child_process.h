@@ -12,10 +12,10 @@
 namespace puck {
 
 struct ChildOptions {
-  std::filesystem::path folder;  ///< To start in; empty: the test's own.
-  std::filesystem::path input;   ///< What it reads from stdin; empty: nothing.
-  std::filesystem::path output;  ///< Where stdout goes; empty: where the test's does.
-  std::filesystem::path errors;  ///< Where stderr goes; the same.
+  std::filesystem::path folder;  ///< Working directory; empty: the test's own.
+  std::filesystem::path input;   ///< File on stdin; empty: none.
+  std::filesystem::path output;  ///< File for stdout; empty: the test's stdout.
+  std::filesystem::path errors;  ///< File for stderr; likewise.
 };
 
 /// A program started by a test, in a process group of its own; the whole group is killed when the
@@ -31,16 +31,16 @@ class ChildProcess {
 
   pid_t pid() const { return pid_; }
   bool is_running();
-  /// Nothing when it has ended already.
+  /// Does nothing if it has ended already.
   void send(int signal);
-  /// To it and to all that it started, as Ctrl-C in a terminal does.
+  /// Sends to it and all its children, as Ctrl-C in a terminal does.
   void send_to_group(int signal);
-  /// Whether anything that it started is still there, once it has ended itself.
+  /// Whether any process of its group still exists after its own end.
   bool group_is_left() const;
 
   /// Its exit code; -1: a signal ended it, or it could not be started.
   int wait();
-  /// The same; nothing when it still runs after `timeout`.
+  /// The same; nothing if it still runs after `timeout`.
   std::optional<int> wait_for(std::chrono::milliseconds timeout);
 
  private:
@@ -50,15 +50,15 @@ class ChildProcess {
   std::optional<int> exit_code_;
 };
 
-/// How a program ended that ran to its end.
+/// The result of a finished program.
 struct Finished {
-  int exit_code = -1;  ///< -1: a signal ended it, or it was killed after its time.
+  int exit_code = -1;  ///< -1: ended by a signal, or killed at its time limit.
   std::string output;  ///< Its stdout.
   std::string errors;  ///< Its stderr.
 };
 
-/// Runs a program to its end, and kills it when that takes longer than `time`. Of the options only
-/// folder and input count.
+/// Runs a program to its end, and kills it after `time`. Of the options only folder and input are
+/// used.
 Finished run_program(const std::vector<std::string>& arguments, const ChildOptions& options = {},
                      std::chrono::seconds time = std::chrono::seconds(60));
 

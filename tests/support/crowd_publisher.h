@@ -15,11 +15,11 @@
 
 namespace puck {
 
-/// Publishes events of pixels at random, in packets as large as they may be, whose sensor time is
-/// the host's since the start of this object. One thread.
+/// Publishes events of random pixels in packets of the largest size; their sensor time is the
+/// host's since the start of this object. One thread.
 class CrowdPublisher {
  public:
-  /// Throws std::runtime_error when there is no way to the network.
+  /// Throws std::runtime_error without a route to the network.
   explicit CrowdPublisher(const std::string& url, const std::string& key_file = {})
       : bus_({.url = url, .key_file = key_file}),
         packer_({.sensor = kSensor, .packet_bytes = EventPackerParams::kMaxBytes}) {
@@ -35,7 +35,7 @@ class CrowdPublisher {
     }
   }
 
-  /// So many at once, at most 15000. Returns their sensor time, µs: now.
+  /// Publishes so many at once, at most 15000. Returns their sensor time, now, µs.
   std::int64_t publish(std::size_t count) {
     const std::int64_t now_us = host_utime() - zero_utime_;
     packer_.pack({now_us}, std::span(events_).first(count), [this](event_packet_t& packet) {

@@ -16,10 +16,10 @@ inline std::string required_environment(const char* name) {
   return value;
 }
 
-/// Where the project's own files are.
+/// Folder of the project's own files.
 inline std::filesystem::path source_folder() { return required_environment("PUCK_SOURCE_DIR"); }
 
-/// A program of this build.
+/// Path of a program of this build.
 inline std::string program_path(const std::string& name) {
   return required_environment("PUCK_BIN_DIR") + "/" + name;
 }

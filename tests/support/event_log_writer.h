@@ -11,16 +11,15 @@
 
 namespace puck {
 
-/// Writes the events of one camera's run after the other into a log, as a logger would. A packet is
-/// logged when its first event happens, on a host clock that was 0 when sensor time was. One
-/// thread.
+/// Writes the events of a camera's sessions into a log, as a logger would. A packet is logged at
+/// the time of its first event, on a host clock whose zero is that of sensor time. One thread.
 class EventLogWriter {
  public:
   explicit EventLogWriter(const std::filesystem::path& path, SensorSize sensor,
                           std::string channel = "PUCK_EVENTS")
       : log_(path), sensor_(sensor), channel_(std::move(channel)), packer_({sensor, 60000}) {}
 
-  /// From now on with numbers from 0, and `later_us` after the times of the sensor.
+  /// Starts a session with numbers from 0, and logs packets `later_us` after their sensor time.
   void begin_session(std::int64_t session, std::int64_t later_us) {
     session_ = session;
     later_us_ = later_us;
@@ -30,11 +29,11 @@ class EventLogWriter {
   void write(const EventPacket& events) {
     each(events, [this](event_packet_t& packet) { log_as(packet); });
   }
-  /// It was sent, but did not come.
+  /// Counts a packet as sent, but not received.
   void lose(const EventPacket& events) {
     each(events, [](event_packet_t&) {});
   }
-  /// As it stands; `utime`: the log's stamp.
+  /// Writes the packet unchanged; `utime`: the log's stamp.
   void write_raw(event_packet_t packet, std::int64_t utime) {
     std::vector<std::uint8_t> bytes;
     encode(packet, bytes);
@@ -44,7 +43,7 @@ class EventLogWriter {
                    const std::vector<std::uint8_t>& bytes) {
     log_.write(channel, utime, bytes);
   }
-  /// What was written last.
+  /// The packet that was written last.
   const event_packet_t& last() const { return last_; }
   void flush() { log_.flush(); }
 
@@ -73,7 +72,7 @@ class EventLogWriter {
   event_packet_t last_{};
 };
 
-/// `count` events `gap_us` apart from `start_us` on, whose places tell them apart.
+/// `count` events `gap_us` apart from `start_us` on, each at a place of its own.
 inline EventPacket numbered_events(std::int64_t start_us, int count, std::int64_t gap_us = 10) {
   EventPacket packet{{start_us}, {}};
   for (int i = 0; i < count; ++i) {

@@ -11,8 +11,8 @@
 
 namespace puck {
 
-/// Runs `work` on a thread that has a network of its own, with nothing in it but a loopback that is
-/// up, and waits for it. False, and said, where this user may not make one.
+/// Runs `work` on a thread with an own network, which has an active loopback only, and waits for
+/// it. False, with a message, where this user may not make one.
 inline bool in_network_of_its_own(const std::function<void()>& work) {
   bool permitted = false;
   std::exception_ptr failure;
@@ -21,7 +21,7 @@ inline bool in_network_of_its_own(const std::function<void()>& work) {
     if (!permitted) return;
     try {
       work();
-    } catch (...) {  // what a REQUIRE throws
+    } catch (...) {  // thrown by REQUIRE
       failure = std::current_exception();
     }
   }).join();
@@ -30,7 +30,7 @@ inline bool in_network_of_its_own(const std::function<void()>& work) {
   return permitted;
 }
 
-/// In this thread's network; `arguments` as for ip(8).
+/// Runs ip(8) with `arguments` in this thread's network.
 inline bool ip(const std::string& arguments) {
   return std::system(("ip " + arguments).c_str()) == 0;
 }

@@ -15,7 +15,7 @@ double cpu_seconds(const std::filesystem::path& process) {
   std::ifstream file(process / "stat");
   std::string text;
   std::getline(file, text);
-  // The second field, the name in brackets, may hold anything; user and system time, in ticks, are
+  // The second field, the name in brackets, may contain spaces; user and system time, in ticks, are
   // the 14th and the 15th.
   std::istringstream fields(text.substr(text.rfind(')') + 1));
   std::string skipped;

@@ -6,16 +6,16 @@
 
 namespace puck {
 
-/// What a process has used since its start.
+/// Resources that a process has used since its start.
 struct ProcessUsage {
-  double cpu_s = 0;           ///< Of all its threads, in and for them.
-  std::int64_t wake_ups = 0;  ///< How often its threads gave up the processor to wait.
+  double cpu_s = 0;           ///< User and system time of all its threads.
+  std::int64_t wake_ups = 0;  ///< Voluntary context switches of its threads.
 };
 
-/// Memory that it has in use now, MB. Throws std::runtime_error when there is no such process.
+/// Resident memory now, MB. Throws std::runtime_error without such a process.
 double resident_mb(pid_t pid);
 
-/// As /proc tells it. Throws std::runtime_error when there is no such process.
+/// From /proc. Throws std::runtime_error without such a process.
 ProcessUsage usage_of(pid_t pid);
 
 }  // namespace puck

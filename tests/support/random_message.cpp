@@ -92,7 +92,7 @@ RandomMessage random_events(std::mt19937_64& random) {
     packet.session = 1;
     encode(packet, message.bytes);
   });
-  // count and size lie right before the data.
+  // count and size precede the data.
   const std::size_t data_bytes = 4 * events.size();
   message.count_offsets = {message.bytes.size() - data_bytes - 8,
                            message.bytes.size() - data_bytes - 4};

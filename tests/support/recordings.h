@@ -8,8 +8,8 @@
 
 namespace puck {
 
-/// The folder of real recordings, made by others: PUCK_RECORDINGS, else ../shared/recordings beside
-/// the project. Nothing, and a word about it, where there is none.
+/// The folder of real recordings by others: PUCK_RECORDINGS, else ../shared/recordings beside the
+/// project. Nothing, with a message, where there is none.
 inline std::optional<std::filesystem::path> recordings_folder() {
   const char* named = std::getenv("PUCK_RECORDINGS");
   const char* source = std::getenv("PUCK_SOURCE_DIR");

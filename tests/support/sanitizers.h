@@ -2,8 +2,8 @@
 
 namespace puck {
 
-/// Whether AddressSanitizer or ThreadSanitizer watches this build: what tries much then tries less.
-/// GCC says so by macros, Clang by features.
+/// Whether AddressSanitizer or ThreadSanitizer is on: long tests are then shortened. GCC tells by
+/// macros, Clang by features.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kIsSanitized = true;
 #elif defined(__has_feature)

@@ -18,8 +18,8 @@
 
 namespace puck {
 
-/// A service that runs in a thread of its own, on a bus that the test shares with it. Subscribe in
-/// between, then start.
+/// A service in a thread of its own, on a bus that the test shares with it. Subscribe after
+/// construction, then start.
 class ServiceBench {
  public:
   explicit ServiceBench(const std::string& url = "memq://")

@@ -6,8 +6,8 @@
 
 namespace puck {
 
-/// Calls `test(name)` once with each instruction set that this machine has and the code was
-/// compiled for, forced to be the one that is used.
+/// Calls `test(name)` once for each compiled instruction set that this machine has, with that one
+/// forced.
 template <typename Test>
 void with_each_simd_target(Test&& test) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {

@@ -18,12 +18,12 @@
 
 namespace puck {
 
-/// A run on another machine, whose clock is not ours: stamps what it publishes by that clock, and
-/// speaks and answers STATUS by it. One thread.
+/// A session on another machine, with a clock unlike ours: stamps its messages, publishes STATUS
+/// and answers pings by that clock. One thread.
 class SkewedMachine {
  public:
-  /// Its clock is ahead of this host's by `ahead_us`. Throws std::runtime_error when there is no
-  /// way to the network.
+  /// Its clock is ahead of this host's by `ahead_us`. Throws std::runtime_error without a route to
+  /// the network.
   SkewedMachine(const std::string& url, std::int64_t session, std::int64_t ahead_us,
                 std::string service = "puck-elsewhere")
       : service_(std::move(service)),
@@ -46,7 +46,7 @@ class SkewedMachine {
   /// Whether it answers the STATUS of others.
   void answer(bool answers) { answers_ = answers; }
 
-  /// Stamps and sends, `age_us` after it was published as it says.
+  /// Stamps and sends, `age_us` after the stated publication time.
   template <typename Message>
   void publish(Message message, std::int64_t age_us = 0) {
     message.utime = utime() - age_us;
@@ -57,7 +57,7 @@ class SkewedMachine {
                 static_cast<unsigned>(buffer_.size()));
   }
 
-  /// Hears what there is, and says its STATUS when it has not for 20 ms.
+  /// Handles received messages, and publishes its STATUS every 20 ms.
   void serve() {
     bus_.handle(std::chrono::milliseconds(0));
     if (host_monotonic_us() < status_due_us_) return;
@@ -83,7 +83,7 @@ class SkewedMachine {
   };
   using Heard = std::map<std::int64_t, Times>;  // by session
 
-  // Fewer than a STATUS on the wire may have: one with too many is heard by nobody.
+  // Below the limit of a STATUS message: receivers reject one with too many.
   static constexpr std::size_t kMostAnswered = 16;
 
   Heard::iterator longest_silent() {

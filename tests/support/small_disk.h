@@ -10,7 +10,7 @@
 
 namespace puck {
 
-/// A disk of a few MB in memory that can be filled, gone with the test. Only root can mount one.
+/// A disk of a few MB in memory that a test can fill. Only root can mount one.
 class SmallDisk {
  public:
   explicit SmallDisk(std::int64_t bytes)

@@ -10,7 +10,7 @@
 
 namespace puck::test {
 
-/// Empty when it is not reported.
+/// Empty if the counter is not reported.
 inline std::optional<std::int64_t> counter(const StatusReport& report, const std::string& name) {
   for (const auto& [its_name, count] : report.counters) {
     if (its_name == name) return count;
@@ -18,7 +18,7 @@ inline std::optional<std::int64_t> counter(const StatusReport& report, const std
   return std::nullopt;
 }
 
-/// The same of a report as it is received over the bus.
+/// The same for a received report.
 inline std::optional<std::int64_t> counter(const service_status_t& status,
                                            const std::string& name) {
   for (std::size_t i = 0; i < status.counter_name.size(); ++i) {
@@ -27,7 +27,7 @@ inline std::optional<std::int64_t> counter(const service_status_t& status,
   return std::nullopt;
 }
 
-/// What a service that has stopped, or whose reports any thread may ask for, would report now.
+/// A service's present report. The service has stopped, or allows reports from any thread.
 template <typename ServiceType>
 std::optional<std::int64_t> counter(const ServiceType& service, const std::string& name) {
   StatusReport report;

@@ -13,8 +13,8 @@
 
 namespace puck {
 
-/// A pipe that is full, and that nobody reads: a blocking write to it hangs. Also under a path, for
-/// a program's output. When it goes, whoever hangs gets an error.
+/// A full pipe without a reader: a blocking write to it hangs. Also available under a path, for a
+/// program's output. Its end makes hanging writers fail.
 class StuckPipe {
  public:
   StuckPipe() {
@@ -26,13 +26,13 @@ class StuckPipe {
     while (write(descriptor_, page.data(), page.size()) > 0) continue;
     if (fcntl(descriptor_, F_SETFL, 0) != 0) throw std::runtime_error("no pipe that blocks");
   }
-  // The end that is written to stays open, since somebody may hang in it.
+  // The writing end stays open, since a writer may hang in it.
   ~StuckPipe() { close(reader_); }
   StuckPipe(const StuckPipe&) = delete;
   StuckPipe& operator=(const StuckPipe&) = delete;
 
   std::filesystem::path path() const { return folder_ / "pipe"; }
-  /// Where one writes to it.
+  /// The writing end.
   int descriptor() const { return descriptor_; }
 
  private:

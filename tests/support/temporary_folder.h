@@ -11,7 +11,7 @@
 
 namespace puck {
 
-/// A folder that vanishes with the test.
+/// A folder that is removed with the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -37,7 +37,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// A whole file; nothing where there is none.
+/// The content of a file; nothing without the file.
 inline std::string read_text(const std::filesystem::path& path) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();

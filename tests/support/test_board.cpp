@@ -65,7 +65,7 @@ struct Connection {
   Role role = Role::kNames;
   std::string in;
   std::string out;
-  Clock::time_point send_from;  // before that, what is to go out waits
+  Clock::time_point send_from;  // output waits until then
   bool is_greeted = false;
   bool is_text = false;
   bool is_data_next = false;  // text: the `d` has come
@@ -78,7 +78,7 @@ struct Connection {
 int listen_on(int port) {
   const int listener = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   const int on = 1;
-  const int few_bytes = 4096;  // so that a port which reads nothing is soon full
+  const int few_bytes = 4096;  // so that a port without a reader is soon full
   setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   setsockopt(listener, SOL_SOCKET, SO_RCVBUF, &few_bytes, sizeof few_bytes);
   sockaddr_in address{};
@@ -259,7 +259,7 @@ class TestBoard::Ports {
       connection.out += has(BoardTrouble::kHelloWrong) ? "HTTP/1.1"s : "YA\x1A\x27\0\0RP"s;
     }
     if (connection.is_greeted && !connection.is_text) return understand_messages(connection);
-    // What was seen to happen to a real board.
+    // As observed with a real board.
     if (connection.role == Role::kState) return die();
     understand_lines(connection);
   }
@@ -397,7 +397,7 @@ class TestBoard::Ports {
       state_time_s_ = std::chrono::duration<double>(now.time_since_epoch()).count();
     }
     for (Connection& connection : connections_) {
-      // A port drops what a slow reader has not taken yet.
+      // A port drops messages for a slow reader.
       if (connection.is_turned_round && connection.out.empty()) connection.out += state_bytes();
     }
   }
@@ -411,7 +411,7 @@ class TestBoard::Ports {
     std::string bytes = state_message(state_count_, state_time_s_, deg);
     if (has(BoardTrouble::kStateHuge)) bytes[18 + 3] = '\x7F';
     if (has(BoardTrouble::kStateTruncated)) {
-      // The vector says that it has one item more than there are.
+      // The vector's count is one more than its items.
       const std::size_t count_at = bytes.size() - 8 * deg.size() - 4;
       bytes[count_at] = static_cast<char>(deg.size() + 1);
     }

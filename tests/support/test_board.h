@@ -12,7 +12,7 @@
 
 namespace puck {
 
-/// What a test board does instead of what it should.
+/// A fault of a test board.
 enum class BoardTrouble : std::uint8_t {
   kNone,
   kNamesMute,        ///< The name server does not answer,
@@ -44,53 +44,53 @@ enum class BoardTrouble : std::uint8_t {
   kByteAtATime,      ///< or every byte comes alone.
 };
 
-/// For command lines: `state_mute`; nothing: there is none of that name.
+/// By its name on command lines, `state_mute`; nothing for an unknown name.
 std::optional<BoardTrouble> board_trouble(std::string_view name);
 std::vector<std::string> board_trouble_names();
 
 struct TestBoardParams {
-  int port = 0;  ///< Of the name server; 0: any that is free.
+  int port = 0;  ///< Of the name server; 0: any free port.
   std::string robot = "/icub";
   std::string part = "right_arm";
   std::size_t axes = 7;
   double lowest_deg = -90;
   double highest_deg = 90;
-  int period_ms = 20;  ///< Encoders are sent so often.
+  int period_ms = 20;  ///< Between two messages with encoders.
   int late_ms = 50;
 };
 
-/// A name server and a control board in one, on ports of this machine, that behave as real ones
-/// were seen to: set-points sent as text are dropped silently, text to state:o kills the board, NaN
-/// is taken, joints are where they were told to be at the next reading. A thread of its own; all
-/// calls are safe from any thread.
+/// A name server and a control board in one, on ports of this machine. They behave as observed with
+/// real ones: set-points sent as text are dropped silently, text to state:o kills the board, NaN is
+/// accepted, and joints are at their set-points at the next reading. A thread of its own; all calls
+/// are safe from any thread.
 class TestBoard {
  public:
   explicit TestBoard(const TestBoardParams& params = {});
   ~TestBoard();
 
-  /// Of the name server.
+  /// Port of the name server.
   int port() const;
 
   void set_trouble(BoardTrouble trouble);
-  /// A hand that moves a joint.
+  /// Moves a joint as a hand would.
   void move_joint(std::size_t joint, double deg);
-  /// Somebody else who changes the mode of all joints.
+  /// Changes the mode of all joints, as another client would.
   void put_into_mode(const std::string& mode);
-  /// Closes all of the board's connections and its ports, as a process that dies; and a new one.
+  /// Closes all connections and ports, as the death of the process does; then a new one.
   void die();
   void revive();
 
   bool is_dead() const;
   std::vector<double> encoders() const;
   std::vector<std::string> modes() const;
-  /// Set-points in the binary carrier that it did, and that it could not read.
+  /// Binary set-points that were executed, and those that could not be read.
   std::int64_t set_points() const;
   std::int64_t unreadable() const;
-  /// Orders to change a joint's mode, done or not.
+  /// Requests to change a joint's mode, executed or not.
   std::int64_t mode_requests() const;
-  /// Lines of text that came to command:i.
+  /// Lines of text received at command:i.
   std::int64_t text_dropped() const;
-  /// Now, of all ports.
+  /// Present number, over all ports.
   std::size_t connections() const;
 
  private:

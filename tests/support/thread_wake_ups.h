@@ -10,15 +10,15 @@
 
 namespace puck {
 
-/// How often the calling thread has given up the processor to wait, since its start.
+/// Voluntary context switches of the calling thread since its start.
 inline long thread_wake_ups() {
   rusage usage{};
   getrusage(RUSAGE_THREAD, &usage);
   return usage.ru_nvcsw;
 }
 
-/// Counts the messages that a thread takes and how often it has waited meanwhile. `add` is called
-/// on that thread, with each message.
+/// Counts a thread's messages and its waits meanwhile. Call `add` on that thread, with each
+/// message.
 struct WakeUpTally {
   long first = -1;
   long last = -1;
@@ -32,8 +32,8 @@ struct WakeUpTally {
   long wake_ups() const { return last - first; }
 };
 
-/// Publishes a message `count` times, every 100 µs by the clock: on a slow machine, too, many come
-/// in a millisecond. Whether all of them were sent.
+/// Publishes a message `count` times, one every 100 µs by the clock, so that even a slow machine
+/// sends many in a millisecond. Returns whether all were sent.
 template <typename Message>
 bool publish_ten_a_ms(Bus& bus, Message message, int count) {
   const auto begin = std::chrono::steady_clock::now();

@@ -5,7 +5,7 @@
 
 namespace puck {
 
-/// Looks once a millisecond whether `condition` holds; false when it does not within `limit`.
+/// Checks `condition` once a millisecond; false if it does not hold within `limit`.
 template <typename Condition>
 bool wait_until(const Condition& condition,
                 std::chrono::milliseconds limit = std::chrono::seconds(20)) {

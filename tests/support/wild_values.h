@@ -7,7 +7,7 @@
 
 namespace puck {
 
-/// Chances, and values that nobody should send, from a seed. One thread.
+/// Random choices and extreme values, from a seed. One thread.
 class WildValues {
  public:
   explicit WildValues(unsigned seed) : random_(seed) {}
@@ -19,7 +19,7 @@ class WildValues {
   }
   std::uint64_t bits() { return random_(); }
 
-  /// Mostly what no quantity can be; else within +-`usual`.
+  /// Mostly an impossible value; else within +-`usual`.
   double wild_number(double usual) {
     constexpr double kWild[] = {std::numeric_limits<double>::quiet_NaN(),
                                 std::numeric_limits<double>::infinity(),

@@ -9,7 +9,7 @@
 
 namespace puck {
 
-/// How events stand in a YARP text log.
+/// Encoding of events in a YARP text log.
 enum class YarpEncoding : std::uint8_t {
   kList,     ///< `AE (stamp address …)`, stamps in ticks of 80 ns.
   kStamped,  ///< `AE duration "bytes"`, a stamp in µs before each address.
@@ -23,7 +23,7 @@ class YarpLogEncoder {
   YarpLogEncoder(YarpEncoding encoding, Timestamp zero, std::uint32_t first_stamp = 383'033'170)
       : encoding_(encoding), zero_(zero), first_stamp_(first_stamp) {}
 
-  /// Appends a line. `duration_us`: what the packet covers, up to its newest event.
+  /// Appends a line. `duration_us`: the packet's time span, up to its newest event.
   void add(const EventPacket& packet, std::int64_t duration_us, bool right_eye = true) {
     begin_line(packet.newest());
     const bool is_list = encoding_ == YarpEncoding::kList;
@@ -44,7 +44,7 @@ class YarpLogEncoder {
     text_ += is_list ? ")\n" : "\"\n";
   }
 
-  /// Appends a line of something else, such as `IMUS (1 2 3)`.
+  /// Appends a line of another kind, such as `IMUS (1 2 3)`.
   void add_other(Timestamp time, const std::string& content) {
     begin_line(time);
     text_ += content + '\n';

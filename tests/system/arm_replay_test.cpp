@@ -1,4 +1,4 @@
-// A log of a game, commands and all, is played by the stock lcm-logplayer to an arm that is alive.
+// lcm-logplayer plays a game's log, with its commands, to a live arm.
 #include <csignal>
 #include <cstdio>
 #include <string>
@@ -25,7 +25,7 @@ std::int64_t commands_in(const std::filesystem::path& log, std::int64_t arm_sess
   return commands;
 }
 
-// Plays the log to the end. How far the arm went meanwhile, m.
+// Plays the log to the end. Returns the span of the arm's positions meanwhile, m.
 double span_while_played(RunningGame& game, const std::filesystem::path& log) {
   game.take_arm_span_m();
   ChildProcess player({"lcm-logplayer", "--lcm-url=" + game.url(), log.string()},
@@ -37,8 +37,7 @@ double span_while_played(RunningGame& game, const std::filesystem::path& log) {
 
 }  // namespace
 
-TEST_CASE(
-    "a log full of commands moves no arm: not the one that it was recorded with, nor another") {
+TEST_CASE("a log full of commands moves no arm, neither its own nor another") {
   RunningGame game(new_lcm_url());
   game.start_all();
   REQUIRE(game.until([&] { return game.plays(); }));
@@ -59,8 +58,8 @@ TEST_CASE(
   const std::int64_t commands = commands_in(log, arm_session);
   REQUIRE(commands > 200);
 
-  // The arm of the log still runs, so the commands answer its very session; a new tracker and a new
-  // bridge make the most of the events in the log.
+  // The arm of the log still runs, so the commands answer its session; a new tracker and a new
+  // bridge process the log's events.
   game.start("puck-tracker");
   game.start("puck-bridge");
   REQUIRE(game.until([&] {
@@ -76,7 +75,7 @@ TEST_CASE(
   std::printf("%lld commands played to the arm of the log: %lld refused so far, it stood still\n",
               static_cast<long long>(commands), static_cast<long long>(refused));
 
-  // Another arm; and one that follows the tracker on its own account, without any commands.
+  // Another arm; and one that follows the tracker by itself, without commands.
   const std::vector<std::vector<std::string>> kinds{
       {}, {"arm.mode=follow", "arm.table=config/calibration/simulated_table.toml"}};
   for (const std::vector<std::string>& settings : kinds) {

@@ -1,4 +1,4 @@
-// What people get wrong: each program says so in one line, with what was expected.
+// Common mistakes: each program reports one line with the expected form.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -46,7 +46,7 @@ void check_refused(const Refused& refused, const TemporaryFolder& folder) {
   }
 }
 
-// Ready to run but for what the case adds, on a bus that nobody else hears.
+// Complete except for the case's own arguments, on a bus of its own.
 std::vector<std::string> service_arguments(const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"--lcm-url", "memq://", "--log-level", "error"};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -71,7 +71,7 @@ const std::vector<SectionKey> kNumbers{
 
 }  // namespace
 
-TEST_CASE("every service refuses settings with the file, the line, the key and what it expected") {
+TEST_CASE("every service refuses bad settings with file, line, key and the expected form") {
   const TemporaryFolder folder;
   const std::string file = folder / "bad.toml";
   for (const SectionKey& number : kNumbers) {
@@ -112,7 +112,7 @@ TEST_CASE("every service refuses a malformed LCM URL or prefix") {
   }
 }
 
-TEST_CASE("every program that reads events refuses files that hold none of ours") {
+TEST_CASE("every program that reads events refuses files without any") {
   const TemporaryFolder folder;
   write_text(folder / "empty.raw", "");
   write_text(folder / "picture.raw", "\x89PNG\r\n\x1a\n");
@@ -140,7 +140,7 @@ TEST_CASE("every program that reads events refuses files that hold none of ours"
       folder);
 }
 
-TEST_CASE("a recording that is cut off is played up to there, and the rest is told of") {
+TEST_CASE("a truncated recording is played to its end, and the rest is reported") {
   const TemporaryFolder folder;
   REQUIRE(
       run("puck-simulate", {"--output", "FOLDER/whole", "--seconds", "0.1"}, folder).exit_code ==
@@ -163,7 +163,7 @@ TEST_CASE("a recording that is cut off is played up to there, and the rest is to
   }
 }
 
-TEST_CASE("a size model of another sensor, or one that is clamped in the image, is said once") {
+TEST_CASE("a size model of another sensor, or one clamped in the image, is reported once") {
   const TemporaryFolder folder;
   REQUIRE(run("puck-simulate", {"--output", "FOLDER/a", "--seconds", "0.1"}, folder).exit_code ==
           0);
@@ -182,7 +182,7 @@ TEST_CASE("a size model of another sensor, or one that is clamped in the image, 
   CHECK(std::count(finished.errors.begin(), finished.errors.end(), '\n') == 2);
 }
 
-TEST_CASE("every program refuses calibrations, tables and scenes that make no sense") {
+TEST_CASE("every program refuses impossible calibrations, tables and scenes") {
   const TemporaryFolder folder;
   write_text(folder / "short.csv", "t_us,x,y,width,height\n0,1,2,3,4\n10,1,2,3\n");
   write_text(folder / "words.csv", "t_us,x,y,width,height\n0,1,two,3,4\n");

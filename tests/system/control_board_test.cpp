@@ -1,5 +1,5 @@
-// The robot plays with a control board behind puck-arm, as with a real one, and stands still when
-// the board fails.
+// The robot plays with a control board behind puck-arm, as with a real one, and stops when the
+// board fails.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -17,9 +17,8 @@ namespace {
 
 const std::string kJointTable = "config/calibration/simulated_arm.toml";
 
-// The board is a thread of this process: a busy machine holds it up for longer than a real board
-// ever is. So the arm is as patient with it as it can be, and slow: it does not get far in the
-// meantime.
+// The board is a thread of this process, and a busy machine delays it longer than a real board ever
+// is. So the arm has its longest time limits, and is slow, so that it does not move far meanwhile.
 std::vector<std::string> settings_for(const TestBoard& board) {
   return {"arm.back_end=yarp",
           "arm.yarp.port=" + std::to_string(board.port()),
@@ -44,8 +43,8 @@ bool moves(RunningGame& game) {
 
 }  // namespace
 
-TEST_CASE("A control board plays, stands still at fault when it fails, and plays after a reset") {
-  // As an iCub's arm, of whose part the hand's joints are not ours.
+TEST_CASE("A control board plays, stops on a fault, and plays after a reset") {
+  // An iCub's arm, a part that also contains the hand's joints.
   constexpr std::size_t kArmJoints = 7;
   TestBoard board({.axes = 16});
   move_to_the_middle(board, source_folder() / kJointTable);
@@ -75,7 +74,7 @@ TEST_CASE("A control board plays, stands still at fault when it fails, and plays
   game.listen(std::chrono::milliseconds(500));
   CHECK(board.set_points() == sent);
 
-  // It is the operator who says that it may go on, not the board.
+  // The operator permits the restart, not the board.
   const std::int64_t mode_requests = board.mode_requests();
   board.set_trouble(BoardTrouble::kNone);
   REQUIRE(game.until([&] { return game.counter("puck-arm", "board_connections") > 1; }));

@@ -1,4 +1,4 @@
-// A camera that sends far more than the tracker can take.
+// A camera that sends far more than the tracker can process.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -20,11 +20,11 @@ constexpr double kMostGrowthMb = 100;
 
 }  // namespace
 
-TEST_CASE("a flood neither silences the tracker nor fills its memory, and is behind it at once") {
+TEST_CASE("the tracker keeps publishing in a flood with bounded memory, and recovers at once") {
   const std::string url = new_lcm_url();
   BusListener bus(url);
-  // Wide windows make every event cost more, so that this machine can send several times as many
-  // as it can take.
+  // Wide windows make every event cost more, so that this machine can send several times as many as
+  // it can process.
   ChildProcess tracker =
       start_service("puck-tracker", url, {"tracker.preset=correlation", "tracker.half_width_px=8"});
   REQUIRE(bus.hears({"puck-tracker"}));
@@ -58,7 +58,7 @@ TEST_CASE("a flood neither silences the tracker nor fills its memory, and is beh
   CHECK(bus.fresh_estimates() - estimates > 10);
   CHECK(most_mb - calm_mb < kMostGrowthMb);
 
-  // A queue of all that it could not take would keep it busy for several times as long.
+  // With a queue of all excess events it would be busy for several times as long.
   CHECK(answers_the_newest(kFlood));
   CHECK(bus.until([&] {
     return bus.counter("puck-tracker", "events_skipped") +

@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::seconds;
 
-// With a temporary folder of its own, so that what it leaves there can be seen.
+// With a temporary folder of its own, to check for leftovers.
 std::vector<std::string> demo_command(const TemporaryFolder& folder,
                                       const std::vector<std::string>& options) {
   std::filesystem::create_directory(folder / "tmp");
@@ -90,7 +90,7 @@ TEST_CASE("Ctrl-C in the middle of a game ends the demo, and leaves nothing behi
   check_nothing_is_left(demo, folder);
 }
 
-TEST_CASE("the demo refuses options that it does not know") {
+TEST_CASE("the demo refuses unknown options") {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--fast"}, {"--seconds"}, {"--seconds", "long"}}) {
     std::vector<std::string> command{"tools/demo.sh"};
@@ -113,11 +113,11 @@ TEST_CASE("tools/play.sh --real-time plays through the services, on events") {
   CHECK_FALSE(play.group_is_left());
   const auto json = nlohmann::json::parse(read_text(json_file));
   CHECK(json["played_s"] > 1);
-  // Not more: a puck that the robot saved can still find its way in, a goal without another shot.
+  // Not more: a saved puck can still go in, which is a goal without another shot.
   CHECK(json["shots"].get<int>() >= json["saves"].get<int>());
 }
 
-TEST_CASE("tools/play.sh refuses at once what does not go with --real-time") {
+TEST_CASE("tools/play.sh refuses options incompatible with --real-time at once") {
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--shots", "5"},
                                                   {"--source", "truth"},
                                                   {"--max-speed", "99"},

@@ -1,4 +1,4 @@
-// Anybody can send anything on the bus: the services count it, and go on.
+// Any program can send anything on the bus: the services count it, and continue.
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -23,7 +23,7 @@ using std::chrono::milliseconds;
 
 constexpr int kLoggerQueueBytes = 32 << 20;
 
-/// A game with its logger, on a bus that others hear, too.
+/// A game with its logger, on a bus with other receivers.
 class Game {
  public:
   explicit Game(const TemporaryFolder& folder) : log_(folder / "game.lcm"), bus(url) {
@@ -68,7 +68,7 @@ class Game {
     return values;
   }
 
-  /// Ends it. The log is whole then.
+  /// Ends it and closes the log.
   const std::filesystem::path& stop() {
     for (auto& service : services_) {
       CAPTURE(service.first);
@@ -89,13 +89,13 @@ class Game {
   std::map<std::string, std::unique_ptr<ChildProcess>> services_;
 };
 
-/// Lets the intruder do its worst for a second. Returns how many datagrams it says it sent.
+/// Runs the intruder for a second. Returns its own count of sent datagrams.
 std::int64_t intrude(Game& game, const Attack& attack, int seed, const TemporaryFolder& folder) {
   ChildProcess intruder(
       {program("puck-intruder"), "--lcm-url", game.url, "--attack", std::string(attack.name),
        "--seconds", "1", "--seed", std::to_string(seed)},
       {.output = folder / "intruder"});
-  // The listener must not fall behind.
+  // The listener must not be late.
   REQUIRE(game.bus.until([&] { return !intruder.is_running(); }));
   REQUIRE(intruder.wait() == 0);
   const std::string said = read_text(folder / "intruder");
@@ -116,7 +116,7 @@ void check_attack(Game& game, const Attack& attack, int seed, const TemporaryFol
   if (counter.empty()) return;
   for (const std::string& name : kServices) {
     CAPTURE(name);
-    // All hear STATUS, which is a part of what is sent.
+    // All services receive STATUS, which is a part of the attack.
     CHECK(game.bus.until([&] {
       return game.bus.counter(name, counter) - std::max<std::int64_t>(before.at(name), 0) >
              sent / 100;
@@ -146,7 +146,7 @@ LogContent read_log(const std::filesystem::path& path) {
   return content;
 }
 
-/// How many messages LCM's own reader, which its player uses, finds.
+/// Number of messages in LCM's own reader, which its player uses.
 std::int64_t messages_for_lcm(const std::filesystem::path& path) {
   lcm_eventlog_t* const log = lcm_eventlog_create(path.c_str(), "r");
   REQUIRE(log != nullptr);
@@ -161,11 +161,11 @@ std::int64_t messages_for_lcm(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("no attack stops a game, grows a service, goes uncounted or spoils the log") {
+TEST_CASE("no attack stops a game, grows a service, goes uncounted or damages the log") {
   const TemporaryFolder folder;
   Game game(folder);
-  // What each may reserve for datagrams that wait, and the names of 40000 channels; and what may
-  // wait for the logger's disk.
+  // The largest reserve of each for waiting datagrams, and for the names of 40000 channels; and the
+  // logger's queue for its disk.
   constexpr double kAllowanceMb = 48 + kLoggerQueueBytes * 1e-6;
   const auto calm_mb = game.memory_mb();
   for (const int seed : {1, 2}) {
@@ -191,7 +191,7 @@ TEST_CASE("no attack stops a game, grows a service, goes uncounted or spoils the
   CHECK(messages_for_lcm(log) == content.messages);
 }
 
-TEST_CASE("a log of an attack is played by lcm-logplayer to its end") {
+TEST_CASE("lcm-logplayer plays a log of an attack to its end") {
   const TemporaryFolder folder;
   {
     Game game(folder);

@@ -1,4 +1,4 @@
-// A game with a key, and somebody on the network who has none.
+// A game with a key, and a machine on the network without it.
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -20,7 +20,7 @@ std::string make_key(const TemporaryFolder& folder) {
   return path.string();
 }
 
-/// Stops the arm as an operator would; what --stop says with this key.
+/// Stops the arm as an operator would; returns the exit code of --stop with this key.
 int operator_stop(const std::string& url, const std::vector<std::string>& settings) {
   std::vector<std::string> command = service_command("puck-arm", url, settings);
   command.emplace_back("--stop");
@@ -29,7 +29,7 @@ int operator_stop(const std::string& url, const std::vector<std::string>& settin
 
 }  // namespace
 
-TEST_CASE("with a key the game goes on, and a machine without it is not heard, not even its stop") {
+TEST_CASE("with a key the game continues, and a machine without it is ignored, even its stop") {
   const TemporaryFolder folder;
   const std::string url = new_lcm_url();
   const std::string key = make_key(folder);

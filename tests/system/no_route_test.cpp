@@ -37,7 +37,7 @@ Finished run_beside(const ChildProcess& service, const std::vector<std::string>&
 
 }  // namespace
 
-TEST_CASE("a service without a route says what it waits for, and starts when there is one") {
+TEST_CASE("a service without a route reports it, and starts when a route exists") {
   if (!is_permitted()) return;
   const TemporaryFolder folder;
   const std::string url = new_lcm_url();

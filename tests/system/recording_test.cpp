@@ -23,7 +23,7 @@ struct Recording {
   std::int64_t least_estimates;  // with news in each
 };
 
-/// What a logger heard of a run.
+/// A logger's record of a run.
 struct LoggedRun {
   std::int64_t events = 0;
   std::int64_t first_us = std::numeric_limits<std::int64_t>::max();
@@ -92,7 +92,7 @@ void play(const std::filesystem::path& recordings, const Recording& recording) {
   CHECK(run.estimates.back().events_applied == recording.events);
 }
 
-TEST_CASE("real recordings reach the tracker whole, and it answers") {
+TEST_CASE("real recordings reach the tracker whole, and it publishes estimates") {
   const auto recordings = recordings_folder();
   if (!recordings) return;
   play(*recordings, {.file = "walking_640x480_evt3.extracted.raw",
@@ -100,7 +100,7 @@ TEST_CASE("real recordings reach the tracker whole, and it answers") {
                      .span_us = 2'078'000,
                      .settings = {"camera.width=640", "camera.height=480"},
                      .least_estimates = 100});
-  // 5 Mev/s, of which a tracker on a busy machine would rightly leave packets out: slower.
+  // Slower than its 5 Mev/s, at which a tracker on a busy machine would skip packets.
   play(*recordings, {.file = "sparklers_gen31_640x480_evt2.raw",
                      .events = 521'252,
                      .span_us = 96'000,

@@ -1,5 +1,5 @@
-// A game is recorded and played once more: by LCM's own player and by ours into a fresh tracker,
-// and offline.
+// A game is recorded and replayed: by LCM's own player and by ours into a fresh tracker, and
+// offline.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A logger and a tracker on a bus of their own, which write a log.
+/// A logger and a tracker on a bus of their own.
 class RecordedTracker {
  public:
   explicit RecordedTracker(const std::filesystem::path& log,
@@ -27,7 +27,7 @@ class RecordedTracker {
 
   const std::string& url() const { return url_; }
 
-  /// Until the tracker has seen sensor time go by.
+  /// Until the tracker has reached this sensor time.
   void listen_until(std::int64_t sensor_us) {
     CHECK(bus_.until([&] { return bus_.newest_event_us() >= sensor_us; }, std::chrono::minutes(1)));
   }
@@ -35,7 +35,7 @@ class RecordedTracker {
     REQUIRE(bus_.until([&] { return !source.is_running(); }, std::chrono::minutes(1)));
     REQUIRE(source.wait() == 0);
   }
-  /// The log is whole then.
+  /// Closes the log.
   void stop() {
     for (ChildProcess* service : {&tracker_, &logger_}) {
       service->send(SIGTERM);
@@ -119,7 +119,7 @@ TEST_CASE("a recorded game gives the same track again, live by either player and
                                                 << ", offline " << offline_px);
 }
 
-TEST_CASE("what a reproducible tracker said is made again offline, to the bit") {
+TEST_CASE("a reproducible tracker's estimates are recomputed offline, to the bit") {
   const TemporaryFolder folder;
   const auto log = folder / "game.lcm";
   record_game(log, {"tracker.reproducible=true"});
@@ -132,7 +132,7 @@ TEST_CASE("what a reproducible tracker said is made again offline, to the bit") 
   CHECK(json["replay_max_difference_px"] == 0);
   MESSAGE("equal to the bit: " << json["replay_equal"] << " of " << json["replay_estimates"]);
 
-  // Another tracker does not pass for it.
+  // Another tracker gives other estimates.
   const Finished other = replay_offline(log, {"--exact", "--preset", "correlation"});
   CHECK(other.exit_code == 1);
   CHECK(other.errors.find("estimates are not equal to the bit") != std::string::npos);
@@ -142,7 +142,7 @@ TEST_CASE("what a reproducible tracker said is made again offline, to the bit") 
   CHECK(bounded.errors.find("differs by more than 1e-06 px") != std::string::npos);
 }
 
-TEST_CASE("a replay of what is no log, or by a tracker that the service does not run, is refused") {
+TEST_CASE("a replay is refused without a log, or with a tracker that the service does not run") {
   const TemporaryFolder folder;
   const Finished no_log = replay_offline(folder.write("a.txt", "1 2 3 1\n"), {});
   CHECK(no_log.exit_code == 1);

@@ -47,7 +47,7 @@ RunningGame::RunningGame(const std::string& url) : url_(url), bus_({.url = url})
   }
 }
 
-// What the player of a log repeats is not what the services say.
+// A log player's copies are not messages of the services.
 bool RunningGame::is_of_now(std::int64_t utime, const Receipt& at) const {
   constexpr std::int64_t kLogIsOlderUs = 1'000'000;
   return !clocks_.empty() || utime > at.utime - kLogIsOlderUs;

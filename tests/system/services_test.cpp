@@ -1,4 +1,4 @@
-// What every service owes the one who starts and stops it.
+// Start and stop of every service.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 std::vector<std::string> settings_for(const std::string& service, const TemporaryFolder& folder) {
   if (service == "puck-logger") return {"logger.path=" + (folder / "a.lcm").string()};
-  // A simulation that a busy machine cannot keep up with is degraded, and says so.
+  // A simulation too fast for a busy machine would be degraded, and report it.
   if (service == "puck-camera") return {"camera.speed=0.05"};
   return {};
 }
@@ -53,7 +53,7 @@ TEST_CASE("the STATUS of each service fits one frame in a game") {
   }
 }
 
-TEST_CASE("--check says 1 for a service that does not run") {
+TEST_CASE("--check exits with 1 for a service that is not running") {
   const std::string url = new_lcm_url();
   std::vector<std::unique_ptr<ChildProcess>> checks;
   for (const std::string& service : kServices) {
@@ -64,7 +64,8 @@ TEST_CASE("--check says 1 for a service that does not run") {
   for (auto& check : checks) CHECK(check->wait_for(std::chrono::seconds(20)) == 1);
 }
 
-TEST_CASE("--check says 0 while a service runs; SIGTERM and SIGINT end it with a last STATUS") {
+TEST_CASE(
+    "--check exits with 0 for a running service; SIGTERM and SIGINT end it with a last STATUS") {
   for (const int signal : {SIGTERM, SIGINT}) {
     for (const std::string& service : kServices) {
       CAPTURE(service);
@@ -75,7 +76,7 @@ TEST_CASE("--check says 0 while a service runs; SIGTERM and SIGINT end it with a
       ChildProcess child = start_service(service, url, settings_for(service, folder));
       REQUIRE(bus.hears({service}));
       CHECK(check_service_program(service, url) == 0);
-      // Nobody has asked for this one.
+      // A service without a signal.
       CHECK(child.is_running());
 
       const auto began = Clock::now();
@@ -93,7 +94,7 @@ TEST_CASE("--check says 0 while a service runs; SIGTERM and SIGINT end it with a
   }
 }
 
-TEST_CASE("A service whose log nobody reads works all the same, and SIGTERM ends it") {
+TEST_CASE("A service with an unread log works, and SIGTERM ends it") {
   for (const std::string& service : kServices) {
     CAPTURE(service);
     const TemporaryFolder folder;
@@ -115,11 +116,11 @@ TEST_CASE("A service whose log nobody reads works all the same, and SIGTERM ends
   }
 }
 
-TEST_CASE("An arm whose log nobody reads plays, and comes to rest when SIGTERM ends it") {
+TEST_CASE("An arm with an unread log plays, and comes to rest when SIGTERM ends it") {
   const StuckPipe nobody;
   RunningGame game(new_lcm_url());
   for (const char* name : {"puck-tracker", "puck-bridge", "puck-camera"}) game.start(name);
-  // An arm that is held up for longer than 20 ms takes its joints to rest and does not brake.
+  // After a delay of more than 20 ms an arm does not brake, but takes its joints to rest.
   bool was_held_up = true;
   for (int attempt = 0; attempt < 10 && was_held_up; ++attempt) {
     ChildProcess arm(service_command("puck-arm", game.url()),
@@ -136,13 +137,13 @@ TEST_CASE("An arm whose log nobody reads plays, and comes to rest when SIGTERM e
     was_held_up = game.counter("puck-arm", "pauses") != pauses;
     if (was_held_up) continue;
     CHECK(game.arm()->reason == "shutting down");
-    // The joints follow the set-points, which rest.
+    // The joints follow the set-points, which are at rest.
     CHECK(std::abs(game.arm()->velocity_m_s) < 0.3);
   }
   CHECK_FALSE(was_held_up);
 }
 
-TEST_CASE("A start that fails ends, though nobody reads why") {
+TEST_CASE("A failed start ends, even if its output is not read") {
   const StuckPipe nobody;
   ChildProcess child({program("puck-arm"), "--set", "arm.mode=dance"},
                      {.folder = source_folder(), .errors = nobody.path()});

@@ -1,4 +1,4 @@
-// The game on machines whose clocks are hours and days apart.
+// The game on machines with clocks hours and days apart.
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kHourUs = 3'600'000'000;
 
-/// How far `who` says that the clock of `other` is ahead of its own, µs.
+/// Offset of `other`'s clock from `who`'s own, as `who` reports it, µs.
 std::int64_t offset_said(const RunningGame& game, const std::string& who,
                          const std::string& other) {
   return game.counter(who, "clock_offset_us " + other);
@@ -23,7 +23,7 @@ std::int64_t offset_said(const RunningGame& game, const std::string& who,
 
 }  // namespace
 
-TEST_CASE("with clocks hours and days apart the game is played, and latencies stay what they are") {
+TEST_CASE("with clocks hours and days apart the game is played, and latencies are unchanged") {
   RunningGame game(new_lcm_url());
   game.set_clock("puck-camera", "-2d");
   game.set_clock("puck-tracker", "-3h");
@@ -36,7 +36,7 @@ TEST_CASE("with clocks hours and days apart the game is played, and latencies st
     CAPTURE(who);
     CAPTURE(other);
     std::int64_t error_us = 0;
-    // On a busy machine it takes a while until an exchange is quick.
+    // On a busy machine a quick exchange takes a while.
     CHECK(game.until([&] {
       error_us = std::abs(offset_said(game, who, other) - truth_us);
       return error_us < 20'000;
@@ -54,7 +54,7 @@ TEST_CASE("with clocks hours and days apart the game is played, and latencies st
   CHECK((game.estimate()->flags & puck_estimate_t::FLAG_LIVE) != 0);
   CHECK(std::abs(game.estimate()->utime - game.estimate()->event_utime) < 10'000'000);
   CHECK(game.arm()->estimate_to_motion_us < 10'000'000);
-  // A machine that stands still for 200 ms makes a command old, but not many of them.
+  // A machine's pause of 200 ms makes a few commands too old.
   const std::int64_t accepted = game.counter("puck-arm", "commands_accepted");
   CHECK(game.counter("puck-arm", "refused_old") < accepted / 4);
   CHECK(game.counter("puck-arm", "refused_from_future") < accepted / 4);

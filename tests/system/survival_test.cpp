@@ -1,6 +1,6 @@
-// Services that are killed, frozen or doubled in the middle of a game. The bars (1 s to be part of
-// the game again, 500 ms to notice a silence) are printed beside what was measured; a busy machine
-// may take longer, so the tests themselves wait longer.
+// Services that are killed, frozen or duplicated in a game. The goals (1 s until it rejoins the
+// game, 500 ms until a silence is reported) are printed beside the measurements; the tests
+// themselves wait longer, because a busy machine may take longer.
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -40,7 +40,7 @@ void check_all_run(RunningGame& game) {
   }
 }
 
-// Whether it stands still for a second, the first half second aside.
+// Whether it rests for a second, after the first half second.
 bool stands_within(RunningGame& game, milliseconds time) {
   const auto end = Clock::now() + time;
   do {
@@ -52,7 +52,7 @@ bool stands_within(RunningGame& game, milliseconds time) {
   return false;
 }
 
-// Who says so when it falls silent.
+// The services that report its silence.
 const std::map<std::string, std::vector<std::string>> kNeededBy{
     {"puck-camera", {"puck-tracker"}},
     {"puck-tracker", {"puck-bridge", "puck-arm"}},
@@ -65,8 +65,7 @@ bool says(const RunningGame& game, const std::string& who, const std::string& wh
 
 }  // namespace
 
-TEST_CASE(
-    "each service that is killed and started again is part of the game; the others carry on") {
+TEST_CASE("each killed and restarted service rejoins the game; the others continue") {
   RunningGame game(new_lcm_url());
   game.start_all();
   REQUIRE(game.until([&] { return game.plays(); }));
@@ -79,7 +78,7 @@ TEST_CASE(
     game.start(service);
     REQUIRE(game.until([&] { return game.session(service) != killed; }));
     const long long heard_ms = ms_since(began);
-    // A logger plays no part but to write.
+    // A logger only writes.
     REQUIRE(game.until([&] {
       return game.plays() &&
              (service != "puck-logger" || game.counter(service, "messages_written") > 100);
@@ -99,8 +98,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "a frozen service is named by those that need it, the arm stands still, the game goes on") {
+TEST_CASE("a frozen service is named by its dependents, the arm stops, the game continues") {
   RunningGame game(new_lcm_url());
   game.start_all();
   REQUIRE(game.until([&] { return game.plays(); }));
@@ -116,7 +114,7 @@ TEST_CASE(
       std::printf("%s frozen: %s says so after %lld ms (bar: 500)\n", service.c_str(),
                   other.c_str(), ms_since(began));
     }
-    // It may have been on its way, and slow to say so on a busy machine; then it stands.
+    // It may have been moving, and late to report it; then it rests.
     CHECK(stands_within(game, std::chrono::seconds(5)));
 
     const std::int64_t accepted = game.counter("puck-arm", "commands_accepted");
@@ -139,8 +137,8 @@ TEST_CASE("a second camera is named by host and pid, and the tracker keeps to th
   game.start_all();
   REQUIRE(game.until([&] { return game.plays(); }));
   const std::int64_t first = game.session("puck-camera");
-  // Slow, so that two simulated tables are not more than the machine can do: a first camera that is
-  // silent for 500 ms would rightly be left.
+  // Slow, so that two simulated tables do not overload the machine: a first camera with 500 ms of
+  // silence would be replaced.
   ChildProcess second = start_service("puck-camera", game.url(), {"camera.speed=0.2"});
   const std::string place = ", pid " + std::to_string(second.pid());
   for (const char* other : {"puck-tracker", "puck-bridge", "puck-arm", "puck-logger"}) {

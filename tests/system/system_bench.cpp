@@ -38,7 +38,7 @@ nlohmann::json evaluate_game(const TemporaryFolder& folder,
 
 std::string new_lcm_url() {
   std::random_device random;
-  // Below those that the kernel gives to any socket.
+  // Below the ports that the kernel assigns.
   const int port = std::uniform_int_distribution(20000, 32000)(random);
   return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
 }

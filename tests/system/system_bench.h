@@ -27,10 +27,10 @@ std::string program(const std::string& name);
 /// Runs one of them in a folder.
 Finished call_tool(const std::string& name, const TemporaryFolder& folder,
                    const std::vector<std::string>& arguments);
-/// … and requires that it ends well.
+/// … and requires its success.
 void run_tool(const std::string& name, const TemporaryFolder& folder,
               const std::vector<std::string>& arguments);
-/// The figures of puck-evaluate on a simulated recording in a folder, game, with its truth.
+/// The figures of puck-evaluate on the simulated recording game in a folder, with its truth.
 nlohmann::json evaluate_game(const TemporaryFolder& folder,
                              const std::vector<std::string>& options = {});
 /// A bus on this host, on another port at every call.
@@ -39,7 +39,7 @@ std::string new_lcm_url();
 /// Command line of a service with its shipped settings, then those given: KEY=VALUE.
 std::vector<std::string> service_command(const std::string& name, const std::string& url,
                                          const std::vector<std::string>& settings = {});
-/// Starts it, quiet unless something is wrong.
+/// Starts it without output, except for warnings.
 ChildProcess start_service(const std::string& name, const std::string& url,
                            const std::vector<std::string>& settings = {});
 /// Exit code of its --check.
@@ -49,7 +49,7 @@ int check_service_program(const std::string& name, const std::string& url);
 bool poll_until(const std::function<bool()>& condition, const std::function<void()>& step,
                 std::chrono::milliseconds timeout = std::chrono::seconds(20));
 
-/// Hears what the services say on a bus. One thread.
+/// Receives the services' messages on a bus. One thread.
 class BusListener {
  public:
   explicit BusListener(const std::string& url, const std::string& key_file = {});
@@ -57,16 +57,16 @@ class BusListener {
   /// Listens until `condition` holds; false after `timeout`.
   bool until(const std::function<bool()>& condition,
              std::chrono::milliseconds timeout = std::chrono::seconds(20));
-  /// Waits until all of them speak.
+  /// Waits until each has published a STATUS.
   bool hears(const std::vector<std::string>& services);
 
-  /// The newest STATUS of a service; nothing while it has not spoken.
+  /// The newest STATUS of a service; nothing before its first.
   std::optional<service_status_t> status(const std::string& service) const;
-  /// From its newest STATUS; -1 while that does not have it.
+  /// From its newest STATUS; -1 if that lacks it.
   std::int64_t counter(const std::string& service, const std::string& name) const;
   /// ESTIMATEs of one tracker with newer events than all before them.
   std::int64_t fresh_estimates() const { return fresh_estimates_; }
-  /// Sensor time of the newest event that an ESTIMATE rested on, µs; -1 before the first.
+  /// Sensor time of the newest event in any ESTIMATE, µs; -1 before the first.
   std::int64_t newest_event_us() const { return newest_event_us_; }
 
  private:

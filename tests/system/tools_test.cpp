@@ -58,7 +58,7 @@ void check_all_keys(const Json& json) {
   }
 }
 
-/// Without what depends on the machine and not on the events.
+/// Without figures that depend on the machine.
 Json without_cost(Json json) {
   CHECK(json.erase("cpu_us_per_ms") == 1);
   return json;
@@ -99,7 +99,7 @@ TEST_CASE("a simulated recording is calibrated and evaluated, and two runs agree
   CHECK(json["throughput_mev_s"].is_null());
 }
 
-TEST_CASE("every preset and every algorithm runs, and every mode measures what is its own" *
+TEST_CASE("every preset and every algorithm runs, and every mode measures its own figures" *
           doctest::test_suite("deep")) {
   const ToolBench bench;
   for (const char* preset : {"paper", "reference", "correlation", "default"}) {
@@ -142,7 +142,7 @@ TEST_CASE("the same seed gives the same recording, another seed another") {
   }
 }
 
-TEST_CASE("a game as an IIT camera's YARP log is tracked as the same events from a text file") {
+TEST_CASE("a game in an IIT camera's YARP log is tracked like the same events in a text file") {
   const ToolBench bench;
   const auto game = open_event_file(bench.folder / "game.raw");
   EventPacket packet;

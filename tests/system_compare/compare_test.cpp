@@ -1,4 +1,4 @@
-// The paper's comparison, smaller: puck-compare with everything that it runs.
+// The paper's comparison in small: puck-compare with all programs that it runs.
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -34,7 +34,7 @@ const std::vector<std::string> kSets{"still",
                                      "noisy",
                                      "printed"};
 
-// Returns what it told of its progress.
+// Returns its progress output.
 std::string compare(const TemporaryFolder& folder) {
   const std::vector<std::string> command{program_path("puck-compare"),
                                          "--sequences",
@@ -54,7 +54,7 @@ std::string compare(const TemporaryFolder& folder) {
 
 }  // namespace
 
-TEST_CASE("the comparison runs every tracker on every set, and a second time from its results") {
+TEST_CASE("the comparison runs every tracker on every set, and again from its stored results") {
   const TemporaryFolder folder;
   const std::string told = compare(folder);
   CHECK(told.find("still 1001, default: ") != std::string::npos);
@@ -83,7 +83,7 @@ TEST_CASE("the comparison runs every tracker on every set, and a second time fro
     CHECK(ingredient.value().size() == 4);
   }
 
-  // What a look at any two seconds shows: ours is finer than the blob and never loses an easy puck.
+  // In any two seconds: ours is finer than the blob and never loses an easy puck.
   const Json& still = json["sets"]["still"]["contestants"];
   CHECK(still["default"]["lost_percent"] < 2.0);
   CHECK(still["default"]["mean_px"] < 1.0);
@@ -102,7 +102,7 @@ TEST_CASE("the comparison runs every tracker on every set, and a second time fro
   CHECK(Json::parse(read_text(folder / "out/comparison.json")) == json);
 }
 
-TEST_CASE("the script says how it is used") {
+TEST_CASE("the script prints its usage") {
   const Finished help = run_program({source_folder() / "tools/compare.sh", "--help"});
   CHECK(help.exit_code == 0);
   CHECK(help.output.find("--sequences N") != std::string::npos);

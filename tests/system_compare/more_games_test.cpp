@@ -1,4 +1,4 @@
-// tools/more_games.sh: with the real programs, and with programs that say or fail as those might.
+// tools/more_games.sh: with the real programs, and with stand-ins for their output or failure.
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -36,8 +36,8 @@ int recordings_in(const fs::path& folder) {
   return count;
 }
 
-// Of three games: 1, 2 and 6 px, 10, 20 and 60 %, 411 to 413 ms. With any option more, a tenth of
-// the px, a twentieth of the %, and 511 to 513 ms.
+// Figures of three games: 1, 2 and 6 px, 10, 20 and 60 %, 411 to 413 ms. With any further option, a
+// tenth of the px, a twentieth of the %, and 511 to 513 ms.
 const std::string kFigures =
     "case $seed in 11) n=1 lost=0.5 ;; 12) n=2 lost=1 ;; *) n=6 lost=3 ;; esac\n"
     "if [ $# -gt 5 ]; then echo mean_px 0.$n; echo lost_percent $lost; echo longest_loss_ms "
@@ -46,7 +46,7 @@ const std::string kFigures =
 
 }  // namespace
 
-TEST_CASE("means have the standard error of so many games") {
+TEST_CASE("means have the standard error of their number of games") {
   const TemporaryFolder folder;
   const Finished told = told_by(folder, kFigures, {"11-13"});
   INFO(told.output, told.errors);
@@ -58,7 +58,7 @@ TEST_CASE("means have the standard error of so many games") {
   CHECK(recordings_in(folder / "out") == 0);
 }
 
-TEST_CASE("what options change has the error of the differences, game by game") {
+TEST_CASE("the effect of options has the standard error of the differences, game by game") {
   const TemporaryFolder folder;
   const Finished told = told_by(folder, kFigures, {"11-13", "--", "--without", "SEED"});
   INFO(told.output, told.errors);
@@ -69,7 +69,7 @@ TEST_CASE("what options change has the error of the differences, game by game") 
   CHECK(contains(told.output, "change: -2.700 ± 1.375 / -28.500 ± 14.511\n"));
 }
 
-TEST_CASE("one game tells no error") {
+TEST_CASE("a single game gives no standard error") {
   const TemporaryFolder folder;
   const Finished told = told_by(folder, kFigures, {"12-12"});
   CHECK(told.exit_code == 0);
@@ -77,11 +77,11 @@ TEST_CASE("one game tells no error") {
   CHECK(contains(told.output, "default: 2.000 ± ? / 20.000 ± ?, longest loss 412 ms\n"));
 }
 
-TEST_CASE("games are played and tracked as they are asked for") {
+TEST_CASE("games are played and tracked with the requested options") {
   const TemporaryFolder folder;
   write_text(folder / "scene.toml", "");
   write_text(folder / "size.toml", "");
-  // 3 px, if all that was asked for arrived.
+  // 3 px, if all options arrived.
   const Finished told = told_by(
       folder,
       "game=$(cat \"$3\")\nn=0\n"
@@ -97,7 +97,7 @@ TEST_CASE("games are played and tracked as they are asked for") {
   CHECK(contains(told.output, "--seed a b: 3.000 ± ?"));
 }
 
-TEST_CASE("a game that fails or cannot be scored has no part in the means") {
+TEST_CASE("a game that fails or cannot be scored is left out of the means") {
   const std::string thirteenth = "if [ $seed = 13 ]; then ";
   struct Failure {
     std::string evaluate;
@@ -119,7 +119,7 @@ TEST_CASE("a game that fails or cannot be scored has no part in the means") {
   }
 }
 
-TEST_CASE("a game that fails with the options alone has no part in the means, nor an earlier run") {
+TEST_CASE("a game that fails with the options alone is left out, and so is its earlier run") {
   const TemporaryFolder folder;
   CHECK(told_by(folder, kFigures, {"11-13", "--keep"}).exit_code == 0);
   const Finished told = told_by(folder, "if [ $seed$# = 136 ]; then exit 1; fi\n" + kFigures,
@@ -131,7 +131,7 @@ TEST_CASE("a game that fails with the options alone has no part in the means, no
   CHECK(contains(told.output, "--new-option: 0.150 ± 0.050 /"));
 }
 
-TEST_CASE("kept recordings are used again, and stay; those of another scene are not used") {
+TEST_CASE("kept recordings are reused; those of another scene are not") {
   const TemporaryFolder folder;
   const fs::path scene = folder / "scene.toml";
   write_text(scene, "[game]\n");
@@ -157,7 +157,7 @@ TEST_CASE("kept recordings are used again, and stay; those of another scene are 
   CHECK(recordings_in(folder / "out") == 2);
 }
 
-TEST_CASE("a real game is played in a real scene, with an ingredient and without it") {
+TEST_CASE("a real game is played in a real scene, with a component and without it") {
   const TemporaryFolder folder;
   const Finished told = run_program(
       {more_games(), "11-11", "--scene", source_folder() / "tools/compare/scenes/rests.toml",
@@ -170,7 +170,7 @@ TEST_CASE("a real game is played in a real scene, with an ingredient and without
   CHECK(contains(told.output, "\n--without lag: "));
 }
 
-TEST_CASE("games that are asked for in the wrong way are refused before any is played") {
+TEST_CASE("impossible requests are refused before any game is played") {
   const Finished help = run_program({more_games(), "--help"});
   CHECK(help.exit_code == 0);
   CHECK(contains(help.output, "--size-model FILE"));

@@ -1,4 +1,4 @@
-// tools/other_scenes.sh: with the real programs, and with programs that fail as those might.
+// tools/other_scenes.sh: with the real programs, and with stand-ins for their failure.
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -38,7 +38,7 @@ TEST_CASE("a row has the means of two games") {
   CHECK(contains(told.output, "| Any scene | 0.90 / 15.00 | 0.90 / 15.00 |\n"));
 }
 
-TEST_CASE("what fails or cannot be scored in one game has no row") {
+TEST_CASE("a failure in one game removes the row") {
   const std::string good = "echo mean_px 0.8; echo lost_percent 10\n";
   const std::vector<std::string> failures{
       "if [ $seed = 11 ]; then exit 1; fi\n" + good, "if [ $seed = 12 ]; then exit 1; fi\n" + good,
@@ -54,7 +54,7 @@ TEST_CASE("what fails or cannot be scored in one game has no row") {
   }
 }
 
-TEST_CASE("another scene is played, and one that cannot be costs no other its row") {
+TEST_CASE("another scene is played, and an impossible one does not affect the other rows") {
   const TemporaryFolder folder;
   write_text(folder / "bad.toml", "# A key that nobody knows.\n[sensor]\nthreshhold = 1.0\n");
   const Finished told =
@@ -84,7 +84,7 @@ TEST_CASE("another scene is played, and one that cannot be costs no other its ro
   CHECK(moving_lost < 10.0);
 }
 
-TEST_CASE("what is asked in the wrong way is refused before anything runs") {
+TEST_CASE("impossible requests are refused before any run") {
   const Finished help = run_program({script(), "--help"});
   CHECK(help.exit_code == 0);
   CHECK(contains(help.output, "--programs DIR"));

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder as that of the real recordings, with a simulated game in place of one of them.
+// A folder like that of the real recordings, with a simulated game in place of one of them.
 class SmallRecordings {
  public:
   SmallRecordings() {
@@ -47,7 +47,7 @@ class SmallRecordings {
 
 }  // namespace
 
-TEST_CASE("each recording has a row a tracker, and what is absent or unreadable is named") {
+TEST_CASE("each recording has a row for each tracker, and absent or unreadable ones are named") {
   const SmallRecordings small;
   write_text(small.folder() / "recordings" / "flight.xyz", "?");
   const Finished told = small.run(SmallRecordings::programs(), "default,cluster");
@@ -65,7 +65,7 @@ TEST_CASE("each recording has a row a tracker, and what is absent or unreadable 
   CHECK(std::max(json[0]["mean_px"], json[1]["mean_px"]) > 0);
 }
 
-TEST_CASE("a run that fails has no row and costs no other its own") {
+TEST_CASE("a run that fails has no row and does not affect others") {
   const SmallRecordings small;
   const fs::path programs = small.folder() / "programs";
   fs::create_directory(programs);

@@ -7,16 +7,15 @@
 
 namespace puck {
 
-/// Shell scripts in the place of the real programs, to see what a tool makes of what they say or of
-/// their failure. puck-simulate writes a game whose last line is its seed and whose truth is what
-/// it was asked for, and then does `simulate`; puck-calibrate writes an empty file. `evaluate` is
-/// what puck-evaluate does: it finds the seed in $seed, and its own arguments where a program finds
-/// them.
+/// Shell scripts in place of the real programs, to test a tool with their output or failure.
+/// puck-simulate writes a game with its seed in the last line and its arguments as truth, and then
+/// runs `simulate`; puck-calibrate writes an empty file. `evaluate` is the script of puck-evaluate:
+/// the seed is in $seed, and its arguments are at their usual places.
 inline std::filesystem::path programs_that(const TemporaryFolder& folder,
                                            const std::string& evaluate,
                                            const std::string& simulate = "") {
   namespace fs = std::filesystem;
-  // Puts what --output and --seed say into variables of those names.
+  // Sets variables from --output and --seed.
   const std::string read_options =
       "#!/bin/sh\n"
       "for argument; do\n"

@@ -24,7 +24,7 @@ HeadTrack swaying_head(std::int64_t period_us, std::int64_t until_us) {
   return head;
 }
 
-TEST_CASE("Between two poses the head is where its angles and speeds say") {
+TEST_CASE("Between two poses the head is interpolated by angles and speeds") {
   const HeadTrack head = swaying_head(10'000, 100'000);
   for (const std::int64_t us : {20'000, 23'000, 55'500, 99'999, 100'000}) {
     CAPTURE(us);
@@ -37,7 +37,7 @@ TEST_CASE("Between two poses the head is where its angles and speeds say") {
   }
 }
 
-TEST_CASE("Beyond the newest pose the head is carried on by its speeds, but not for long") {
+TEST_CASE("Beyond the newest pose the head is extrapolated by its speeds, for a limited time") {
   const HeadTrack head = swaying_head(10'000, 100'000);
   const HeadPose newest = swaying({100'000});
   REQUIRE(head.at({110'000}));
@@ -45,7 +45,7 @@ TEST_CASE("Beyond the newest pose the head is carried on by its speeds, but not 
   CHECK_FALSE(head.at({110'001}));
 }
 
-TEST_CASE("Before the oldest pose, and in too long a gap, nothing is known") {
+TEST_CASE("Before the oldest pose, and in a long gap, the pose is unknown") {
   HeadTrack head;
   CHECK_FALSE(head.at({0}));
   head.add({1'000'000}, {});
@@ -57,14 +57,14 @@ TEST_CASE("Before the oldest pose, and in too long a gap, nothing is known") {
   CHECK(head.at({1'120'000}));
 }
 
-TEST_CASE("Poses that come very often do not push out those of 100 ms ago") {
+TEST_CASE("Frequent poses do not displace those of 100 ms ago") {
   const HeadTrack head = swaying_head(50, 300'000);
   REQUIRE(head.at({201'000}));
   CHECK(std::abs(head.at({201'000})->yaw_deg - swaying({201'000}).yaw_deg) < 1e-6);
   CHECK(head.at({299'990}));
 }
 
-TEST_CASE("Late and senseless poses are dropped; when time begins anew so does the track") {
+TEST_CASE("Late and impossible poses are dropped; when time restarts so does the track") {
   HeadTrack head;
   head.add({2'000'000}, {1, 0, 0, 0, 0, 0});
   head.add({1'990'000}, {5, 0, 0, 0, 0, 0});

@@ -11,7 +11,8 @@
 namespace puck {
 namespace {
 
-TEST_CASE("The homography maps the camera's middle pixel to where its axis meets the table") {
+TEST_CASE(
+    "The homography maps the camera's middle pixel to the axis's intersection with the table") {
   // The axis sinks 0.6 m within 0.6 / tan 30 degrees = 1.0392 m, from 0.6 m behind the end.
   const TablePoint point = *test_camera().to_table({320, 240});
   CHECK(point.x_m == doctest::Approx(0.43923));

@@ -11,7 +11,7 @@
 namespace puck {
 namespace {
 
-TEST_CASE("A straight shot crosses where and when it should") {
+TEST_CASE("A straight shot crosses at the expected place and time") {
   const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
   const std::optional<Intercept> crossing = predictor.predict(track_at(1.3, 0, -2, 0.4));
   REQUIRE(crossing);
@@ -32,22 +32,22 @@ TEST_CASE("A bank shot crosses after its bounce, on the other side") {
   CHECK(crossing->bounces == 1);
 }
 
-TEST_CASE("A puck that goes away is not predicted: the opponent's mallet will be in its way") {
+TEST_CASE("A puck that moves away is not predicted: the opponent's mallet will be in its way") {
   const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
   CHECK_FALSE(predictor.predict(track_at(1.1, 0.3, 2, 0)));
   CHECK_FALSE(predictor.predict(track_at(0.5, 0.3, 2, 0)));
 }
 
-TEST_CASE("A puck that dawdles in the opponent's half is his; one that leaves it soon is not") {
+TEST_CASE("A slow puck in the opponent's half is not predicted; one that leaves it soon is") {
   const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
   // 0.6 m to the middle of the table.
   CHECK_FALSE(predictor.predict(track_at(1.6, 0, -1.19, 0)));
   CHECK(predictor.predict(track_at(1.6, 0, -1.21, 0)));
-  // In the robot's half it may take its time.
+  // In the robot's half a slow puck counts, too.
   CHECK(predictor.predict(track_at(0.99, 0, -0.4, 0)));
 }
 
-TEST_CASE("No crossing: it rests, stops short, is too slow, too late, or is past the line") {
+TEST_CASE("No crossing: the puck rests, stops short, is too slow, too late, or past the line") {
   PuckMotionParams damped = kIdeal;
   damped.damping_per_s = 1;
   const InterceptPredictor predictor{PuckMotion(kTable, damped)};
@@ -62,7 +62,7 @@ TEST_CASE("No crossing: it rests, stops short, is too slow, too late, or is past
       InterceptPredictor(PuckMotion(kTable, kIdeal), soon).predict(track_at(1.3, 0, -2, 0)));
 }
 
-TEST_CASE("More bounces than allowed are not predicted") {
+TEST_CASE("Paths with more bounces than allowed are not predicted") {
   InterceptParams direct;
   direct.max_bounces = 0;
   CHECK_FALSE(
@@ -94,7 +94,7 @@ TEST_CASE("The predicted path starts at the puck, keeps its step and ends in the
   CHECK(path[4].position.x_m == doctest::Approx(0.05));
 }
 
-TEST_CASE("The predicted path ends at the robot's mallet and where the opponent may have hit") {
+TEST_CASE("The predicted path ends at the robot's mallet and in the opponent's reach") {
   const InterceptPredictor predictor{PuckMotion(kTable, kIdeal)};
   std::vector<PathPoint> path;
   // The discs touch at 0.15 from centre to centre: x = 0.3, after 0.3 s.

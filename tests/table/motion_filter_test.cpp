@@ -17,7 +17,7 @@
 namespace puck {
 namespace {
 
-// Plays a true motion to a filter as measurements with noise, one a millisecond.
+// Gives a filter a true motion as measurements with noise, one a millisecond.
 class Player {
  public:
   Player(const PuckMotion& motion, PuckTrack truth, double noise_m)
@@ -59,7 +59,7 @@ double velocity_error(const PuckTrack& track, const PuckState& truth) {
                     track.state.velocity.y_m_s - truth.velocity.y_m_s);
 }
 
-TEST_CASE("The filter finds the velocity from positions alone and smooths their noise") {
+TEST_CASE("The filter estimates the velocity from positions alone and smooths their noise") {
   const PuckMotion motion(kTable);
   MotionFilter filter(motion);
   Player player(motion, {{{1.8, -0.3}, {-2, 0.8}}, {}}, 0.002);
@@ -97,7 +97,7 @@ TEST_CASE("The filter predicts through a short loss and a bounce within it") {
   CHECK(position_error(*filter.at(player.t()), player.truth()) < 0.01);
 }
 
-TEST_CASE("The track ends 100 ms after the last good measurement and begins anew with the next") {
+TEST_CASE("The track ends 100 ms after the last good measurement and restarts with the next") {
   const PuckMotion motion(kTable);
   MotionFilter filter(motion);
   CHECK_FALSE(filter.at({0}));
@@ -109,7 +109,7 @@ TEST_CASE("The track ends 100 ms after the last good measurement and begins anew
   CHECK(filter.at({200'000})->state.position.x_m == doctest::Approx(0.5));
 }
 
-TEST_CASE("A lone outlier moves nothing") {
+TEST_CASE("A single outlier changes nothing") {
   const PuckMotion motion(kTable);
   MotionFilter filter(motion);
   Player player(motion, {{{1.8, 0}, {-1, 0}}, {}}, 0.001);
@@ -120,7 +120,7 @@ TEST_CASE("A lone outlier moves nothing") {
   CHECK(player.step(filter) == MeasurementUse::kUsed);
 }
 
-TEST_CASE("A hit is followed within a few milliseconds, wherever it sends the puck") {
+TEST_CASE("A hit in any direction is followed within a few milliseconds") {
   const PuckMotion motion(kTable);
   for (const TableVelocity after : {TableVelocity{-4, -1}, {3, 2}, {-0.5, 3}, {-12, 0}}) {
     CAPTURE(after.x_m_s);
@@ -141,7 +141,7 @@ TEST_CASE("A hit is followed within a few milliseconds, wherever it sends the pu
   }
 }
 
-TEST_CASE("A puck that is suddenly elsewhere is believed only after 20 ms, and counted as a jump") {
+TEST_CASE("A sudden new place of the puck is accepted only after 20 ms, and counted as a jump") {
   const PuckMotion motion(kTable);
   MotionFilter filter(motion);
   Player player(motion, {{{1.5, 0.2}, {0.5, 0}}, {}}, 0.0003);
@@ -161,8 +161,8 @@ TEST_CASE("A puck that is suddenly elsewhere is believed only after 20 ms, and c
   CHECK(filter.hits() == 0);
 }
 
-// The tracker slides off a puck at rest to the mallet that comes to hit it; what became of the
-// shot, of which the tracker says `place` 3 ms after the hit, and after how long.
+// The track moves from a puck at rest to the mallet that hits it. Returns the use of the tracker's
+// `place`, 3 ms after the hit, and the time until the shot is followed.
 std::pair<MeasurementUse, int> after_straying(const TablePoint& place,
                                               const TableVelocity& velocity) {
   const PuckMotion motion(kTable);
@@ -184,7 +184,7 @@ std::pair<MeasurementUse, int> after_straying(const TablePoint& place,
   return {MeasurementUse::kOutlier, 40};
 }
 
-TEST_CASE("A shot whose hit was missed for the mallet is followed like any other hit") {
+TEST_CASE("A shot whose hit the mallet hid is followed like any other hit") {
   for (const TableVelocity shot : {TableVelocity{-12, 0.9}, {-9, 8}, {-4, -1}}) {
     CAPTURE(shot.x_m_s);
     const TablePoint place{1.4 + 0.003 * shot.x_m_s, -0.2 + 0.003 * shot.y_m_s};
@@ -194,7 +194,7 @@ TEST_CASE("A shot whose hit was missed for the mallet is followed like any other
   }
 }
 
-TEST_CASE("What leaps elsewhere, or moves as no hit there could have it move, is no missed hit") {
+TEST_CASE("A jump, or a motion impossible after a hit there, is no missed hit") {
   const std::pair<TablePoint, TableVelocity> leaps[] = {
       {{1.2, 0.2}, {}},         // at rest
       {{1.2, 0.2}, {0, -6}},    // past where the puck was
@@ -211,7 +211,7 @@ TEST_CASE("What leaps elsewhere, or moves as no hit there could have it move, is
   }
 }
 
-TEST_CASE("Outliers that do not agree with one another never begin a track") {
+TEST_CASE("Contradictory outliers never begin a track") {
   const PuckMotion motion(kTable);
   MotionFilter filter(motion);
   Player player(motion, {{{1.5, 0.2}, {0.5, 0}}, {}}, 0.0003);
@@ -245,14 +245,14 @@ std::vector<TableMeasurement> eventful_measurements() {
   return measurements;
 }
 
-TEST_CASE("In whatever order the measurements of a window come, the track is the same") {
+TEST_CASE("The track does not depend on the order of the measurements in a window") {
   const PuckMotion motion(kTable);
   const std::vector<TableMeasurement> in_order = eventful_measurements();
   std::mt19937 random(4);
   for (const std::size_t window : {2, 5, 16, 32}) {
     CAPTURE(window);
     std::vector<TableMeasurement> shuffled = in_order;
-    // The first begins the track either way.
+    // Both orders begin the track with the first.
     for (std::size_t i = 1; i < shuffled.size(); i += window) {
       const std::size_t end = std::min(i + window, shuffled.size());
       std::shuffle(shuffled.begin() + static_cast<std::ptrdiff_t>(i),
@@ -277,7 +277,7 @@ TEST_CASE("In whatever order the measurements of a window come, the track is the
   }
 }
 
-TEST_CASE("A measurement from before all that is kept is late, and so is one that came already") {
+TEST_CASE("A measurement older than the window is late, and so is a repeated one") {
   const PuckMotion motion(kTable);
   MotionFilter filter(motion);
   const std::vector<TableMeasurement> measurements = eventful_measurements();
@@ -292,7 +292,7 @@ TEST_CASE("A measurement from before all that is kept is late, and so is one tha
   CHECK(filter.at(measurements.back().t)->state.position == before.state.position);
 }
 
-TEST_CASE("Measurements that share their errors are not trusted more for coming more often") {
+TEST_CASE("Measurements with a common error gain no weight by a higher rate") {
   const PuckMotion motion(kTable);
   const auto sigma_at_rate = [&](std::int64_t period_us) {
     MotionFilter filter(motion);
@@ -313,7 +313,7 @@ TEST_CASE("Repeated measurements are dropped, but a resting puck may repeat its 
   CHECK(filter.at({10'000})->state.velocity.x_m_s == 0);
 }
 
-TEST_CASE("Measurements that are not finite, or whose covariance is none, are rejected") {
+TEST_CASE("Measurements that are not finite, or with an invalid covariance, are rejected") {
   const PuckMotion motion(kTable);
   MotionFilter filter(motion);
   const double nan = std::numeric_limits<double>::quiet_NaN();

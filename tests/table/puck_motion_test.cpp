@@ -43,7 +43,7 @@ TEST_CASE("The puck's rim bounces at a side rail with restitution across and gri
   CHECK(end.track.state.velocity.y_m_s == doctest::Approx(-0.5));
 }
 
-TEST_CASE("Several bounces within one step are all made") {
+TEST_CASE("A step includes several bounces") {
   const PuckMotion motion(kTable, kIdeal);
   // Across 0.8 m between the rails at 4 m/s: from the middle, bounces at 0.1, 0.3, 0.5, 0.7 s.
   const PuckMotion::Advanced end = motion.advance(track_at(1, 0, 0.1, 4), 0.8);
@@ -52,7 +52,7 @@ TEST_CASE("Several bounces within one step are all made") {
   CHECK(end.track.state.velocity.y_m_s == doctest::Approx(4));
 }
 
-TEST_CASE("A step cut into many pieces ends where one whole step ends") {
+TEST_CASE("A step in many pieces ends at the same place as one whole step") {
   const PuckMotion motion(kTable);
   const PuckTrack start = track_at(1.2, 0.1, 3, 5);
   const PuckTrack whole = motion.advance(start, 0.5).track;
@@ -64,7 +64,7 @@ TEST_CASE("A step cut into many pieces ends where one whole step ends") {
   CHECK(pieces.covariance[5] == doctest::Approx(whole.covariance[5]).epsilon(0.01));
 }
 
-TEST_CASE("In a corner the puck bounces at both rails and comes back the way it came") {
+TEST_CASE("In a corner the puck bounces at both rails and returns the same way") {
   const PuckMotion motion(kTable, kIdeal);
   const PuckMotion::Advanced end = motion.advance(track_at(1.8, 0.3, 1, 1), 0.2);
   CHECK(end.bounces == 2);
@@ -86,7 +86,7 @@ TEST_CASE("The end rail returns the puck beside the goal and lets it in between 
   CHECK(inside.track.state.velocity.x_m_s == 0);
 }
 
-TEST_CASE("A goal post, a point, turns the puck's rim away along the line through its centre") {
+TEST_CASE("A goal post, a point, deflects the puck's rim along the line through its centre") {
   const PuckMotion motion(kTable, kIdeal);
   // The post lies at (0, 0.2), the puck's centre 0.06 beside it: contact at x = 0.08, where the
   // normal is (0.8, -0.6). (-1, 0) is mirrored at it to (0.28, -0.96).
@@ -99,11 +99,11 @@ TEST_CASE("A goal post, a point, turns the puck's rim away along the line throug
   CHECK(opponents.duration_s == doctest::Approx(0.42));
   CHECK(opponents.track.state.velocity.x_m_s == doctest::Approx(-0.28));
   CHECK(opponents.track.state.velocity.y_m_s == doctest::Approx(0.96));
-  // Met more than halfway it comes back out; less, it goes in by way of the other post.
+  // With the contact beyond the post's middle it comes back out, else it goes in by the other post.
   CHECK_FALSE(motion.advance(track_at(0.5, 0.14, -1, 0), 0.6).in_goal);
 }
 
-TEST_CASE("Where the puck meets a post decides where it goes, so that its spread grows there") {
+TEST_CASE("The place of contact with a post determines the direction, so the spread grows there") {
   const PuckMotion motion(kTable, kIdeal);
   PuckTrack start = track_at(0.5, 0.14, -1, 0);
   start.covariance = diagonal(1e-6, 1e-6, 0, 0);
@@ -113,7 +113,7 @@ TEST_CASE("Where the puck meets a post decides where it goes, so that its spread
   CHECK(p[15] == doctest::Approx(4e-4));
 }
 
-TEST_CASE("A place measured beyond a rail comes back to the table") {
+TEST_CASE("A measured place beyond a rail is moved back to the table") {
   const PuckMotion motion(kTable, kIdeal);
   const PuckTrack outward = motion.advance(track_at(1, 0.45, 0, 1), 0.1).track;
   CHECK(outward.state.position.y_m == doctest::Approx(0.3));
@@ -121,7 +121,7 @@ TEST_CASE("A place measured beyond a rail comes back to the table") {
   CHECK(inward.state.position.y_m == doctest::Approx(0.35));
 }
 
-TEST_CASE("The covariance grows with gliding as the place depends on the velocity") {
+TEST_CASE("The covariance grows with gliding, since the place depends on the velocity") {
   const PuckMotion motion(kTable, kIdeal);
   PuckTrack start = track_at(1, 0, 0, 0.1);
   start.covariance = diagonal(0.01, 0.04, 0.25, 1);
@@ -131,7 +131,7 @@ TEST_CASE("The covariance grows with gliding as the place depends on the velocit
   CHECK(p[5] == doctest::Approx(0.04 + 0.25 * 1));
 }
 
-TEST_CASE("A bounce turns the covariance over and opens the velocity's by the bounce's spread") {
+TEST_CASE("A bounce reflects the covariance and adds the bounce's spread to the velocity's") {
   PuckMotionParams params = kIdeal;
   params.rail_restitution = 0.5;
   params.bounce_spread = 0.1;

@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-// What test_camera is made from.
+// The camera of test_camera.
 constexpr PinholeCamera kCamera{700, {320, 240}, {}};
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -26,7 +26,7 @@ TEST_CASE("A camera that looks down sees the nearer table in its middle") {
         doctest::Approx(0.6 / std::tan(33 * kDegree) - 0.6));
 }
 
-TEST_CASE("At home a turning camera sees what a fixed one sees") {
+TEST_CASE("At home a turning camera equals a fixed one") {
   const TableView view = *TableCamera(test_camera(), kCamera).view_at({});
   for (const Pixel pixel : {Pixel{0, 0}, Pixel{320, 240}, Pixel{639, 479}, Pixel{100, 400}}) {
     const TablePoint expected = *test_camera().to_table(pixel);
@@ -50,7 +50,7 @@ TEST_CASE("Yaw to the right moves the table to the left in the image, roll turns
   CHECK(seen.y == doctest::Approx(240 - 100 * std::cos(5 * kDegree)));
 }
 
-TEST_CASE("Turned so far that the table's origin is behind it, the camera still sees the far end") {
+TEST_CASE("With the table's origin behind it, a turned camera still sees the far end") {
   const TableCamera camera(test_camera(), kCamera);
   HeadPose up;
   up.pitch_deg = 28;
@@ -82,7 +82,7 @@ TEST_CASE("A puck at rest stays at rest on the table while the camera turns") {
   CHECK(track.state.position.x_m == doctest::Approx(1.2));
   CHECK(track.state.position.y_m == doctest::Approx(-0.3));
   CHECK(std::hypot(track.state.velocity.x_m_s, track.state.velocity.y_m_s) < 1e-5);
-  // Without the head's speeds it would seem to move.
+  // Without the head's speeds it appears to move.
   HeadPose still = pose_at(0);
   still.yaw_deg_s = still.pitch_deg_s = still.roll_deg_s = 0;
   const TableVelocity apparent = camera.view_at(still)->to_table(seen)->state.velocity;

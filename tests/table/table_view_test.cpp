@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-// Somewhere, turned and turning.
+// A view of a turned and turning head.
 TableView turning_view() {
   const TableCamera camera(test_camera(), {700, {320, 240}, {0, 0.1, -0.05}});
   return *camera.view_at({3, -1, 0.5, 25, -10, 6});
@@ -25,7 +25,7 @@ std::array<double, 4> numbers_of(const PuckTrack& track) {
   return {position.x_m, position.y_m, velocity.x_m_s, velocity.y_m_s};
 }
 
-TEST_CASE("A still camera carries velocities by the homography's slope") {
+TEST_CASE("A still camera transforms velocities by the homography's slope") {
   const TableView view(test_camera());
   const PuckTrack track = *view.to_table(kSeen);
   const Pixel next{kSeen.position.x + 1e-6 * kSeen.velocity.x,
@@ -37,7 +37,7 @@ TEST_CASE("A still camera carries velocities by the homography's slope") {
         doctest::Approx((after.y_m - track.state.position.y_m) * 1e6).epsilon(1e-4));
 }
 
-TEST_CASE("The covariance is carried by the map's exact slope, velocities included") {
+TEST_CASE("The covariance is transformed by the map's exact slope, velocities included") {
   const TableView view = turning_view();
   const std::array<double, 4> steps{1e-3, 1e-3, 1e-2, 1e-2};
   Matrix4 slope{};
@@ -66,7 +66,7 @@ TEST_CASE("The covariance is carried by the map's exact slope, velocities includ
   }
 }
 
-TEST_CASE("A pixel above the horizon is nowhere on the table") {
+TEST_CASE("A pixel above the horizon has no place on the table") {
   ImageTrack seen = kSeen;
   seen.position = {320, -300};
   CHECK_FALSE(turning_view().to_table(seen));

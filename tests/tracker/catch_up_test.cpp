@@ -7,23 +7,23 @@
 
 namespace puck {
 
-TEST_CASE("packets that hardly wait are all taken") {
+TEST_CASE("packets with a short wait are all taken") {
   CatchUp catch_up;
   for (int i = 0; i < 1000; ++i) {
     CHECK_FALSE(catch_up.leaves_out(i * 1000, i * 1000 + CatchUp::kBehindUs));
   }
 }
 
-TEST_CASE("a hiccup that is made up for costs no packet") {
+TEST_CASE("a short delay that is made up for costs no packet") {
   CatchUp catch_up;
-  // 40 ms of packets lie in the queue; each is taken in half the time in which it came.
+  // 40 ms of packets are queued; each is processed in half of its duration.
   for (int i = 0; i < 70; ++i) {
     const std::int64_t received_us = i * 1000;
     CHECK_FALSE(catch_up.leaves_out(received_us, 40'000 + i * 500));
   }
 }
 
-TEST_CASE("a queue that does not get shorter is dropped whole, down to the newest packet") {
+TEST_CASE("a queue that does not shrink is dropped whole, down to the newest packet") {
   CatchUp catch_up;
   const std::int64_t began_us = 20'000;
   CHECK_FALSE(catch_up.leaves_out(0, began_us));
@@ -33,11 +33,11 @@ TEST_CASE("a queue that does not get shorter is dropped whole, down to the newes
   const std::int64_t now_us = began_us + CatchUp::kPatienceUs + 3;
   CHECK(catch_up.leaves_out(now_us - CatchUp::kBehindUs - 1, now_us));
   CHECK_FALSE(catch_up.leaves_out(now_us - CatchUp::kBehindUs, now_us));
-  // Caught up: patience begins anew.
+  // Caught up: the time limit starts again.
   CHECK_FALSE(catch_up.leaves_out(now_us, now_us + 30'000));
 }
 
-TEST_CASE("a flood of five times what can be taken never lies in the queue for long") {
+TEST_CASE("in a flood of five times the capacity no packet waits for long") {
   CatchUp catch_up;
   constexpr std::int64_t kEveryUs = 100;
   constexpr std::int64_t kTakesUs = 500;
@@ -54,7 +54,7 @@ TEST_CASE("a flood of five times what can be taken never lies in the queue for l
     now_us += leaves_out ? kSkipTakesUs : kTakesUs;
   }
   CHECK(longest_us < CatchUp::kPatienceUs + 10'000);
-  // And it does what it can meanwhile.
+  // Meanwhile it works at its capacity.
   CHECK(taken * kTakesUs > kPackets * kEveryUs * 8 / 10);
 }
 

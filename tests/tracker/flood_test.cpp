@@ -1,4 +1,4 @@
-// A tracker that gets more events than it can take.
+// A tracker with more events than it can process.
 #include <chrono>
 #include <cstdint>
 #include <random>
@@ -34,7 +34,7 @@ bool answers(const RunningTracker& tracker, std::int64_t t_us) {
 
 }  // namespace
 
-TEST_CASE("a tracker that is flooded keeps to the newest events, and counts those that it skips") {
+TEST_CASE("a flooded tracker keeps to the newest events, and counts the skipped ones") {
   RunningTracker tracker;
   std::int64_t t_us = 1000;
   EventPacket crowd = crowd_at(t_us);
@@ -50,7 +50,7 @@ TEST_CASE("a tracker that is flooded keeps to the newest events, and counts thos
   REQUIRE(answers(tracker, t_us));
   const auto each = (Clock::now() - probe_began) / kProbes;
 
-  // Five times as many as it has just shown that it can take, or as many as can be sent.
+  // Five times its measured capacity, or the highest sending rate.
   constexpr std::chrono::seconds kWork{5};
   const auto flood_began = Clock::now();
   std::int64_t sent = 0;
@@ -65,12 +65,12 @@ TEST_CASE("a tracker that is flooded keeps to the newest events, and counts thos
   tracker.publish(puck);
   const std::int64_t all =
       (1 + kProbes + sent) * kEvents + static_cast<std::int64_t>(puck.events.size());
-  // An estimate may rest on the first handfuls of a packet only: the last one is on all events.
+  // An estimate may include only the first events of a packet: the last one includes all.
   REQUIRE(tracker.eventually([&](const auto& estimate) {
     return estimate.sensor_us == t_us && estimate.events_applied + estimate.events_skipped == all;
   }));
   const puck_estimate_t last = tracker.estimates().back();
-  // Of a queue of all that it could not take, the most would have been applied only now.
+  // With a queue of all excess events, most would be applied only now.
   CHECK(last.events_applied - applied_in_flood < sent * kEvents / 2);
 
   tracker.stop();

@@ -19,14 +19,14 @@
 
 namespace puck::test {
 
-// Small, so that a search of all of it is quick under a sanitizer too.
+// Small, so that a search of all of it is quick even under a sanitizer.
 inline constexpr SensorSize kSensor{160, 120};
 
 // A tracker on a bus of its own. The test publishes on the same bus, from its own thread.
 class RunningTracker {
  public:
   explicit RunningTracker(const std::string& settings = "") {
-    // The rings that these tests show have no motion, from which `default` knows a puck.
+    // These rings do not move, and `default` detects a puck by its motion.
     Config config =
         Config::from_text("[tracker]\npreset = \"correlation\"\n" + settings, "tracker.toml");
     TrackerServiceParams params = TrackerService::read_params(config);
@@ -47,7 +47,7 @@ class RunningTracker {
     });
   }
 
-  // Sends a packet as it stands, whatever its header says of its order.
+  // Sends a packet unchanged, with any order in its header.
   void publish_raw(event_packet_t packet) { bus_.publish(packet); }
 
   std::vector<puck_estimate_t> estimates() const {

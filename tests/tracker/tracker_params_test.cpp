@@ -57,7 +57,7 @@ TEST_CASE("a preset gives the defaults and keys override them") {
   CHECK_FALSE(params.pipeline.loss.enabled);
 }
 
-TEST_CASE("settings that cannot be are refused with the key and what was expected") {
+TEST_CASE("impossible settings are refused with the key and the expected form") {
   const auto refusal = [](const char* assignment) -> std::string {
     Config config;
     config.override_with(assignment);

@@ -29,14 +29,14 @@ using namespace test;
 
 }  // namespace
 
-TEST_CASE("events come in and estimates go out, with the chain of times") {
+TEST_CASE("the service receives events and publishes estimates, with the chain of times") {
   RunningTracker tracker;
   Pixel truth;
   for (int i = 1; i <= 200; ++i) {
     truth = {40 + 0.3 * i, 50 + 0.1 * i};
     tracker.publish(puck_at(truth, i * 1000), 1'000'000);
     std::this_thread::sleep_for(milliseconds(1));
-    // A tracker that falls behind would skip packets.
+    // A tracker with a backlog would skip packets.
     if (i % 5 == 0) {
       REQUIRE(tracker.eventually([&](const auto& e) { return e.sensor_us == i * 1000; }));
     }
@@ -60,13 +60,13 @@ TEST_CASE("events come in and estimates go out, with the chain of times") {
         static_cast<std::int64_t>(tracker.bus().counters<puck_estimate_t>().published));
 }
 
-TEST_CASE("a tracker without events says nothing of a puck") {
+TEST_CASE("a tracker without events reports no puck") {
   RunningTracker tracker;
   std::this_thread::sleep_for(milliseconds(50));
   CHECK(tracker.estimates().empty());
 }
 
-TEST_CASE("a packet from before the newest event and one of another sensor are dropped") {
+TEST_CASE("an out-of-order packet and one of another sensor are dropped") {
   RunningTracker tracker;
   tracker.publish(puck_at({80, 60}, 10'000));
   tracker.publish(puck_at({80, 60}, 5'000));
@@ -80,7 +80,7 @@ TEST_CASE("a packet from before the newest event and one of another sensor are d
   CHECK(counter(tracker.service(), "events_received") == 2 * 150);
 }
 
-TEST_CASE("events of masked pixels are dropped and counted, but not by another sensor's mask") {
+TEST_CASE("masked events are dropped and counted, but not by another sensor's mask") {
   const TemporaryFolder folder;
   const auto settings = [&](SensorSize sensor) {
     const std::vector<PixelPlace> pixels{{1, 1}, {2, 1}};
@@ -103,7 +103,7 @@ TEST_CASE("events of masked pixels are dropped and counted, but not by another s
   CHECK(masked_of({640, 480}) == 0);
 }
 
-TEST_CASE("a sensor's clock that begins anew begins a new track, and is not waited for") {
+TEST_CASE("a sensor's restarted clock begins a new track without delay") {
   RunningTracker tracker;
   tracker.publish(puck_at({80, 60}, 10'000'000));
   REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 10'000'000; }));
@@ -126,7 +126,7 @@ TEST_CASE("a clock that jumps to and fro does not begin a track with every packe
   CHECK(counter(tracker.service(), "packets_received") == 100);
 }
 
-TEST_CASE("a detection region of a large sensor is taken at the start, and left on a small one") {
+TEST_CASE("a detection region beyond a small sensor is ignored") {
   RunningTracker tracker("detection_region = [1000, 600, 100, 100]\n");
   tracker.publish(puck_at({80, 60}, 10'000));
   REQUIRE(
@@ -134,7 +134,7 @@ TEST_CASE("a detection region of a large sensor is taken at the start, and left 
   CHECK(std::abs(tracker.estimates().back().x_px - 80) < 2);
 }
 
-TEST_CASE("a log that is played twice is followed twice") {
+TEST_CASE("a log that is played twice is tracked twice") {
   const std::string url = private_lcm_url();
   ServiceBench bench(url);
   std::mutex mutex;
@@ -149,7 +149,7 @@ TEST_CASE("a log that is played twice is followed twice") {
   bench.make<TrackerService>(params);
   REQUIRE(bench.start());
 
-  // As a player does: the same bytes, with the session and the numbers of the first time.
+  // Like a log player: the same bytes, with the first session and numbers.
   const std::unique_ptr<lcm_t, void (*)(lcm_t*)> player(lcm_create(url.c_str()), &lcm_destroy);
   REQUIRE(player);
   EventPacker packer({.sensor = kSensor, .packet_bytes = 60000});
@@ -181,7 +181,7 @@ TEST_CASE("a log that is played twice is followed twice") {
   bench.stop();
 }
 
-TEST_CASE("a camera that tells an impossible time of its sensor's start is tracked without it") {
+TEST_CASE("a camera with an impossible start time of its sensor is tracked without it") {
   RunningTracker tracker;
   tracker.publish(puck_at({80, 60}, 1000), std::int64_t{1} << 53);
   CHECK(tracker.eventually(
@@ -189,8 +189,7 @@ TEST_CASE("a camera that tells an impossible time of its sensor's start is track
   CHECK(tracker.bus().counters<puck_estimate_t>().publish_failures == 0);
 }
 
-TEST_CASE(
-    "a second publisher of events is counted and named, by its address where it has no STATUS") {
+TEST_CASE("a second publisher of events is counted and named, by its address without a STATUS") {
   const std::string url = private_lcm_url();
   ServiceBench bench(url);
   std::ostringstream log;
@@ -214,11 +213,11 @@ TEST_CASE(
   };
   for (int i = 0; i < 100; ++i) {
     packets_of(first, 1000 * i);
-    // At once: who is silent for 0.5 s, as a test may be that is held up, is followed no more.
+    // At once: after 0.5 s of silence, as in a delayed test, a publisher is no longer followed.
     if (i > 50) packets_of(second, 1000 * i);
     std::this_thread::sleep_for(milliseconds(1));
   }
-  // A tracker that ends leaves the newest unheard.
+  // A tracker that ends leaves the newest messages unread.
   const auto all_came = [&] {
     const std::lock_guard lock(mutex);
     return counter(status, "packets_received") == 100 && counter(status, "packets_of_others") == 49;
@@ -234,7 +233,7 @@ TEST_CASE(
         std::string::npos);
 }
 
-TEST_CASE("the camera's clock may be hours away: times and latency are by the tracker's") {
+TEST_CASE("with the camera's clock hours away times and latency are by the tracker's clock") {
   constexpr std::int64_t kHourUs = 3'600'000'000;
   const std::string url = private_lcm_url();
   ServiceBench bench(url);
@@ -282,10 +281,10 @@ TEST_CASE("the camera's clock may be hours away: times and latency are by the tr
     CHECK(newest.event_utime > newest.utime - 10'000'000);
     CHECK(newest.event_utime < newest.utime + 10'000'000);
   }
-  // The same camera, playing a recording, is not of now however punctual it is.
+  // The same camera is not live while it plays a recording, however punctual.
   CHECK(ServiceBench::until([&] { return !is_live(); }, [&] { send(0, true); }));
   REQUIRE(ServiceBench::until(is_live, [&] { send(0); }));
-  // And from a log.
+  // Nor from a log.
   CHECK(ServiceBench::until([&] { return !is_live(); }, [&] { send(500'000); }));
   bench.stop();
   StatusReport report;
@@ -297,7 +296,7 @@ TEST_CASE("the camera's clock may be hours away: times and latency are by the tr
   }
 }
 
-TEST_CASE("a puck at rest is said to rest only as long as its camera is heard") {
+TEST_CASE("a resting puck is reported only while its camera is heard") {
   RunningTracker tracker;
   const auto is_resting = [](const puck_estimate_t& e) {
     return (e.flags & puck_estimate_t::FLAG_RESTING) != 0;
@@ -316,13 +315,13 @@ TEST_CASE("a puck at rest is said to rest only as long as its camera is heard") 
   CHECK(tracker.estimates().back().state == puck_estimate_t::STATE_TRACKING);
 }
 
-TEST_CASE("an estimate that rests on no packet says nothing of how long packets wait") {
+TEST_CASE("an estimate without a packet has no waiting time") {
   const TemporaryFolder folder;
   const std::vector<PixelPlace> masked{{1, 1}};
   write_pixel_mask_file(folder / "mask.toml", PixelMask(kSensor, masked), "");
   const std::int64_t began_us = host_monotonic_us();
   RunningTracker tracker("hot_pixel_mask = \"" + (folder / "mask.toml").string() + "\"\n");
-  // A packet of which nothing is left begins a track, whose first word rests on nothing.
+  // A packet without a remaining event begins a track; its first estimate has no packet.
   const auto begin_track = [&](std::int64_t t_us) {
     tracker.publish({{t_us}, {{1, 1, 1, 0}}});
     REQUIRE(tracker.eventually([](const auto& e) { return e.events_applied == 0; }));
@@ -334,7 +333,7 @@ TEST_CASE("an estimate that rests on no packet says nothing of how long packets 
   begin_track(10'000'000);
   follow(10'001'000);
   follow(10'002'000);
-  // Longer than it takes until the tracker believes that a clock began anew.
+  // Longer than the tracker's test for a restarted clock.
   std::this_thread::sleep_for(milliseconds(1'100));
   begin_track(1'000);
   follow(2'000);
@@ -350,7 +349,7 @@ TEST_CASE("an estimate that rests on no packet says nothing of how long packets 
   }
 }
 
-TEST_CASE("estimates keep coming while there are no more events") {
+TEST_CASE("estimates continue after the last event") {
   RunningTracker tracker;
   tracker.publish(puck_at({80, 60}, 10'000));
   REQUIRE(tracker.eventually([](const auto& e) { return e.sensor_us == 10'000; }));

@@ -29,7 +29,7 @@ std::int64_t brightest_rectangle(const Image<std::uint8_t>& picture, int width, 
   return most;
 }
 
-// The lowest response of all candidates around which the kernel touches the picture.
+// The lowest response of all candidates with the kernel touching the picture.
 double lowest_response(Correlation& correlation, const EllipseKernel& kernel, const Region& place) {
   const Region candidates = place.inflated(std::max(kernel.width(), kernel.height()));
   CorrelationMap map;
@@ -57,7 +57,7 @@ TEST_CASE("on every instruction set no rectangle is brighter than the blocks tha
   });
 }
 
-TEST_CASE("a rectangle's bound counts the blocks that it can touch, and no more") {
+TEST_CASE("a rectangle's bound counts only blocks that it can touch") {
   Image<std::uint8_t> white(64, 64);
   std::fill_n(white.row(0), 64 * 64, std::uint8_t{255});
   BlockSums blocks;
@@ -68,15 +68,15 @@ TEST_CASE("a rectangle's bound counts the blocks that it can touch, and no more"
   CHECK(blocks.most_in(10, 9) == 24 * 16 * 255);
 }
 
-TEST_CASE("no response is below the bound that the blocks give, blurred or not") {
+TEST_CASE("no response is below the blocks' bound, blurred or not") {
   for (const Preset preset : {Preset::kReference, Preset::kPaper}) {
     const KernelBank bank(preset_params(preset).kernels);
     for (const PuckSize size : {PuckSize{9, 9}, {21, 13}, {45, 39}}) {
       const EllipseKernel& kernel = bank.nearest(size);
       for (const int side : {5, 9, 30, 70}) {
         const Region place{-10, 20, side, side + side / 3};
-        // Dim pictures, which rounding makes brighter; a white one; a single bright edge, which the
-        // blur mirrors; a disc as large as the inner ellipse.
+        // Dim pictures, which rounding brightens; a white one; a single bright edge, which the blur
+        // mirrors; a disc of the inner ellipse's size.
         for (const int kind : {0, 1, 2, 3}) {
           Image<std::uint8_t> picture = test::noise(place.width, place.height, 7);
           for (int y = 0; y < place.height; ++y) {

@@ -5,7 +5,7 @@
 namespace puck {
 namespace {
 
-TEST_CASE("events lie behind the contour by its lag at its speed and by what always trails") {
+TEST_CASE("events lie behind the contour by lag times speed plus a constant trail") {
   const ContourCalibration calibration{.lag_us = 500, .trail_px = 0.1};
   CHECK(calibration.behind_px(2000) == doctest::Approx(1.1));
   CHECK(calibration.behind_px(-2000) == doctest::Approx(-1.1));

@@ -24,7 +24,7 @@ TEST_CASE("Prediction moves with the velocity, and the uncertainty grows with th
   CHECK(filter.distance_variance(1, 0) > before + 900 * 900 * 1e-4);
 }
 
-TEST_CASE("Where it was before follows from its velocity; where it will be is not told") {
+TEST_CASE("An earlier position follows from the velocity; a later one is the present position") {
   const ContourFilter filter({}, {.position = {100, 50}, .velocity = {1000, -500}}, 20'000);
   CHECK(filter.position_at(10'000) == Pixel{90, 55});
   CHECK(filter.position_at(30'000) == Pixel{100, 50});
@@ -36,7 +36,7 @@ TEST_CASE("A blind filter comes to rest") {
   CHECK(filter.speed_px_s() < 1);
 }
 
-TEST_CASE("An event moves the contour along its normal only, and makes that direction surer") {
+TEST_CASE("An event moves the contour along its normal only, and reduces the variance there") {
   ContourFilterParams params;
   params.follows_size = false;
   ContourFilter filter = at_origin(params);
@@ -49,10 +49,10 @@ TEST_CASE("An event moves the contour along its normal only, and makes that dire
   CHECK(filter.distance_variance(0, 1) == across);
 }
 
-TEST_CASE("A sighting moves the filter to where the puck was seen, the surer it is of that") {
+TEST_CASE("A sighting moves the filter to its position, by its certainty") {
   ContourFilter filter = at_origin();
   filter.correct_place(3, -2, 2.5);
-  // As sure of it as of where the filter was.
+  // As certain as the filter's position.
   CHECK(filter.position().x == doctest::Approx(1.5));
   CHECK(filter.position().y == doctest::Approx(-1));
   filter.correct_place(3, -2, 0.01);
@@ -61,7 +61,7 @@ TEST_CASE("A sighting moves the filter to where the puck was seen, the surer it 
   CHECK(filter.distance_variance(1, 0) < 0.2);
 }
 
-TEST_CASE("A sighting after a while tells of the speed, too, but of none that no puck has") {
+TEST_CASE("A sighting after a while corrects the speed, too, within the speed limit") {
   ContourFilter filter = at_origin();
   filter.predict(20'000, false);
   filter.correct_place(10, 0, 1.5);
@@ -71,7 +71,7 @@ TEST_CASE("A sighting after a while tells of the speed, too, but of none that no
   CHECK(filter.speed_px_s() == doctest::Approx(12'000));
 }
 
-// Lets all events say to a filter that the contour is 3 px larger.
+// Gives a filter events all round of a contour that is 3 px larger.
 void enlarge(ContourFilter& filter) {
   for (int i = 1; i <= 400; ++i) {
     filter.predict(i * 100, false);
@@ -80,8 +80,7 @@ void enlarge(ContourFilter& filter) {
   }
 }
 
-TEST_CASE(
-    "A contour that has slack may be larger than its bound by so much, for as long as it has") {
+TEST_CASE("Slack raises the bound on the contour's size, while it lasts") {
   ContourFilter filter = at_origin();
   enlarge(filter);
   CHECK(filter.growth_px() == doctest::Approx(0.8));
@@ -93,19 +92,19 @@ TEST_CASE(
   CHECK(filter.growth_px() == doctest::Approx(1.3));
 }
 
-TEST_CASE("Events outside on both sides make the puck larger, not elsewhere") {
+TEST_CASE("Events outside on both sides make the puck larger, without moving it") {
   ContourFilter filter = at_origin();
   for (int i = 0; i < 50; ++i) {
     filter.correct(0.5 - filter.position().x - filter.growth_px(), 1, 0);
     filter.correct(0.5 + filter.position().x - filter.growth_px(), -1, 0);
   }
-  // Short of the whole half pixel, since sizes are expected to be as calibrated.
+  // Less than half a pixel, since sizes are expected to be as calibrated.
   CHECK(filter.growth_px() > 0.3);
   CHECK(filter.growth_px() < 0.5);
   CHECK(std::abs(filter.position().x) < 0.1);
 }
 
-TEST_CASE("Of a motion along two parallel edges less is known than of one across them") {
+TEST_CASE("A motion along two parallel edges is less certain than one across them") {
   const auto seen_by_level_edges = [](PixelVelocity velocity) {
     ContourFilter filter({}, {.position = {0, 0}, .velocity = velocity}, 0);
     for (int i = 1; i <= 200; ++i) {
@@ -121,7 +120,7 @@ TEST_CASE("Of a motion along two parallel edges less is known than of one across
   CHECK(ContourFilter({}, {.position = {0, 0}}, 0).slide() == 1);
 }
 
-TEST_CASE("Neither the growth nor the speed leave their bounds") {
+TEST_CASE("Growth and speed stay within their bounds") {
   ContourFilter filter = at_origin();
   for (int i = 1; i <= 200; ++i) {
     filter.predict(i * 100, false);

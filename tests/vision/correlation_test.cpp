@@ -37,7 +37,7 @@ double dense_response(const Image<std::uint8_t>& picture, const Region& region,
 
 }  // namespace
 
-TEST_CASE("correlation equals the dense sum at every candidate, over the picture's edge too") {
+TEST_CASE("correlation equals the dense sum at every candidate, even over the picture's edge") {
   const Region region{100, 50, 40, 30};
   const Image<std::uint8_t> picture = noise(region.width, region.height);
   const KernelBank bank(KernelBankParams{});
@@ -58,16 +58,16 @@ TEST_CASE("correlation equals the dense sum at every candidate, over the picture
   }
 }
 
-TEST_CASE("what was correlated before leaves nothing behind where the next picture is dark") {
+TEST_CASE("an earlier picture leaves no trace where the next one is dark") {
   const KernelBank bank(KernelBankParams{});
   const EllipseKernel& kernel = bank.nearest({15, 11});
-  // What is covered is made dark at once up to 4 KiB, beyond that row by row.
+  // The covered part is cleared at once up to 4 KiB, beyond that row by row.
   for (const Region& candidates : {Region{100, 50, 40, 30}, {100, 50, 100, 60}}) {
     const auto [left, top, width, height] = candidates;
     const Image<std::uint8_t> picture = noise(width, height);
     Correlation correlation;
     CorrelationMap map;
-    // Leaves dark what is above and left of it; below and right; all but the lower end; all.
+    // Dark parts: above and left of it; below and right; all but the lower end; all.
     for (const Region& region : {Region{left + 10, top + 10, width, height},
                                  {left - 10, top - 10, width, height},
                                  {left, top + height - 5, width, height},
@@ -132,7 +132,7 @@ TEST_CASE("the contrast at a pixel is that of the kernel's zones there") {
   CHECK(correlation.contrast_at(kernel, 1000, -1000) == 0);
 }
 
-TEST_CASE("no candidates give an empty map") {
+TEST_CASE("an empty region of candidates gives an empty map") {
   Correlation correlation;
   const Image<std::uint8_t> picture = noise(10, 10);
   correlation.set_picture(picture.view(), {0, 0, 10, 10});

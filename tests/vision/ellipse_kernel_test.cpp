@@ -55,8 +55,7 @@ TEST_CASE("a kernel's weights are those of its profile in each zone") {
   CHECK(weights(0, 0) == doctest::Approx(-0.2));
 }
 
-TEST_CASE(
-    "contrast is nothing on an even picture and nearly one on a perfect ring, at every size") {
+TEST_CASE("contrast is zero on an even picture and nearly one on a perfect ring, at every size") {
   const KernelBank bank(KernelBankParams{});
   for (const PuckSize size : {PuckSize{9, 9}, {29, 19}, {51, 45}}) {
     const EllipseKernel& kernel = bank.nearest(size);
@@ -74,7 +73,7 @@ TEST_CASE("contrast does not grow with a few stray events on the ring") {
   CHECK(kernel.contrast(255, 255, 0) < 0.25);
 }
 
-TEST_CASE("a kernel answers with the measure of its profile") {
+TEST_CASE("a kernel's response is its profile's measure") {
   KernelProfile profile;
   const KernelGeometry geometry{25, 19, 12, 9, 9.5, 6.5, 12, 9};
   const EllipseKernel sum(geometry, profile);

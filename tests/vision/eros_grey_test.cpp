@@ -10,7 +10,7 @@
 
 namespace puck {
 
-TEST_CASE("every instruction set makes the grey values of the table, for every decay") {
+TEST_CASE("every instruction set gives the grey values of the table, for every decay") {
   with_each_simd_target([](const std::string& name) {
     CAPTURE(name);
     for (const double decay : {0.01, 0.3, 0.72, 0.786, 0.8963, 0.95, 0.97, 0.99, 0.999}) {
@@ -18,7 +18,7 @@ TEST_CASE("every instruction set makes the grey values of the table, for every d
       for (const ErosRounding rounding :
            {ErosRounding::kNearest, ErosRounding::kTruncateEachStep}) {
         const ErosGrey grey(decay, rounding);
-        // All counts, at every place in a vector, and a rest that fills none.
+        // All counts, at every place in a vector, and a remainder shorter than one.
         std::vector<std::uint8_t> fast(256 * 3 + 5);
         std::iota(fast.begin(), fast.end(), std::uint8_t{0});
         std::vector<std::uint8_t> plain = fast;
@@ -30,7 +30,7 @@ TEST_CASE("every instruction set makes the grey values of the table, for every d
   });
 }
 
-TEST_CASE("grey values are 255 times the decay to the number of events, and nothing is dark") {
+TEST_CASE("grey values are 255 times the decay to the number of events, and 0 without an event") {
   const ErosGrey grey(0.9, ErosRounding::kNearest);
   for (int n = 0; n < 255; ++n) {
     REQUIRE(std::abs(grey(static_cast<std::uint8_t>(255 - n)) - 255 * std::pow(0.9, n)) <= 0.5);

@@ -11,7 +11,7 @@
 namespace puck {
 namespace {
 
-// Single pixels over and over, clusters, corners and borders among events from anywhere.
+// Repeated single pixels, clusters, corners and borders among random events.
 std::vector<Event> hard_events(SensorSize size, int count, unsigned seed) {
   std::mt19937 random(seed);
   const auto below = [&](int limit) {
@@ -84,7 +84,7 @@ TEST_CASE("the largest sensor holds events in all of its corners") {
   CHECK(strips.at(1, 1) == 0);
 }
 
-TEST_CASE("a cleared part is dark and its neighbours are not touched") {
+TEST_CASE("a cleared part is dark and its neighbours are unchanged") {
   const SensorSize size{40, 30};
   ErosStrips strips(size, 5);
   ErosStrips before(size, 5);

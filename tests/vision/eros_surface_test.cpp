@@ -60,7 +60,7 @@ TEST_CASE("EROS decays neighbours, not pixels beyond its half width") {
   CHECK(snapshot.grey(11, 10) == 0);    // never fired
 }
 
-TEST_CASE("EROS equals the textbook's multiplication for every half width, at the borders too") {
+TEST_CASE("EROS equals the textbook's multiplication for every half width, even at the borders") {
   const SensorSize size{41, 23};
   for (int half_width = 1; half_width <= 8; ++half_width) {
     CAPTURE(half_width);
@@ -111,7 +111,7 @@ TEST_CASE("a pixel is dark after 255 events around it") {
   CHECK(whole(surface).grey(8, 8) == 0);
 }
 
-TEST_CASE("a snapshot is cut to the sensor and carries the newest event and the count") {
+TEST_CASE("a snapshot is cut to the sensor and has the newest event and the number of events") {
   ErosSurface surface({32, 24}, {});
   EventPacket packet;
   packet.start = {1000};
@@ -127,9 +127,7 @@ TEST_CASE("a snapshot is cut to the sensor and carries the newest event and the 
   CHECK(snapshot.region.empty());
 }
 
-TEST_CASE(
-    "a surface that keeps only a region shows there what a whole one does, and what comes in is "
-    "dark") {
+TEST_CASE("a surface that keeps a region equals a whole one there, and entering pixels are dark") {
   const SensorSize size{90, 70};
   const ErosParams params{4, 0.8, ErosRounding::kNearest};
   const auto events = random_events(size, 40'000, 11);
@@ -162,9 +160,9 @@ TEST_CASE(
   part.update(std::span(events).subspan(10'000, 10'000));
   whole_one.update(std::span(events).subspan(10'000, 10'000));
   CHECK(same_in(first));
-  CHECK(is_dark({0, 0, 90, 11}));  // farther than windows reach
+  CHECK(is_dark({0, 0, 90, 11}));  // outside the windows' reach
 
-  // It moves to the lower right, and grows: what stays inside is as it was.
+  // It moves to the lower right, and grows: the common part is unchanged.
   const Region second{23, 11, 34, 30};
   part.keep_only(second);
   CHECK(same_in(first.intersect(second)));
@@ -172,7 +170,7 @@ TEST_CASE(
   CHECK(is_dark({23, 37, 34, 4}));
   CHECK(is_dark({51, 11, 6, 30}));
   CHECK(is_dark({0, 0, 23, 70}));
-  // Every pixel of it fires again, and many times, so that nothing is left of the past.
+  // Every pixel of it fires many times, so that no earlier value remains.
   part.update(std::span(events).subspan(20'000));
   whole_one.update(std::span(events).subspan(20'000));
   CHECK(same_in(second));
@@ -190,7 +188,7 @@ TEST_CASE(
   CHECK(part.events_applied() == 40'100);
 }
 
-TEST_CASE("what was taken shows the surface of that time, developed later and to its place") {
+TEST_CASE("an exposure shows the surface of its time, even if developed later") {
   const SensorSize size{64, 48};
   const auto events = random_events(size, 5000, 3);
   ErosSurface surface(size, {});

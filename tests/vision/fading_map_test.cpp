@@ -11,7 +11,7 @@ namespace {
 
 constexpr SensorSize kMapSensor{64, 48};
 
-TEST_CASE("An event counts at its place, half beside it and a quarter across") {
+TEST_CASE("An event counts 1 at its place, a half beside it and a quarter diagonally") {
   FadingMap map(kMapSensor);
   for (int i = 0; i < 4; ++i) map.add({20.3, 9.8});
   CHECK(map.level({20, 10}) == doctest::Approx(4));
@@ -21,7 +21,7 @@ TEST_CASE("An event counts at its place, half beside it and a quarter across") {
   CHECK(map.level({22, 10}) == 0);
 }
 
-TEST_CASE("Between pixels the map is linear, and says how steep it is") {
+TEST_CASE("Between pixels the map is linear, with its gradient") {
   FadingMap map(kMapSensor);
   for (int i = 0; i < 4; ++i) map.add({20, 10});
   const FadingMap::Sample sample = map.sample({20.25, 10});
@@ -30,8 +30,7 @@ TEST_CASE("Between pixels the map is linear, and says how steep it is") {
   CHECK(sample.slope_y == doctest::Approx(-1.75));
 }
 
-TEST_CASE(
-    "Of uniform noise hardly a place has more than is said of it, and some have half as much") {
+TEST_CASE("Uniform noise exceeds its stated level hardly anywhere, and half of it in many places") {
   constexpr int kEventsAMs = 12;  // of 64 × 48 pixels
   FadingMap map(kMapSensor);
   CHECK(map.level_of_noise() == 0);
@@ -59,7 +58,7 @@ TEST_CASE(
   CHECK(map.level_of_noise() == 0);
 }
 
-TEST_CASE("The map fades with 1.5 s, for as long as it is kept") {
+TEST_CASE("The map decays with 1.5 s, for any time") {
   FadingMap map(kMapSensor);
   for (int i = 0; i < 4; ++i) map.add({20, 10});
   map.advance(1'500'000);
@@ -80,7 +79,7 @@ TEST_CASE("The map reaches a quarter beyond the image, and no farther") {
   CHECK(map.sample({-40, 20}).level == 0);
 }
 
-TEST_CASE("A map that is cleared shows nothing") {
+TEST_CASE("A cleared map is zero everywhere") {
   FadingMap map(kMapSensor);
   for (int i = 0; i < 4; ++i) map.add({20, 10});
   map.clear();

@@ -6,7 +6,7 @@
 #include "tests/vision/noise_picture.h"
 
 namespace puck {
-TEST_CASE("the blur equals OpenCV's GaussianBlur to the bit, at the borders and when tiny") {
+TEST_CASE("the blur equals OpenCV's GaussianBlur to the bit, at the borders and on tiny pictures") {
   GaussianBlur blur;
   for (const auto& size : {std::pair{640, 40}, {37, 21}, {5, 5}, {3, 9}, {2, 2}}) {
     const int width = size.first;
@@ -26,7 +26,7 @@ TEST_CASE("the blur equals OpenCV's GaussianBlur to the bit, at the borders and 
   }
 }
 
-TEST_CASE("an even picture stays as it is and a single pixel is mirrored onto itself") {
+TEST_CASE("an even picture is unchanged and a single pixel is mirrored onto itself") {
   GaussianBlur blur;
   Image<std::uint8_t> even(9, 7);
   std::fill_n(even.row(0), 63, std::uint8_t{200});

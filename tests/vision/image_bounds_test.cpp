@@ -15,7 +15,7 @@ TEST_CASE("the image ends at the centres of its last pixels") {
   }
 }
 
-TEST_CASE("what lies outside is nearest to a border or a corner, or to one so far beyond") {
+TEST_CASE("the nearest place of one outside is on a border or corner, or a distance beyond") {
   CHECK(nearest_in_image({100, 50}, kSmallSensor) == Pixel{100, 50});
   CHECK(nearest_in_image({-20, 50}, kSmallSensor) == Pixel{0, 50});
   CHECK(nearest_in_image({400, 300}, kSmallSensor) == Pixel{319, 239});

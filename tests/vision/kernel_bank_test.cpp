@@ -15,7 +15,7 @@ TEST_CASE("a bank takes the next odd size") {
   CHECK(bank.nearest({30.0, 19.9}).width() == 31 + 4);
 }
 
-TEST_CASE("sizes beyond the bank are clamped to it, whatever they are") {
+TEST_CASE("sizes beyond the bank, even infinite ones and NaN, are clamped to it") {
   const KernelBank bank(KernelBankParams{});
   CHECK(bank.nearest({1e9, 1e9}).width() == 51 + 4);
   CHECK(bank.nearest({-5, 0}).height() == 9 + 4);

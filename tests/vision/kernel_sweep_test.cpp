@@ -36,7 +36,7 @@ Region candidates_in(const Image<std::uint8_t>& picture, const EllipseKernel& ke
           picture.height() - kernel.height() + 1};
 }
 
-// What a kernel's sums over a picture have to be, which no instruction set changes.
+// The correct sums of a kernel over a picture, for every instruction set.
 struct PlainSums {
   PlainSums(const Image<std::uint8_t>& picture, const EllipseKernel& of)
       : kernel(of), candidates(candidates_in(picture, of)) {
@@ -50,7 +50,7 @@ struct PlainSums {
   std::array<KernelSweep::Totals, 3> shapes;
 };
 
-// At one place without vectors, whatever the instruction set.
+// At one place without vectors, on any instruction set.
 void check_single_places(const PlainSums& expected) {
   const Region& candidates = expected.candidates;
   bool same = true;
@@ -100,7 +100,7 @@ void check_sums(const PlainSums& expected) {
 
 }  // namespace
 
-TEST_CASE("on every instruction set the sums over a kernel's shapes are those pixel by pixel") {
+TEST_CASE("on every instruction set the sums over a kernel's shapes equal those pixel by pixel") {
   std::vector<KernelBank> banks;
   for (const Preset preset : {Preset::kReference, Preset::kPaper, Preset::kCorrelation}) {
     banks.emplace_back(preset_params(preset).kernels);
@@ -123,19 +123,18 @@ TEST_CASE("on every instruction set the sums over a kernel's shapes are those pi
   });
 }
 
-TEST_CASE(
-    "on every instruction set nothing overflows on a white picture with the largest kernels") {
+TEST_CASE("on every instruction set a white picture with the largest kernels does not overflow") {
   const KernelBank bank(preset_params(Preset::kCorrelation).kernels);
   const EllipseKernel& largest = bank.nearest({1e9, 1e9});
   REQUIRE(largest.width() == 91);
   KernelProfile profile;
   const EllipseKernel widest({128, 90, 64, 45, 63.5, 44.5, 64, 45}, profile);
   REQUIRE(KernelSweep::can_sweep(widest));
-  // A few rows of candidates for the highest kernel will do for sanitizers.
+  // A few rows of candidates for the highest kernel suffice under sanitizers.
   constexpr int kHeight = kIsSanitized ? 94 : 110;
   Image<std::uint8_t> white(200, kHeight);
   std::fill_n(white.row(0), 200 * kHeight, std::uint8_t{255});
-  // The lower half dark: every edge pixel changes by all that it can.
+  // The lower half dark: every edge pixel changes by the largest amount.
   Image<std::uint8_t> half = white;
   std::fill_n(half.row(kHeight / 2), 200 * kHeight / 2, std::uint8_t{0});
   std::vector<PlainSums> expected;
@@ -150,7 +149,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("on every instruction set a blurred surface gives the same responses, at borders too") {
+TEST_CASE("on every instruction set a blurred surface gives the same responses, even at borders") {
   const Image<std::uint8_t> surface = test::noise(90, 70, 3);
   const Region place{20, 10, 90, 70};
   const KernelBank bank(preset_params(Preset::kReference).kernels);

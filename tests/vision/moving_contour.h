@@ -11,9 +11,9 @@
 
 namespace puck::test {
 
-/// What an ideal sensor would see of a puck that glides at constant velocity: events on its
-/// contour, as many as the contour sweeps px² times `per_px2`, with the signs of a dark puck.
-/// `wall_share`: PuckContour::ring_at's; below 0 a wall shows below the puck's face.
+/// An ideal sensor's events of a puck at constant velocity: on its contour, as many as the swept
+/// area in px² times `per_px2`, with the signs of a dark puck. `wall_share` as for
+/// PuckContour::ring_at; below 0 a wall is visible below the puck's face.
 class MovingContour {
  public:
   MovingContour(const PuckContour& contour, Pixel start, PixelVelocity velocity, double per_px2 = 3,

@@ -7,7 +7,7 @@
 
 namespace puck::test {
 
-/// Every pixel anything from 0 to 255, whatever its neighbours are.
+/// A picture of independent random pixels from 0 to 255.
 inline Image<std::uint8_t> noise(int width, int height, unsigned seed) {
   std::mt19937 random(seed);
   Image<std::uint8_t> image(width, height);

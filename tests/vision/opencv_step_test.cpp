@@ -1,6 +1,6 @@
-// The tracking step beside the plain form that the authors' code has, in OpenCV: blur, filter2D in
-// single precision, the Gaussian, the maximum. The sums are whole numbers here and rounded there:
-// where the two best places are almost equally good, the rounding may choose the other one.
+// The tracking step beside its plain form in the authors' code, with OpenCV: blur, filter2D in
+// single precision, the Gaussian, the maximum. Our sums are exact and OpenCV's rounded: where the
+// two best places are almost equal, the rounding may choose the other one.
 #include <cmath>
 #include <random>
 
@@ -81,7 +81,7 @@ void compare_at(ErosSurface& surface, Pixel expected, PuckSize size, Agreement& 
 
 }  // namespace
 
-TEST_CASE("the step finds OpenCV's maximum on random surfaces, all but a rare near tie") {
+TEST_CASE("the step finds OpenCV's maximum on random surfaces, except for a rare near tie") {
   constexpr int kRounds = kIsSanitized ? 16 : 60;
   std::mt19937 random(8);
   Agreement agreement;

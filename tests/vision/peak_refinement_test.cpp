@@ -17,7 +17,7 @@ RefinedPeak refine(const Image<std::uint8_t>& picture, const ContourRing& ring, 
 
 }  // namespace
 
-TEST_CASE("a ring is found to a seventh of the way, to a twentieth of a pixel where it is near") {
+TEST_CASE("a ring is found to a seventh of the way, to a twentieth of a pixel when near") {
   for (const double semi : {8.0, 15.0, 28.0}) {
     for (const Pixel off : {Pixel{0, 0}, {0.3, -0.25}, {-0.7, 0.6}, {1.2, 0.4}}) {
       CAPTURE(semi);
@@ -32,14 +32,14 @@ TEST_CASE("a ring is found to a seventh of the way, to a twentieth of a pixel wh
   }
 }
 
-TEST_CASE("the start is kept where nothing holds the peak") {
+TEST_CASE("the start is kept without bright pixels") {
   const RefinedPeak peak = refine(Image<std::uint8_t>(100, 90), {15, 10, 0, 0}, {50, 45});
   CHECK(peak.shift == Pixel{});
   CHECK(peak.hold_xx == 0);
   CHECK(peak.hold_yy == 0);
 }
 
-TEST_CASE("the peak does not run along an edge, and not farther than it may") {
+TEST_CASE("the peak does not drift along an edge, and not beyond its limit") {
   Image<std::uint8_t> edge(100, 90);
   for (int y = 37; y <= 38; ++y) std::fill_n(edge.row(y), 100, std::uint8_t{255});
   // The ring's upper end lies at row 35: the edge pulls it down.
@@ -50,7 +50,7 @@ TEST_CASE("the peak does not run along an edge, and not farther than it may") {
   CHECK(peak.hold_yy > 5 * peak.hold_xx);
 }
 
-TEST_CASE("a longer ring holds its peak more strongly") {
+TEST_CASE("a longer ring fixes its peak more strongly") {
   const auto small = test::draw_ring(100, 90, {{50, 45}, 8, 6, 0});
   const auto large = test::draw_ring(100, 90, {{50, 45}, 24, 18, 0});
   CHECK(refine(large, {24, 18, 0, 0}, {50, 45}).hold_xx >

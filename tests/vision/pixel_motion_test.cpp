@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::int64_t kStepUs = 1000;
 
-// A puck that moves evenly from (100, 200), seen `steps` times.
+// A puck in uniform motion from (100, 200), measured `steps` times.
 PixelMotion even_motion(const PixelMotionParams& params, PixelVelocity velocity, int steps) {
   PixelMotion motion(params);
   motion.start({100, 200}, {0});
@@ -20,7 +20,7 @@ PixelMotion even_motion(const PixelMotionParams& params, PixelVelocity velocity,
 
 }  // namespace
 
-TEST_CASE("an even motion is learned and predicted") {
+TEST_CASE("a uniform motion is learned and predicted") {
   const PixelMotion motion = even_motion({}, {1000, -500}, 200);
   CHECK(motion.velocity().x == doctest::Approx(1000).epsilon(0.01));
   CHECK(motion.velocity().y == doctest::Approx(-500).epsilon(0.01));
@@ -39,7 +39,7 @@ TEST_CASE("a measurement with a smaller variance counts more, on its own axis") 
   CHECK(motion.covariance()[5] > 0.3);
 }
 
-TEST_CASE("after a bounce that is known for one the velocity is right within a few steps") {
+TEST_CASE("after a detected bounce the velocity is right within a few steps") {
   const auto after_bounce = [](double surprise_sigmas) {
     PixelMotionParams params;
     params.measurement_sigma_px = 0.2;
@@ -53,7 +53,7 @@ TEST_CASE("after a bounce that is known for one the velocity is right within a f
   CHECK(after_bounce(0).position().x > 386);
 }
 
-TEST_CASE("what is as likely as noise is no surprise") {
+TEST_CASE("a deviation as likely as noise is no surprise") {
   PixelMotionParams params;
   params.measurement_sigma_px = 0.2;
   PixelMotionParams watchful = params;

@@ -84,7 +84,7 @@ TEST_CASE("preset paper has the constants of the paper's text") {
   CHECK(p.motion.surprise_sigmas == 0);
 }
 
-TEST_CASE("preset correlation has every ingredient, paper and reference none of them") {
+TEST_CASE("preset correlation has every improvement, paper and reference none of them") {
   for (const Preset preset : {Preset::kPaper, Preset::kReference, Preset::kCorrelation}) {
     const PipelineParams p = preset_params(preset);
     const bool has = preset == Preset::kCorrelation;
@@ -110,11 +110,11 @@ TEST_CASE("the authors' size models give the sizes of their code") {
   CHECK(size_at(authors_moving_size_model(), 190) == std::pair{35.0, 21.0});
   CHECK(size_at(authors_static_size_model(), 300) == std::pair{47.0, 35.0});
   CHECK(size_at(authors_moving_size_model(), 300) == std::pair{45.0, 33.0});
-  // Beyond the bank, where the authors' code reads an empty kernel, the largest one is taken.
+  // Beyond the bank, where the authors' code reads an empty kernel, the largest one is used.
   CHECK(size_at(authors_static_size_model(), 400) == std::pair{51.0, 45.0});
 }
 
-TEST_CASE("The paper's presets go by Equation (2), the others by the disc where there is one") {
+TEST_CASE("The paper's presets use Equation (2), the others the disc where there is one") {
   PuckSizeModel model = authors_static_size_model();
   model.disc = DiscModel{.width_0 = 10, .width_y = 0.1, .face_on_px = 60};
   const auto goes_by_disc = [&](const PipelineParams& params) {
@@ -129,7 +129,7 @@ TEST_CASE("The paper's presets go by Equation (2), the others by the disc where 
   CHECK_FALSE(goes_by_disc(best));
 }
 
-TEST_CASE("presets are known by their names") {
+TEST_CASE("presets are found by their names") {
   for (const Preset preset :
        {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault}) {
     CHECK(preset_from(to_string(preset)) == preset);

@@ -12,9 +12,9 @@ namespace {
 
 constexpr SensorSize kOddWidthSensor{641, 480};
 constexpr PuckSizeModel kFlat{30, 0, 0, 20, 0, 0};
-// Its width ends at row −200.
+// The horizon is at row −200.
 constexpr PuckSizeModel kPlane{20, 0, 0.1, 10, 0, 0.1};
-// Likewise.
+// The same horizon.
 constexpr DiscModel kDisc{.width_0 = 20,
                           .width_y = 0.1,
                           .face_on_px = 60,
@@ -34,7 +34,7 @@ TEST_CASE("The distance from the contour is exact along the axes and outward nor
   CHECK(std::hypot(oblique.normal_x, oblique.normal_y) == doctest::Approx(1));
 }
 
-TEST_CASE("The very middle of a ring lies inside, and so does that of one that is drawn out") {
+TEST_CASE("The centre of a ring lies inside, even with straight sides") {
   CHECK(ContourRing{.semi_x = 15, .semi_y = 8}.offset(0, 0, 0).distance_px < -8);
   const ContourRing drawn_out{.semi_x = 15, .semi_y = 8, .half_wall = 3};
   for (const double dy : {-2.9, 0.0, 2.9}) {
@@ -53,7 +53,7 @@ TEST_CASE("The twelve sectors of a ring cover 30 degrees each") {
   for (const int count : counts) CHECK(count == 30);
 }
 
-TEST_CASE("Beside the middle the ring leans as the perspective asks, and keeps its width") {
+TEST_CASE("Beside the middle the ring is sheared by perspective, and keeps its width") {
   const PuckContour contour(kOddWidthSensor, kPlane, kExact, true);
   const Pixel beside{520, 200};
   const ContourRing ring = contour.ring_at(beside, 0);
@@ -69,7 +69,7 @@ TEST_CASE("Without a slope in the size model there is no horizon and no shear") 
   CHECK(PuckContour(kOddWidthSensor, kPlane, kExact, false).ring_at({600, 240}, 0).shear == 0);
 }
 
-TEST_CASE("An ellipse that is turned in its box lies on the ring of that box and lean") {
+TEST_CASE("An ellipse rotated in its box equals the ring of that box and lean") {
   constexpr double kLong = 18;
   constexpr double kShort = 9;
   constexpr double kLean_deg = -25;
@@ -94,7 +94,7 @@ TEST_CASE("An ellipse that is turned in its box lies on the ring of that box and
   CHECK(ring.offset(at(0).x, -at(0).y, 0).distance_px > 4);
 }
 
-TEST_CASE("A ring that leans further than its box can hold stays within the box") {
+TEST_CASE("A ring with a lean too large for its box stays within the box") {
   for (const PuckSize size : {PuckSize{33, 23}, {20, 5}, {4, 3}}) {
     CAPTURE(size.width);
     PuckSizeModel box;
@@ -118,7 +118,7 @@ TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {
   const PuckSize size = model.disc->at({600, 240});
   const ContourRing ring = PuckContour(kOddWidthSensor, model, kExact, true).ring_at({600, 240}, 0);
   CHECK(ring.semi_y == doctest::Approx(size.height / 2));
-  // The width is nothing at row -200; the side wall does not slant.
+  // The width is zero at row -200; the side wall is not sheared.
   const double of_disc = (size.height - model.wall_of_width() * size.width) / size.height;
   CHECK(ring.shear == doctest::Approx((600 - 320.0) / 440 * of_disc));
 }
@@ -131,25 +131,25 @@ TEST_CASE("A side wall without events leaves a lower ring, higher up") {
   CHECK(ring.rise == doctest::Approx(0.1 * 31));
 }
 
-TEST_CASE("The other opinion on the side wall is the opposite of the calibrated one") {
+TEST_CASE("The other assumption on the side wall is the opposite of the calibrated one") {
   CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0, 0}, true).other_wall_share() > 0.1);
   CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0.15, 0}, true).other_wall_share() == 0);
   CHECK(PuckContour(kOddWidthSensor, kFlat, {0, -0.15, 0}, true).other_wall_share() == 0);
 }
 
-TEST_CASE("The other opinion on the side wall goes by what the annotations outline") {
+TEST_CASE("The other assumption on the side wall depends on the annotations' outline") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   const double tilted = std::cos(model.disc->tilt_deg() * std::numbers::pi / 180);
   CHECK(PuckContour(kOddWidthSensor, model, kExact, true).other_wall_share() ==
         doctest::Approx(0.2 * tilted));
 
-  // What the calibration has seen is not looked for again, thin as it may be.
+  // A wall in the calibration is not omitted, however thin.
   model.disc->thickness = 0.1;
   const double thin = model.wall_of_width();
   CHECK(PuckContour(kOddWidthSensor, model, {0, thin, 0}, true).other_wall_share() == 0);
 
-  // Of the face alone: the wall shows below it, while the face's upper edge stays where it is.
+  // Annotations of the face alone: the wall extends below it, and the face's upper edge stays.
   model.disc->thickness = 0.03;
   const PuckContour contour(kOddWidthSensor, model, kExact, true);
   const ContourRing face = contour.ring_at({320, 240}, 0);
@@ -158,13 +158,13 @@ TEST_CASE("The other opinion on the side wall goes by what the annotations outli
   CHECK(both.rise + both.semi_y == doctest::Approx(face.semi_y));
 }
 
-// Where an ellipse is as far to the side as it gets, px along y per px along x.
+// The ellipse's point farthest to the side, px along y per px along x.
 double face_sides_slope(const ContourRing& face) {
   const double slanted = face.shear * face.semi_y;
   return slanted * face.semi_y / (face.semi_x * face.semi_x + slanted * slanted);
 }
 
-TEST_CASE("A wall that shows below the face draws its outline out") {
+TEST_CASE("A wall visible below the face extends its outline downwards") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   model.disc->thickness = 0;
@@ -177,8 +177,8 @@ TEST_CASE("A wall that shows below the face draws its outline out") {
     const auto distance_px = [&](const ContourRing& ring, double dx, double dy) {
       return ring.offset(dx, dy, 0).distance_px;
     };
-    // What is above the ends of the face's width stays where it is, the rest lies a wall below. The
-    // sides between them are straight.
+    // Points above the ends of the face's width stay, the others move down by the wall's height.
+    // The sides between them are straight.
     for (int i = 0; i < 24; ++i) {
       CAPTURE(i);
       const double angle = 2 * std::numbers::pi * (i + 0.5) / 24;
@@ -199,7 +199,7 @@ TEST_CASE("A wall that shows below the face draws its outline out") {
         CHECK(std::abs(place.normal_y) < 0.05);
       }
     }
-    // Its areas, by what they hold of a fine grid.
+    // Its areas, counted on a fine grid.
     constexpr double kStep = 0.25;
     double inside = 0;
     double reach = 0;
@@ -215,7 +215,7 @@ TEST_CASE("A wall that shows below the face draws its outline out") {
   }
 }
 
-TEST_CASE("A wall that the annotations leave out is as high as it is found to be, by where it is") {
+TEST_CASE("An omitted wall has its estimated height, scaled by its place") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   const PuckSizeModel whole = model;
@@ -229,11 +229,11 @@ TEST_CASE("A wall that the annotations leave out is as high as it is found to be
     const ContourRing ring = contour.ring_at(place, contour.other_wall_share());
     const PuckSize size = whole.disc->at(place);
     CHECK(2 * ring.semi_y == doctest::Approx(size.height));
-    // As it rises, its centre is lower.
+    // The larger the rise, the lower the centre.
     const Pixel lower = contour.centre_with_wall(place, 0, contour.other_wall_share());
     CHECK(place.y - lower.y == doctest::Approx(-ring.rise));
   }
-  // A share that was calibrated suits all of the image.
+  // A calibrated share applies to the whole image.
   const PuckContour calibrated(kOddWidthSensor, model, {0, -0.2, 0}, true);
   for (const Pixel place : {Pixel{320, 60}, {320, 420}}) {
     CHECK(calibrated.ring_at(place, -0.2).rise ==
@@ -242,18 +242,18 @@ TEST_CASE("A wall that the annotations leave out is as high as it is found to be
 }
 
 TEST_CASE(
-    "How fast the head's turn moves the image goes with the lens, which the puck's size tells") {
+    "The image's speed under a head turn scales with the lens, estimated from the puck's size") {
   const PuckContour contour(kOddWidthSensor, kFlat, kExact, true);
   CHECK(contour.turning_px_s() == doctest::Approx(270));
-  // The same lens before half as many pixels, each twice as large.
+  // The same lens with half as many pixels, each twice as large.
   const PuckContour coarse({321, 240}, {15, 0, 0, 10, 0, 0}, kExact, true);
   CHECK(coarse.turning_px_s() == doctest::Approx(135));
-  // What counts is the size in the image's middle: 20 + 0.1 · 239.5.
+  // The size in the image's middle counts: 20 + 0.1 · 239.5.
   CHECK(PuckContour(kOddWidthSensor, kPlane, kExact, true).turning_px_s() ==
         doctest::Approx(395.55));
 }
 
-TEST_CASE("A size model that promises no size still gives a ring") {
+TEST_CASE("A size model without any size still gives a ring") {
   const PuckContour contour(kOddWidthSensor, {-50, 0, 0, -20, 0, 0}, kExact, true);
   CHECK(contour.turning_px_s() == doctest::Approx(36));
   const ContourRing ring = contour.ring_at({320, 240}, 0);

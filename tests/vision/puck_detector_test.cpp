@@ -33,7 +33,7 @@ TEST_CASE("the fixed detection kernel has the zones of the authors' code and the
   const PipelineParams params = preset_params(Preset::kReference);
   const KernelBank bank(params.kernels);
   PuckDetector detector(params.detector, authors_static_size_model());
-  // A fully lit annulus of 172 pixels is the best that there can be: 43,860.
+  // A fully lit annulus of 172 pixels gives the largest response: 43,860.
   const EllipseKernel ring({30, 19, 15.2, 9.5, 15.2, 9.5, 15, 9}, params.detector.fixed_profile);
   CHECK(ring.ring_pixels() == 172);
   CHECK(ring.inside_pixels() == 270);
@@ -49,7 +49,7 @@ TEST_CASE("the fixed detection kernel has the zones of the authors' code and the
   CHECK(found.front().response == doctest::Approx(43'860));
 }
 
-TEST_CASE("what does not exceed the threshold is not detected") {
+TEST_CASE("a response up to the threshold is no detection") {
   PipelineParams params = preset_params(Preset::kReference);
   const KernelBank bank(params.kernels);
   Image<std::uint8_t> picture(640, 480);
@@ -82,7 +82,7 @@ TEST_CASE("a search with the size of each row finds the puck near and far") {
   }
 }
 
-TEST_CASE("a search tells of every puck, best first, and of no place twice") {
+TEST_CASE("a search finds every puck, best first, and no place twice") {
   const PipelineParams params = preset_params(Preset::kCorrelation);
   const KernelBank bank(params.kernels);
   const PuckSizeModel model{25, 0, 0, 17, 0, 0};
@@ -115,7 +115,7 @@ TEST_CASE("a search tells of every puck, best first, and of no place twice") {
   }
 }
 
-TEST_CASE("nothing is detected in an empty region") {
+TEST_CASE("an empty region gives no detection") {
   const PipelineParams params = preset_params(Preset::kCorrelation);
   const KernelBank bank(params.kernels);
   PuckDetector detector(params.detector, authors_static_size_model());

@@ -16,7 +16,7 @@ inline std::vector<Event> contour_events(SensorSize sensor, Pixel centre, PuckSi
                                          int count) {
   std::vector<Event> events;
   for (int i = 0; i < count; ++i) {
-    // Steps of the golden angle spread the places evenly, however many there are.
+    // Steps of the golden angle spread any number of places evenly.
     const double angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
     const long x = std::lround(centre.x + size.width / 2 * std::cos(angle));
     const long y = std::lround(centre.y + size.height / 2 * std::sin(angle));

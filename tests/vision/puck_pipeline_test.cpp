@@ -38,7 +38,7 @@ class Scene {
   PuckEstimate show_clutter() {
     std::vector<Event> events;
     for (int i = 0; i < 1000; ++i) {
-      // A walk through the image that draws no ring.
+      // A random walk through the image, without a ring.
       clutter_ = clutter_ * 1664525u + 1013904223u;
       events.push_back({static_cast<std::uint16_t>((clutter_ >> 8) % 640),
                         static_cast<std::uint16_t>((clutter_ >> 20) % 480), 0, 0});
@@ -91,7 +91,7 @@ TEST_CASE("every preset detects the puck in the detection region and follows it"
   }
 }
 
-TEST_CASE("nothing is detected on an empty surface or in clutter without a ring") {
+TEST_CASE("there is no detection on an empty surface or in clutter without a ring") {
   constexpr int kSteps = kIsSanitized ? 25 : 100;  // Each searches the whole image.
   for (const Preset preset : {Preset::kReference, Preset::kCorrelation}) {
     CAPTURE(std::string(to_string(preset)));
@@ -119,7 +119,7 @@ TEST_CASE("the soft ring follows a drawn contour to a tenth of a pixel") {
   CHECK(mean_px < 0.1);
 }
 
-TEST_CASE("half a ring is no puck, however long it is seen") {
+TEST_CASE("half a ring is no puck, for any time") {
   constexpr int kSteps = kIsSanitized ? 50 : 300;  // Each searches the whole image.
   Scene scene(preset_params(Preset::kCorrelation));
   int tracked = 0;
@@ -129,7 +129,7 @@ TEST_CASE("half a ring is no puck, however long it is seen") {
   CHECK(tracked == 0);
 }
 
-TEST_CASE("the default estimate knows its velocity") {
+TEST_CASE("the default estimate has its velocity") {
   Scene scene(preset_params(Preset::kCorrelation));
   PuckEstimate estimate;
   for (int i = 0; i < 200; ++i) estimate = scene.show({200 + 1.0 * i, 190 + 0.5 * i});
@@ -140,7 +140,7 @@ TEST_CASE("the default estimate knows its velocity") {
   CHECK(estimate.covariance[15] > 0);
 }
 
-TEST_CASE("a puck that stops is still tracked, and said to rest") {
+TEST_CASE("a puck that stops is still tracked, and reported as resting") {
   Scene scene(preset_params(Preset::kCorrelation));
   for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
   PuckEstimate estimate;
@@ -170,7 +170,7 @@ TEST_CASE("a puck that vanishes is lost soon after and found again elsewhere") {
   CHECK(distance(estimate, {450, 350}) < 2);
 }
 
-TEST_CASE("the paper's tracker never says that it lost the puck") {
+TEST_CASE("the paper's tracker never reports a loss") {
   Scene scene(preset_params(Preset::kPaper));
   for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
   PuckEstimate estimate;
@@ -191,7 +191,7 @@ TEST_CASE("the same events give the same estimates to the bit") {
   }
 }
 
-TEST_CASE("a size model that leads nowhere is clamped, not followed into a crash") {
+TEST_CASE("a size model with impossible sizes is clamped, and does not crash the tracker") {
   PipelineParams params = preset_params(Preset::kCorrelation);
   for (const PuckSizeModel& model :
        {PuckSizeModel{1e9, 0, 0, 1e9, 0, 0}, PuckSizeModel{-50, 0, 0, -50, 0, 0},
@@ -217,7 +217,7 @@ TEST_CASE("the puck is followed to the image's border and the region stays insid
   }
 }
 
-TEST_CASE("an estimate says which region was looked at: ROI_d first, then ROI_t around the puck") {
+TEST_CASE("an estimate names its region: ROI_d first, then ROI_t around the puck") {
   Scene scene(preset_params(Preset::kReference));
   CHECK(scene.show({300, 190}).region == Region{60, 150, 500, 80});
   const Region first = scene.show({300, 190}).region;

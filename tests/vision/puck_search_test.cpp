@@ -32,7 +32,7 @@ SearchResult search_for_puck_at(Pixel truth, const Region& where, Preset preset)
 
 }  // namespace
 
-TEST_CASE("a search finds the puck anywhere, and a part of the surface answers like all of it") {
+TEST_CASE("a search finds the puck anywhere, and gives the same on a part of the surface") {
   for (const Pixel truth : {Pixel{60, 100}, {320, 190}, {560, 400}}) {
     CAPTURE(truth.x);
     const SearchResult everywhere =
@@ -50,7 +50,7 @@ TEST_CASE("a search finds the puck anywhere, and a part of the surface answers l
   }
 }
 
-TEST_CASE("a puck of another side wall than calibrated is found where it is by a search for it") {
+TEST_CASE("a puck with another side wall than calibrated is found by a search for it") {
   for (const double calibrated : {0.0, 0.165}) {
     CAPTURE(calibrated);
     PipelineParams params = preset_params(Preset::kDefault);
@@ -80,7 +80,7 @@ TEST_CASE("a puck of another side wall than calibrated is found where it is by a
   }
 }
 
-TEST_CASE("a wall that is higher than an ordinary puck's is searched for as high as it was found") {
+TEST_CASE("a wall higher than an ordinary puck's is searched for at its estimated height") {
   PuckSizeModel model = kSizeModel;
   model.disc = DiscModel{.width_0 = 16,
                          .width_y = 0.07,
@@ -110,13 +110,13 @@ TEST_CASE("a wall that is higher than an ordinary puck's is searched for as high
   const SearchCandidate as_found = best_of({near, true, kWall});
   CHECK(distance_px(as_found.position, truth) < 1);
   CHECK(as_found.score > as_calibrated.score + 0.05);
-  // No taller puck is believed, nor is anything forgotten.
+  // The height has an upper bound, and is not kept between searches.
   CHECK(best_of({near, true, -9}).score < as_found.score);
   CHECK(best_of({near, true, kWall}).score == as_found.score);
   CHECK(best_of({near, true}).score == as_calibrated.score);
 }
 
-TEST_CASE("the authors' detection tells of the best place only") {
+TEST_CASE("the authors' detection returns the best place only") {
   const Region detection{60, 150, 500, 80};
   const SearchResult found = search_for_puck_at({300, 190}, detection, Preset::kReference);
   REQUIRE(found.candidates.size() == 1);
@@ -124,7 +124,7 @@ TEST_CASE("the authors' detection tells of the best place only") {
   CHECK(found.candidates[0].score <= 1);
 }
 
-TEST_CASE("what is copied for a search stays inside the sensor and covers the kernels' reach") {
+TEST_CASE("the snapshot for a search stays inside the sensor and covers the kernels' reach") {
   const PuckSearch search = search_of(Preset::kCorrelation);
   const Region all = Region::all_of(kSensor);
   CHECK(search.snapshot_region(all) == all);

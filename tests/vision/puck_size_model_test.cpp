@@ -12,7 +12,7 @@ namespace {
 
 using test::kSensor;
 
-TEST_CASE("the size model is linear between its limits and stops at them") {
+TEST_CASE("the size model is linear between its limits and clamped to them") {
   PuckSizeModel model{10, 0.01, 0.1, 5, 0, 0.1};
   model.smallest = {20, 4};
   model.largest = {40, 50};
@@ -24,7 +24,7 @@ TEST_CASE("the size model is linear between its limits and stops at them") {
   CHECK(model.extrapolated_at({0, 450}).width == 55);
 }
 
-TEST_CASE("no size model gives a size below 1 px or none at all, whatever its coefficients") {
+TEST_CASE("every size is a number of at least 1 px, for any coefficients") {
   const double nan = std::nan("");
   for (const PuckSizeModel& model :
        {PuckSizeModel{nan, 0, 0, nan, 0, 0}, PuckSizeModel{-9, 0, 0, -1e9, 0, 0}}) {
@@ -34,7 +34,7 @@ TEST_CASE("no size model gives a size below 1 px or none at all, whatever its co
   CHECK(PuckSizeModel{1e9, 0, 0, 0, 0, 1e9}.at({320, 240}).width == 512);
 }
 
-TEST_CASE("where the disc is known the size is the disc's, kept to the same limits") {
+TEST_CASE("where the disc is known the size is the disc's, clamped to the same limits") {
   PuckSizeModel model{10, 0, 0, 5, 0, 0};
   model.disc = DiscModel{.width_0 = 20, .width_y = 0.1, .face_on_px = 80};
   // Without thickness, straight below the optical axis: w and w² / face_on.
@@ -50,10 +50,10 @@ TEST_CASE("where the disc is known the size is the disc's, kept to the same limi
   CHECK(model.at({0, 200}).height == doctest::Approx(4));
 }
 
-TEST_CASE("what the side wall adds to the height is the disc's, an ordinary puck's or nothing") {
+TEST_CASE("the side wall's share of the height is the disc's, an ordinary puck's or zero") {
   PuckSizeModel model{10, 0, 0, 5, 0, 0};
   CHECK(model.wall_of_width() == doctest::Approx(0.165));
-  // Seen from 30° above: half as high as wide in the middle.
+  // From 30° above: half as high as wide in the middle.
   model.disc = DiscModel{.width_0 = 16,
                          .width_y = 0.1,
                          .face_on_px = 80,
@@ -67,7 +67,7 @@ TEST_CASE("what the side wall adds to the height is the disc's, an ordinary puck
   CHECK(model.wall_of_width() == 0);
 }
 
-TEST_CASE("a wall's share of the width goes with how far away it is, as the disc's heights do") {
+TEST_CASE("a wall's share of the width grows with the distance, as the disc's heights do") {
   DiscModel thick{.width_0 = 16,
                   .width_y = 0.1,
                   .face_on_px = 80,
@@ -85,14 +85,14 @@ TEST_CASE("a wall's share of the width goes with how far away it is, as the disc
   }
 }
 
-TEST_CASE("a size model that fits the sensor raises no doubt") {
+TEST_CASE("a size model that fits the sensor gives no warning") {
   PuckSizeModel model{16, 0, 0.07, 5.6, 0, 0.07};
   CHECK(doubts_about(model, kSensor).empty());
   model.sensor = kSensor;
   CHECK(doubts_about(model, kSensor).empty());
 }
 
-TEST_CASE("a size model that is clamped inside the image says where most, and what it does") {
+TEST_CASE("a size model clamped inside the image names the worst place and the sizes there") {
   const PuckSizeModel model{-10, 0, 0.1, -2, 0.01, 0.07};
   const auto doubts = doubts_about(model, kSensor);
   REQUIRE(doubts.size() == 1);
@@ -101,7 +101,7 @@ TEST_CASE("a size model that is clamped inside the image says where most, and wh
   CHECK(doubts_about(none, kSensor).size() == 1);
 }
 
-TEST_CASE("a size model of another sensor is doubted") {
+TEST_CASE("a size model of another sensor gives a warning") {
   PuckSizeModel model{16, 0, 0.01, 6, 0, 0.01};
   model.sensor = {1280, 720};
   const auto doubts = doubts_about(model, kSensor);

@@ -5,7 +5,7 @@
 namespace puck {
 namespace {
 
-TEST_CASE("A pixel repeats until four others have fired") {
+TEST_CASE("A pixel counts as repeated until four others have fired") {
   RecentPixels pixels;
   CHECK_FALSE(pixels.repeats(0, 0));
   CHECK_FALSE(pixels.repeats(10, 20));

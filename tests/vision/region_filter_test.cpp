@@ -29,7 +29,7 @@ const std::vector<Region> kRegions{
 
 }  // namespace
 
-TEST_CASE("every instruction set copies the events that the plain form copies") {
+TEST_CASE("every instruction set copies the same events as the plain form") {
   with_each_simd_target([](const std::string& name) {
     CAPTURE(name);
     for (const std::size_t count : {0U, 1U, 3U, 7U, 8U, 9U, 64U, 200U, 1023U}) {
@@ -46,7 +46,7 @@ TEST_CASE("every instruction set copies the events that the plain form copies") 
   });
 }
 
-TEST_CASE("the events inside a region are kept, in order, however many there are") {
+TEST_CASE("the events inside a region are kept, in order, for any number") {
   const auto events = random_events(5000, 3);
   for (const Region& region : kRegions) {
     std::vector<Event> expected;

@@ -4,7 +4,7 @@
 
 namespace puck {
 
-TEST_CASE("regions intersect to what they share") {
+TEST_CASE("the intersection of regions is their common part") {
   const Region a{10, 20, 30, 40};
   CHECK(a.intersect({0, 0, 15, 25}) == Region{10, 20, 5, 5});
   CHECK(a.intersect({35, 50, 100, 100}) == Region{35, 50, 5, 10});
@@ -21,7 +21,8 @@ TEST_CASE("inflating a region adds the margin on every side") {
   CHECK(Region{10, 20, 3, 4}.inflated(2) == Region{8, 18, 7, 8});
 }
 
-TEST_CASE("two regions are united in the smallest that holds both, and an empty one adds nothing") {
+TEST_CASE(
+    "the union of two regions is the smallest that holds both, and an empty one adds nothing") {
   const Region a{2, 3, 10, 5};
   CHECK(a.united({20, 1, 2, 3}) == Region{2, 1, 20, 7});
   CHECK(a.united({4, 4, 1, 1}) == a);

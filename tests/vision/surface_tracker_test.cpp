@@ -16,14 +16,14 @@ namespace {
 constexpr SensorSize kSmallSensor{160, 120};
 constexpr PuckSizeModel kSmallSizeModel{25, 0, 0, 17, 0, 0};
 
-// What a pipeline was given.
+// A pipeline's inputs.
 struct Record {
   std::vector<std::vector<std::int64_t>> pieces;  // the times of each piece's events
   std::vector<SearchResult> results;
   int steps = 0;
 };
 
-// Wants the events of a region, and a search when it is told to.
+// Requests the events of a region, and a search on demand.
 class Recorder final : public TrackingPipeline {
  public:
   Recorder(Record& record, const Region& events, std::int64_t period_us,
@@ -59,7 +59,7 @@ SurfaceTracker tracker_with(Record& record, const Region& events, std::int64_t p
   PipelineParams params = preset_params(Preset::kCorrelation);
   params.roi_only = roi_only;
   params.search_delay_us = search_delay_us;
-  params.follows_contour = true;  // so that it is known what is fresh
+  params.follows_contour = true;  // so that recent pixels are recorded
   return SurfaceTracker(kSmallSensor, params, kSmallSizeModel,
                         std::make_unique<Recorder>(record, events, period_us, search));
 }
@@ -68,7 +68,7 @@ using Pieces = std::vector<std::vector<std::int64_t>>;
 
 }  // namespace
 
-TEST_CASE("events are cut at the multiples of the period, which end their pieces") {
+TEST_CASE("events are divided at the multiples of the period, which end their pieces") {
   const std::vector<Event> events{{0, 0, 0, 0},  {0, 0, 0, 5},  {0, 0, 0, 10},
                                   {0, 0, 0, 10}, {0, 0, 0, 11}, {0, 0, 0, 20},
                                   {0, 0, 0, 21}, {0, 0, 0, 49}, {0, 0, 0, 1000}};
@@ -85,7 +85,7 @@ TEST_CASE("events are cut at the multiples of the period, which end their pieces
   CHECK(pieces_of(0, 0).size() == 1);
 }
 
-TEST_CASE("a pipeline gets the events of its region in pieces, and nothing without any") {
+TEST_CASE("a pipeline gets the events of its region in pieces, and no empty piece") {
   Record record;
   SurfaceTracker tracker = tracker_with(record, {10, 10, 20, 20}, 100, {});
   tracker.update({{50},
@@ -102,7 +102,7 @@ TEST_CASE("a pipeline gets the events of its region in pieces, and nothing witho
   CHECK(record.results.empty());
 }
 
-TEST_CASE("a search is made at once, on the surface as it was when it was wanted") {
+TEST_CASE("a search is made at once, on the surface of its request") {
   const Pixel puck{80, 60};
   const std::vector<Event> ring =
       test::contour_events(kSmallSensor, puck, kSmallSizeModel.at(puck), 150);
@@ -126,7 +126,7 @@ TEST_CASE("a search is made at once, on the surface as it was when it was wanted
   }
 }
 
-TEST_CASE("a search for what is fresh does not see a puck that has made no events for 40 ms") {
+TEST_CASE("a search of recent pixels does not see a puck without events for 40 ms") {
   const Pixel puck{80, 60};
   for (const bool fresh_only : {false, true}) {
     CAPTURE(fresh_only);
@@ -144,7 +144,7 @@ TEST_CASE("a search for what is fresh does not see a puck that has made no event
   }
 }
 
-TEST_CASE("with a delay the answer of a search comes so long after its snapshot, and no earlier") {
+TEST_CASE("with a delay the result of a search comes that much after its snapshot, not earlier") {
   const Region all = Region::all_of(kSmallSensor);
   Record record;
   SurfaceTracker tracker = tracker_with(record, all, 1000, {.region = all}, false, 5'000);

@@ -24,7 +24,7 @@ const std::string kAbcDe = kIndex + "\2\1"s + kPadding + "\3\0\0\0\2\0\0\0\0\0\0
 
 std::string joined(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
 
-// What a reader makes of bytes that come in pieces of `piece`.
+// A reader's messages from bytes in pieces of `piece`.
 std::vector<std::string> read_in_pieces(const std::string& text, std::size_t piece) {
   MessageReader reader;
   std::vector<std::string> messages;
@@ -38,11 +38,11 @@ std::vector<std::string> read_in_pieces(const std::string& text, std::size_t pie
 
 }  // namespace
 
-TEST_CASE("a connection begins with the greeting that a real port took") {
+TEST_CASE("a connection begins with the greeting that a real port accepts") {
   CHECK(as_text(hello("puck")) == "YA\x64\x1E\0\0RP\5\0\0\0puck\0"s);
 }
 
-TEST_CASE("any tagged number answers a greeting, and nothing else") {
+TEST_CASE("any tagged number is an answer to a greeting, and nothing else") {
   const auto answer = [](std::string_view text) {
     const Bytes bytes = wire(text);
     check_hello_answer(std::span(bytes).first<kHelloAnswerBytes>());
@@ -54,7 +54,7 @@ TEST_CASE("any tagged number answers a greeting, and nothing else") {
   }
 }
 
-TEST_CASE("a message is an index, the sizes of its blocks, and these") {
+TEST_CASE("a message is an index, the sizes of its blocks, and the blocks") {
   Bytes bytes;
   append_message(PortCommand::kTurnRound, {}, bytes);
   CHECK(as_text(bytes) == kIndex + "\1\1"s + kPadding + "\x8\0\0\0\0\0\0\0\0\0\0\0~r\0\1"s);
@@ -65,7 +65,7 @@ TEST_CASE("a message is an index, the sizes of its blocks, and these") {
         kIndex + "\2\1"s + kPadding + "\x8\0\0\0\7\0\0\0\0\0\0\0\0\0\0\0~d\0\1payload"s);
 }
 
-TEST_CASE("messages are cut out of bytes wherever these were cut") {
+TEST_CASE("messages are extracted from bytes in any division") {
   const std::string three = kAbcDe + kAbcDe + kAbcDe;
   for (const std::size_t piece : {1, 2, 7, 35, 36, 1000}) {
     CAPTURE(piece);
@@ -74,7 +74,7 @@ TEST_CASE("messages are cut out of bytes wherever these were cut") {
   CHECK(read_in_pieces(kAbcDe.substr(0, kAbcDe.size() - 1), 3).empty());
 }
 
-TEST_CASE("what is no message is refused as early as its wrong byte, with no trust in sizes") {
+TEST_CASE("an invalid message is refused at its first wrong byte, and sizes are not trusted") {
   const auto is_refused = [](const std::string& text) {
     MessageReader reader;
     reader.feed(wire(text));
@@ -95,7 +95,7 @@ TEST_CASE("what is no message is refused as early as its wrong byte, with no tru
   CHECK(is_refused(kIndex + "\xFF\1"s + kPadding));
   CHECK(is_refused(kIndex + "\1\0"s + kPadding));
   CHECK(is_refused(kIndex + "\1\1"s + std::string(8, '\xFE')));
-  // Sizes of 2 GB, of -1, of 4097, two that are too large together, and an answer's.
+  // Sizes of 2 GB, of -1, of 4097, two with too large a sum, and an answer's.
   const std::string one = kIndex + "\1\1"s + kPadding;
   CHECK(is_refused(one + "\xFF\xFF\xFF\x7F\0\0\0\0"s));
   CHECK(is_refused(one + "\xFF\xFF\xFF\xFF\0\0\0\0"s));

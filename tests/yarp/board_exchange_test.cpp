@@ -13,7 +13,7 @@ constexpr std::int64_t kSilentUs = 100'000;
 
 }  // namespace
 
-TEST_CASE("the newest set-point wins, and those it replaced are counted") {
+TEST_CASE("the newest set-point wins, and replaced ones are counted") {
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
   REQUIRE(exchange.reading());
@@ -32,7 +32,7 @@ TEST_CASE("a set-point is dropped until the loop has read the encoders of this c
   CHECK(exchange.reading());
   CHECK(exchange.give_set_point(at(1), 1000));
 
-  // However short the interruption was.
+  // After an interruption of any length.
   exchange.lose_connection(BoardError("it broke"));
   exchange.begin_connection({at(5), 2000});
   CHECK(!exchange.take_set_point(1000));
@@ -45,7 +45,7 @@ TEST_CASE("a set-point is dropped until the loop has read the encoders of this c
   CHECK(exchange.counters(2000).set_points_unheard == 4);
 }
 
-TEST_CASE("a board that is not there yet is no fault, and one that goes away is") {
+TEST_CASE("an absent board is no fault, and one that disconnects is") {
   BoardExchange exchange(kSilentUs);
   CHECK(!exchange.reading());
   CHECK(exchange.fault(0).empty());
@@ -71,7 +71,7 @@ TEST_CASE("a refused set-point is a fault, once") {
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
   exchange.reading();
-  // One that was given before the loop was told is dropped as well.
+  // A set-point from before the loop knew of it is dropped as well.
   CHECK(exchange.give_set_point(at(1), 1000));
   exchange.refuse_set_point("it is not finite");
   CHECK(!exchange.take_set_point(1000));
@@ -81,7 +81,7 @@ TEST_CASE("a refused set-point is a fault, once") {
   CHECK(exchange.give_set_point(at(1), 1000));
 }
 
-TEST_CASE("what no waiting mends is a fault before the first connection, until it is mended") {
+TEST_CASE("a permanent error before the first connection is a fault, until it is repaired") {
   BoardExchange exchange(kSilentUs);
   exchange.lose_connection(BoardError("it does not fit", BoardError::Kind::kNeedsPerson));
   CHECK(exchange.fault(0) == "it does not fit");
@@ -94,7 +94,7 @@ TEST_CASE("what no waiting mends is a fault before the first connection, until i
   CHECK(exchange.fault(1000).empty());
 }
 
-TEST_CASE("joints that are not ready are waited for until they were ours, and a fault from then") {
+TEST_CASE("unready joints are waited for before the arm takes them, and a fault afterwards") {
   const BoardError not_ready("it is being calibrated", BoardError::Kind::kNotReady);
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
@@ -111,7 +111,7 @@ TEST_CASE("joints that are not ready are waited for until they were ours, and a 
   CHECK(exchange.awaited().empty());
 }
 
-TEST_CASE("a set-point that has waited for longer than 100 ms does not go out") {
+TEST_CASE("a set-point that has waited for more than 100 ms is not sent") {
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
   exchange.reading();
@@ -126,7 +126,7 @@ TEST_CASE("a set-point that has waited for longer than 100 ms does not go out") 
   CHECK((*exchange.take_set_point(105'002))[0] == 2);
 }
 
-TEST_CASE("a set-point that was withdrawn does not go out, wherever it waited") {
+TEST_CASE("a withdrawn set-point is not sent, at any stage of waiting") {
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
   exchange.reading();
@@ -147,7 +147,7 @@ TEST_CASE("a set-point that was withdrawn does not go out, wherever it waited") 
   CHECK(exchange.counters(0).set_points_replaced == 0);
 }
 
-TEST_CASE("encoders that have not come for long are a fault even if nobody says so") {
+TEST_CASE("encoders missing for long are a fault, even without an error message") {
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
   CHECK(exchange.fault(201'000).empty());

@@ -15,7 +15,7 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("a writer that hangs in the middle of a value keeps the reader from nothing") {
+TEST_CASE("a writer that blocks in the middle of a value does not block the reader") {
   NewestValue<Pair> value;
   value.next() = {1, 1};
   CHECK(!value.publish());
@@ -26,7 +26,7 @@ TEST_CASE("a writer that hangs in the middle of a value keeps the reader from no
   CHECK(value.seen().other == 1);
 }
 
-TEST_CASE("a reader that hangs keeps the writer from nothing, and sees the newest afterwards") {
+TEST_CASE("a reader that blocks does not block the writer, and gets the newest value afterwards") {
   NewestValue<Pair> value;
   value.next() = {1, 1};
   value.publish();
@@ -41,7 +41,7 @@ TEST_CASE("a reader that hangs keeps the writer from nothing, and sees the newes
   CHECK(value.seen().one == 100);
 }
 
-TEST_CASE("between two threads no value is torn or comes out of order") {
+TEST_CASE("between two threads no value is torn or out of order") {
   constexpr std::int64_t kValues = 200'000;
   NewestValue<Pair> value;
   const std::jthread writer([&] {

@@ -21,7 +21,8 @@ JointAngles deg(double first, double second) { return JointAngles(std::array{fir
 
 }  // namespace
 
-TEST_CASE("the first set-point begins at the encoders, the following at the one before or there") {
+TEST_CASE(
+    "the first set-point begins at the encoders, each later one at its predecessor or there") {
   const YarpParams params = two_joints();
   SetPointGate gate(params);
   const JointAngles encoders = deg(5, 40);
@@ -30,7 +31,7 @@ TEST_CASE("the first set-point begins at the encoders, the following at the one 
   CHECK(gate.refusal(deg(5, 42), encoders).empty());
   CHECK(gate.refusal(deg(10, 47), encoders).empty());
   CHECK(gate.refusal(deg(10, 52), encoders).empty());
-  // An arm that did not follow begins anew where it is.
+  // An arm that did not follow restarts at its position.
   CHECK(gate.refusal(deg(3, 38), encoders).empty());
   CHECK(gate.refusal(deg(8, 43), encoders).empty());
   CHECK(
@@ -41,7 +42,7 @@ TEST_CASE("the first set-point begins at the encoders, the following at the one 
         "the set-point of joint 1, 8 deg, does not begin at its encoder, 5 deg");
 }
 
-TEST_CASE("a restart has the next set-point begin at the encoders") {
+TEST_CASE("after a restart the next set-point begins at the encoders") {
   const YarpParams params = two_joints();
   SetPointGate gate(params);
   CHECK(gate.refusal(deg(5, 40), deg(5, 40)).empty());
@@ -50,7 +51,7 @@ TEST_CASE("a restart has the next set-point begin at the encoders") {
   CHECK(!gate.refusal(deg(5, 43), deg(5, 40)).empty());
 }
 
-TEST_CASE("nothing that is not finite, outside the limits or of other joints goes out") {
+TEST_CASE("set-points that are not finite, outside the limits or of other joints are not sent") {
   const YarpParams params = two_joints();
   const JointAngles encoders = deg(5, 40);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -61,20 +62,20 @@ TEST_CASE("nothing that is not finite, outside the limits or of other joints goe
     SetPointGate gate(params);
     CHECK(gate.refusal(encoders, encoders).empty());
     CHECK(!gate.refusal(wrong, encoders).empty());
-    // And then it begins anew.
+    // Then it restarts.
     CHECK(!gate.refusal(deg(1, 40), encoders).empty());
     CHECK(gate.refusal(encoders, encoders).empty());
     CHECK(gate.refusal(deg(1, 40), encoders).empty());
   }
 }
 
-TEST_CASE("an arm that was never read takes no set-points") {
+TEST_CASE("an arm without a reading takes no set-points") {
   const YarpParams params = two_joints();
   SetPointGate gate(params);
   CHECK(!gate.refusal(deg(5, 40), JointAngles()).empty());
 }
 
-TEST_CASE("settings of the board that cannot be are refused by name") {
+TEST_CASE("impossible settings of the board are refused by name") {
   const auto refusal = [](auto change) {
     YarpParams params = two_joints();
     change(params);

@@ -21,7 +21,7 @@ TEST_CASE("set-points of all joints are a pair of the header `dpos n` and a vect
         "\0\0\0\0\0\0\xF8\x3F\0\0\0\0\0\0\0\xC0"s);
 }
 
-TEST_CASE("set-points of some joints name these: `dpog n (j…)`") {
+TEST_CASE("set-points of some joints name them: `dpog n (j…)`") {
   CHECK(as_text(set_points_of_some(std::array{1, 5}, std::array{1.5, -2.0})) ==
         "\0\1\0\0\2\0\0\0"s
         "\0\1\0\0\3\0\0\0"s

@@ -45,12 +45,12 @@ TEST_CASE("a message of state:o has a stamp and encoders") {
   CHECK(parse(envelope("d 0 0\0"s) + encoders({1})).stamp.time_s == 0);
 }
 
-TEST_CASE("the bytes of one real double are its 64 bits, least first") {
+TEST_CASE("a real board's double is its 64 bits, least significant byte first") {
   CHECK(parse(kStamp + "\x0A\1\0\0\1\0\0\0\0\0\0\0\0\0\xF8\x3F"s).encoders_deg ==
         std::vector<double>{1.5});
 }
 
-TEST_CASE("a message of state:o that is anything else is refused") {
+TEST_CASE("any other message of state:o is refused") {
   const std::string good = kStamp + encoders({1, 2});
   REQUIRE_NOTHROW(parse(good));
   for (std::size_t size = 0; size < good.size(); ++size) {
@@ -70,13 +70,13 @@ TEST_CASE("a message of state:o that is anything else is refused") {
     CHECK_THROWS_WITH(parse(kStamp + encoders({1, wrong})),
                       "the encoder of joint 1 is not a finite number");
   }
-  // A list of -1 encoders, of 2^31 - 1, of 65 that are there.
+  // A list with a count of -1, of 2^31 - 1, and of 65 with as many encoders.
   CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\xFF\xFF\xFF\xFF"s), BoardError);
   CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\xFF\xFF\xFF\x7F"s), BoardError);
   CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\x41\0\0\0"s + std::string(65 * 8, '\0')), BoardError);
 }
 
-TEST_CASE("a board that takes its leave, or sends no stamp, is told apart") {
+TEST_CASE("a board that disconnects, or sends no stamp, is recognised") {
   CHECK_THROWS_WITH(parse("\2\0\0\0~\0\0\1q\0"s), "it closes the connection");
   CHECK_THROWS_WITH(parse("\0\0\0\0~q\0\1"s), "it closes the connection");
   CHECK_THROWS_WITH(parse("\0\0\0\0~D\0\1"s + encoders({1})), "it sends encoders without a stamp");

@@ -18,7 +18,7 @@ BoardAnswer answer(const std::string& line) { return {"get it", line}; }
 
 }  // namespace
 
-TEST_CASE("lines are cut out of bytes wherever these were cut") {
+TEST_CASE("lines are extracted from bytes in any division") {
   const std::string text = "Welcome puck\r\n[ok]\n\r\nrest";
   for (const std::size_t piece : {1, 3, 100}) {
     LineReader reader;
@@ -31,7 +31,7 @@ TEST_CASE("lines are cut out of bytes wherever these were cut") {
   }
 }
 
-TEST_CASE("a line that has no end or is no text is refused before it is whole") {
+TEST_CASE("a line without an end, or with bytes that are not text, is refused early") {
   LineReader reader;
   reader.feed(wire(std::string(LineReader::kMostBytes, 'x')));
   CHECK(!reader.next());
@@ -45,7 +45,7 @@ TEST_CASE("a line that has no end or is no text is refused before it is whole") 
   }
 }
 
-TEST_CASE("answers of a real board are read") {
+TEST_CASE("answers of a real board are parsed") {
   CHECK(answer("[is] axes 7" + kEnd).count("axes", 64) == 7);
   CHECK(answer("[is] name joint0" + kEnd).name("name") == "joint0");
   CHECK(answer("[is] name \"r shoulder (1)\"" + kEnd).name("name") == "r shoulder (1)");
@@ -64,7 +64,7 @@ TEST_CASE("a refusal names the request") {
                        "it refused \"get llim 9\" with [nak]", BoardError);
 }
 
-TEST_CASE("an answer that is none, or of another question, is refused") {
+TEST_CASE("an invalid answer, or one to another question, is refused") {
   for (const std::string& line :
        {std::string(), std::string("7"), std::string("[is] axes 7"), std::string("ok"),
         std::string("[is] axes 7 (ok)"), std::string("(([ok]"), std::string("[is] ((1)) [ok]"),
@@ -89,14 +89,14 @@ TEST_CASE("an answer that is none, or of another question, is refused") {
   CHECK_THROWS_AS(answer("[is] [cmds] (pos pos)" + kEnd).vocabs("cmds", 2), BoardError);
 }
 
-TEST_CASE("the name server's registration of a port is read") {
+TEST_CASE("the name server's registration of a port is parsed") {
   const PortAddress address =
       parse_registration("registration name /icub/right_arm/rpc:i ip 192.0.2.2 port 10002 type tcp",
                          "/icub/right_arm/rpc:i");
   CHECK(address.to_string() == "192.0.2.2:10002");
 }
 
-TEST_CASE("a registration of another port or at no address is refused") {
+TEST_CASE("a registration of another port or without an address is refused") {
   for (const char* line :
        {"", "registration", "registration name /b ip 1.2.3.4 port 5 type tcp",
         "registration name /a ip 1.2.3.4 port 5 type tcp more",
@@ -113,7 +113,7 @@ TEST_CASE("a registration of another port or at no address is refused") {
   }
 }
 
-TEST_CASE("what a board sends cannot steer a terminal by way of an error") {
+TEST_CASE("a board's text cannot control a terminal through an error message") {
   CHECK(in_quotes("a\x1b[31m\n\xff") == "\"a?[31m??\"");
   CHECK(in_quotes(std::string(100, 'x')).size() < 90);
 }

@@ -30,7 +30,7 @@ std::int64_t now_us() {
       .count();
 }
 
-// Patient with the board, quick to try again.
+// Long time limits for the board, short intervals between attempts.
 YarpParams params_for(const TestBoard& board, std::vector<int> joints = {0, 1, 2, 3, 4, 5, 6}) {
   YarpParams params;
   params.port = board.port();
@@ -49,7 +49,7 @@ JointAngles all(double deg, std::size_t joints = 7) {
   return JointAngles(std::vector<double>(joints, deg));
 }
 
-// What an arm's loop does with its back end.
+// The part of an arm's loop that uses the back end.
 class Loop {
  public:
   explicit Loop(const YarpParams& params) : back_end(params) {}
@@ -64,7 +64,7 @@ class Loop {
     ++commands_;
     back_end.command(set_point, now_us());
   }
-  // Until nothing is under way any more; not across a lost connection.
+  // Until no set-point is under way; not across a lost connection.
   bool settles() {
     return wait_until([&] {
       const YarpCounters now = counters();
@@ -73,7 +73,7 @@ class Loop {
              commands_;
     });
   }
-  // Goes there in steps, as fast as encoders come.
+  // Moves there in steps, at the rate of the encoders.
   bool moves_to(double deg) {
     return wait_until([&] {
       fault();
@@ -89,7 +89,7 @@ class Loop {
       return is_there;
     });
   }
-  // As a loop that does not care whether it is heard.
+  // Like a loop that ignores the answers.
   bool insists_until(const JointAngles& set_point, const std::function<bool()>& condition) {
     return wait_until([&] {
       command(set_point);
@@ -100,7 +100,7 @@ class Loop {
       const std::string& part_of_reason, const std::function<void()>& meanwhile = [] {}) {
     std::string last;
     const bool fails = wait_until([&] {
-      // Before the first connection it is no fault, but what is waited for.
+      // Before the first connection it is no fault, but the awaited condition.
       std::string reason = fault();
       if (reason.empty()) reason = back_end.awaited();
       if (!reason.empty()) last = reason;
@@ -112,7 +112,7 @@ class Loop {
     CHECK(fails);
     return fails;
   }
-  // Commanded once, and again only when it has expired: the board's thread was held up.
+  // Commanded once, and again only after it expired because the board's thread was delayed.
   bool is_refused(const JointAngles& set_point, const std::string& part_of_reason) {
     std::int64_t expired = counters().set_points_expired;
     command(set_point);
@@ -128,13 +128,13 @@ class Loop {
   std::int64_t commands_ = 0;
 };
 
-// What the board does wrong, and how the fault that it must become begins.
+// A board's failure, and the beginning of the fault's text.
 struct BoardFailure {
   BoardTrouble trouble;
   const char* reason;
 };
 
-// With those that are the same from the beginning and in a game.
+// With the failures that are the same from the beginning and in a game.
 std::vector<BoardFailure> with_lasting(std::vector<BoardFailure> failures) {
   const std::vector<BoardFailure> lasting{
       {BoardTrouble::kRequestsGarbage, "rpc:i: it sent a line that is not text"},
@@ -190,7 +190,7 @@ TEST_CASE("The back end drives some joints of a part and leaves the others alone
   CHECK(board.unreadable() == 0);
 }
 
-TEST_CASE("The back end understands a board that sends its bytes one by one") {
+TEST_CASE("The back end understands a board that sends single bytes") {
   TestBoard board;
   board.set_trouble(BoardTrouble::kByteAtATime);
   Loop loop(params_for(board));
@@ -198,7 +198,7 @@ TEST_CASE("The back end understands a board that sends its bytes one by one") {
   CHECK(loop.counters().failures == 0);
 }
 
-TEST_CASE("The back end waits for late answers as long as it is patient") {
+TEST_CASE("The back end waits for late answers within its time limit") {
   TestBoard board({.late_ms = 5});
   board.set_trouble(BoardTrouble::kRequestsLate);
   Loop loop(params_for(board));
@@ -229,7 +229,7 @@ TEST_CASE("An arm that stands still is no fault") {
   CHECK(loop.counters().failures == 0);
 }
 
-TEST_CASE("Whatever the name server does, it is a fault with its reason, and mends itself") {
+TEST_CASE("Every failure of the name server is a fault with its reason, and ends by itself") {
   for (const BoardFailure& each :
        {BoardFailure{BoardTrouble::kNamesMute, "the name server: no answer in time"},
         BoardFailure{
@@ -251,7 +251,7 @@ TEST_CASE("Whatever the name server does, it is a fault with its reason, and men
   }
 }
 
-TEST_CASE("A board that fails from the beginning is a fault with its reason, and never moved") {
+TEST_CASE("A board that fails from the beginning is a fault with its reason, and is never moved") {
   for (const BoardFailure& each : with_lasting(
            {{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get axes\" with [fail]"},
             {BoardTrouble::kRequestsNak, "rpc:i: it refused \"get axes\" with [nak]"},
@@ -273,7 +273,7 @@ TEST_CASE("A board that fails from the beginning is a fault with its reason, and
   }
 }
 
-TEST_CASE("A board that fails in a game is a fault with its reason, and connected to again") {
+TEST_CASE("A board that fails in a game is a fault with its reason, and is reconnected") {
   for (const BoardFailure& each : with_lasting(
            {{BoardTrouble::kRequestsFail, "rpc:i: it refused \"get icmd cmds\" with [fail]"},
             {BoardTrouble::kRequestsMute, "rpc:i: no answer in time, asked \"get icmd cmds\""},
@@ -293,14 +293,14 @@ TEST_CASE("A board that fails in a game is a fault with its reason, and connecte
     CHECK(board.encoders() == std::vector<double>(7, 5));
     CHECK(wait_until([&] { return !loop.reading() || loop.counters().connections > 1; }));
     board.set_trouble(BoardTrouble::kNone);
-    // The robot's own tools.
+    // As the robot's own tools do.
     if (each.trouble == BoardTrouble::kModeLost) board.put_into_mode("pos");
     CHECK(loop.moves_to(8));
     CHECK(loop.counters().failures > 0);
   }
 }
 
-TEST_CASE("A connection only reads until the first set-point, and one refused takes no joints") {
+TEST_CASE("A connection only reads until the first set-point, and a refused one takes no joints") {
   TestBoard board;
   {
     Loop loop(params_for(board));
@@ -315,7 +315,7 @@ TEST_CASE("A connection only reads until the first set-point, and one refused ta
   CHECK(board.mode_requests() == 0);
 }
 
-TEST_CASE("An emergency stop lasts until set-points are given again") {
+TEST_CASE("An emergency stop lasts until set-points are sent again") {
   TestBoard board;
   {
     Loop loop(params_for(board));
@@ -325,7 +325,7 @@ TEST_CASE("An emergency stop lasts until set-points are given again") {
     board.set_trouble(BoardTrouble::kModeLost);
     const auto stopped = board.modes();
     loop.fails_with("is in mode \"hwf\", not in \"posd\"");
-    // The button is released: that alone takes no joint, nor does who gives set-points.
+    // The button is released: neither that nor set-points alone take a joint.
     board.set_trouble(BoardTrouble::kNone);
     loop.fails_with("a hardware fault: bring it back into mode \"pos\"");
     loop.command(all(5));
@@ -334,14 +334,14 @@ TEST_CASE("An emergency stop lasts until set-points are given again") {
     CHECK(!loop.reading());
     CHECK(board.modes() == stopped);
     CHECK(board.mode_requests() == requests);
-    // The robot's own tools: that alone takes no joint either.
+    // As the robot's own tools do: that takes no joint either.
     board.put_into_mode("pos");
     REQUIRE(loop.is_connected());
     const auto more = loop.counters().encoders_received + 5;
     CHECK(wait_until([&] { return loop.counters().encoders_received > more; }));
     CHECK(board.modes() == std::vector<std::string>(7, "pos"));
     CHECK(board.mode_requests() == requests);
-    // What a controller does after a reset.
+    // As a controller does after a reset.
     CHECK(loop.moves_to(8));
     CHECK(board.modes() == std::vector<std::string>(7, "posd"));
     CHECK(board.mode_requests() == requests + 7);
@@ -353,7 +353,7 @@ TEST_CASE("An emergency stop lasts until set-points are given again") {
   CHECK(board.mode_requests() == 14);
 }
 
-TEST_CASE("Joints that do not change their mode are a fault, and never moved") {
+TEST_CASE("Joints that do not change their mode are a fault, and are never moved") {
   TestBoard board;
   board.set_trouble(BoardTrouble::kModesStay);
   Loop loop(params_for(board));
@@ -364,13 +364,13 @@ TEST_CASE("Joints that do not change their mode are a fault, and never moved") {
   CHECK(board.set_points() == 0);
 }
 
-TEST_CASE("Joints that move while they are taken are not sent back") {
+TEST_CASE("Joints that move while they are taken are not moved back") {
   TestBoard board;
   board.set_trouble(BoardTrouble::kModesStay);
   Loop loop(params_for(board));
   REQUIRE(loop.is_connected());
   REQUIRE(loop.insists_until(all(1), [&] { return board.mode_requests() == 7; }));
-  // The first of them sags as its mode changes.
+  // The first one sags during its change of mode.
   board.move_joint(0, 20);
   REQUIRE(loop.insists_until(all(1),
                              [&] { return loop.reading() && loop.reading()->position[0] == 20; }));
@@ -384,7 +384,7 @@ TEST_CASE("Joints that move while they are taken are not sent back") {
   CHECK(board.set_points() == 0);
 }
 
-TEST_CASE("A set-point does not outlive its loop's silence while joints are taken") {
+TEST_CASE("A set-point expires with its loop's silence while joints are taken") {
   for (const bool withdraws : {false, true}) {
     CAPTURE(withdraws);
     bool was_in_time = false;
@@ -396,12 +396,12 @@ TEST_CASE("A set-point does not outlive its loop's silence while joints are take
       board.set_trouble(BoardTrouble::kRequestsLate);
       REQUIRE(loop.insists_until(all(1), [&] { return board.mode_requests() > 0; }));
       if (withdraws) loop.back_end.withdraw();
-      // Held up, this thread may have been silent for long enough before it withdrew: then anew.
+      // A delayed thread may have been silent for too long before it withdrew: repeat then.
       was_in_time = !withdraws || loop.counters().set_points_expired == 0;
       if (!was_in_time) continue;
       const auto later = loop.counters().encoders_received + 30;
       REQUIRE(wait_until([&] { return loop.counters().encoders_received > later; }));
-      // Nobody wanted the last joints any more.
+      // The last joints were no longer wanted.
       CHECK(board.mode_requests() < 7);
       CHECK(board.set_points() == 0);
       const YarpCounters counters = loop.counters();
@@ -415,7 +415,7 @@ TEST_CASE("A set-point does not outlive its loop's silence while joints are take
   }
 }
 
-TEST_CASE("Set-points that were held up do not jump") {
+TEST_CASE("Delayed set-points do not make the arm jump") {
   TestBoard board;
   Loop loop(params_for(board));
   REQUIRE(loop.moves_to(5));
@@ -427,7 +427,7 @@ TEST_CASE("Set-points that were held up do not jump") {
 }
 
 TEST_CASE(
-    "A board that reads no set-points is a fault, and the newest set-point replaced the rest") {
+    "A board that reads no set-points is a fault, and the newest set-point replaces the others") {
   TestBoard board;
   YarpParams params = params_for(board);
   params.silent_ms = 150;
@@ -444,7 +444,7 @@ TEST_CASE(
   CHECK(loop.counters().set_points_replaced > 0);
 }
 
-TEST_CASE("A board that dies and comes back elsewhere is found again") {
+TEST_CASE("A board that dies and restarts at another address is found again") {
   TestBoard board;
   Loop loop(params_for(board));
   REQUIRE(loop.moves_to(5));
@@ -455,13 +455,13 @@ TEST_CASE("A board that dies and comes back elsewhere is found again") {
   CHECK(loop.moves_to(7));
 }
 
-TEST_CASE("Nothing is sent after a failure until the loop begins anew at the encoders") {
+TEST_CASE("Nothing is sent after a failure until the loop restarts at the encoders") {
   TestBoard board;
   Loop loop(params_for(board));
   REQUIRE(loop.moves_to(5));
   board.die();
   loop.fails_with("Connection refused");
-  // While it was away a person pushed the arm.
+  // Meanwhile a person moved the arm.
   for (std::size_t i = 0; i < 7; ++i) board.move_joint(i, 40);
   board.revive();
   REQUIRE(wait_until([&] {
@@ -473,7 +473,7 @@ TEST_CASE("Nothing is sent after a failure until the loop begins anew at the enc
   while (!loop.fault().empty()) {
   }
   const auto before = loop.counters().set_points_sent;
-  // A loop that goes on with its old trajectory.
+  // A loop that continues its old trajectory.
   loop.is_refused(all(5.5),
                   "the set-point of joint 0, 5.5 deg, does not begin at its encoder, 40 deg");
   CHECK(loop.counters().set_points_sent == before);
@@ -482,7 +482,8 @@ TEST_CASE("Nothing is sent after a failure until the loop begins anew at the enc
   CHECK(loop.moves_to(38));
 }
 
-TEST_CASE("What is not finite, outside the limits or of other joints never leaves this machine") {
+TEST_CASE(
+    "Set-points that are not finite, outside the limits or of other joints never leave the host") {
   TestBoard board;
   Loop loop(params_for(board));
   REQUIRE(loop.moves_to(5));
@@ -503,7 +504,7 @@ TEST_CASE("What is not finite, outside the limits or of other joints never leave
   CHECK(loop.counters().connections == 1);
 }
 
-TEST_CASE("A board that comes up later, and then calibrates, is waited for and left alone") {
+TEST_CASE("A board that starts later, and then calibrates, is waited for and left alone") {
   TestBoard board;
   board.die();
   Loop loop(params_for(board));
@@ -526,7 +527,7 @@ TEST_CASE("A board that comes up later, and then calibrates, is waited for and l
 
 TEST_CASE("Joints that leave position mode before they are taken are waited for, and not taken") {
   for (const char* mode : {"cal", "cald", "cfgy", "velo", "idl", "unheard"}) {
-    // With the question that a first set-point asks, and with those of each while before it.
+    // With the request of the first set-point, and with those before it at short intervals.
     for (const int check_modes_ms : {10'000, 10}) {
       CAPTURE(mode);
       CAPTURE(check_modes_ms);
@@ -555,7 +556,7 @@ TEST_CASE("Joints that leave position mode before they are taken are waited for,
   }
 }
 
-// Whatever answer is under way, joints that something else puts into `cal` are not taken.
+// With any answer under way, joints that another program puts into `cal` are not taken.
 void check_not_taken_from_cal(TestBoard& board, Loop& loop) {
   board.put_into_mode("cal");
   CHECK(loop.insists_until(all(0), [&] {
@@ -567,26 +568,26 @@ void check_not_taken_from_cal(TestBoard& board, Loop& loop) {
   CHECK(board.set_points() == 0);
 }
 
-TEST_CASE("What was asked before the joints were wanted does not say that they may be taken") {
+TEST_CASE("Answers from before the joints were wanted do not allow taking them") {
   TestBoard board({.late_ms = 1000});
   YarpParams params = params_for(board);
   params.check_modes_ms = 10;
   Loop loop(params);
   REQUIRE(loop.is_connected());
-  // The next answer is one of before: it says `pos`, and comes after the first set-point.
+  // The next answer is an old one: it gives `pos`, and comes after the first set-point.
   board.set_trouble(BoardTrouble::kRequestsLate);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   check_not_taken_from_cal(board, loop);
 }
 
-TEST_CASE("Nor does what was asked before they were withdrawn and wanted again") {
+TEST_CASE("Nor do answers from before they were withdrawn and wanted again") {
   TestBoard board({.late_ms = 1000});
   YarpParams params = params_for(board);
   params.check_modes_ms = 10'000;
   Loop loop(params);
   REQUIRE(loop.is_connected());
   board.set_trouble(BoardTrouble::kRequestsLate);
-  // The first set-point asks; its withdrawal is seen with the next encoders.
+  // The first set-point sends the request; its withdrawal is noticed with the next encoders.
   loop.command(all(0));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   loop.back_end.withdraw();
@@ -623,7 +624,7 @@ TEST_CASE("A hardware fault before the first set-point is a fault, and only a pe
   }
 }
 
-TEST_CASE("A board that will never fit is a fault before the first connection, and stays one") {
+TEST_CASE("An incompatible board is a fault before the first connection, and stays one") {
   TestBoard board;
   YarpParams wide = params_for(board);
   wide.highest_deg[2] = 91;
@@ -646,14 +647,14 @@ TEST_CASE("A board that will never fit is a fault before the first connection, a
   CHECK(board.modes() == std::vector<std::string>(7, "pos"));
 }
 
-// Whether an arm left its joints as it should, and how long it took to end.
+// Whether an arm left its joints correctly, and the time that it took to end.
 struct Leaving {
   bool is_right = false;
   milliseconds took{};
 };
 
-// Again, but only where it was held up: an arm that ends gives its board 50 ms for all of the
-// joints, and where that is not enough it leaves some as they are.
+// Repeats after a delay only: an arm that ends gives its board 50 ms for all joints, and after that
+// leaves the rest unchanged.
 bool leaves_rightly(const std::function<Leaving()>& leave) {
   Leaving leaving = leave();
   for (int i = 0; i < 10 && !leaving.is_right && leaving.took >= milliseconds(50); ++i) {
@@ -668,7 +669,7 @@ milliseconds time_to_end(std::optional<Loop>& loop) {
   return std::chrono::duration_cast<milliseconds>(std::chrono::steady_clock::now() - began);
 }
 
-TEST_CASE("An arm that ends leaves its joints where they are, in position mode") {
+TEST_CASE("An arm that ends leaves its joints in place, in position mode") {
   CHECK(leaves_rightly([] {
     TestBoard board({.axes = 8});
     std::optional<Loop> loop(std::in_place, params_for(board));
@@ -682,7 +683,7 @@ TEST_CASE("An arm that ends leaves its joints where they are, in position mode")
   }));
 }
 
-TEST_CASE("An arm that ends does not undo an emergency stop that it has not noticed yet") {
+TEST_CASE("An arm that ends does not undo an unnoticed emergency stop") {
   CHECK(leaves_rightly([] {
     TestBoard board;
     YarpParams params = params_for(board);
@@ -698,7 +699,7 @@ TEST_CASE("An arm that ends does not undo an emergency stop that it has not noti
   }));
 }
 
-TEST_CASE("A stop does not wait for a board, whatever it is asked for") {
+TEST_CASE("A stop does not wait for a board, in any state of its requests") {
   constexpr int kTooLongMs = 60'000;
   const auto stops = [](BoardTrouble trouble, BoardTrouble later) {
     TestBoard board;
@@ -724,7 +725,7 @@ TEST_CASE("A stop does not wait for a board, whatever it is asked for") {
   stops(BoardTrouble::kNone, BoardTrouble::kRequestsMute);
 }
 
-TEST_CASE("A host that is not there ends the start with its name") {
+TEST_CASE("An unknown host ends the start with its name") {
   TestBoard board;
   YarpParams params = params_for(board);
   params.host = "no such host";
@@ -736,7 +737,7 @@ TEST_CASE("A host that is not there ends the start with its name") {
 }
 
 TEST_CASE(
-    "The test board drops text set-points and dies of text on its state port, as a real one") {
+    "The test board drops text set-points and dies of text on its state port, like a real one") {
   TestBoard board;
   Waker waker;
   const Waiter waiter({}, waker);

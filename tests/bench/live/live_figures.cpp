@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of the rate that was asked for; what falls short of it is no run at that rate.
+// Share of the requested rate below which a run does not count.
 constexpr double kPace = 0.98;
 
 void print_cpu(const CpuLoad& cpu) {

@@ -25,19 +25,19 @@ struct EstimateTally {
   std::int64_t first_seq = 0;
   std::int64_t first_utime = 0;
   puck_estimate_t newest{};
-  std::int64_t oldest_us = 0;       ///< Age of an estimate's newest event at publication, at most.
-  std::int64_t last_old_utime = 0;  ///< When one older than kOldUs was published last; 0: never.
+  std::int64_t oldest_us = 0;       ///< Largest age of an estimate's newest event at publication.
+  std::int64_t last_old_utime = 0;  ///< Last publication of one older than kOldUs; 0: none.
   std::int64_t heard = 0;
   std::int64_t tracking = 0;  ///< Of these: with the puck tracked.
 
-  /// How many a second were published, heard or not; 0 while there are not two.
+  /// Published estimates a second, received or not; 0 with fewer than two.
   double rate_hz() const;
 };
 
-/// Hears what the services say on a bus, while it is told to listen. One thread.
+/// Receives the services' messages on a bus while it listens. One thread.
 class LiveListener {
  public:
-  /// Throws std::runtime_error when there is no way to the bus.
+  /// Throws std::runtime_error without a route to the bus.
   LiveListener(const std::string& url, const std::string& key_file, std::stop_token stop);
 
   /// Listens for so long. Throws Interrupted.
@@ -45,9 +45,9 @@ class LiveListener {
   /// Listens until `condition` holds; false after `timeout`. Throws Interrupted.
   bool until(const std::function<bool()>& condition, std::chrono::milliseconds timeout);
 
-  /// The newest STATUS of a service; nothing while it has not spoken.
+  /// The newest STATUS of a service; nothing before its first.
   const service_status_t* status(const std::string& service) const;
-  /// From the newest STATUS. Throws std::runtime_error where that does not have it.
+  /// From the newest STATUS. Throws std::runtime_error if it lacks the counter.
   std::int64_t counter(const std::string& service, const std::string& name) const;
 
   const EstimateTally& estimates() const { return estimates_; }

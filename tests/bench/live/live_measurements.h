@@ -10,8 +10,8 @@ namespace puck {
 
 inline constexpr int kSuitsTheBus = 0;
 
-/// Each starts the services, lets them run and stops them. They throw std::runtime_error when a
-/// service fails, Interrupted when the benchmark is stopped.
+/// Each function starts the services, lets them run and stops them. It throws std::runtime_error
+/// when a service fails, Interrupted when the benchmark is stopped.
 
 /// The camera sends events at a steady mean rate; what arrives is counted at the end.
 /// `packet_bytes`: key camera.packet_bytes.
@@ -26,8 +26,8 @@ void measure_network(LiveSetup setup, const Recording& dense, const Recording& g
                      const std::vector<double>& rates_mev_s, std::chrono::seconds sustained,
                      std::chrono::seconds brief, LiveFigures& figures);
 
-/// What sealing all messages with a key costs at this rate. `turns` times both without and with a
-/// key; the best run of each counts.
+/// Cost of sealing all messages with a key at this rate. `turns` times both without and with a key;
+/// the best run of each counts.
 KeyCost measure_key(LiveSetup setup, const Recording& recording, double rate_mev_s,
                     int packet_bytes, std::chrono::seconds time, int turns);
 
@@ -35,16 +35,16 @@ KeyCost measure_key(LiveSetup setup, const Recording& recording, double rate_mev
 void measure_latency(const LiveSetup& setup, const Recording& game, std::chrono::seconds time,
                      LiveFigures& figures);
 
-/// How often the tracker publishes at 1 Mev/s that come in packets of 150 us, Hz.
+/// The tracker's publishing rate at 1 Mev/s in packets of 150 us, Hz.
 double measure_rate(const LiveSetup& setup, const Recording& game, int max_publish_hz,
                     std::chrono::seconds time);
 
-/// What a scene costs in which nothing moves, and how soon the tracker then wakes up.
+/// CPU load of a scene without motion, and the tracker's wake-up time after it.
 void measure_still_scene(const LiveSetup& setup, const Recording& scene, std::chrono::seconds time,
                          LiveFigures& figures);
 
-/// What becomes of the tracker while it gets events as fast as one process can send them, and how
-/// soon it is at the newest again afterwards.
+/// The tracker's state while it gets events as fast as one process can send them, and its recovery
+/// time afterwards.
 void measure_flood(const LiveSetup& setup, std::chrono::seconds time, LiveFigures& figures);
 
 }  // namespace puck

@@ -45,7 +45,7 @@ void LiveSystem::start_camera(const std::vector<std::string>& settings) {
 LiveSystem::~LiveSystem() {
   listener_.reset();
   for (auto& [name, service] : services_) service->send(SIGTERM);
-  // Who does not end by itself is made to by the end of its object.
+  // A service that does not end by itself is killed by its object's end.
   for (auto& [name, service] : services_) service->wait_for(seconds(2));
 }
 
@@ -131,7 +131,7 @@ void LiveSystem::stop_camera() {
       kAnswer);
   if (!has_said_goodbye)
     throw std::runtime_error("puck-camera does not say that it ends, or puck-tracker nothing");
-  // What it sent last may still lie in a queue.
+  // The last messages may still be in a queue.
   std::int64_t received = -1;
   while (bus.counter("puck-tracker", "events_received") != received) {
     received = bus.counter("puck-tracker", "events_received");

@@ -18,12 +18,12 @@
 namespace puck {
 
 struct LiveSetup {
-  std::filesystem::path bin;     ///< Where the services are.
-  std::filesystem::path source;  ///< Root of the project: their settings name files from there.
+  std::filesystem::path bin;     ///< Folder of the services.
+  std::filesystem::path source;  ///< Root of the project, for paths in the settings.
   std::string key_file{};        ///< Their lcm.key_file; empty: none.
   std::stop_token stop;
-  /// Where they run: the camera on the second, all others on the first, to which the calling thread
-  /// belongs. Nothing: all on this one.
+  /// The machines: the camera runs on the second, all others on the first, to which the calling
+  /// thread belongs. Nothing: all run on this one.
   const TwoMachines* machines = nullptr;
 };
 
@@ -34,8 +34,8 @@ using CpuLoad = std::map<std::string, double>;
 /// with their shipped settings and those given, KEY=VALUE. One thread.
 class LiveSystem {
  public:
-  /// Starts all but the camera and waits until they speak. Throws std::runtime_error, with the last
-  /// of what it said, when one does not; Interrupted.
+  /// Starts all but the camera and waits for their first STATUS. Throws std::runtime_error, with a
+  /// service's last output, when one does not start; Interrupted.
   explicit LiveSystem(const LiveSetup& setup, const std::vector<std::string>& tracker = {});
   ~LiveSystem();
 
@@ -45,16 +45,16 @@ class LiveSystem {
   const std::string& url() const { return url_; }
   pid_t pid(const std::string& service) const { return services_.at(service)->pid(); }
 
-  /// Joins the bus. While nobody listens, the services are not disturbed by one more receiver.
+  /// Joins the bus. Before that the services have no additional receiver.
   LiveListener& listener();
   void stop_listening() { listener_.reset(); }
 
-  /// Lets them run and watches what they use meanwhile. Throws when one ends.
+  /// Lets them run and measures their load. Throws when one ends.
   CpuLoad watch(std::chrono::milliseconds time);
-  /// How often a second the threads of a service woke up, during the last watch.
+  /// Wake-ups a second of a service's threads, during the last watch.
   double wake_ups_hz(const std::string& service) const { return wake_ups_hz_.at(service); }
 
-  /// Ends the camera and waits for its last STATUS, and until the tracker has got what came.
+  /// Ends the camera and waits for its last STATUS, and for the tracker to receive the rest.
   void stop_camera();
 
  private:

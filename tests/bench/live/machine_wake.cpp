@@ -11,7 +11,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kTimes = 1'000;
-// As packets come at 1 Mev/s.
+// The interval of packets at 1 Mev/s.
 constexpr std::chrono::microseconds kBetween{500};
 
 }  // namespace

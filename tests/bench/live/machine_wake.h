@@ -4,8 +4,8 @@
 
 namespace puck {
 
-/// How long this machine takes to wake a sleeping thread from another one, with nothing else to do:
-/// what no service can be quicker than. Takes half a second.
+/// Time that this machine takes to wake a sleeping thread from another one, without other load: a
+/// lower bound for every service. Takes half a second.
 LatencySummary measure_machine_wake();
 
 }  // namespace puck

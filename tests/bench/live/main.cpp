@@ -76,7 +76,7 @@ void measure(const LiveSetup& setup, const Options& options) {
   }
   if (options.wants("still")) {
     std::printf("still scene\n");
-    // Not less than 10 s, however quick: little is to be measured.
+    // Not less than 10 s, even when quick: there is little to measure.
     const std::chrono::seconds time(std::max<std::int64_t>(10, brief.count()));
     const Recording scene =
         write_still_scene(setup, folder.path(), static_cast<double>(time.count() + 5));
@@ -122,7 +122,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  // Each part takes a while: what was measured shows at once, also in a pipe.
+  // Each part takes a while, so its figures appear at once, even in a pipe.
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   try {
     options.source = std::filesystem::absolute(options.source);

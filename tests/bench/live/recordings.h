@@ -8,7 +8,7 @@
 
 namespace puck {
 
-/// What the camera plays.
+/// A recording for the camera.
 struct Recording {
   std::filesystem::path file;
   std::string name;
@@ -26,7 +26,7 @@ Recording simulate_game(const LiveSetup& setup, const std::filesystem::path& fol
 Recording write_still_scene(const LiveSetup& setup, const std::filesystem::path& folder,
                             double seconds);
 
-/// When the puck of that scene has come to rest, s.
+/// Time at which the puck of that scene comes to rest, s.
 inline constexpr double kStillSceneRests_s = 1.5;
 
 /// Settings of a camera that plays a recording over and over, with its times stretched.

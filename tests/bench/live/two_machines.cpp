@@ -65,7 +65,7 @@ TwoMachines::TwoMachines() {
   }
 }
 
-// Nobody can be kept from where they have been.
+// Entering the first network again cannot fail.
 TwoMachines::~TwoMachines() { home_.enter(); }
 
 void TwoMachines::on_second(const std::function<void()>& work) const {

@@ -6,10 +6,10 @@
 
 namespace puck {
 
-/// A figure that the project is held to, or at least always reports.
+/// A figure with a goal, or one that is always reported.
 struct Bar {
   enum class Kind {
-    kReport,  ///< No bar.
+    kReport,  ///< No goal.
     kAtLeast,
     kAtMost,
   };
@@ -18,10 +18,10 @@ struct Bar {
   std::string what;  ///< For a person.
   Kind kind = Kind::kReport;
   double limit = 0;
-  std::optional<double> reach;  ///< What a prototype has shown.
+  std::optional<double> reach;  ///< Value of a prototype.
 
   bool is_met_by(double value) const;
-  /// `>= 20 (33 seen)`; empty without a bar.
+  /// `>= 20 (33 seen)`; empty without a goal.
   std::string text() const;
 };
 

@@ -26,7 +26,7 @@ const std::set<std::string> kOwnFields{"family_index",     "per_family_instance_
                                        "real_time",        "cpu_time",
                                        "items_per_second", "bytes_per_second"};
 
-// What matters to one who compares two runs.
+// Facts for a comparison of two runs.
 constexpr const char* kToldOfMachine[] = {"cpu_model", "highway_target", "opencv_version", "date"};
 
 struct Name {
@@ -35,7 +35,7 @@ struct Name {
   bool times_itself = false;
 };
 
-// FIGURE/VARIANT, and then what Google Benchmark adds for flags.
+// FIGURE/VARIANT, followed by Google Benchmark's flags.
 Name parse_name(const std::string& run_name) {
   const auto slash = run_name.find('/');
   if (slash == std::string::npos) {

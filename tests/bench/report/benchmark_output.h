@@ -11,12 +11,12 @@ namespace puck {
 /// The medians of one benchmark over its repetitions.
 struct Measurement {
   double time_us = 0;  ///< Of an iteration: CPU time, or what the benchmark measured itself.
-  std::optional<double> items_per_s;       ///< Where a benchmark counts what it works on.
+  std::optional<double> items_per_s;       ///< Where a benchmark counts items.
   double spread_percent = 0;               ///< Standard deviation of the time over its mean.
   std::map<std::string, double> counters;  ///< Of the benchmark's own.
-  std::string note;                        ///< What a benchmark says of its input; mostly empty.
+  std::string note;  ///< A benchmark's description of its input; mostly empty.
 
-  /// Of the same amount of work, whatever fits into an iteration.
+  /// Time of a fixed amount of work, for any number of items in an iteration.
   double time_of_work_us() const;
 };
 
@@ -29,7 +29,7 @@ struct BenchmarkOutput {
 
   /// Nothing when it was not measured.
   const Measurement* find(const std::string& figure, const std::string& variant) const;
-  /// The fastest of the variants whose name begins so.
+  /// The fastest of the variants whose name begins with the prefix.
   const Measurement* fastest(const std::string& figure, const std::string& beginning) const;
 };
 

@@ -10,7 +10,7 @@
 
 namespace puck {
 
-/// Everything that is known after a run, by the key under which it stands in the JSON.
+/// All figures of a run, by their keys in the JSON.
 struct BenchFigures {
   std::map<std::string, double> values;
   std::map<std::string, std::string> words;  ///< Of the machine, and what else is no number.

@@ -38,7 +38,7 @@ void draw(const std::string& title, Axis x, const std::string& y_label,
   chart.save(path);
 }
 
-// The share of a core that a rate takes of what could be done in all.
+// The share of a core at a rate, from the highest possible rate.
 void add_share(double rate_mev_s, const Measurement* measurement, Curve& curve) {
   if (measurement == nullptr || !measurement->items_per_s) return;
   curve.points.push_back({rate_mev_s, 100 * rate_mev_s * 1e6 / *measurement->items_per_s});

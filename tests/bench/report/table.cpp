@@ -20,7 +20,7 @@ const char* verdict(const Bar& bar, const std::optional<double>& value) {
   return bar.is_met_by(*value) ? "met" : "MISSED";
 }
 
-// As many digits as the value is good for.
+// With as many digits as are significant.
 std::string number_or_none(const std::optional<double>& value) {
   if (!value) return "-";
   char text[32];
@@ -28,7 +28,7 @@ std::string number_or_none(const std::optional<double>& value) {
   return text;
 }
 
-// How far the repetitions of a key's figure lay apart; a key is its figure's name and more.
+// Spread of a figure's repetitions; a key begins with its figure's name.
 std::string spread(const BenchFigures& figures, std::string key) {
   for (auto end = key.rfind('_'); end != std::string::npos; end = key.rfind('_')) {
     key.resize(end);

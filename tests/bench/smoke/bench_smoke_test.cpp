@@ -26,7 +26,8 @@ Finished run_benchmarks(const std::string& filter, const std::filesystem::path& 
 
 }  // namespace
 
-TEST_CASE("what the benchmarks measure comes out under its keys, with the machine it was made on") {
+TEST_CASE(
+    "the benchmarks' figures are printed under their keys, with a description of the machine") {
   const TemporaryFolder folder;
   const auto benchmarks = folder / "benchmarks.json";
   const auto figures = folder / "figures.json";
@@ -57,7 +58,7 @@ TEST_CASE("what the benchmarks measure comes out under its keys, with the machin
   CHECK(std::filesystem::exists(folder / "step-against-size.png"));
 }
 
-TEST_CASE("benchmarks that do not exist are an error") {
+TEST_CASE("unknown benchmarks are an error") {
   const TemporaryFolder folder;
   CHECK(run_benchmarks("^no_such_figure/", folder / "benchmarks.json").exit_code == 1);
 }

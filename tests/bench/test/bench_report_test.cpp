@@ -57,7 +57,7 @@ const Bar& bar(const std::string& key) {
 
 }  // namespace
 
-TEST_CASE("a ratio is that of the medians, to the fastest form in OpenCV") {
+TEST_CASE("a ratio compares medians, with the fastest form in OpenCV") {
   Output output;
   output.add("step_far/ours", 2);
   output.add("step_far/opencv", 60);
@@ -76,7 +76,7 @@ TEST_CASE("a ratio is that of the medians, to the fastest form in OpenCV") {
   CHECK(*figures.find("cores") == 2);
 }
 
-TEST_CASE("where items are counted a ratio is of items, however many an iteration has") {
+TEST_CASE("where items are counted, a ratio is a ratio of times per item") {
   Output output;
   output.add("eros_k3_scene/ours", 10, {{"items_per_second", 200e6}});
   output.add("eros_k3_scene/opencv_8u", 5, {{"items_per_second", 8e6}});
@@ -104,7 +104,7 @@ TEST_CASE("steps, counters and a benchmark's own clock are understood") {
   CHECK(*figures.find("writer_slowdown_percent") == doctest::Approx(7));
 }
 
-TEST_CASE("what a benchmark says of its input is kept") {
+TEST_CASE("a benchmark's description of its input is kept") {
   Output output;
   output.add("evt3_decode/ours", 1, {{"items_per_second", 300e6}, {"label", "the scene"}});
   output.add("packet_decode/ours", 1, {{"items_per_second", 700e6}});
@@ -113,7 +113,7 @@ TEST_CASE("what a benchmark says of its input is kept") {
   CHECK(!figures.words.contains("packet_decode_note"));
 }
 
-TEST_CASE("a benchmark that failed is told with its reason and has no figure") {
+TEST_CASE("a failed benchmark is reported with its reason and has no figure") {
   Output output;
   output.add("step_far/ours", 2);
   output.add_failure("step_near/ours");
@@ -123,7 +123,7 @@ TEST_CASE("a benchmark that failed is told with its reason and has no figure") {
   CHECK(read.find("step_near", "ours") == nullptr);
 }
 
-TEST_CASE("benchmarks whose names cannot be told apart or read are refused") {
+TEST_CASE("ambiguous or unreadable names of benchmarks are refused") {
   Output twice;
   twice.add("packet_decode/ours/1472", 1);
   twice.add("packet_decode/ours/60000", 2);
@@ -144,7 +144,7 @@ TEST_CASE("a file without medians is refused with its name") {
   CHECK_THROWS_AS(read_benchmark_output(folder.write("cut.json", "{")), std::runtime_error);
 }
 
-TEST_CASE("a bar is met on its limit, and missed beyond it") {
+TEST_CASE("a goal is reached at its limit, and missed beyond it") {
   CHECK(bar("eros_k3_ratio").is_met_by(20));
   CHECK(!bar("eros_k3_ratio").is_met_by(19.9));
   CHECK(bar("packet_to_estimate_p50_us").is_met_by(50));
@@ -154,7 +154,7 @@ TEST_CASE("a bar is met on its limit, and missed beyond it") {
   CHECK(bar("eros_k3_ratio").text() == ">= 20 (33 seen)");
 }
 
-TEST_CASE("the JSON holds every key of the bars, null where nothing was measured") {
+TEST_CASE("the JSON holds every key of the goals, null without a measurement") {
   const TemporaryFolder folder;
   BenchFigures figures;
   figures.values["eros_k3_ratio"] = 21;
@@ -173,7 +173,7 @@ TEST_CASE("the JSON holds every key of the bars, null where nothing was measured
   CHECK(missing_keys(figures).size() == bars().size() - 2);
 }
 
-TEST_CASE("a chart is drawn of what was measured, and none of what was not") {
+TEST_CASE("a chart shows measured values only") {
   Output output;
   output.add("step_size_13/ours", 3);
   output.add("step_size_91/ours", 30);

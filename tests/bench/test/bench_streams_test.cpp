@@ -48,7 +48,7 @@ double worst_difference(Surface&& surface, std::span<const Event> events, int ha
 
 }  // namespace
 
-TEST_CASE("parts visit the whole stream once a round, and few of them are spread over it") {
+TEST_CASE("the parts cover the whole stream once a round, and a few parts are spread over it") {
   std::vector<Event> events(10 * 100);
   BenchParts parts(events, 10);
   std::set<const Event*> begins;
@@ -82,7 +82,7 @@ TEST_CASE("the uniform stream is the same each time, inside its sensor and in or
   CHECK(fine);
 }
 
-TEST_CASE("what the surface is compared with computes the same surface, but for its rounding") {
+TEST_CASE("the surface for comparison is the same, but for its rounding") {
   const std::vector<Event> events = events_anywhere(20'000);
   for (const int k : {1, 3, 8}) {
     CAPTURE(k);

@@ -19,7 +19,7 @@ TransportRun run_at(double wanted_mev_s, double sent_mev_s, std::int64_t lost = 
 
 }  // namespace
 
-TEST_CASE("the highest rate with nothing lost is the last one before a loss") {
+TEST_CASE("the highest rate without loss is the last one before a loss") {
   CHECK(highest_lossless_mev_s({run_at(10, 10), run_at(20, 19.9), run_at(30, 30, 1)}) == 20);
   CHECK(highest_lossless_mev_s({run_at(10, 10, 1), run_at(20, 20)}) == 0);
   TransportRun counted = run_at(10, 10);
@@ -27,7 +27,7 @@ TEST_CASE("the highest rate with nothing lost is the last one before a loss") {
   CHECK(highest_lossless_mev_s({counted}) == 0);
 }
 
-TEST_CASE("a camera that missed its pace is no loss: what it sent counts") {
+TEST_CASE("a camera below its intended rate is no loss: the sent events count") {
   const TransportRun slow = run_at(10, 9.7);
   CHECK(slow.lost_nothing());
   CHECK_FALSE(slow.kept_pace());
@@ -37,7 +37,7 @@ TEST_CASE("a camera that missed its pace is no loss: what it sent counts") {
   CHECK(run_at(10, 9.9).kept_pace());
 }
 
-TEST_CASE("the figures of a cable say what was sent and what was lost") {
+TEST_CASE("the figures of a cable name sent and lost packets") {
   const TemporaryFolder folder;
   LiveFigures figures;
   figures.network_transport = {run_at(10, 9.7), run_at(15, 15, 3)};

@@ -24,7 +24,7 @@ constexpr std::int64_t kCamera = 14;
 constexpr std::int64_t kLogger = 15;
 constexpr std::int64_t kSecondTracker = 21;
 
-/// A game of 4 s, said by hand: times in ms since its start.
+/// A scripted game of 4 s: times in ms since its start.
 class GameScript {
  public:
   GameScript() {
@@ -35,7 +35,7 @@ class GameScript {
     status("puck-logger", kLogger, 0);
   }
 
-  /// The arm's, which misses somebody.
+  /// The arm's STATUS, with a missing peer.
   void miss(const std::string& service, std::int64_t at_ms) {
     status("puck-arm", kArm, at_ms).state_text = service + " on x, pid 1, is silent";
   }
@@ -58,7 +58,7 @@ class GameScript {
     hear(session, at_ms);
     record.log.estimates.push_back({at(at_ms), estimate});
   }
-  /// That follows the bridge and a tracker; tracker 0: holds for want of one.
+  /// An arm that follows the bridge and a tracker; tracker 0: holds without one.
   void arm(std::int64_t at_ms, std::int64_t tracker) {
     arm_state_t state{};
     state.session = kArm;
@@ -69,7 +69,7 @@ class GameScript {
     hear(kArm, at_ms);
     record.log.arm_states.push_back({at(at_ms), state});
   }
-  /// Tracker and arm in the usual course of a game, every 10 ms.
+  /// Tracker and arm in a normal game, every 10 ms.
   void play(std::int64_t from_ms, std::int64_t to_ms, std::int64_t tracker) {
     for (std::int64_t ms = from_ms; ms < to_ms; ms += 10) {
       estimate(tracker, ms);
@@ -77,7 +77,7 @@ class GameScript {
       hear(kBridge, ms);
     }
   }
-  /// The arm alone, out of data.
+  /// The arm alone, without data.
   void hold(std::int64_t from_ms, std::int64_t to_ms) {
     for (std::int64_t ms = from_ms; ms < to_ms; ms += 10) arm(ms, 0);
   }
@@ -122,21 +122,21 @@ GameScript cut_off_tracker() {
   game.play(0, 1000, kTracker);
   game.hold(1100, 3500);
   game.miss("puck-tracker", 1400);
-  // Its STATUS leaves at once when the network is back; what it says of events takes longer.
+  // Its STATUS is sent as soon as the network is back; its estimates take longer.
   game.status("puck-tracker", kTracker, 3300);
   return game;
 }
 
 }  // namespace
 
-TEST_CASE("a tracker that comes back from the dead within the time asked passes") {
+TEST_CASE("a tracker that restarts within the limit passes") {
   const Verdict verdict = judged(killed_and_back(2300), judge_killed_tracker);
   CHECK(verdict.complaints() == std::vector<std::string>{});
   CHECK(verdict.notes() == std::vector<std::string>{"noticed after 410 ms", "back after 300 ms",
                                                     "arm still after 110 ms"});
 }
 
-TEST_CASE("a tracker that takes too long to come back fails") {
+TEST_CASE("a tracker that restarts too late fails") {
   CHECK_FALSE(judged(killed_and_back(6100), judge_killed_tracker).passed());
 }
 
@@ -159,30 +159,30 @@ TEST_CASE("a tracker that never tracks again fails, and so does one that was nev
   CHECK_FALSE(judged(stopped, judge_killed_tracker).passed());
 }
 
-TEST_CASE("another service that begins anew meanwhile fails") {
+TEST_CASE("an additional restart of another service fails") {
   GameScript game = killed_and_back(2300);
   game.status("puck-bridge", 99, 2100);
   CHECK_FALSE(judged(game, judge_killed_tracker).passed());
 }
 
-TEST_CASE("an arm that stands still while the bridge is frozen passes") {
+TEST_CASE("an arm at rest while the bridge is frozen passes") {
   CHECK(judged(frozen_bridge(), judge_frozen_bridge).complaints() == std::vector<std::string>{});
 }
 
-TEST_CASE("an arm that moves while the bridge is frozen fails") {
+TEST_CASE("an arm in motion while the bridge is frozen fails") {
   GameScript game = frozen_bridge();
   game.arm(2000, kTracker);
   CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
 }
 
-TEST_CASE("an arm that never moves again after the bridge was frozen fails") {
+TEST_CASE("an arm that never moves after the bridge was frozen fails") {
   GameScript game = frozen_bridge();
   std::erase_if(game.record.log.arm_states,
                 [](const auto& heard) { return heard.at_us >= kStart + 3000 * kMs; });
   CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
 }
 
-TEST_CASE("a frozen bridge that nobody notices fails, and so does one noticed when it is back") {
+TEST_CASE("an unnoticed frozen bridge fails, and so does one noticed after its return") {
   GameScript game = frozen_bridge();
   game.record.log.statuses.pop_back();
   CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
@@ -196,7 +196,7 @@ TEST_CASE("a bridge that was never frozen fails") {
   CHECK_FALSE(judged(game, judge_frozen_bridge).passed());
 }
 
-TEST_CASE("a tracker that hears again after its network came back passes") {
+TEST_CASE("a tracker that receives again after its network has returned passes") {
   GameScript game = cut_off_tracker();
   game.play(3500, 4000, kTracker);
   const Verdict verdict = judged(game, judge_cut_off_tracker);
@@ -204,9 +204,10 @@ TEST_CASE("a tracker that hears again after its network came back passes") {
   CHECK(verdict.notes().back() == "hears again after 200 ms");
 }
 
-TEST_CASE("a tracker that is deaf after its network came back fails, however much it talks") {
+TEST_CASE(
+    "a tracker that receives nothing after its network has returned fails, even if it publishes") {
   GameScript game = cut_off_tracker();
-  // Estimates that rest on the last events from before the cut.
+  // Estimates on the last events from before the cut.
   for (std::int64_t ms = 3310; ms < 4000; ms += 20) {
     game.estimate(kTracker, ms);
     game.record.log.estimates.back().message.sensor_us = 990 * kMs;
@@ -214,7 +215,7 @@ TEST_CASE("a tracker that is deaf after its network came back fails, however muc
   CHECK_FALSE(judged(game, judge_cut_off_tracker).passed());
 }
 
-TEST_CASE("frame loss passes when the tracker counts about as many as were dropped") {
+TEST_CASE("frame loss passes if the tracker counts about the number of dropped frames") {
   const auto judge = [](std::int64_t lost) {
     GameScript game;
     service_status_t& status = game.status("puck-tracker", kTracker, 4000);
@@ -229,7 +230,7 @@ TEST_CASE("frame loss passes when the tracker counts about as many as were dropp
   CHECK_FALSE(judge(2000));
 }
 
-TEST_CASE("nothing is lost only when as many events were received as were sent") {
+TEST_CASE("no loss requires as many events received as sent") {
   const auto judge = [](std::int64_t received, const char* counter = "packets_lost") {
     GameScript game;
     for (const char* service :
@@ -247,11 +248,11 @@ TEST_CASE("nothing is lost only when as many events were received as were sent")
   };
   CHECK(judge(1000));
   CHECK_FALSE(judge(999));
-  // A counter that is not there has not been looked at.
+  // A missing counter is not accepted as 0.
   CHECK_FALSE(judge(1000, "packets_lost_by_another_name"));
 }
 
-TEST_CASE("a neighbour's packets fail") {
+TEST_CASE("a neighbour's packets cause a failure") {
   const auto judge = [](std::int64_t packets_of_others) {
     GameScript game;
     game.record.log.events_sessions = {kCamera};
@@ -264,7 +265,7 @@ TEST_CASE("a neighbour's packets fail") {
   CHECK_FALSE(judge(1));
 }
 
-TEST_CASE("a counter that is reported unless it is 0 is 0 only where nothing was left out") {
+TEST_CASE("a counter that is left out of a complete report is 0, of a cut report unknown") {
   ServiceRun run;
   CHECK(run.rare_counter("refused_other_arm") == 0);
   CHECK_FALSE(run.counter("refused_other_arm").has_value());
@@ -274,7 +275,7 @@ TEST_CASE("a counter that is reported unless it is 0 is 0 only where nothing was
   CHECK_FALSE(run.rare_counter("estimates_of_others").has_value());
 }
 
-TEST_CASE("an intruder passes when all count what it sends and nobody grows") {
+TEST_CASE("an intruder passes if all services count its messages and none grows") {
   const auto judge = [](std::int64_t rejected, std::int64_t after_kb) {
     GameScript game;
     for (const char* service : {"puck-camera", "puck-tracker", "puck-bridge", "puck-arm"}) {
@@ -292,7 +293,7 @@ TEST_CASE("an intruder passes when all count what it sends and nobody grows") {
   CHECK_FALSE(judge(7, 12'500));
 }
 
-TEST_CASE("a log says who spoke when, under its prefix only") {
+TEST_CASE("a log lists publishers and times, under its prefix only") {
   const TemporaryFolder folder;
   {
     LogWriter writer(folder / "a.lcm");
