@@ -64,7 +64,7 @@ TEST_CASE("the table says how many shots were neither saved nor in") {
   CHECK_FALSE(contains(demo_table(game_of(1, 1, 1)), "neither saved"));
 }
 
-TEST_CASE("the table says when the bridge counted otherwise than the simulated table") {
+TEST_CASE("the table says when the bridge counted differently from the simulated table") {
   DemoFigures figures = game_of(9, 9, 0);
   CHECK_FALSE(contains(demo_table(figures), "bridge counted"));
   figures.believed_shots = 9;
@@ -74,7 +74,7 @@ TEST_CASE("the table says when the bridge counted otherwise than the simulated t
   figures.believed_goals_against = 1;
   CHECK(
       contains(demo_table(figures),
-               "the bridge counted otherwise, from estimates: 9 shots, 9 saves, 1 goal against\n"));
+               "the bridge counted differently, from estimates: 9 shots, 9 saves, 1 goal against\n"));
 }
 
 }  // namespace puck
