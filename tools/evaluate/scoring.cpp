@@ -94,8 +94,8 @@ std::vector<std::string> Scoring::warnings(const RunSummary& run) const {
     }
   }
   if (samples().empty()) {
-    lines.push_back(spans + ": not one tick counts; is the puck ever seen, and is it the right " +
-                    "truth?");
+    lines.push_back(
+        spans + ": not one tick counts; is the puck ever visible, and is it the right " + "truth?");
   } else if (truth()->first() - run.first > kSlackUs || run.last - truth()->last() > kSlackUs) {
     lines.push_back(spans + ": only the ticks that the truth covers count");
   }
