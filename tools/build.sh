@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs what is missing, and builds these targets into build/release, optimised.
+# Installs missing packages and builds these targets, optimised, into build/release.
 #
 #   tools/build.sh TARGET...
 #
-# Shows how far it is: on a terminal in one line, elsewhere in a line every ten per cent.
+# Shows progress: in one rewritten line on a terminal, else in a line every ten per cent.
 set -euo pipefail
 CDPATH='' cd "$(dirname "$0")/.."
 folder=build/release
@@ -13,7 +13,7 @@ fail() { # MESSAGE
   exit 1
 }
 
-# Of the programs that build, before they fail in a hundred lines of their own.
+# Checks versions first, for a clearer message than a compiler's.
 require_tools() {
   local version
   version=$(cmake --version | sed -n '1s/[^0-9]*//p')
@@ -29,16 +29,16 @@ require_tools() {
 install it and name it with CXX=g++-12"
 }
 
-# Only where there is no build yet or its presets have changed: what else has changed Ninja sees.
+# Only for a new build or changed presets: Ninja notices all other changes.
 configure() {
   [ "$folder/build.ninja" -nt CMakePresets.json ] && return
   require_tools
   local is_new=true log
   [ ! -e "$folder" ] || is_new=false
   mkdir -p "$folder" 2>/dev/null && [ -w "$folder" ] ||
-    fail "$PWD/$folder cannot be written: build in a copy that is yours"
+    fail "$PWD/$folder cannot be written: build in a clone that you own"
   if ! log=$(cmake --preset release 2>&1); then
-    # With the cache of a failure the next attempt would take over what was wrong.
+    # CMake's cache of a failed attempt would spoil the next one.
     ! $is_new || rm -rf "$folder"
     tail -n 20 <<<"$log" >&2
     fail "CMake cannot configure $folder; $(reason "$log")"
@@ -54,7 +54,7 @@ reason() { # OUTPUT
   fi
 }
 
-# Reads what Ninja prints, whose status is "@BUILT/ALL@ "; says what failed.
+# Reads Ninja's output with the status "@BUILT/ALL@ "; prints the reason of a failure.
 show_progress() {
   local line built all tenth last_tenth=0 other=() open=false
   while IFS= read -r line; do
@@ -80,7 +80,7 @@ show_progress() {
   if [[ $all_other == *"No space left on device"* ]]; then
     fail "$folder cannot be built; $(reason "$all_other")"
   fi
-  # The compilers' own command lines are long and say nothing.
+  # Without the compilers' command lines, which are long.
   grep -v '^/.* -c \|^: && ' <<<"$all_other" | tail -n 40 >&2
   fail "$folder cannot be built; $(reason "$all_other")"
 }

@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   app.add_option("--output", options.experiment.output, "folder")
       ->take_last()
       ->capture_default_str();
-  app.add_option("--jobs", options.experiment.jobs, "sequences worked on at a time")
+  app.add_option("--jobs", options.experiment.jobs, "sequences at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   app.add_option("--scenes", options.experiment.scenes, "folder of the hard scenes")
