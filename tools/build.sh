@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs missing packages, and builds these targets into build/release, optimised.
+# Installs missing packages and builds these targets, optimised, into build/release.
 #
 #   tools/build.sh [--preset PRESET] TARGET...
 #
-# --preset: another one of CMakePresets.json, into build/PRESET. Shows its progress: on a terminal in one
-# line, elsewhere in a line every ten per cent.
+# --preset: another one of CMakePresets.json, into build/PRESET. Shows progress: in one rewritten line on a
+# terminal, else in a line every ten per cent.
 set -euo pipefail
 CDPATH='' cd "$(dirname "$0")/.."
 preset=release
@@ -19,15 +19,15 @@ fail() { # MESSAGE
   exit 1
 }
 
-# Only where there is no build yet or its presets have changed: what else has changed Ninja sees.
+# Only for a new build or changed presets: Ninja notices all other changes.
 configure() {
   [ "$folder/build.ninja" -nt CMakePresets.json ] && return
   local is_new=true log
   [ ! -e "$folder" ] || is_new=false
   mkdir -p "$folder" 2>/dev/null && [ -w "$folder" ] ||
-    fail "$PWD/$folder cannot be written: build in a copy that is yours"
+    fail "$PWD/$folder cannot be written: build in a clone that you own"
   if ! log=$(cmake --preset "$preset" 2>&1); then
-    # With the cache of a failure the next attempt would take over what was wrong.
+    # CMake's cache of a failed attempt would spoil the next one.
     ! $is_new || rm -rf "$folder"
     tail -n 20 <<<"$log" >&2
     fail "CMake cannot configure $folder; $(reason "$log")"
@@ -43,7 +43,7 @@ reason() { # OUTPUT
   fi
 }
 
-# Reads what Ninja prints, whose status is "@BUILT/ALL@ "; says what failed.
+# Reads Ninja's output with the status "@BUILT/ALL@ "; prints the reason of a failure.
 show_progress() {
   local line built all tenth last_tenth=0 other=() open=false
   while IFS= read -r line; do
@@ -69,7 +69,7 @@ show_progress() {
   if [[ $all_other == *"No space left on device"* ]]; then
     fail "$folder cannot be built; $(reason "$all_other")"
   fi
-  # The compilers' own command lines are long and say nothing.
+  # Without the compilers' command lines, which are long.
   grep -v '^/.* -c \|^: && ' <<<"$all_other" | tail -n 40 >&2
   fail "$folder cannot be built; $(reason "$all_other")"
 }

@@ -1,28 +1,27 @@
 #!/usr/bin/env bash
-# The paper's experiment and more in one command: makes sequences of the simulated game, runs all
+# The paper's experiment and more: makes sequences of the simulated game, runs all
 # presets and the baselines over them, and writes tables, JSON and the paper's figures.
 #
 #   tools/compare.sh [--sequences N] [--seconds S] [--only NAME[,NAME...]] [--scoring ours|paper]
 #                    [--output DIR] [--jobs J] [--keep]
 #
-# --sequences N  with the still and with the moving camera each, 1 to 20 (default 10), and half as many
+# --sequences N  of the still and of the moving camera each, 1 to 20 (default 10), and half as many
 #                of each hard scene in tools/compare/scenes
 # --seconds S    length of each (default 30); the hard ones are a third as long, 2 to 10 s
-# --only NAMES   these presets and baselines alone, and without the ablation of default
+# --only NAMES   these presets and baselines only, without the ablation of default
 # --scoring R    by our rules (default) or by those of the paper's authors: see puck-evaluate --help
-# --output DIR   where everything goes (default build/compare): comparison.txt, comparison.md,
-#                comparison.json and the figures as PNG. DIR/results holds what has been run already,
-#                so that another run does only what has changed
-# --jobs J       sequences worked on at a time (default: one a core)
-# --keep         do not delete each recording after everything has run on it (3 GB)
+# --output DIR   for all output (default build/compare): comparison.txt, comparison.md,
+#                comparison.json and the figures as PNG. DIR/results keeps the finished runs,
+#                so that the next call repeats only changed ones
+# --jobs J       sequences at a time (default: one a core)
+# --keep         keep the recordings (3 GB)
 #
-# Seeds: 1 to 99 are for development, parameters are chosen on them only. The puck's size and the
-# sensor's lag are calibrated on seed 1, latency is measured on seed 2. For testing: still from 1001,
-# moving from 1101, hard scenes from 1201, 1211, 1221 and so on. No tracker gets truth, its start
-# included.
+# Seeds: 1 to 99 are for development: parameters are chosen on them only. The puck's size and the sensor's lag
+# are calibrated on seed 1; latency is measured on seed 2. Test seeds: still from 1001, moving from 1101, hard
+# scenes from 1201, 1211, 1221 and so on. No tracker gets truth, not even to start.
 #
-# All of it takes some 40 minutes on two cores, without the particle filter and the ablation a
-# quarter of an hour, and --sequences 2 --seconds 5 less than two minutes.
+# The whole comparison takes about 40 minutes on two cores; without the particle filter and the ablation 15
+# minutes; with --sequences 2 --seconds 5 less than two minutes.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 

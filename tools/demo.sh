@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# Plays a game of air hockey on the simulated table, each service in a process of its own, and prints
-# what happened. Then LCM's own player replays the recorded events, twice as fast, into a second tracker,
-# whose estimates are compared with the recorded ones.
+# Plays a game of air hockey on the simulated table, with a process for each service, and prints the result.
+# Then LCM's player replays the recorded events at twice the speed into a second tracker, and its estimates
+# are compared with the recorded ones.
 #
 #   tools/demo.sh [--seconds N] [--moving] [--json FILE]
 #
 # --seconds N   length of the game (default 20)
-# --moving      the camera's head turns; where the machine is too slow for that, so is the game
+# --moving      the camera's head turns; on a slow machine, the game is slower
 # --json FILE   write the figures to this file
 #
-# The first run installs the packages that are missing and builds. The services use LCM ports that
-# nothing else uses, on this machine only: no other demo and no robot hears them. Exits with 1 when a
-# service died or the puck was never tracked.
+# The first run installs missing packages and builds. The services use unused LCM ports on this machine only:
+# no other demo and no robot receives their messages. Exit code 1: a service died or the puck was never
+# tracked.
 set -euo pipefail
 
 usage() { # EXIT_CODE
@@ -47,7 +47,7 @@ if ! [[ "$seconds" =~ ^[1-9][0-9]{0,4}$ ]]; then
 fi
 
 if [ -n "$json" ] && ! can_write "$json"; then
-  echo "demo.sh: $json cannot be written: name a file in a folder that exists and is yours" >&2
+  echo "demo.sh: $json cannot be written: name a file in an existing folder that you own" >&2
   exit 1
 fi
 

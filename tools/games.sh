@@ -1,6 +1,5 @@
-# Plays simulated games and scores the tracker on them, for scripts that do so by the dozen: to be
-# sourced, with `root` set to the project's root. The comment at the script's beginning, up to its `set`,
-# is its help.
+# Plays simulated games and scores the tracker on them. To be sourced by a script with `root` set to the
+# project's root; the comment at that script's beginning, up to its `set`, is its help.
 me=$(basename "$0")
 
 usage() { # EXIT_CODE
@@ -21,7 +20,7 @@ require_jobs() { # VALUE
   [[ $1 =~ ^[1-9][0-9]{0,3}$ ]] || refuse "--jobs takes a whole number from 1 to 9999, got $1"
 }
 
-# Puts the folder with these programs into `programs`; where that is empty, builds them.
+# Sets `programs` to the folder with these programs; if it is empty, builds them.
 require_programs() { # NAME...
   local program
   if [ -z "$programs" ]; then
@@ -33,22 +32,22 @@ require_programs() { # NAME...
   done
 }
 
-# Says how well the game BASE.raw is tracked: "mean_px lost_percent longest_loss_ms".
+# Prints the tracker's figures for the game BASE.raw: "mean_px lost_percent longest_loss_ms".
 score() { # BASE SIZE_MODEL [OPTION of puck-evaluate...]
   local told
   told=$("$programs/puck-evaluate" "$1.raw" --truth "$1.truth.csv" --size-model "${@:2}") || return
   awk '{ is[$1] = $2 }
     END {
       if (is["mean_px"] !~ /^[0-9]/ || is["lost_percent"] !~ /^[0-9]/) {
-        print "a game cannot be scored: is its puck ever to be seen?" >"/dev/stderr"
+        print "a game cannot be scored: is its puck ever visible?" >"/dev/stderr"
         exit 1
       }
       print is["mean_px"], is["lost_percent"], is["longest_loss_ms"]
     }' <<<"$told"
 }
 
-# Runs a function in a shell of its own, whose failures -e can see: where the caller asks whether a
-# function worked, bash leaves it off in all of it. Says how it ended, and of what fails its last words.
+# Runs a function in a shell of its own, because bash disables -e within a function whose result is tested.
+# Prints how it ended and, after a failure, the end of its log.
 logged() { # NAME LOG FUNCTION [ARGUMENT...]
   if bash -c '"$@"' "$3" "${@:3}" 2>"$2"; then
     echo "$1 is done" >&2

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what the project needs to build, run and be tested, from Debian 12's packages. Prints
-# nothing and needs no network when everything is there. What is missing and what to do about it is one
-# line on stderr, and exit code 1.
+# Installs the Debian 12 packages for building, running and testing the project. Prints nothing and needs no
+# network if all are installed. On failure, prints one line on stderr with the problem and the remedy; exit
+# code 1.
 set -euo pipefail
 
 fail() { # TEXT
@@ -16,7 +16,7 @@ packages=(
   liblcm-dev libncurses-dev libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev
   nlohmann-json3-dev
 )
-# The tests between containers need Compose, where there is Docker.
+# With Docker, the container tests need Compose.
 if command -v docker >/dev/null && ! command -v docker-compose >/dev/null &&
   ! docker compose version >/dev/null 2>&1; then
   packages+=(docker-compose)
@@ -58,7 +58,7 @@ fi
 
 log=$(mktemp 2>/dev/null) || fail "no space for a file in ${TMPDIR:-/tmp}; free some, then run it again"
 trap 'rm -f "$log"' EXIT
-# apt-get checks the space and fetches every package before it changes anything.
+# apt-get checks the disk space and fetches all packages before it changes anything.
 apt() { # ARGUMENT...
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -qq "$@" >"$log" 2>&1
 }
@@ -70,6 +70,6 @@ if ! apt update -o APT::Update::Error-Mode=any ||
   elif grep -qE 'Could not (resolve|connect)|Failed to fetch|Network is unreachable' "$log"; then
     fail "no network to Debian's mirror: $(grep -m 1 -E 'Could not|Failed|unreachable' "$log"); connect, then run it again"
   fi
-  fail "apt-get failed: $(grep -m 1 -E '^(E:|sudo:|dpkg:)' "$log" || tail -n 1 "$log"); mend it, then run: apt-get install ${missing[*]}"
+  fail "apt-get failed: $(grep -m 1 -E '^(E:|sudo:|dpkg:)' "$log" || tail -n 1 "$log"); fix it, then run: apt-get install ${missing[*]}"
 fi
 check_tools

@@ -1,26 +1,26 @@
 #!/usr/bin/env bash
-# How well the tracker does in many games of one kind, with the standard error of the mean: five games
-# of ten seconds tell two trackers apart only if one is far better.
+# Plays many games of one kind and prints the tracker's figures with the standard error of the mean. (Five
+# games of ten seconds distinguish two trackers only if one is far better.)
 #
 #   tools/more_games.sh FIRST-LAST [--scene SCENE.toml] [--moving] [--seconds S] [--size-model FILE]
 #                       [--jobs J] [--output DIR] [--programs DIR] [--keep] [-- OPTION...]
 #
 # FIRST-LAST         seeds of the games. 1 to 99 are for development
-# --scene SCENE      what they are played in (default: the plain game), as in tools/compare/scenes
+# --scene SCENE      scene file (default: the plain game), as in tools/compare/scenes
 # --moving           with a camera that turns
 # --seconds S        length of each (default 10)
 # --size-model FILE  the puck's (default config/calibration/simulated_size.toml)
-# --jobs J           games worked on at a time (default: one a core)
-# --output DIR       where figures, logs and, while they are needed, recordings go (default
+# --jobs J           games at a time (default: one a core)
+# --output DIR       for figures, logs and temporary recordings (default
 #                    build/more_games)
-# --programs DIR     run the programs there, and build nothing
-# --keep             do not delete the recordings (30 to 100 MB each). A later run with the same scene,
-#                    length and simulator uses them, and leaves them
+# --programs DIR     use these programs and build nothing
+# --keep             keep the recordings (30 to 100 MB each); later runs with the same scene,
+#                    length and simulator use them, too
 # -- OPTION...       tracks each game once more with these options of puck-evaluate, such as
-#                    --without shear or --preset correlation, and says what they change
+#                    --without shear or --preset correlation, and prints the change
 #
-# Prints a row a game, mean px / lost % / longest loss in ms, and then the means. Exit code 1: a game
-# could not be played or scored; it has no row and no part in the means.
+# Prints a row for each game, mean px / lost % / longest loss in ms, and then the means. Exit code 1: a game
+# could not be played or scored; it is left out of rows and means.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 # shellcheck source=tools/games.sh
@@ -74,13 +74,13 @@ require_programs puck-simulate puck-evaluate
 kind=$(cat "$programs/puck-simulate" ${scene:+"$scene"} | sha256sum | cut -c 1-12)
 games=$output/${scene:+$(basename "$scene" .toml)-}${moving:+moving-}${seconds}s-$kind
 
-# What follows also runs in the shells that xargs starts.
+# The following also runs in the shells started by xargs.
 export scene moving seconds size_model programs keep games
 
-# Writes the game's figures: those of default, and with the options, if there are any.
+# Writes the game's figures: with default, and with the options, if given.
 game() { # SEED [OPTION...]
   set -euo pipefail
-  # Not local: the trap runs when this function is over.
+  # Not local: the trap runs after this function.
   recording=$games/$1
   if [ ! -f "$recording.complete" ]; then
     trap 'rm -f "$recording".{complete,raw,truth.csv,annotations.csv,toml}' EXIT

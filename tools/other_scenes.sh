@@ -1,21 +1,20 @@
 #!/usr/bin/env bash
-# What the tracker makes of another sensor, camera, head or puck: games in scenes that differ from
-# config/scene.toml in a few keys each, with the puck's size and the sensor's lag calibrated anew for
-# each scene, and no parameter changed.
+# Tests the tracker with other sensors, cameras, heads and pucks: games in scenes that differ from
+# config/scene.toml in a few keys each. Only the puck's size and the sensor's lag are calibrated for each
+# scene; no parameter changes.
 #
 #   tools/other_scenes.sh [--seconds S] [--jobs J] [--output DIR] [--programs DIR] [SCENE.toml...]
 #
-# SCENE.toml      these scenes (default: all in tools/compare/other_scenes). A row has the name that
-#                 the comment in its first line gives it
-# --seconds S     length of each game (default 10); what is calibrated on is always 10 s long
-# --jobs J        scenes worked on at a time (default: one a core)
-# --output DIR    where calibrations, rows and logs go (default build/other_scenes)
-# --programs DIR  run the programs there, and build nothing
+# SCENE.toml      these scenes (default: all in tools/compare/other_scenes). The comment in a
+#                 scene's first line names its row
+# --seconds S     length of each game (default 10); calibration always takes 10 s
+# --jobs J        scenes at a time (default: one a core)
+# --output DIR    for calibrations, rows and logs (default build/other_scenes)
+# --programs DIR  use these programs and build nothing
 #
-# Prints mean px / lost % of two games with a still camera, and of two with a moving one: development
-# seeds 11 and 12; seed 1 is calibrated on. A scene that has keys of [head] has no still games. Exit
-# code 1: a scene could not be played or scored; it has no row. All of it took 15 to 41 minutes of
-# processor time.
+# Prints mean px / lost % of two games with a still camera and of two with a moving one (development seeds 11
+# and 12; calibration on seed 1). A scene with keys of [head] has no still games. Exit code 1: a scene could
+# not be played or scored; it has no row. All scenes took 15 to 41 minutes of processor time.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 
@@ -50,7 +49,7 @@ twice=$(for scene in "${scenes[@]}"; do basename "$scene"; done | sort | uniq -d
 
 require_programs puck-simulate puck-calibrate puck-evaluate
 
-# What follows also runs in the shells that xargs starts.
+# The following also runs in the shells started by xargs.
 export seconds output programs
 
 game_figures() { # SCENE FOLDER SEED [--moving]: "mean_px lost_percent longest_loss_ms"
@@ -68,12 +67,12 @@ cell() { # SCENE FOLDER [--moving]: the mean of two games
     awk '{ px += $1; lost += $2 } END { printf "%.2f / %.2f", px / NR, lost / NR }'
 }
 
-# Writes its row into the output folder.
+# Writes the scene's row into the output folder.
 row() { # SCENE
   set -euo pipefail
   shopt -s inherit_errexit
   local label still=– moving width height
-  # Not local: the trap runs when this function is over.
+  # Not local: the trap runs after this function.
   name=$(basename "$1" .toml)
   folder=$output/$name
   marks=$folder/marks

@@ -1,27 +1,27 @@
 #!/usr/bin/env bash
-# Plays air hockey in a closed loop on the simulated table, in steps and as fast as the machine can,
-# and says how many shots the robot saved: camera, tracker, bridge and arm, as the services run them.
+# Plays air hockey in a closed loop on the simulated table and prints the share of saved shots: camera,
+# tracker, bridge and arm as in the services, in steps and as fast as the machine can.
 #
 #   tools/play.sh [--seconds N | --shots N] [--max-speed M_PER_S] [--source truth|events]
 #                 [--real-time] [--sweep latency|speed|loss|rate] [--json FILE] [--plots DIR]
 #                 [--moving] [OPTION...]
 #
-# --seconds N     a whole game of so long (default 60)
-# --shots N       instead so many single shots, each a game of its own: the puck is served, comes to
-#                 rest, and the opponent shoots it at the robot's goal, directly or by a rail
-# --max-speed V   of the shots, m/s; the slowest are half as fast (default 4; of a sweep 15)
-# --source truth  estimates are made from where the puck truly is, with the errors that PUCK makes
+# --seconds N     length of a whole game (default 60)
+# --shots N       number of single shots instead, each a game of its own: the puck is served, comes to
+#                 rest, and the opponent shoots at the robot's goal, directly or by a rail
+# --max-speed V   speed of the fastest shots, m/s; the slowest are half as fast (default 4; of a sweep 15)
+# --source truth  estimates are the true position plus the errors of PUCK
 #        events   estimates are PUCK's, from the events of the simulated camera
-# --real-time     a whole game, through the five services, each a process of its own: on events
-# --sweep WHAT    how the share of saves falls as this grows, for PUCK and for others, with --shots
+# --real-time     a whole game on events, with the five services as processes
+# --sweep WHAT    save rate as a function of this quantity, for PUCK and other trackers, with --shots
 #                 (default 200) at each point
 # --json FILE     write the figures there
 # --plots DIR     write plots there, of --shots or a --sweep
 #
 # --moving        the camera's head turns; in steps only with --source events
 #
-# Of the loop in steps also --seed, --jobs, --latency-ms, --rate-hz, --loss-percent, --burst-ms,
-# --frames-hz and --fit-estimate-errors: build/release/bin/puck-play --help says what they do.
+# In steps, also: --seed, --jobs, --latency-ms, --rate-hz, --loss-percent, --burst-ms, --frames-hz and
+# --fit-estimate-errors; see build/release/bin/puck-play --help.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 
@@ -55,7 +55,7 @@ if $real_time; then
       --max-speed) max_speed=${2-} && shift 2 || usage 2 ;;
       --json) json=$(realpath -m "${2-}") && shift 2 || usage 2 ;;
       --source)
-        [ "${2-}" = events ] || refuse "--source ${2-} does not go with --real-time: its source is events"
+        [ "${2-}" = events ] || refuse "--source ${2-} does not go with --real-time, whose source is events"
         shift 2
         ;;
       --moving) moving=true && shift ;;

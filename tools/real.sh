@@ -1,23 +1,23 @@
 #!/usr/bin/env bash
-# How every preset and algorithm does outside our own simulator: on a real ball, a real ellipse, real
-# scenes without a disc, and another project's simulator.
+# Tests every preset and algorithm on recordings from outside our own simulator: a real ball, a real ellipse,
+# real scenes without a disc, and another project's simulator.
 #
 #   tools/real.sh [--json FILE] [--only NAME[,NAME...]] [--recordings DIR] [--output DIR] [--jobs J]
 #                 [--programs DIR]
 #
 # --json FILE        every run's figures, by the keys of puck-evaluate and `recording`, `contestant`
-# --only NAMES       these presets and algorithms alone
-# --recordings DIR   where the recordings are (default: PUCK_RECORDINGS, else ../shared/recordings). A
-#                    recording that is not there is named and left out
-# --output DIR       calibrations, figures and logs (default build/real)
+# --only NAMES       these presets and algorithms only
+# --recordings DIR   folder of the recordings (default: PUCK_RECORDINGS, else ../shared/recordings).
+#                    Missing recordings are named and left out
+# --output DIR       for calibrations, figures and logs (default build/real)
 # --jobs J           runs at a time (default: one a core)
-# --programs DIR     run the programs there, and build nothing
+# --programs DIR     use these programs and build nothing
 #
-# The puck's size is calibrated as a user would: by puck-calibrate on every 97th row of the truth, or on
-# all where there are fewer than 1,000. The ellipse's size and lean are given by hand, and the ball is
-# tracked once more with a size of 14 px everywhere. On a recording without a disc the tracker looks for
-# pucks of 16, 32 and 48 px and of the simulated table's sizes, and a row is the mean of these four runs.
-# Exit code 1: a run failed; it has no row, nor has a row of four runs of which one failed.
+# The puck's size is calibrated as a user would do it: by puck-calibrate on every 97th row of the truth, or on
+# all of fewer than 1,000. The ellipse's size and lean are set by hand; the ball is tracked once more with a
+# size of 14 px everywhere. On a recording without a disc, the tracker looks for pucks of 16, 32 and 48 px and
+# of the simulated table's sizes, and a row is the mean of these four runs. Exit code 1: a run failed; its row
+# is left out.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 # shellcheck source=tools/games.sh
@@ -57,7 +57,7 @@ if [ -n "$only" ]; then
 fi
 require_jobs "$jobs"
 [ -d "$recordings" ] ||
-  refuse "no folder $recordings; name that of the recordings with --recordings or PUCK_RECORDINGS"
+  refuse "no folder $recordings; set it with --recordings or PUCK_RECORDINGS"
 recordings=$(realpath "$recordings")
 require_programs puck-calibrate puck-evaluate
 [ -z "$json" ] || : >>"$json" || refuse "$json cannot be written"
@@ -83,7 +83,7 @@ calibrated() { # NAME TRUTH WIDTH HEIGHT: prints the file's path
   echo "$file"
 }
 
-# One line a run: the recording's name, that of the run, and the options of puck-evaluate.
+# A line per run: names of recording and run, and the options of puck-evaluate.
 plan=()
 missing=()
 used=()
@@ -141,7 +141,7 @@ without_disc walking walking_640x480_evt3.extracted.raw --width 640 --height 480
 
 if [ ${#plan[@]} -eq 0 ]; then refuse "none of the recordings is in $recordings"; fi
 
-# What follows also runs in the shells that xargs starts.
+# The following also runs in the shells started by xargs.
 export output programs
 
 run() { # CONTESTANT LINE-OF-THE-PLAN
@@ -155,7 +155,7 @@ run() { # CONTESTANT LINE-OF-THE-PLAN
     *) options=(--algorithm "$1") ;;
   esac
   "$programs/puck-evaluate" "${fields[@]:2}" "${options[@]}" --json "$name.part" >/dev/null
-  # Its first line is the brace.
+  # Without its first line, the brace.
   { printf '{\n  "recording": "%s",\n  "run": "%s",\n  "contestant": "%s",\n' "$title" \
     "${fields[1]}" "$1" && tail -n +2 "$name.part"; } >"$name.json"
   rm "$name.part"
@@ -172,7 +172,7 @@ for contestant in "${contestants[@]}"; do
   for line in "${plan[@]}"; do printf '%s\0%s\0' "$line" "$contestant"; done
 done | xargs -0 -n 2 -P "$jobs" bash -c 'run_logged "$@"' run_logged || failed=1
 
-# The rows in the order of the plan; of several runs in a row, the mean of what is known.
+# Prints the rows in the plan's order; several runs of a title are averaged.
 print_rows() {
   local seen=$'\n' line title run contestant runs
   for line in "${plan[@]}"; do

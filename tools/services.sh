@@ -1,14 +1,13 @@
-# Runs the services for a script that plays a game. To be sourced, in the project's root, with `bin` set
-# to the folder of the programs. Each service is a process of its own, on an LCM port of this machine
-# that nothing else uses. `work` is a temporary folder that is removed when the script ends; NAME.log in
-# it is what service NAME wrote to stderr.
+# Runs the services of a game. To be sourced in the project's root, with `bin` set to the folder of the
+# programs. Each service is a process of its own, on an unused LCM port of this machine. `work` is a temporary
+# folder, removed when the script ends; it holds NAME.log, the stderr of service NAME.
 me=$(basename "$0")
 
-# Before `work` exists: what is interrupted in between removes nothing.
+# Empty until it exists, so that an early interrupt removes nothing.
 work=
 pids=()
 names=()
-line_is_open=false # Whether the cursor is in a line that is being rewritten.
+line_is_open=false # Whether the cursor is in a rewritten line.
 
 end_line() {
   ! $line_is_open || echo
@@ -36,7 +35,7 @@ trap 'exit 143' TERM
 die() { # MESSAGE [LOG]
   end_line
   echo "$me: $1" >&2
-  # The log begins with every setting; what went wrong is a warning or an error.
+  # Without the settings at the log's beginning: only warnings and errors.
   if [ -n "${2-}" ]; then grep -v ' info: ' "$2" | tail -n 15 >&2 || true; fi
   exit 1
 }
@@ -64,7 +63,7 @@ start() { # NAME URL [OPTION...]
   pids+=($!)
   names+=("$name")
 }
-# Waits until a service publishes STATUS, be it that it still waits for its input.
+# Waits until a service publishes STATUS, even if it still waits for its input.
 await() { # NAME URL
   local name=$1 url=$2
   for _ in $(seq 10); do
@@ -93,7 +92,7 @@ stop() { # NAME
   done
 }
 
-# Runs a program to its end while the services run; a service that dies meanwhile ends the script.
+# Runs a program to its end. If a service dies meanwhile, the script ends.
 run_beside() { # NAME COMMAND...
   local name=$1 first='' code=0 i
   shift
@@ -110,7 +109,7 @@ run_beside() { # NAME COMMAND...
   [ "$code" -eq 0 ] || die "$name ended with exit code $code" "$work/$name.log"
 }
 
-# The logs of a game and of its replay take up to 8 MB for each second; the logger leaves 64 MB free.
+# The logs of a game and its replay take up to 8 MB per second; the logger leaves 64 MB free.
 require_space() { # SECONDS
   local needed_mb=$((100 + 8 * $1)) free_mb
   free_mb=$(df -BM --output=avail "$work" | tr -dc 0-9)
@@ -119,7 +118,7 @@ require_space() { # SECONDS
 TMPDIR to another folder"
 }
 
-# Plays a game that is logged in $work/game.lcm.
+# Plays a game and logs it in $work/game.lcm.
 play_game() { # URL SECONDS [CAMERA_OPTION...]
   local url=$1 seconds=$2 name late
   shift 2
@@ -137,7 +136,7 @@ play_game() { # URL SECONDS [CAMERA_OPTION...]
   ! [ -t 1 ] || line_is_open=true
   run_beside puck-demo-report "$bin/puck-demo-report" --live "$url" --seconds "$seconds"
   line_is_open=false
-  # The camera first, so that everything it sent arrives; the logger last.
+  # The camera first, so that all its messages arrive; the logger last.
   for name in puck-camera puck-bridge puck-arm puck-tracker puck-logger; do stop "$name"; done
   late_ms=$(sed -n 's/.*cannot keep up: \([0-9]*\) ms late.*/\1/p' "$work/puck-camera.log" |
     sort -n | tail -n 1)

@@ -245,7 +245,7 @@ TEST_CASE("a failing program is reported with its output") {
   } catch (const std::runtime_error& error) {
     message = error.what();
   }
-  CHECK(message.find("ended with exit code 3 and said:\nno such seed") != std::string::npos);
+  CHECK(message.find("ended with exit code 3 and printed:\nno such seed") != std::string::npos);
   CHECK_THROWS_AS(run_or_throw({"/no/such/program"}, folder.path()), std::runtime_error);
 }
 

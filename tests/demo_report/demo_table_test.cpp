@@ -72,9 +72,9 @@ TEST_CASE("the table reports a difference between the bridge's and the simulated
   figures.believed_goals_against = 0;
   CHECK_FALSE(contains(demo_table(figures), "bridge counted"));
   figures.believed_goals_against = 1;
-  CHECK(
-      contains(demo_table(figures),
-               "the bridge counted otherwise, from estimates: 9 shots, 9 saves, 1 goal against\n"));
+  CHECK(contains(
+      demo_table(figures),
+      "the bridge counted differently, from estimates: 9 shots, 9 saves, 1 goal against\n"));
 }
 
 }  // namespace puck

@@ -273,7 +273,7 @@ TEST_CASE("export of one channel goes to stdout, and arrays and text stay in the
 
   const Finished none = puck_log({"export", folder / "a.lcm", "--channel", "PUCK_GAME"});
   CHECK(none.exit_code == 1);
-  CHECK(none.errors.find("no message of ours on PUCK_GAME") != std::string::npos);
+  CHECK(none.errors.find("no PUCK message on PUCK_GAME") != std::string::npos);
 }
 
 TEST_CASE("a channel with a prefix is recognised, any other name is not") {

@@ -11,14 +11,15 @@ struct ArmCommand {
   std::filesystem::path pairs;
   std::filesystem::path output;
   JointFitParams fit;
-  std::string part = "arm";  ///< Of the authors' table: torso, arm, head.
-  double centre_m = 0;       ///< The y of the pairs that is the middle of the line.
-  bool mirror = false;       ///< The y of the pairs grows to the other side.
+  std::string part = "arm";  ///< Columns of the authors' table: torso, arm or head.
+  double centre_m = 0;       ///< The y in the pairs at the middle of the line.
+  bool mirror = false;       ///< The y in the pairs grows to the robot's right.
 };
 
-/// Fits the joints along the robot's line to measured pairs, writes the joint table, and prints how
-/// good it is and how fast the mallet may be. `typed`: the command, for a comment. Throws CsvError
-/// or ConfigError, which name the file, or std::invalid_argument for pairs that fix no table.
+/// Fits the arm's joints to measured pairs along the robot's line, writes the joint table, and
+/// prints its residuals and the mallet's limits. `typed`: the command line, for a comment in the
+/// file. Throws CsvError or ConfigError, which name the file, or std::invalid_argument for too few
+/// pairs.
 void calibrate_arm(const ArmCommand& command, const std::string& typed);
 
 }  // namespace puck

@@ -13,9 +13,9 @@ struct HotPixelsCommand {
   EventFileOptions file;
 };
 
-/// Finds the pixels of a recording that fire all the time, writes a mask of them, and prints the
-/// worst. `typed`: the command, for a comment. Throws an exception that says which file cannot be
-/// used and why.
+/// Finds the hot pixels of a recording, writes a mask of them, and prints the worst. `typed`: the
+/// command line, for a comment in the file. Throws an exception that names the unusable file and
+/// the reason.
 void calibrate_hot_pixels(const HotPixelsCommand& command, const std::string& typed);
 
 }  // namespace puck

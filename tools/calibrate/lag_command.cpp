@@ -14,7 +14,7 @@
 namespace puck {
 namespace {
 
-// Truth may end so long before the events, or a tenth of the recording before, whichever is longer.
+// The truth may end this long, or a tenth of the recording, before the events.
 constexpr std::int64_t kEndsEarlyUs = 1'000'000;
 
 std::string seconds(Timestamp time) {
@@ -63,7 +63,7 @@ void print(const ContourFit& fit, const ContourSamples& samples) {
   std::printf("trail_px    %8.4f +- %.4f\n", c.trail_px, e.trail_px);
   std::printf("events lie %.3f px from where they are expected, %.3f px before the fit\n",
               fit.spread_px, fit.spread_before_px);
-  std::printf("left over, px: front %+.3f, back %+.3f, upper edge %+.3f, lower edge %+.3f\n",
+  std::printf("residuals, px: front %+.3f, back %+.3f, upper edge %+.3f, lower edge %+.3f\n",
               fit.front_px, fit.back_px, fit.upper_px, fit.lower_px);
   std::printf("nine tenths of the events move at less than %.0f px/s\n", fit.fast_px_s);
 }
@@ -72,7 +72,7 @@ void print(const ContourFit& fit, const ContourSamples& samples) {
 
 void calibrate_lag(const LagCommand& command, const std::string& typed) {
   const PuckSizeModel size_model = read_size_model_file(command.size_model);
-  // The fit does not find the lean, so that it stays as it was given by hand.
+  // The fit does not estimate the lean: keep the value that was set by hand.
   const double lean_deg =
       read_contour_calibration(command.size_model).value_or(ContourCalibration{}).lean_deg;
   const TruthMotion truth(read_truth_file(command.truth));

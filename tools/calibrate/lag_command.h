@@ -15,9 +15,10 @@ struct LagCommand {
   EventFileOptions file;
 };
 
-/// Finds the sensor's lag and how the contour's ring lies to the size model's ellipse, and writes
-/// the size model's file with a table [contour] added or replaced. `typed`: the command, for a
-/// comment. Throws an exception that says which file cannot be used and why.
+/// Fits the sensor's lag and the offset of the contour's ring from the size model's ellipse, and
+/// writes the size model's file with a table [contour] added or replaced. `typed`: the command
+/// line, for a comment in the file. Throws an exception that names the unusable file and the
+/// reason.
 void calibrate_lag(const LagCommand& command, const std::string& typed);
 
 }  // namespace puck

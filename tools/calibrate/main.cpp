@@ -18,19 +18,19 @@
 namespace puck {
 namespace {
 
-// As a person would type it again; becomes a comment in the output.
+// For a comment in the output.
 std::string typed_command(int argc, char** argv) {
   std::string command = std::filesystem::path(argv[0]).filename();
   for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
   return command;
 }
 
-// A slip of the hand must not cost a person the annotations or the recording.
+// A mistyped --output must not overwrite the annotations or the recording.
 void refuse_to_overwrite(const std::filesystem::path& input, const std::filesystem::path& output) {
-  std::error_code none;  // Where one of them does not exist they are not the same.
+  std::error_code none;  // A missing file counts as different.
   if (!std::filesystem::equivalent(input, output, none)) return;
   throw std::runtime_error(output.string() +
-                           ": --output would overwrite what is read; name another file");
+                           ": --output would overwrite the input; name another file");
 }
 
 void add_arm_options(CLI::App& command, ArmCommand& arm) {
@@ -176,7 +176,7 @@ int run(int argc, char** argv) {
       calibrate_table(table, typed);
     }
   } catch (const std::invalid_argument& error) {
-    // The fits do not know which file their rows come from.
+    // The fits do not know the name of their input file.
     std::fprintf(stderr, "puck-calibrate: %s: %s\n", input.c_str(), error.what());
     return 1;
   } catch (const std::exception& error) {

@@ -19,9 +19,9 @@
 namespace puck {
 namespace {
 
-// Less of the puck than this may not show where its middle is.
+// With a smaller visible share, the centre of the puck may be off.
 constexpr double kLeastVisible = 0.9;
-// As the bridge believes one that knows no [camera].
+// The bridge's limit for a camera without [camera].
 constexpr double kMostTurnedDeg = 0.5;
 constexpr double kOffTableM = 0.05;
 
@@ -56,7 +56,7 @@ std::vector<TrackPoint> read_csv_track(const std::filesystem::path& path,
     if (!is_of_table && (v[3] == kNone || v[4] == kNone)) {
       throw_csv_error(path, 1, "the header must name x_m and y_m, on the table, or x and y, px");
     }
-    // What hides the puck in the image does not hide where it truly is on the table.
+    // An occlusion in the image does not affect the true position on the table.
     if (v[6] == 0 || v[7] != kTracked || (!is_of_table && v[5] < kLeastVisible)) continue;
     const Timestamp t{std::llround(v[0])};
     if (is_of_table) {

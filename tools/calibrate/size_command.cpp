@@ -58,7 +58,7 @@ void print(const SizeCalibration& calibration, std::size_t rows, SensorSize sens
   print_disc(calibration.disc.model);
   std::printf("%s\n", calibration.model.disc
                           ? "the disc is written beside Equation (2): presets correlation and "
-                            "default go by it"
+                            "default use it"
                           : "the disc is not written: too few annotations, a larger error than "
                             "Equation (2), or an impossible camera pose");
   if (calibration.model.wall_of_width() <= 0) {

@@ -12,16 +12,16 @@ namespace puck {
 struct TableCommand {
   std::filesystem::path correspondences;
   std::filesystem::path output;
-  SensorSize sensor;  ///< {0, 0}: not known. Its middle is the principal point, if none is told.
+  SensorSize sensor;  ///< {0, 0}: unknown. Its centre is the default principal point.
   std::optional<std::array<double, 2>> principal_point;
-  std::optional<double> focal_px;  ///< Nothing: fitted, where the principal point is known.
+  std::optional<double> focal_px;  ///< Empty: fitted, if the principal point is known.
   double puck_height_m = 0;        ///< The puck's thickness, if the correspondences lie below it.
   std::array<double, 3> pivot_m{};
 };
 
-/// Fits the homography from the image to the table, and the camera where it is to be known, writes
-/// them, and prints how good they are. `typed`: the command, for a comment. Throws CsvError or
-/// ConfigError, which name the file, or std::invalid_argument for correspondences that fix no
+/// Fits the homography from the image to the table and, if asked for, the camera, writes them, and
+/// prints the residuals. `typed`: the command line, for a comment in the file. Throws CsvError or
+/// ConfigError, which name the file, or std::invalid_argument for correspondences that determine no
 /// homography or no camera.
 void calibrate_table(const TableCommand& command, const std::string& typed);
 

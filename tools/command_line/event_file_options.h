@@ -10,21 +10,21 @@
 
 namespace puck {
 
-/// What a recording may not say of itself. `file` must outlive the parsing.
+/// Options for what a recording's header may lack. `file` must outlive the parsing.
 inline void add_event_file_options(CLI::App& app, EventFileOptions& file) {
   const std::vector<std::string> formats(kEventFormats.begin() + 1, kEventFormats.end());
-  app.add_option("--from", file.from, "format of the recording, where its header does not name it")
+  app.add_option("--from", file.from, "format of the recording, if its header does not name it")
       ->check(CLI::IsMember(formats));
   app.add_option("--width", file.sensor.width,
-                 "of the sensor, px, where the recording does not say");
+                 "of the sensor, px, if the recording does not name it");
   app.add_option("--height", file.sensor.height,
-                 "of the sensor, px, where the recording does not say");
+                 "of the sensor, px, if the recording does not name it");
   app.add_option("--columns", file.text_columns, "text: order of the columns")
       ->capture_default_str();
   app.add_option("--unit", file.text_unit, "text: unit of the times")
       ->check(CLI::IsMember({"auto", "s", "us"}))
       ->capture_default_str();
-  app.add_option("--eye", file.yarp_eye, "YARP log with two cameras: the eye whose events are read")
+  app.add_option("--eye", file.yarp_eye, "YARP log with two cameras: the eye to read")
       ->check(CLI::IsMember({"auto", "left", "right"}))
       ->capture_default_str();
 }

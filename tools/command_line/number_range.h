@@ -6,10 +6,10 @@
 
 namespace puck {
 
-/// Accepts numbers from `lowest` to `highest`. CLI::Range lets "nan" through, which is neither
-/// below the one nor above the other, and with which a run never ends.
+/// Accepts numbers from `lowest` to `highest`. CLI::Range also accepts "nan", with which a run
+/// never ends.
 inline CLI::Validator number_range(double lowest, double highest) {
-  CLI::Validator validator = CLI::Range(lowest, highest);  // For its words in --help.
+  CLI::Validator validator = CLI::Range(lowest, highest);  // For its text in --help.
   validator.operation([lowest, highest](std::string& text) -> std::string {
     double number = 0;
     if (CLI::detail::lexical_cast(text, number) && number >= lowest && number <= highest) return {};

@@ -7,9 +7,9 @@
 
 namespace puck {
 
-/// The rest of a program's main() once its options are added: parses the command line, then calls
-/// `run`, which returns the exit code. A wrong command line is told and ends with 2; what `run`
-/// throws is told after `name` and ends with 1.
+/// The rest of a program's main() after its options are added: parses the command line, then calls
+/// `run`, which returns the exit code. A usage error is printed and ends with 2; an exception of
+/// `run` is printed after `name` and ends with 1.
 template <typename Run>
 int run_tool(CLI::App& app, int argc, char** argv, const char* name, Run run) {
   try {

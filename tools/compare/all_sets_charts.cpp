@@ -9,7 +9,7 @@ constexpr double kSmallestErrorPx = 0.1;
 constexpr double kLargestErrorPx = 100;
 constexpr double kSmallestLostPercent = 0.01;
 
-// The last word goes below the others.
+// Puts the last word on a second line.
 std::string in_two_lines(std::string name) {
   const std::size_t dash = name.rfind('-');
   if (dash != std::string::npos) name[dash] = '\n';
@@ -50,14 +50,14 @@ void write_hard(const ComparisonReport& report, const std::filesystem::path& fol
 void write_covariance(const ComparisonReport& report, const std::filesystem::path& folder) {
   constexpr double kHonestPercent = 95;
   Chart chart =
-      bars_of_all_sets("honesty of the covariance: tracked positions within its 95 % bound",
+      bars_of_all_sets("consistency of the covariance: tracked positions within its 95 % bound",
                        {.label = "ticks, %", .to = 100}, &Summary::nees_within_95_percent, report);
   const auto end = static_cast<double>(sequence_sets().size());
   chart.line({{0, kHonestPercent}, {end, kHonestPercent}}, kBlack, 1);
   chart.save(folder / "covariance.png");
 }
 
-// Not of the second puck's: both pucks deserve their score, and truth knows but one.
+// Without the second puck's set: both pucks deserve a score, but the truth holds one.
 ScoreCurve pooled_score(const std::string& contestant, const ComparisonReport& report) {
   std::vector<std::string> sets;
   for (const SequenceSet& set : sequence_sets()) {
@@ -71,7 +71,7 @@ ScoreCurve pooled_score(const std::string& contestant, const ComparisonReport& r
 }
 
 Chart precision_over_recall(const ComparisonReport& report) {
-  Chart chart("believing scores from a threshold on, all sets but the second puck's",
+  Chart chart("precision and recall by threshold on the score, all sets but the second puck's",
               {.label = "recall: positions within 4 px that are believed, %", .to = 102},
               {.label = "precision: within 4 px, %", .from = 40, .to = 102});
   add_legend(chart);

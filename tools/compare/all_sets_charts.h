@@ -6,7 +6,7 @@
 
 namespace puck {
 
-/// hard.png, covariance.png and score.png, as write_charts says.
+/// Writes hard.png, covariance.png and score.png; see write_charts.
 void write_all_sets_charts(const ComparisonReport& report, const std::filesystem::path& folder);
 
 }  // namespace puck

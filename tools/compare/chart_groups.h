@@ -6,10 +6,10 @@
 
 namespace puck {
 
-/// All contestants, each in the ink of its number.
+/// Adds all contestants, each in its own ink.
 void add_legend(Chart& chart);
 
-/// Where the box or bar of a contestant, by its number, lies in a group of all, by its number.
+/// Position of a contestant's box or bar in a group, both by their numbers.
 double place_in_group(std::size_t group, std::size_t contestant);
 double half_width_in_group();
 

@@ -11,7 +11,7 @@
 namespace puck {
 namespace {
 
-// Finer and coarser errors than these do not differ on the box plots.
+// The box plots cut errors at these limits.
 constexpr double kSmallestBoxPx = 0.01;
 constexpr double kLargestBoxPx = 100;
 constexpr double kWithinShownPx = 10;
@@ -44,7 +44,7 @@ void write_box_plot(const SequenceSet& set, const ComparisonReport& report,
   chart.save(folder / ("errors-" + set.name + ".png"));
 }
 
-// Of all ticks of the runs.
+// Over all ticks of the runs.
 std::vector<Chart::Point> pooled_within(const std::vector<const RunFigures*>& runs) {
   std::vector<Chart::Point> pooled;
   double ticks = 0;

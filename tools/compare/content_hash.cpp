@@ -18,7 +18,7 @@ ContentHash& ContentHash::add(std::string_view bytes) {
 ContentHash& ContentHash::add_file(const std::filesystem::path& path) {
   std::ostringstream bytes;
   std::ifstream file(path, std::ios::binary);
-  // An empty file adds nothing, which operator<< calls a failure of the stream that it writes to.
+  // For an empty file, operator<< would set the failure flag of `bytes`.
   if (file && file.peek() != std::ifstream::traits_type::eof()) bytes << file.rdbuf();
   if (!file.is_open()) throw std::runtime_error(path.string() + ": cannot be read");
   return add(bytes.view());

@@ -7,7 +7,7 @@
 
 namespace puck {
 
-/// A short name for contents (FNV-1a, 64 bit): the same contents, the same name. Not for secrets.
+/// Hash of contents (FNV-1a, 64 bit), to name results. Not for secrets.
 class ContentHash {
  public:
   ContentHash& add(std::string_view bytes);

@@ -37,7 +37,7 @@ std::string joined(const std::vector<std::string>& words) {
   return line;
 }
 
-// What is worth saying of a run on the spot.
+// A run's figures for its progress line.
 std::string told(const Sequence& sequence, const std::string& contestant,
                  const std::filesystem::path& folder) {
   const Json figures = Json::parse(read_whole_file(folder / "figures.json"));
@@ -46,7 +46,7 @@ std::string told(const Sequence& sequence, const std::string& contestant,
     std::snprintf(text, sizeof text, "%s %d, %s: no tick counts", sequence.set.name.c_str(),
                   sequence.seed, contestant.c_str());
   } else {
-    // By the paper's rules nothing is lost.
+    // Null by the paper's rules, which do not count lost ticks.
     const Json& lost = figures["lost_percent"];
     std::snprintf(
         text, sizeof text, "%s %d, %s: %.2f px, lost %s %%", sequence.set.name.c_str(),

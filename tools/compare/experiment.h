@@ -23,16 +23,16 @@ struct Result {
   std::string set;
   int seed = 0;
   std::string contestant;
-  /// figures.json, within.csv, score.csv, plots; for a sequence that is shown ticks.csv as well.
+  /// figures.json, within.csv, score.csv, plots; of a shown sequence ticks.csv as well.
   std::filesystem::path folder;
 };
-/// What is left of a recording.
+/// The kept figures of a deleted recording.
 struct RecordingResult {
   std::string set;
   int seed = 0;
   double seconds = 0;
   bool shown = false;
-  /// simulation.json with cpu_s; for a sequence that is shown truth.csv as well.
+  /// simulation.json with cpu_s; of a shown sequence truth.csv as well.
   std::filesystem::path folder;
 };
 struct ExperimentResults {
@@ -40,19 +40,19 @@ struct ExperimentResults {
   std::vector<RecordingResult> recordings;
 };
 
-/// Makes recordings and runs trackers over them, each a program of its own, several at a time. What
-/// has been run already with the same programs, scene, seed and options is not run again. A
-/// recording is deleted as soon as everything has been run on it. Trackers see events and a
-/// calibration, never truth: that is made from a recording with a seed for development.
+/// Makes recordings and runs trackers on them, each in a process of its own, several at a time. A
+/// result with the same programs, scene, seed and options is reused. A recording is deleted after
+/// its last run. Trackers get events and a calibration, never truth: the calibration is made from a
+/// recording with a development seed.
 class Experiment {
  public:
   explicit Experiment(ExperimentSettings settings);
 
-  /// The names of what makes up the preset `default`, as puck-evaluate --list-ingredients tells.
+  /// Features of the preset `default`, from puck-evaluate --list-ingredients.
   std::vector<std::string> ingredients();
 
-  /// Runs everything; throws the std::runtime_error of a program that fails. What belongs to one
-  /// sequence runs one after the other.
+  /// Runs everything. The runs of one sequence are made one after the other. Throws the
+  /// std::runtime_error of a program that fails.
   ExperimentResults run(const std::vector<Sequence>& sequences);
 
  private:
@@ -61,7 +61,7 @@ class Experiment {
   std::string evaluation_key(const Sequence& sequence,
                              const std::vector<std::string>& options) const;
   void calibrate();
-  /// Makes it if it is not there; returns the path without ending.
+  /// Makes the recording if it does not exist; returns its path without extension.
   std::filesystem::path record(const Sequence& sequence, Progress& progress);
   std::filesystem::path evaluate(const Sequence& sequence, const std::string& name,
                                  const std::vector<std::string>& options,

@@ -10,7 +10,7 @@ std::vector<Goal> goals() {
   const std::vector<std::string> logos{"logos-moving"};
   const std::vector<std::string> fast_still{"fast-still"};
   const std::vector<std::string> fast_moving{"fast-moving"};
-  // Of all that this table names.
+  // The sets of the rows above.
   const std::vector<std::string> all_still{"still", "low-contrast-still", "fast-still"};
   const std::vector<std::string> all_moving{"moving", "low-contrast-moving", "logos-moving",
                                             "fast-moving"};

@@ -8,13 +8,13 @@
 
 namespace puck {
 
-/// A figure that a preset is to reach.
+/// The required value of one figure.
 struct Goal {
   std::string title;  ///< With the unit.
   std::vector<std::string> sets;
   std::optional<double> Summary::*value = nullptr;
   bool at_least = false;                      ///< Otherwise at most.
-  std::optional<double> by_correlation = {};  ///< Nothing: only reported.
+  std::optional<double> by_correlation = {};  ///< Empty: reported only.
   std::optional<double> by_default = {};
 };
 std::vector<Goal> goals();
@@ -23,7 +23,7 @@ struct GoalCell {
   std::optional<double> measured;
   std::optional<double> bar;
   bool at_least = false;
-  /// Only where there is a bar; what could not be measured has not reached it.
+  /// Empty without a bar; false when the figure could not be measured.
   std::optional<bool> reached() const;
 };
 struct GoalResult {

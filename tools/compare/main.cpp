@@ -32,7 +32,7 @@ void compare(const Options& options) {
   const std::vector<std::string> ingredients =
       options.plan.only.empty() ? experiment.ingredients() : std::vector<std::string>{};
   const Comparison comparison(experiment.run(plan_sequences(options.plan, ingredients)));
-  // Alone, after all the rest: what runs beside it would count.
+  // After all other runs: a run in parallel would add to the latency.
   const Comparison latency(
       experiment.run({latency_sequence(options.plan, kLongestLatencySeconds)}));
 
@@ -48,7 +48,7 @@ void compare(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Makes simulated sequences, runs every tracker over them and tells how they did. See "
+      "Makes simulated sequences, runs every tracker over them and reports their accuracy. See "
       "tools/compare.sh, which builds it and runs it.",
       "puck-compare");
   puck::Options options;
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
       ->check(puck::number_range(1, 600))
       ->capture_default_str();
   app.add_option("--only", options.plan.only,
-                 "these trackers alone, and nothing left out of default")
+                 "these trackers alone, without the ablation of default")
       ->check(CLI::IsMember(names))
       ->delimiter(',');
   app.add_option("--scoring", options.plan.scoring,
@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   app.add_option("--output", options.experiment.output, "folder")
       ->take_last()
       ->capture_default_str();
-  app.add_option("--jobs", options.experiment.jobs, "sequences worked on at a time")
+  app.add_option("--jobs", options.experiment.jobs, "sequences at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
   app.add_option("--scenes", options.experiment.scenes, "folder of the hard scenes")

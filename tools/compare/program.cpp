@@ -59,7 +59,7 @@ double run_or_throw(const std::vector<std::string>& command, const std::filesyst
   if (end.exit_code == 0) return end.cpu_s;
   std::string message;
   for (const std::string& word : command) message += (message.empty() ? "" : " ") + word;
-  message += "\nended with exit code " + std::to_string(end.exit_code) + " and said:\n";
+  message += "\nended with exit code " + std::to_string(end.exit_code) + " and printed:\n";
   const std::string said = read_whole_file(folder / "errors.txt");
   throw std::runtime_error(message +
                            said.substr(said.size() > kToldBytes ? said.size() - kToldBytes : 0));

@@ -6,14 +6,14 @@
 
 namespace puck {
 
-/// Tells each finished step on a line: how many are done, how long it took, how long the rest will
-/// take at this pace. Safe from any thread.
+/// Prints a line for each finished step: number of steps done, its duration, and the remaining time
+/// at this pace. Safe from any thread.
 class Progress {
  public:
-  /// `cost` in units of one's own choice, of all `steps` together.
+  /// `cost`: of all steps, in any unit.
   Progress(int steps, double cost);
 
-  /// `cached`: it took no time and says nothing about the pace. Not told, only counted.
+  /// Counts a cached step, without a line and without effect on the pace.
   void skip(double cost);
   void finish(double cost, const std::string& what);
 

@@ -42,7 +42,7 @@ std::string title_of(const SequenceSet& set, const PlanOptions& options) {
          (count == 1 ? " " + first : "s " + first + " to " + last);
 }
 
-// Beyond that it is only far too sure of itself, no matter how far.
+// From there on, the covariance is far too small; the exact value adds nothing.
 std::string nees_text(std::optional<double> nees) {
   return nees && *nees > 999 ? "> 999" : number_text(nees, 2);
 }
@@ -94,7 +94,7 @@ TextTable ablation_table(const ComparisonReport& report) {
     sets.push_back(set);
     header.push_back(set.title);
   }
-  TextTable table("What each ingredient of the preset default brings", header);
+  TextTable table("What each feature of the preset default brings", header);
   const auto add = [&](const std::string& contestant) {
     std::vector<std::string> row{contestant};
     for (const SequenceSet& set : sets) {

@@ -11,18 +11,18 @@
 
 namespace puck {
 
-/// All that a comparison is told from.
+/// The data of a report.
 struct ComparisonReport {
   PlanOptions options;
-  std::vector<std::string> ingredients;  ///< Of the preset `default`.
+  std::vector<std::string> ingredients;  ///< Features of the preset `default`.
   const Comparison& comparison;
   const Comparison& latency;
 };
 
-/// Which seeds are which, one line each.
+/// The seeds of each set, one line each.
 std::string seeds_text(const PlanOptions& options);
 
-/// Figures to reach; each set's table; the hard ones at a glance; ablation; latency; simulation.
+/// Goals; a table for each set; all sets at a glance; ablation; latency; simulation.
 std::vector<TextTable> report_tables(const ComparisonReport& report);
 
 /// comparison.txt, comparison.md and comparison.json. Throws std::runtime_error when one cannot be

@@ -33,7 +33,7 @@ std::filesystem::path ResultStore::path_of(const std::string& name, const std::s
 std::optional<std::filesystem::path> ResultStore::find(const std::string& name,
                                                        const std::string& key) const {
   const std::filesystem::path path = path_of(name, key);
-  // The hash is short: the key itself decides.
+  // Two keys may have the same short hash: compare the key itself.
   if (!std::filesystem::exists(path) || read_whole_file(path / kKeyFile) != key) {
     return std::nullopt;
   }

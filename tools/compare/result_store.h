@@ -7,23 +7,23 @@
 
 namespace puck {
 
-/// What programs made, kept in folders NAME-HASH below one folder, found again by all that went
-/// into it: the key. Safe from several threads, as long as no two make the same.
+/// A cache of results, in folders NAME-HASH below one folder. The key holds all inputs of a result.
+/// Safe from several threads that make different results.
 class ResultStore {
  public:
-  /// Makes the folder, and clears away what an interrupted run left unfinished. Throws
+  /// Creates the folder and removes unfinished results of an interrupted run. Throws
   /// std::filesystem::filesystem_error.
   explicit ResultStore(std::filesystem::path folder);
 
-  /// The folder of a result, if it has been made.
+  /// The folder of a result; empty if there is none.
   std::optional<std::filesystem::path> find(const std::string& name, const std::string& key) const;
 
-  /// `fill` makes the result in an empty folder. It is kept whole or, when `fill` throws, not at
-  /// all; it takes the place of results of the same name with other keys, which are out of date.
+  /// `fill` makes the result in an empty folder; if it throws, nothing is kept. Removes results of
+  /// the same name with other keys, which are out of date.
   std::filesystem::path make(const std::string& name, const std::string& key,
                              const std::function<void(const std::filesystem::path&)>& fill);
 
-  /// Nothing happens when there is none.
+  /// Does nothing if there is no such result.
   void remove(const std::string& name, const std::string& key);
 
  private:

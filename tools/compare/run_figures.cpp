@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// A number up to a comma, which is stepped over; not a number where nothing stands.
+// Reads a number up to a comma and skips the comma; NaN for an empty field.
 double take_number(const char*& text) {
   char* end = nullptr;
   const double value = std::strtod(text, &end);
@@ -68,7 +68,7 @@ ScoreCurve RunFigures::score_curve() const {
     throw std::runtime_error((result_.folder / "score.csv").string() + ": not " +
                              std::to_string(ScoreCurve::kSteps + 1) + " rows");
   }
-  // The file counts what lies above a threshold.
+  // The file holds cumulative counts above each threshold.
   std::array<double, 2> above{};
   for (int step = ScoreCurve::kSteps; step >= 0; --step) {
     const auto& values = rows[static_cast<std::size_t>(step)].values;

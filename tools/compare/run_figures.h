@@ -13,21 +13,21 @@
 
 namespace puck {
 
-/// What puck-evaluate found in one run.
+/// The figures of one run of puck-evaluate.
 class RunFigures {
  public:
-  /// Throws std::runtime_error when its figures cannot be read.
+  /// Throws std::runtime_error when the figures cannot be read.
   explicit RunFigures(const Result& result);
 
   const Result& result() const { return result_; }
   const nlohmann::ordered_json& json() const { return json_; }
-  /// By the key of puck-evaluate's JSON; nothing where that is null or missing.
+  /// The value of a key in puck-evaluate's JSON; empty if null or missing.
   std::optional<double> number(const std::string& key) const;
-  /// Ticks that count.
+  /// Scored ticks.
   double ticks() const { return number("estimates").value_or(0); }
   std::optional<Chart::Box> box() const;
 
-  /// (limit in px, percent of the ticks within); empty where no tick counts.
+  /// (limit in px, percent of the ticks within); empty without scored ticks.
   std::vector<Chart::Point> within() const;
   ScoreCurve score_curve() const;
 
@@ -36,18 +36,18 @@ class RunFigures {
   nlohmann::ordered_json json_;
 };
 
-/// Where a run put the puck, and where it truly was, over sensor time in s.
+/// Estimated or true positions over sensor time, s.
 struct Trajectory {
   struct Row {
     double time_s = 0;
-    double x = 0;  ///< Not a number where there is no position.
+    double x = 0;  ///< NaN without a position.
     double y = 0;
   };
   std::vector<Row> rows;
 };
-/// Of `puck-evaluate --csv`. Throws std::runtime_error.
+/// Reads the file of `puck-evaluate --csv`. Throws std::runtime_error.
 Trajectory read_ticks(const std::filesystem::path& path);
-/// Only while the puck can be seen.
+/// Reads a truth file, only the rows in which the puck is visible.
 Trajectory read_true_trajectory(const std::filesystem::path& path);
 
 }  // namespace puck

@@ -6,56 +6,56 @@
 
 namespace puck {
 
-/// A way to track: a preset of ours or a baseline.
+/// A tracker under comparison: a preset or a baseline.
 struct Contestant {
   std::string name;
-  std::vector<std::string> options;  ///< Of puck-evaluate.
-  double cost = 0.15;                ///< About so much CPU time for each second of events.
+  std::vector<std::string> options;  ///< For puck-evaluate.
+  double cost = 0.15;                ///< CPU time per second of events, approximate.
 };
 
 /// The presets and the baselines, worst first.
 std::vector<Contestant> contestants();
-/// The preset `default` with one ingredient switched off.
+/// The preset `default` with one feature switched off.
 Contestant default_without(const std::string& ingredient);
 
-/// Sequences that differ in nothing but their seeds.
+/// Sequences that differ in their seeds only.
 struct SequenceSet {
   std::string name;
   std::string title;
-  std::string scene;     ///< File in the folder of scenes; empty: nothing changed.
-  bool moving = false;   ///< The camera.
-  int first_seed = 0;    ///< The others follow it.
-  bool is_hard = false;  ///< One of the difficulties, each alone; shorter and fewer.
-  bool shown = false;    ///< Its first sequence's trajectories are drawn.
+  std::string scene;     ///< File in the folder of scenes; empty: the plain scene.
+  bool moving = false;   ///< A moving camera.
+  int first_seed = 0;    ///< The other seeds follow it.
+  bool is_hard = false;  ///< A scene with one difficulty; shorter and fewer sequences.
+  bool shown = false;    ///< Trajectories of its first sequence are plotted.
   bool in_ablation = false;
-  std::string published;  ///< What the paper reports of such sequences; empty: nothing.
+  std::string published;  ///< The paper's figures for such sequences; empty: none.
 };
-/// Seeds 1 to 99 are for development: parameters are chosen and the size of the puck is calibrated
-/// on them only. These sets are for testing: still from 1001, moving from 1101, the hard ones from
-/// 1201, 1211, 1221 and so on.
+/// Seeds 1 to 99 are for development: parameters and the puck's size come from them only. These
+/// sets are for testing: still from 1001, moving from 1101, the hard ones from 1201, 1211, 1221 and
+/// so on.
 std::vector<SequenceSet> sequence_sets();
-/// Throws std::invalid_argument when there is none of that name.
+/// Throws std::invalid_argument for an unknown name.
 SequenceSet set_of(const std::vector<SequenceSet>& sets, const std::string& name);
 
 struct PlanOptions {
-  /// More than so many hard ones would have each other's seeds.
+  /// With more, the seeds of the hard sets would overlap.
   static constexpr int kMostSequences = 20;
-  int sequences = 10;   ///< Of the still and of the moving set each, 1 to kMostSequences.
-  double seconds = 30;  ///< Of each of these.
-  /// Names of contestants: these alone, without the ablation; empty: all of them, and the ablation.
+  int sequences = 10;   ///< Of each set that is not hard, 1 to kMostSequences.
+  double seconds = 30;  ///< Length of each of these.
+  /// Names of the only contestants, without the ablation; empty: all, with the ablation.
   std::vector<std::string> only;
 
-  /// `ours` or `paper`: how puck-evaluate scores.
+  /// `ours` or `paper`: puck-evaluate's --scoring.
   std::string scoring = "ours";
 
   bool includes(const Contestant& contestant) const;
 };
-/// How many sequences of a set there are, and how long they are. The hard ones are half as many and
-/// a third as long, from 2 to 10 s.
+/// Number and length of a set's sequences. Hard sets have half as many, of a third of the length, 2
+/// to 10 s.
 int sequences_of(const SequenceSet& set, const PlanOptions& options);
 double seconds_of(const SequenceSet& set, const PlanOptions& options);
 
-/// A recording to be made and all that is run on it.
+/// A recording and its runs.
 struct Sequence {
   SequenceSet set;
   int seed = 0;
@@ -63,21 +63,20 @@ struct Sequence {
   bool shown = false;
   std::vector<Contestant> contestants;
 };
-/// The dearest first, so that none is left over at the end. On the hard sets the particle filter
-/// does not run: it costs as much as all the others together.
+/// The longest first, for an even load of the cores. The particle filter skips the hard sets: it
+/// costs as much as all other contestants together.
 std::vector<Sequence> plan_sequences(const PlanOptions& options,
                                      const std::vector<std::string>& ingredients);
 
-/// A still one, seed 1, 10 s: the size of the puck and the lag of the sensor are calibrated on it,
-/// and nothing is run.
+/// A still one, seed 1, 10 s, for calibrating the puck's size and the sensor's lag; without runs.
 Sequence calibration_sequence();
-/// A still one, seed 2, on which everything runs in real time, for so long at most.
+/// A still one, seed 2, for the runs in real time, of at most `seconds`.
 Sequence latency_sequence(const PlanOptions& options, double seconds);
 
-/// About so much CPU time does it take to make a recording, to run one contestant on it, s.
+/// Approximate CPU time of making a recording, and of one contestant's run on it, s.
 double simulation_cost_s(const Sequence& sequence);
 double evaluation_cost_s(const Sequence& sequence, const Contestant& contestant);
-/// Of both together.
+/// Sum of the recording and its runs.
 double cost_s(const Sequence& sequence);
 
 }  // namespace puck

@@ -10,7 +10,7 @@
 namespace puck {
 namespace {
 
-// A mean of what is known, each value as often as it weighs.
+// Weighted mean of the known values.
 class WeightedMean {
  public:
   void add(std::optional<double> value, double weight) {

@@ -6,15 +6,15 @@
 
 namespace puck {
 
-/// A table of words, the first column to the left and all others to the right.
+/// A table of text, the first column aligned left, the others right.
 class TextTable {
  public:
   TextTable(std::string title, std::vector<std::string> header);
 
-  /// As many cells as the header has; throws std::invalid_argument otherwise.
+  /// `row` must have as many cells as the header; throws std::invalid_argument otherwise.
   void add(std::vector<std::string> row);
 
-  /// With spaces, for a terminal.
+  /// Aligned with spaces, for a terminal.
   std::string text() const;
   std::string markdown() const;
 
@@ -23,7 +23,7 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;  // the header first
 };
 
-/// Fixed decimals; a dash for nothing.
+/// With a fixed number of decimals; a dash for an empty value.
 std::string number_text(std::optional<double> value, int decimals);
 
 }  // namespace puck

@@ -15,7 +15,7 @@ constexpr Ink kTruthInk{205, 205, 205};
 constexpr ChartSize kTimeSize{1400, 360};
 constexpr ChartSize kImageSize{1400, 700};
 
-// From shortly before the puck first moves.
+// Shortly before the puck first moves.
 double begin_of(const Trajectory& truth) {
   if (truth.rows.empty()) return 0;
   const auto& first = truth.rows.front();
@@ -33,7 +33,7 @@ struct Span {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  // A little wider, and never empty.
+  // With a margin, so that the span is never empty.
   Span padded() const {
     if (high < low) return {0, 1};
     const double edge = 0.08 * (high - low) + 1;
@@ -72,7 +72,7 @@ void write_one(const RecordingResult& recording, const std::vector<Drawn>& all,
             kTimeSize),
       Chart("y over time, " + which, time, {.label = "y, px", .from = y.low, .to = y.high},
             kTimeSize),
-      // Rows of an image go down.
+      // Image rows grow downwards.
       Chart("in the image, " + which, {.label = "x, px", .from = x.low, .to = x.high},
             {.label = "y, px", .from = y.high, .to = y.low}, kImageSize)};
   for (const Drawn& drawn : all) {

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of several estimates with the same newest event, the first.
+// The first of several estimates with the same newest event.
 std::vector<puck_estimate_t> with_news(const std::vector<puck_estimate_t>& estimates) {
   std::vector<puck_estimate_t> result;
   for (const puck_estimate_t& estimate : estimates) {
@@ -172,7 +172,7 @@ DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
 }
 
 void write_json(const DemoFigures& figures, const std::filesystem::path& path) {
-  // Whoever is interrupted leaves the old file or the new one; a pipe cannot be replaced.
+  // An interrupted run leaves the old file or the new one; a pipe cannot be replaced.
   const bool replaces = !std::filesystem::exists(path) || std::filesystem::is_regular_file(path);
   std::filesystem::path written = path;
   if (replaces) written += ".part";

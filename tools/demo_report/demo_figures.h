@@ -8,7 +8,7 @@
 
 namespace puck {
 
-/// Messages that arrived at all services together, on all channels, and what was wrong with them.
+/// Message counts over all services and channels.
 struct BusFigures {
   std::int64_t received = 0;
   std::int64_t lost = 0;
@@ -16,11 +16,11 @@ struct BusFigures {
   std::int64_t duplicate = 0;
   std::int64_t rejected = 0;  ///< Malformed, or too large.
   std::int64_t foreign = 0;   ///< Foreign datagrams on the same group and port.
-  /// Counters that did not fit into a STATUS. A counter that is missing may be one of them, not 0.
+  /// Counters that did not fit into STATUS: a missing counter may be one of them instead of 0.
   std::int64_t left_out = 0;
 };
 
-/// The figures of tools/demo.sh; empty where the logs do not have them.
+/// The figures of tools/demo.sh; empty if the logs lack them.
 struct DemoFigures {
   std::optional<std::int64_t> events_sent;
   std::optional<std::int64_t> events_received;
@@ -31,12 +31,11 @@ struct DemoFigures {
   std::optional<double> median_px;
   std::optional<double> p95_px;
   std::optional<double> lost_percent;
-  // As the tracker measures them; sensor_to_estimate is corrected for the offset of the camera's
-  // clock.
+  // Measured by the tracker; sensor_to_estimate is corrected for the offset of the camera's clock.
   std::optional<LoggedLatency> packet_to_estimate;
   std::optional<LoggedLatency> sensor_to_estimate;
   std::optional<LoggedLatency> backlog;
-  std::optional<LoggedLatency> estimate_to_command;  ///< As the bridge measures it.
+  std::optional<LoggedLatency> estimate_to_command;  ///< Measured by the bridge.
   std::optional<std::int64_t> shots;
   std::optional<std::int64_t> saves;
   std::optional<std::int64_t> goals_against;
@@ -45,17 +44,17 @@ struct DemoFigures {
 
   BusFigures bus;
 
-  // The counts of the bridge, which sees estimates only.
+  // Counted by the bridge from estimates.
   std::optional<std::int64_t> believed_shots;
   std::optional<std::int64_t> believed_saves;
   std::optional<std::int64_t> believed_goals_against;
 };
 
-/// `replay`: the log of a second tracker that was fed with the events of `game`; may be null.
+/// `replay`: the log of a second tracker on the events of `game`; may be null.
 DemoFigures demo_figures(const GameLog& game, const GameLog* replay);
 
-/// One flat object; what is missing is null. An interrupted call leaves no half-written file.
-/// Throws std::runtime_error when it cannot be written.
+/// Writes one flat object with null for missing values, or, when interrupted, nothing. Throws
+/// std::runtime_error when the file cannot be written.
 void write_json(const DemoFigures& figures, const std::filesystem::path& path);
 
 }  // namespace puck

@@ -17,7 +17,7 @@ std::string fixed(double value) {
   return text;
 }
 
-/// Lines of a name and its values.
+/// Rows with a name and values.
 class Table {
  public:
   void heading(const char* text) { text_ += std::string(text) + '\n'; }
@@ -61,7 +61,7 @@ void add_game(const DemoFigures& f, Table& table) {
   table.row("shots at the robot's goal", f.shots);
   table.row("saves", f.saves);
   table.row("goals against the robot", f.goals_against);
-  // A saved puck that goes in by a rail is a save and a goal, so that there may be more of them.
+  // A saved puck may still go in by a rail: it counts as a save and as a goal.
   if (f.shots && f.saves && f.goals_against) {
     const std::int64_t open = *f.shots - *f.saves - *f.goals_against;
     if (open > 0) {
@@ -72,7 +72,7 @@ void add_game(const DemoFigures& f, Table& table) {
   if (f.believed_shots && f.believed_saves && f.believed_goals_against &&
       (f.believed_shots != f.shots || f.believed_saves != f.saves ||
        f.believed_goals_against != f.goals_against)) {
-    table.note("the bridge counted otherwise, from estimates: " +
+    table.note("the bridge counted differently, from estimates: " +
                count_of(*f.believed_shots, "shot", "shots") + ", " +
                count_of(*f.believed_saves, "save", "saves") + ", " +
                count_of(*f.believed_goals_against, "goal", "goals") + " against");

@@ -6,8 +6,8 @@
 
 namespace puck {
 
-/// The figures as a table for people, lines of at most 80 characters, and in its last line a
-/// sentence that says what happened. What is missing is a dash.
+/// The figures as a table, lines of at most 80 characters, with a summary sentence in its last
+/// line. A missing value is a dash.
 std::string demo_table(const DemoFigures& figures);
 
 }  // namespace puck

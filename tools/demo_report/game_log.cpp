@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// False when the record is malformed.
+// False if the record is malformed.
 template <typename Message, typename Take>
 bool take_as(const LogRecord& record, const Take& take) {
   Message message;

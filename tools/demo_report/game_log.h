@@ -14,7 +14,7 @@
 
 namespace puck {
 
-/// Over the whole run of a service.
+/// Over a service's whole run.
 struct LoggedLatency {
   std::int64_t p50_us = 0;
   std::int64_t p99_us = 0;
@@ -31,13 +31,13 @@ struct GameLog {
   std::map<std::string, std::map<std::string, std::int64_t>> counters;
   /// Newest latencies that have samples, by service and name.
   std::map<std::string, std::map<std::string, LoggedLatency>> latencies;
-  std::int64_t rejected = 0;  ///< Messages on our channels that are malformed.
+  std::int64_t rejected = 0;  ///< Malformed messages on PUCK channels.
 
   std::optional<std::int64_t> counter(const std::string& service, const std::string& name) const;
   std::optional<LoggedLatency> latency(const std::string& service, const std::string& name) const;
 };
 
-/// Reads the channels under a prefix. Throws LogFileError when the file is missing or no LCM log.
+/// Reads the channels under a prefix. Throws LogFileError if the file is missing or not an LCM log.
 GameLog read_game_log(const std::filesystem::path& path, const std::string& prefix = "");
 
 }  // namespace puck

@@ -9,14 +9,14 @@
 
 namespace puck {
 
-/// How a game stands while it is played: from TRUTH and the tracker's STATUS. One thread.
+/// Progress of a running game, from TRUTH and the tracker's STATUS. One thread.
 class LiveGame {
  public:
   void take(const ground_truth_t& truth);
   void take(const service_status_t& status);
 
-  /// One line; the rate of estimates is that since the line before. A dash is what no service has
-  /// told yet.
+  /// One line; the estimates' rate is that since the previous line. A dash is a value that no
+  /// service has published yet.
   std::string line(double elapsed_s);
 
  private:
@@ -27,9 +27,9 @@ class LiveGame {
   double line_before_s_ = 0;
 };
 
-/// Prints such a line for `seconds`: on a terminal it is rewritten every second, elsewhere there is
-/// a new one every five. Throws BusError for a malformed URL, std::runtime_error when the bus
-/// cannot be joined.
+/// Prints such a line for `seconds`: rewritten every second on a terminal, a new one every five
+/// seconds elsewhere. Throws BusError for a malformed URL, std::runtime_error when the bus cannot
+/// be joined.
 void watch_game(const std::string& url, int seconds);
 
 }  // namespace puck

@@ -23,7 +23,7 @@ struct Options {
   int seconds = 20;
 };
 
-// Whether the puck was ever tracked; otherwise says so.
+// Prints a message if the puck was never tracked.
 bool is_tracked(const puck::GameLog& log, const std::filesystem::path& path) {
   const bool tracked = std::any_of(
       log.estimates.begin(), log.estimates.end(),
@@ -60,9 +60,9 @@ int main(int argc, char** argv) {
       ->needs(log);
   app.add_option("--json", options.json, "Write the figures to this file")->needs(log);
   auto* live = app.add_option("--live", options.live_url,
-                              "LCM URL of a game: print how it stands while it is played")
+                              "LCM URL of a game: print its progress while it is played")
                    ->excludes(log);
-  app.add_option("--seconds", options.seconds, "With --live: for how long")
+  app.add_option("--seconds", options.seconds, "With --live: duration, s")
       ->check(CLI::Range(1, 99'999))
       ->capture_default_str()
       ->needs(live);

@@ -10,7 +10,7 @@ constexpr const char* kBuffer = "buffer";
 
 Findings check_buffer(const Facts& facts) {
   if (!facts.buffer_bytes) {
-    return {{Verdict::kNote, kBuffer, "not checked: no socket could be made"}};
+    return {{Verdict::kNote, kBuffer, "not checked: no socket could be opened"}};
   }
   const std::string given = std::to_string(*facts.buffer_bytes) + " bytes of receive buffer";
   if (!facts.url.recv_buf_size) {

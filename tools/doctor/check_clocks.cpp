@@ -10,8 +10,8 @@ namespace puck {
 namespace {
 
 constexpr const char* kClocks = "clocks";
-// Far above what NTP leaves. The services allow for any difference; whoever reads the logs of two
-// machines side by side does not.
+// Far above the error of NTP. The services correct for any offset; the times in the logs of two
+// hosts are not corrected.
 constexpr std::int64_t kMostApart_us = 100'000;
 
 std::string in_milliseconds(std::int64_t time_us) {
@@ -31,11 +31,12 @@ Finding measured(const std::string& address, const HostClock& offset) {
                            (offset.offset_us >= 0 ? " ahead" : " behind") + ", to within " +
                            in_milliseconds(offset.within_us);
   if (!is_apart) return {Verdict::kOk, kClocks, text};
-  return {Verdict::kNote, kClocks, text + "; the services allow for it, readers of logs do not",
+  return {Verdict::kNote, kClocks,
+          text + "; the services correct for it, times in logs are not corrected",
           set_clock(address)};
 }
 
-/// Without a pong there is one bound only: a message cannot come before it was sent.
+/// Without a pong there is one bound: a message cannot arrive before it was sent.
 Finding bounded(const std::string& address, const HeardService& service) {
   const std::string host = "the clock of " + service.status.host + " (" + address + ")";
   if (service.least_age_us < -kMostApart_us) {
@@ -46,11 +47,11 @@ Finding bounded(const std::string& address, const HeardService& service) {
   if (service.least_age_us < 0) {
     return {Verdict::kNote, kClocks,
             host + " is at least " + in_milliseconds(service.least_age_us) +
-                " ahead; no answer to our pings says how far"};
+                " ahead; by how much is unknown, as no pong came"};
   }
   return {Verdict::kNote, kClocks,
           host + " is at most " + in_milliseconds(service.least_age_us) +
-              " behind; no answer to our pings says how far it is ahead"};
+              " behind; how far ahead is unknown, as no pong came"};
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ Findings check_clocks(const Facts& facts) {
   for (const auto& [address, offset] : facts.clock_offsets) {
     if (!facts.is_own_address(address)) findings.push_back(measured(address, offset));
   }
-  // Of every other host the service that bounds it best.
+  // The service with the tightest bound, for each other host.
   std::map<std::string, const HeardService*> unanswered;
   for (const HeardService* service : live_services(facts)) {
     const std::string& address = service->source.address;

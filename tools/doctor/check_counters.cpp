@@ -6,7 +6,7 @@ namespace {
 
 constexpr const char* kLosses = "losses";
 
-/// A counter that tells of loss: wrong when it grew while we looked, else a note when it is not 0.
+/// Reports a loss counter: a fault if it grew while listening, a note if it is not 0.
 void look_at(Findings& findings, const std::string& what, std::int64_t before, std::int64_t after,
              const std::string& mend) {
   if (after > before) {
@@ -28,10 +28,9 @@ Findings check_counters(const Facts& facts) {
   }
   constexpr int kLargerBuffer = 16 << 20;
   Findings findings;
-  look_at(findings, "IP datagrams of which a fragment never came",
-          facts.before->reassembly_failures, facts.after->reassembly_failures,
-          "puck-camera --set camera.packet_bytes=1472");
-  look_at(findings, "UDP datagrams that found a receive buffer full",
+  look_at(findings, "IP datagrams with a missing fragment", facts.before->reassembly_failures,
+          facts.after->reassembly_failures, "puck-camera --set camera.packet_bytes=1472");
+  look_at(findings, "UDP datagrams dropped at a full receive buffer",
           facts.before->buffer_overflows, facts.after->buffer_overflows,
           as_root(facts, {"sysctl -w net.core.rmem_max=" + std::to_string(kLargerBuffer)}));
   look_at(findings, "UDP datagrams with a bad checksum", facts.before->checksum_errors,

@@ -17,13 +17,13 @@ Findings check_firewall(const Facts& facts) {
              as_root(facts, {"nft list ruleset"})}};
   }
   if (facts.firewall->empty()) {
-    return {{Verdict::kOk, kFirewall, "no rule of the packet filter drops what comes to the port"}};
+    return {{Verdict::kOk, kFirewall, "no rule of the packet filter drops datagrams to the port"}};
   }
-  // That a rule is there does not say that it meets us; that nothing comes back does.
+  // A rule may not apply to our datagrams; the self-test shows whether they arrive.
   const SelfTest& test = facts.self_test;
   const bool drops_ours = test.sent > 0 && test.came_back < test.sent;
-  std::string text = drops_ours ? "rules that drop what comes to the port:"
-                                : "rules that may drop some of what comes to the port:";
+  std::string text = drops_ours ? "rules that drop datagrams to the port:"
+                                : "rules that may drop datagrams to the port:";
   std::vector<std::string> accepts;
   std::set<std::string> seen;
   std::size_t shown = 0;

@@ -21,7 +21,7 @@ Findings check_interface(const Facts& facts) {
     return wrong("is switched off", as_root(facts, {"ip link set " + name + " up"}));
   }
   if (!interface->is_loopback && !interface->can_multicast) {
-    return wrong("does not do multicast",
+    return wrong("does not support multicast",
                  as_root(facts, {"ip link set " + name + " multicast on"}));
   }
   if (!interface->has_link) {

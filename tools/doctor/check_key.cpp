@@ -10,7 +10,7 @@ std::string key_option(const std::string& file) { return "--set lcm.key_file=" +
 Findings without_key(const Facts& facts) {
   std::int64_t sealed = 0;
   for (const auto& [source, sender] : facts.traffic.senders()) sealed += sender.sealed;
-  if (sealed == 0) return {{Verdict::kOk, kKey, "no key is set, and nothing is sealed with one"}};
+  if (sealed == 0) return {{Verdict::kOk, kKey, "no key is set, and no message is sealed"}};
   return {{Verdict::kWrong, kKey,
            std::to_string(sealed) +
                " messages are sealed with a key, and none is set here. Without the key a "

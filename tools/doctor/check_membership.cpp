@@ -15,7 +15,7 @@ std::string names_of(const Facts& facts) {
   return names.empty() ? "a program of another user" : names;
 }
 
-/// A service manager or the person who started it starts it again.
+/// A service manager or the user restarts them.
 std::string end_all(const Facts& facts) {
   std::string pids;
   for (const PortUser& user : facts.port_users) pids += " " + std::to_string(user.program.pid);
@@ -43,13 +43,13 @@ Findings check_membership(const Facts& facts) {
   if (facts.sockets_at_port == 0) {
     return {{Verdict::kOk, kMembership, "no other program on this host listens on the port"}};
   }
-  // The kernel counts those who joined on whatever port, so that fewer than listen at ours is
-  // certain to be too few, and more says nothing.
+  // The kernel counts members of the group on any port: fewer members than sockets on our port is a
+  // fault, more proves nothing.
   const std::string counts = std::to_string(facts.sockets_at_port) +
                              " sockets listen at the port, " + std::to_string(here) +
                              " joined the group on " + interface->name;
   if (here >= facts.sockets_at_port) return {{Verdict::kOk, kMembership, counts}};
-  const std::string mend_text = "; restart the programs that stay deaf: " + names_of(facts);
+  const std::string mend_text = "; restart those that receive nothing: " + names_of(facts);
   if (!elsewhere.empty()) {
     return {{Verdict::kWrong, kMembership, counts + " and others on " + elsewhere + mend_text,
              end_all(facts)}};
@@ -57,7 +57,7 @@ Findings check_membership(const Facts& facts) {
   if (here == 0) {
     return {{Verdict::kWrong, kMembership,
              counts +
-                 ": these programs are deaf, as liblcm's receivers are after their "
+                 ": these programs receive nothing, as with liblcm's receivers after their "
                  "interface was down" +
                  mend_text,
              end_all(facts)}};

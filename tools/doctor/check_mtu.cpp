@@ -14,7 +14,7 @@ std::string set_packet_bytes(int bytes) {
   return "puck-camera --set camera.packet_bytes=" + std::to_string(bytes);
 }
 
-/// What this host's settings make.
+/// Datagrams of a camera on this host.
 Finding own_packets(const Facts& facts, const NetworkInterface& interface) {
   const int fits_bytes = interface.mtu_bytes - kIpAndUdpHeaderBytes;
   const std::string sizes = "camera.packet_bytes of " + std::to_string(facts.packet_bytes);
@@ -25,15 +25,15 @@ Finding own_packets(const Facts& facts, const NetworkInterface& interface) {
   }
   if (facts.url.ttl == 0) {
     return {Verdict::kNote, kMtu,
-            sizes + " is cut up by the kernel for " + frame +
+            sizes + " is fragmented by the kernel for " + frame +
                 "; harmless, as ttl=0 keeps the packets on this host"};
   }
-  return {
-      Verdict::kWrong, kMtu,
-      sizes + " is cut up by the kernel for " + frame + ": one lost frame loses the whole packet",
-      fits_bytes >= EventPackerParams::kMinBytes
-          ? set_packet_bytes(fits_bytes)
-          : as_root(facts, {"ip link set " + interface.name + " mtu 1500"})};
+  return {Verdict::kWrong, kMtu,
+          sizes + " is fragmented by the kernel for " + frame +
+              ": one lost frame loses the whole packet",
+          fits_bytes >= EventPackerParams::kMinBytes
+              ? set_packet_bytes(fits_bytes)
+              : as_root(facts, {"ip link set " + interface.name + " mtu 1500"})};
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ Findings check_mtu(const Facts& facts) {
     if (!came_in_parts) continue;
     findings.push_back({Verdict::kWrong, kMtu,
                         source.address + " sends datagrams of " +
-                            std::to_string(sender.largest_bytes) + " bytes, which come over " +
-                            interface->name + " in parts; on that host",
+                            std::to_string(sender.largest_bytes) + " bytes, which cross " +
+                            interface->name + " in fragments; on that host",
                         set_packet_bytes(std::max(fits_bytes, EventPackerParams::kMinBytes))});
   }
   return findings;

@@ -31,7 +31,7 @@ Findings check_reverse_path(const Facts& facts) {
              as_root(facts, {"sysctl -w net.ipv4.conf.all.rp_filter=0 net.ipv4.conf." + name +
                              ".rp_filter=0"})}};
   }
-  // The kernel goes by the larger of the two.
+  // The kernel uses the larger of the two.
   if (std::max(setting(facts, "all"), setting(facts, name)) == kStrict) {
     return {{Verdict::kOk, kReversePath,
              "strict on " + name + ": only hosts to which " + name +

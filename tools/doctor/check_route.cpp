@@ -8,8 +8,8 @@ namespace {
 
 constexpr const char* kRoute = "route";
 
-/// The interface that most likely leads to the other machines: up before down, with an address
-/// before without.
+/// The interface that most likely leads to other machines: one that is up and has an address before
+/// others.
 const NetworkInterface* best_way_out(const Facts& facts) {
   const auto rank = [](const NetworkInterface& interface) {
     return 4 * interface.is_up + 2 * !interface.addresses.empty() + interface.has_link;

@@ -14,7 +14,7 @@ std::string name_of(const Facts& facts, const Source& source) {
   return known == facts.local_senders.end() ? address : to_string(known->second) + " at " + address;
 }
 
-/// Whether something on that host is one of us: then it must not be shut out.
+/// Whether that host has a sender of valid messages: it must not be blocked.
 bool has_good_senders(const Facts& facts, const std::string& address) {
   const auto& senders = facts.traffic.senders();
   return std::any_of(senders.begin(), senders.end(), [&](const auto& entry) {
@@ -22,7 +22,7 @@ bool has_good_senders(const Facts& facts, const std::string& address) {
   });
 }
 
-/// Keeps a stranger out: at the door, or by naming the program where the door is ours, too.
+/// Blocks a foreign sender, or names its program if its host is needed.
 std::string keep_out(const Facts& facts, const Source& source) {
   const std::string who_has_port = "ss -uanp 'sport = :" + std::to_string(source.port) + "'";
   if (facts.is_own_address(source.address)) {
@@ -67,7 +67,7 @@ void add_strangers(const Facts& facts, Findings& findings) {
                           keep_out(facts, source)});
     }
     if (sender.malformed > 0) {
-      // Who also sends good ones is one of us, and not to be ended for its age.
+      // A sender of valid messages as well is an older service of ours: update it, do not end it.
       const bool is_ours = sender.ours > 0;
       findings.push_back({Verdict::kWrong, kSenders,
                           name + " sent " + std::to_string(sender.malformed) +
@@ -82,14 +82,14 @@ void add_strangers(const Facts& facts, Findings& findings) {
                           name + " sent " + std::to_string(sender.fragments) +
                               " parts of messages larger than a datagram, which " +
                               (facts.allow_fragments ? "" : "are refused here and ") +
-                              "stall liblcm under loss; a port of your own keeps apart",
+                              "stall liblcm under loss; another port avoids them",
                           other_port_option(facts.url)});
     }
     if (sender.foreign > 0) {
       findings.push_back({Verdict::kNote, kSenders,
                           name + " sent " + std::to_string(sender.foreign) +
-                              " messages that are not ours (" + some_channels(sender) +
-                              "); a port of your own keeps apart",
+                              " messages of other programs (" + some_channels(sender) +
+                              "); another port avoids them",
                           other_port_option(facts.url)});
     }
   }

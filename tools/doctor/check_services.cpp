@@ -46,7 +46,7 @@ Findings silence(const Facts& facts) {
                (facts.prefix.empty() ? "" : " --prefix " + facts.prefix)}};
 }
 
-/// The one that came later is the one too many.
+/// The newer service is assumed to be the unwanted one.
 std::string end_the_newer(const Facts& facts, const HeardService& a, const HeardService& b) {
   const HeardService& newer = a.status.uptime_us < b.status.uptime_us ? a : b;
   const std::string kill = "kill " + std::to_string(newer.status.pid);

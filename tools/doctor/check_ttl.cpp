@@ -13,7 +13,7 @@ LcmUrl with_ttl_1(LcmUrl url) {
   return url;
 }
 
-/// Of a sender of ours on another host.
+/// A sender of PUCK messages on another host.
 std::string remote_sender(const Facts& facts) {
   for (const auto& [source, sender] : facts.traffic.senders()) {
     if (sender.ours > 0 && !facts.is_own_address(source.address)) return source.address;
@@ -21,7 +21,7 @@ std::string remote_sender(const Facts& facts) {
   return {};
 }
 
-/// Programs of ours on this host whose datagrams end here.
+/// Local programs whose datagrams stay on this host.
 std::string senders_without_ttl(const Facts& facts) {
   std::string names;
   for (const auto& [source, sender] : facts.traffic.senders()) {
@@ -39,7 +39,7 @@ Findings stays_here(const Facts& facts) {
   const std::string remote = remote_sender(facts);
   if (!remote.empty()) {
     return {{Verdict::kWrong, kTtl,
-             "ttl=0: what is sent here stays on this host, but " + remote +
+             "ttl=0: messages of this host stay on it, but " + remote +
                  " is heard, so the bus spans machines; start the services here with",
              mend}};
   }

@@ -5,42 +5,42 @@
 
 namespace puck {
 
-// Each looks at one thing and says one thing at least.
+// Each checks one thing and returns at least one finding.
 
-/// Where the group's datagrams go.
+/// Interface of the multicast route to the group.
 Findings check_route(const Facts& facts);
-/// Whether that interface can carry them.
+/// Whether that interface is up, has a link and supports multicast.
 Findings check_interface(const Facts& facts);
-/// How far they go, ours and those of the others.
+/// Time to live of our datagrams and of others'.
 Findings check_ttl(const Facts& facts);
-/// Whether they fit a frame.
+/// Whether datagrams fit into a frame.
 Findings check_mtu(const Facts& facts);
-/// Whether the kernel gives the receive buffer that is asked for.
+/// Whether the kernel grants the requested receive buffer.
 Findings check_buffer(const Facts& facts);
-/// Whether those who listen here have joined the group where it comes in.
+/// Whether this host's receivers have joined the group on the interface that it arrives on.
 Findings check_membership(const Facts& facts);
-/// Whether a datagram of ours comes back.
+/// Whether the doctor's own datagrams come back.
 Findings check_self_test(const Facts& facts);
-/// What the kernel lost.
+/// Datagrams that the kernel lost.
 Findings check_counters(const Facts& facts);
-/// Whether it drops by the sender's address.
+/// Whether the kernel drops datagrams by the sender's address.
 Findings check_reverse_path(const Facts& facts);
-/// Packet filter rules in the way.
+/// Packet filter rules that drop the bus's datagrams.
 Findings check_firewall(const Facts& facts);
-/// Who else holds the port on this host.
+/// Other programs on the port on this host.
 Findings check_port_users(const Facts& facts);
-/// Who sends what to the port.
+/// Senders to the port, and foreign or malformed datagrams.
 Findings check_senders(const Facts& facts);
-/// Whether all who are meant to have the bus's key.
+/// Whether all senders have the bus's key.
 Findings check_key(const Facts& facts);
-/// Which services of ours are heard.
+/// Services heard under our prefix.
 Findings check_services(const Facts& facts);
-/// Whether they are of one version.
+/// Whether all services have our version.
 Findings check_versions(const Facts& facts);
 /// Whether their clocks agree with ours.
 Findings check_clocks(const Facts& facts);
 
-/// All of them, in an order that leads from the cause to the effect.
+/// All checks, causes before effects.
 Findings examine(const Facts& facts);
 
 }  // namespace puck

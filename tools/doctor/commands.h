@@ -7,7 +7,7 @@
 
 namespace puck {
 
-/// Commands that need an administrator, one after the other, as this user has to type them.
+/// The commands in one line, with sudo if this user is not root.
 inline std::string as_root(const Facts& facts, const std::vector<std::string>& commands) {
   std::string line;
   for (const std::string& command : commands) {
@@ -18,16 +18,16 @@ inline std::string as_root(const Facts& facts, const std::vector<std::string>& c
   return line;
 }
 
-/// The option that makes a service or tool use this bus.
+/// The option for a service or tool on this bus.
 inline std::string lcm_url_option(const LcmUrl& url) {
   return "--lcm-url \"" + url.to_string() + "\"";
 }
 
-/// Brings a clone of the project up to date.
+/// Updates a clone of the project.
 inline constexpr const char* kUpdate =
     "git pull && cmake --preset release && cmake --build --preset release";
 
-/// Another port is another bus: that is how strangers are kept apart.
+/// The option for another port, which separates the bus from foreign datagrams.
 inline std::string other_port_option(LcmUrl url) {
   url.port = url.port < 65535 ? url.port + 1 : 7667;
   return lcm_url_option(url);

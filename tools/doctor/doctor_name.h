@@ -2,7 +2,7 @@
 
 namespace puck {
 
-/// As the doctor calls itself in its STATUS and on its command line.
+/// In STATUS and on the command line.
 inline constexpr const char* kDoctorName = "puck-doctor";
 
 }  // namespace puck

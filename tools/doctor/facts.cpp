@@ -18,7 +18,7 @@ const NetworkInterface* Facts::group_interface() const {
 }
 
 bool Facts::is_own_address(const std::string& address) const {
-  // What leaves by an interface without an address, and does not get far.
+  // Source address of datagrams from an interface without an address.
   if (address == "0.0.0.0") return true;
   return std::any_of(interfaces.begin(), interfaces.end(), [&](const auto& interface) {
     return std::find(interface.addresses.begin(), interface.addresses.end(), address) !=

@@ -19,13 +19,13 @@ namespace puck {
 
 /// What the kernel counted, since it started and in this network namespace.
 struct KernelCounters {
-  std::int64_t reassembly_failures = 0;  ///< IP datagrams of which a fragment never came.
-  std::int64_t buffer_overflows = 0;     ///< Datagrams that found a receive buffer full.
+  std::int64_t reassembly_failures = 0;  ///< IP datagrams with a missing fragment.
+  std::int64_t buffer_overflows = 0;     ///< Datagrams dropped at a full receive buffer.
   std::int64_t checksum_errors = 0;
-  std::int64_t reverse_path_drops = 0;  ///< From an address to which another interface leads.
+  std::int64_t reverse_path_drops = 0;  ///< From an address routed by another interface.
 };
 
-/// A program that runs on this host.
+/// A running program on this host.
 struct Program {
   std::string name;  ///< Printable.
   int pid = 0;
@@ -34,52 +34,52 @@ struct Program {
 };
 std::string to_string(const Program& program);
 
-/// One with sockets on the bus's port.
+/// A program with sockets on the bus's port.
 struct PortUser {
   Program program;
   int sockets = 0;
 };
 
-/// What became of the doctor's own datagrams.
+/// The doctor's own datagrams, sent and received back.
 struct SelfTest {
-  std::string problem;  ///< Why it could not be done; empty: it was.
+  std::string problem;  ///< Why the test was not possible; empty: it was done.
   int sent = 0;
   int came_back = 0;
 };
 
-/// Everything that the checks go by. Plain values, so that tests can make up any machine.
+/// The input of all checks: plain values, so that tests can describe any machine.
 struct Facts {
-  // What was asked for.
+  // Settings.
   LcmUrl url;
   std::string prefix;
   bool allow_fragments = false;
   std::string key_file;  ///< Empty: none.
   int packet_bytes = 0;  ///< Largest datagram of a camera with these settings.
-  double seconds = 0;    ///< How long was listened.
-  std::string version;   ///< Ours.
+  double seconds = 0;    ///< Time to listen.
+  std::string version;   ///< Of this program.
 
   // The machine.
   bool is_root = false;
   std::vector<NetworkInterface> interfaces;
   std::variant<KernelRoute, std::string> route;       ///< To the group, or why there is none.
-  std::optional<std::int64_t> rmem_max_bytes;         ///< Most that a socket may ask for.
-  std::optional<std::int64_t> buffer_bytes;           ///< What a socket with this URL is given.
-  std::optional<KernelCounters> before;               ///< Counted when the listening began …
-  std::optional<KernelCounters> after;                ///< … and when it ended.
+  std::optional<std::int64_t> rmem_max_bytes;         ///< Maximum receive buffer of a socket.
+  std::optional<std::int64_t> buffer_bytes;           ///< Granted to a socket with this URL.
+  std::optional<KernelCounters> before;               ///< At the start of listening.
+  std::optional<KernelCounters> after;                ///< At its end.
   std::vector<GroupMembership> memberships;           ///< Before the doctor's own.
   std::map<std::string, int> reverse_path_filter;     ///< By interface, and "all": 1 is strict.
-  std::optional<std::vector<FirewallDrop>> firewall;  ///< Nothing: not readable.
+  std::optional<std::vector<FirewallDrop>> firewall;  ///< Empty: not readable.
   std::vector<PortUser> port_users;                   ///< Without the doctor itself.
-  std::map<Source, Program> local_senders;            ///< Programs of this host that sent.
-  int sockets_at_port = 0;                            ///< Of others, bound to the bus's port.
+  std::map<Source, Program> local_senders;            ///< Senders on this host.
+  int sockets_at_port = 0;  ///< Of other programs, bound to the bus's port.
 
-  // What was heard.
+  // The bus.
   SelfTest self_test;
   Traffic traffic{""};
-  std::int64_t end_utime = 0;                      ///< When the listening ended.
+  std::int64_t end_utime = 0;                      ///< End of listening.
   std::map<std::string, HostClock> clock_offsets;  ///< By address.
 
-  /// The interface that the group's datagrams leave by; nothing without a route.
+  /// The interface of the route to the group; null without a route.
   const NetworkInterface* group_interface() const;
   bool is_own_address(const std::string& address) const;
 };

@@ -7,16 +7,16 @@ namespace puck {
 
 enum class Verdict {
   kOk,
-  kNote,   ///< Worth knowing; nothing arrives less for it.
-  kWrong,  ///< Keeps messages from arriving, or will.
+  kNote,   ///< For information; no message is lost by it.
+  kWrong,  ///< Loses messages, or will.
 };
 
-/// What one check found.
+/// A check's finding.
 struct Finding {
   Verdict verdict = Verdict::kOk;
   std::string check;   ///< Its name: route, ttl, …
-  std::string text;    ///< For a person, a line or two.
-  std::string mend{};  ///< The command that mends it, or may; empty: there is none to give.
+  std::string text;    ///< For people, a line or two.
+  std::string mend{};  ///< A command that repairs it, or may; empty: none is known.
 };
 
 using Findings = std::vector<Finding>;

@@ -32,7 +32,7 @@ std::string after(const Words& words, std::string_view word) {
   return found == words.end() || std::next(found) == words.end() ? "" : *std::next(found);
 }
 
-/// A rule for one port, of another protocol or of another IP version meets nothing of ours.
+/// A rule for another port, protocol or IP version cannot match our datagrams.
 bool may_meet(const Words& rule, int port) {
   if (has_any(rule, {"tcp", "icmp", "icmpv6", "ip6", "esp", "sctp", "invalid", "INVALID"})) {
     return false;
@@ -48,12 +48,12 @@ bool may_meet(const Words& rule, int port) {
 
 struct Chain {
   std::string name;  ///< "inet filter input": family, table, chain.
-  std::string hook;  ///< Empty: only rules of other chains lead here.
+  std::string hook;  ///< Empty: reached from other chains only.
   std::vector<std::string> rules;
   bool drops_the_rest = false;
 };
 
-/// Reads the blocks of `nft list ruleset`.
+/// Parses the output of `nft list ruleset`.
 std::vector<Chain> read_chains(std::string_view ruleset) {
   std::vector<Chain> chains;
   std::string table;
@@ -79,7 +79,7 @@ std::vector<Chain> read_chains(std::string_view ruleset) {
   return chains;
 }
 
-/// What a chain drops itself, and what those drop that its rules lead to.
+/// Drops of a chain and of the chains that it jumps to.
 class NftDrops {
  public:
   NftDrops(const std::vector<Chain>& chains, int port) : port_(port) {
@@ -101,7 +101,7 @@ class NftDrops {
     for (const std::string& rule : chain.rules) {
       const Words words = words_of(rule);
       if (!may_meet(words, port_)) continue;
-      // Whatever accepts the bus's own port saves it from all that follows.
+      // An accept for the bus's port ends the chain for our datagrams.
       if (accepts_our_port(words)) return;
       if (has_any(words, {"drop", "reject"})) add(chain, rule);
       for (const std::string_view verb : {"jump", "goto"}) {
@@ -148,7 +148,7 @@ std::vector<FirewallDrop> find_nft_drops(std::string_view ruleset, int port) {
 
 std::vector<FirewallDrop> find_iptables_drops(std::string_view rules, int port) {
   std::vector<FirewallDrop> drops;
-  std::set<std::string> accepting;  // Chains that took the port before.
+  std::set<std::string> accepting;  // Chains with an accept for the port so far.
   std::map<std::string, std::string> dropping_policies;
   std::istringstream stream{std::string(rules)};
   const auto accept = [&](const std::string& chain) {

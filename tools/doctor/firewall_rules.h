@@ -9,15 +9,15 @@ namespace puck {
 /// A rule or policy of the packet filter that may drop the bus's datagrams.
 struct FirewallDrop {
   std::string where;   ///< "inet filter input"
-  std::string rule;    ///< As the filter lists it.
-  std::string accept;  ///< The command that lets the bus's port through before it.
+  std::string rule;    ///< As listed by the packet filter.
+  std::string accept;  ///< A command that accepts the bus's port before this rule.
 };
 
-/// Those in what `nft list ruleset` prints that meet what comes to or leaves this host on UDP
-/// `port`. By their words, not by a model of the filter: hints for a person.
+/// Such rules for UDP datagrams of `port` to or from this host, in the output of `nft list
+/// ruleset`. Found by keywords, not by a model of the filter: hints for people.
 std::vector<FirewallDrop> find_nft_drops(std::string_view ruleset, int port);
 
-/// The same in what `iptables -S` prints.
+/// The same in the output of `iptables -S`.
 std::vector<FirewallDrop> find_iptables_drops(std::string_view rules, int port);
 
 }  // namespace puck

@@ -35,7 +35,7 @@ std::optional<KernelCounters> read_counters() {
   const std::string snmp = read_text("/proc/self/net/snmp");
   const std::string netstat = read_text("/proc/self/net/netstat");
   if (snmp.empty()) return std::nullopt;
-  // UDP's InErrors is of no use: it counts what a receiver's own filter turns away, too.
+  // Without UDP's InErrors: it also counts datagrams rejected by a receiver's own filter.
   return KernelCounters{
       .reassembly_failures = find_counter(snmp, "Ip", "ReasmFails").value_or(0),
       .buffer_overflows = find_counter(snmp, "Udp", "RcvbufErrors").value_or(0),
@@ -53,7 +53,7 @@ std::map<std::string, int> read_reverse_path_filter() {
   return settings;
 }
 
-/// What a program prints; nothing when it is not there or fails.
+/// A program's output; empty if it is missing or fails.
 std::optional<std::string> output_of(const std::string& command) {
   std::FILE* pipe = popen((command + " 2>/dev/null").c_str(), "r");
   if (pipe == nullptr) return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<std::string> output_of(const std::string& command) {
 }
 
 std::optional<std::vector<FirewallDrop>> read_firewall(int port) {
-  // An administrator's programs are often not in a user's path.
+  // Administration tools are often not on a user's PATH.
   const std::string path = "PATH=$PATH:/usr/sbin:/sbin ";
   if (const auto ruleset = output_of(path + "nft list ruleset")) {
     return find_nft_drops(*ruleset, port);

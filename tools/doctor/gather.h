@@ -5,7 +5,7 @@
 
 namespace puck {
 
-/// Reads the machine and listens on the bus. What cannot be read is left out.
+/// Reads the machine's state and listens on the bus. Unreadable facts stay empty.
 Facts gather(const DoctorSettings& settings);
 
 }  // namespace puck

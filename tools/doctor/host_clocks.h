@@ -9,21 +9,21 @@
 
 namespace puck {
 
-/// How far another host's clock is from ours.
+/// Offset of another host's clock.
 struct HostClock {
-  std::string host;            ///< As its services call it.
+  std::string host;            ///< Host name in its STATUS.
   std::int64_t offset_us = 0;  ///< Its clock minus ours.
-  std::int64_t within_us = 0;  ///< The true offset is no further off.
+  std::int64_t within_us = 0;  ///< Bound on the error of the offset.
 };
 
-/// Measures clocks by the pongs in the STATUS of others to STATUS of ours. Of all runs on a host
-/// the one that is known best counts. One thread.
+/// Measures clock offsets from the pongs in others' STATUS to our STATUS. Of all runs on a host,
+/// the one with the smallest error bound counts. One thread.
 class HostClocks {
  public:
-  /// `session`: under which our pings go out.
+  /// `session`: that of our pings.
   explicit HostClocks(std::int64_t session) : session_(session) {}
 
-  /// We published a STATUS: its utime, and our CLOCK_MONOTONIC just before it was stamped, never
+  /// For each STATUS that we publish: its utime, and our CLOCK_MONOTONIC before the stamp, never
   /// after.
   void sent(const HostNow& ping) { clocks_.ping(ping); }
   void hear(const HeardService& service, std::int64_t heard_monotonic_us);
@@ -39,7 +39,7 @@ class HostClocks {
 
   std::int64_t session_;
   ClockOffsets clocks_;
-  std::map<std::int64_t, Run> runs_;  // By session; as many as Traffic lets through.
+  std::map<std::int64_t, Run> runs_;  // By session; bounded by Traffic.
 };
 
 }  // namespace puck

@@ -16,10 +16,10 @@ using std::chrono::milliseconds;
 constexpr milliseconds kSendEvery{100};
 constexpr int kSendsBeforeStatus = 3;
 constexpr milliseconds kStep{20};
-// For what was sent last to come back.
+// Time for the last datagrams to come back.
 constexpr milliseconds kGrace{500};
 
-/// One listening: what is heard goes where it belongs.
+/// Sends and receives for one report.
 class BusListening {
  public:
   explicit BusListening(Facts& facts)
@@ -39,7 +39,7 @@ class BusListening {
       hear();
     }
     facts_.end_utime = host_utime();
-    // Whoever watches the services shall not take the doctor for one that died.
+    // So that monitors do not report the doctor as a dead service.
     if (has_spoken_ && !facts_.traffic.is_sealed()) {
       probe_.send_status(service_status_t::STATE_STOPPING);
     }
@@ -54,10 +54,10 @@ class BusListening {
   void speak() {
     probe_.send_self_test();
     ++test().sent;
-    // Services with a key would count a STATUS without one, and warn. That they have one is known
-    // when all had the time to speak.
+    // Services with a key would warn about a STATUS without a seal. After some sends, all services
+    // had time to show whether they have a key.
     if (test().sent <= kSendsBeforeStatus || facts_.traffic.is_sealed()) return;
-    // Before it is sent: a round trip may come out too long, but never too short.
+    // Before the send: the round trip is never underestimated.
     const std::int64_t monotonic_us = host_monotonic_us();
     clocks_.sent({probe_.send_status(service_status_t::STATE_RUNNING), monotonic_us});
     has_spoken_ = true;

@@ -4,8 +4,8 @@
 
 namespace puck {
 
-/// Listens on the bus for `facts.seconds`, says what the doctor has to say meanwhile, and fills in
-/// what was heard.
+/// Listens on the bus for `facts.seconds`, sends the doctor's own messages, and fills in the facts
+/// of the bus.
 void listen(Facts& facts);
 
 }  // namespace puck

@@ -5,7 +5,7 @@
 namespace puck {
 
 std::vector<const HeardService*> live_services(const Facts& facts) {
-  // They speak every 100 ms.
+  // STATUS comes every 100 ms.
   constexpr std::int64_t kSilentAfter_us = 1'000'000;
   std::vector<const HeardService*> live;
   for (const auto& [session, service] : facts.traffic.services()) {

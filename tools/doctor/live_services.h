@@ -6,8 +6,8 @@
 
 namespace puck {
 
-/// The services under our prefix that still spoke when the listening ended: not those that had
-/// stopped or fallen silent meanwhile, and no doctor.
+/// The services under our prefix that were alive at the end of listening: neither stopped nor
+/// silent, and not a doctor.
 std::vector<const HeardService*> live_services(const Facts& facts);
 
 }  // namespace puck

@@ -39,7 +39,7 @@ void add_options(CLI::App& app, puck::DoctorOptions& options) {
 int main(int argc, char** argv) {
   CLI::App app(
       "Finds out why messages do not arrive: checks this host's network, listens on the bus, "
-      "and prints a command that mends each fault. Exit code 0: no fault, 1: at least one "
+      "and prints a command that repairs each fault. Exit code 0: no fault, 1: at least one "
       "fault, 2: usage, or no report could be made.",
       puck::kDoctorName);
   puck::DoctorOptions options;

@@ -23,7 +23,7 @@ std::optional<Number> number_of(const std::string& text) {
   return number;
 }
 
-/// Of "socket:[4711]".
+/// Parses "socket:[4711]".
 std::optional<std::uint64_t> socket_inode(const std::string& link) {
   constexpr std::string_view kBegin = "socket:[";
   if (!link.starts_with(kBegin) || !link.ends_with("]")) return std::nullopt;
@@ -44,9 +44,9 @@ std::map<std::uint64_t, Program> find_programs(const std::set<std::uint64_t>& so
   std::error_code error;
   for (const auto& process : fs::directory_iterator("/proc", error)) {
     const auto pid = number_of<int>(process.path().filename());
-    // The doctor itself may have inherited sockets of whoever started it.
+    // The doctor may have inherited sockets from its parent process.
     if (!pid || *pid == getpid()) continue;
-    // Processes end while one looks, and those of others may not be looked at.
+    // A process may end meanwhile or belong to another user.
     std::error_code hidden;
     for (const auto& descriptor : fs::directory_iterator(process.path() / "fd", hidden)) {
       const fs::path link = fs::read_symlink(descriptor.path(), hidden);

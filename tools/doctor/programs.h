@@ -8,7 +8,7 @@
 
 namespace puck {
 
-/// The programs that hold these sockets open, by the sockets' inodes, as far as this user may see.
+/// Programs with these sockets, by inode; only those that this user may see.
 std::map<std::uint64_t, Program> find_programs(const std::set<std::uint64_t>& socket_inodes);
 
 }  // namespace puck

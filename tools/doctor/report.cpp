@@ -9,7 +9,7 @@ namespace puck {
 namespace {
 
 constexpr std::size_t kWidth = 100;
-constexpr std::size_t kIndent = 20;  // Of the text: verdict and check stand to its left.
+constexpr std::size_t kIndent = 20;  // Of the text, after the columns of verdict and check.
 
 const char* to_string(Verdict verdict) {
   switch (verdict) {
@@ -28,7 +28,7 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-/// Goes on in the same column on the next lines.
+/// Continues in the same column.
 std::string wrapped(const std::string& text) {
   std::istringstream words(text);
   std::string lines;
@@ -61,7 +61,7 @@ std::string report_text(const Findings& findings) {
   for (const Finding& finding : findings) {
     text += padded(padded(to_string(finding.verdict), 6) + finding.check, kIndent) +
             wrapped(finding.text) + "\n";
-    // On one line, however long: it is there to be copied.
+    // In one line of any length, for copying.
     if (!finding.mend.empty()) {
       text += padded("", kIndent) + (finding.verdict == Verdict::kWrong ? "mend: " : "maybe: ") +
               finding.mend + "\n";
@@ -88,7 +88,7 @@ std::string report_json(const Findings& findings) {
   const nlohmann::ordered_json report{{"wrong", count(findings, Verdict::kWrong)},
                                       {"notes", count(findings, Verdict::kNote)},
                                       {"findings", std::move(list)}};
-  // What came from the wire may not be UTF-8.
+  // Text from the network may not be UTF-8.
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -6,7 +6,7 @@
 
 namespace puck {
 
-/// For a person: a finding a paragraph, in columns, wrapped to a terminal of 100.
+/// For people: a paragraph for each finding, in columns, wrapped at 100 characters.
 std::string report_text(const Findings& findings);
 
 /// For scripts: {"wrong": N, "notes": N, "findings": [{"check", "verdict", "text", "mend"}, …]}.

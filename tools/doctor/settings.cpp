@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-/// A file's settings with the assignments over them.
+/// The file's settings, overridden by the assignments.
 Config merged(const DoctorOptions& options) {
   Config config = options.config_file.empty() ? Config{} : Config::from_file(options.config_file);
   for (const std::string& setting : options.settings) config.override_with(setting);
@@ -17,12 +17,12 @@ Config merged(const DoctorOptions& options) {
 }
 
 int read_packet_bytes(Config& config) {
-  int packet_bytes = 0;  // What suits the bus.
+  int packet_bytes = 0;  // 0: chosen from the URL.
   config.read("camera.packet_bytes", packet_bytes, 0, EventPackerParams::kMaxBytes);
   return packet_bytes;
 }
 
-/// By themselves, so that one that nobody knows is told.
+/// Separate from the file, so that an unknown key is reported.
 void check_assignments(const DoctorOptions& options) {
   Config assignments;
   for (const std::string& setting : options.settings) assignments.override_with(setting);
@@ -31,7 +31,7 @@ void check_assignments(const DoctorOptions& options) {
   assignments.reject_unknown();
 }
 
-/// As puck-camera chooses.
+/// The same choice as in puck-camera.
 int packet_bytes_for(const LcmUrl& url) {
   return url.ttl == 0 ? EventPackerParams::kMaxBytes : EventPackerParams::kOneFrame;
 }
@@ -49,7 +49,7 @@ DoctorSettings read_doctor_settings(const DoctorOptions& options) {
   DoctorSettings settings;
   settings.url = parse_lcm_url(bus.url);
   if (settings.url.in_memory) {
-    throw BusError("lcm.url \"" + bus.url + "\" is heard by its own process only");
+    throw BusError("lcm.url \"" + bus.url + "\" reaches its own process only");
   }
   check_prefix(bus.prefix);
   settings.prefix = bus.prefix;

@@ -8,7 +8,7 @@
 
 namespace puck {
 
-/// As the command line has them.
+/// From the command line.
 struct DoctorOptions {
   std::string config_file;
   std::vector<std::string> settings;  ///< KEY=VALUE
@@ -24,13 +24,12 @@ struct DoctorSettings {
   std::string prefix;
   bool allow_fragments = false;
   std::string key_file;  ///< Empty: the bus has no key.
-  int packet_bytes = 0;  ///< Largest datagram that a camera with these settings sends.
+  int packet_bytes = 0;  ///< Largest datagram of a camera with these settings.
   double seconds = 0;
 };
 
-/// Reads the file of any service, of which only [lcm] and camera.packet_bytes count; what else
-/// it holds is that service's. Of `settings` every one must be one of these. Throws
-/// ConfigError or BusError.
+/// Reads a service's file, of which only [lcm] and camera.packet_bytes count. `settings` may hold
+/// these keys only. Throws ConfigError or BusError.
 DoctorSettings read_doctor_settings(const DoctorOptions& options);
 
 }  // namespace puck

@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-/// A channel of ours under any prefix.
+/// A PUCK channel under any prefix.
 struct PrefixedChannel {
   Channel channel{};
   std::string prefix;
@@ -112,7 +112,7 @@ std::optional<std::span<const std::uint8_t>> Traffic::take(Channel channel,
   }
   auto rejection = check_message(channel, payload);
   if (rejection && !open_seal_ && looks_sealed(payload)) {
-    // Nobody without the key is to believe it, but what it says helps to find who is out.
+    // Unverified without the key; used only to name the senders that have one.
     ++sender.sealed;
     is_sealed_ = true;
     payload = payload.first(payload.size() - kSealBytes);

@@ -28,7 +28,7 @@ void set_flag(int socket, int level, int option) {
 
 std::string error_text() { return std::strerror(errno); }
 
-/// What makes listening impossible; empty: nothing.
+/// Why the socket cannot be opened; empty: it is open.
 std::string open_problem(int socket, const LcmUrl& url) {
   set_flag(socket, SOL_SOCKET, SO_REUSEADDR);
   set_flag(socket, SOL_SOCKET, SO_TIMESTAMPNS);
@@ -86,7 +86,7 @@ std::optional<ReceivedDatagram> UdpListener::receive(std::chrono::milliseconds t
 
   ReceivedDatagram datagram;
   datagram.source = {dotted(from.sin_addr), ntohs(from.sin_port)};
-  datagram.utime = host_utime();  // Where the kernel gives no time.
+  datagram.utime = host_utime();  // If the kernel gives no time.
   datagram.bytes = {buffer_.data(), static_cast<std::size_t>(size)};
   read_ancillary(header, datagram);
   return datagram;
@@ -99,7 +99,7 @@ std::optional<std::int64_t> granted_buffer_bytes(const LcmUrl& url) {
   int bytes = 0;
   socklen_t size = sizeof bytes;
   if (getsockopt(probe.number(), SOL_SOCKET, SO_RCVBUF, &bytes, &size) != 0) return std::nullopt;
-  // The kernel doubles what is asked for, for its own book-keeping.
+  // The kernel doubles the requested size for its bookkeeping.
   return url.recv_buf_size ? bytes / 2 : bytes;
 }
 

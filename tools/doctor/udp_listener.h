@@ -12,14 +12,14 @@
 
 namespace puck {
 
-/// The bus cannot be listened to or spoken on; says why.
+/// The socket cannot be opened; what() gives the reason.
 class ListenError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Hears what is sent to a group and port, with what the kernel knows of each datagram. Bound to
-/// the group's address, it takes nothing from those who listen beside it. One thread.
+/// Receives the datagrams of a group and port, with the kernel's metadata. Bound to the group's
+/// address, it takes no datagram from other receivers. One thread.
 class UdpListener {
  public:
   /// Throws ListenError.
@@ -27,7 +27,7 @@ class UdpListener {
   UdpListener(const UdpListener&) = delete;
   UdpListener& operator=(const UdpListener&) = delete;
 
-  /// The next datagram, if one comes in time. Its bytes last until the next call.
+  /// The next datagram, if it arrives in time. Its bytes are valid until the next call.
   std::optional<ReceivedDatagram> receive(std::chrono::milliseconds timeout);
 
  private:
@@ -35,8 +35,8 @@ class UdpListener {
   std::array<std::uint8_t, 65536> buffer_{};
 };
 
-/// The receive buffer, bytes, that the kernel gives to a socket that asks for what `url` says;
-/// nothing when it gives no socket.
+/// The receive buffer, bytes, that the kernel grants to a socket with this `url`; empty without a
+/// socket.
 std::optional<std::int64_t> granted_buffer_bytes(const LcmUrl& url);
 
 }  // namespace puck

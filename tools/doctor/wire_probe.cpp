@@ -27,8 +27,7 @@ std::string own_host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? printable(name.data()) : "unknown";
 }
 
-/// Has a port, but no address: an address would choose the interface, and it is the route that is
-/// to be tested.
+/// Bound to a port only: an address would select the interface and bypass the route under test.
 FileDescriptor sending_socket(const LcmUrl& url) {
   FileDescriptor sender(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sockaddr_in any{};
@@ -59,7 +58,7 @@ std::array<std::uint8_t, 8> bytes_of(std::int64_t number) {
 
 WireProbe::WireProbe(const WireProbeParams& params)
     : status_channel_(channel_name(Channel::kStatus, params.prefix)),
-      // To the services one of ours, but to none of them of any interest.
+      // Under our prefix, but without subscribers.
       test_channel_(channel_beginning(params.prefix) + "DOCTOR"),
       session_(random_session()),
       group_(group_address(params.url)),

@@ -20,28 +20,28 @@ namespace puck {
 struct WireProbeParams {
   LcmUrl url;
   std::string prefix;
-  std::string key_file;  ///< STATUS is sealed with it; empty: with nothing.
+  std::string key_file;  ///< Seals STATUS; empty: not sealed.
 };
 
-/// Sends what the doctor has to say on the bus: valid LCM, on a channel that nobody subscribes to
-/// and as a STATUS like any other, so that nothing that runs is disturbed. One thread.
+/// Sends the doctor's messages: valid LCM on a channel without subscribers, and an ordinary STATUS,
+/// so that no running service is disturbed. One thread.
 class WireProbe {
  public:
-  /// Throws ListenError, or BusError where the key cannot be used.
+  /// Throws ListenError, or BusError if the key is unusable.
   explicit WireProbe(const WireProbeParams& params);
   WireProbe(const WireProbe&) = delete;
   WireProbe& operator=(const WireProbe&) = delete;
 
-  /// Random: tells our datagrams from those of another doctor.
+  /// Random: distinguishes our datagrams from another doctor's.
   std::int64_t session() const { return session_; }
-  /// Where our datagrams come from on this host.
+  /// Source port of our datagrams on this host.
   int port() const { return port_; }
 
-  /// What cannot be sent does not come back, which is what is counted.
+  /// Ignores send errors: the test counts the datagrams that come back.
   void send_self_test();
   bool is_self_test(std::span<const std::uint8_t> datagram) const;
 
-  /// Its `utime`: the services answer it with pongs.
+  /// Returns its `utime`, which the services answer with pongs.
   std::int64_t send_status(std::int8_t state);
 
  private:

@@ -5,8 +5,8 @@
 
 namespace puck {
 
-/// Adds up the CPU time that calls take, of all threads of this process: what a tracker costs
-/// without the reading of its events. One thread.
+/// Sums the CPU time of calls over all threads of this process: a tracker's cost without reading
+/// the events. One thread.
 class CpuTime {
  public:
   template <typename Call>

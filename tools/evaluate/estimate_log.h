@@ -10,19 +10,19 @@
 
 namespace puck {
 
-/// The estimates on PUCK_ESTIMATE of a log of LCM that bring something new: of the first tracker
-/// that answered a camera's run, each the first with more events than all before it. One thread.
+/// The estimates with new events on PUCK_ESTIMATE of an LCM log: those of the first tracker that
+/// received a camera's run, without repetitions. One thread.
 class EstimateLog {
  public:
   /// `events_session`: the camera's run. Throws LogFileError.
   EstimateLog(const std::filesystem::path& path, const std::string& prefix,
               std::int64_t events_session);
 
-  /// False at the end of the log, and where the tracker began anew with other events.
+  /// False at the end of the log and where the tracker restarted with other events.
   bool next(puck_estimate_t& estimate);
 
   std::int64_t repeated() const { return repeated_; }  ///< Without new events.
-  /// Published, but not in the log.
+  /// Lost on the way to the log.
   std::int64_t missing() const { return losses_.counters().lost; }
   std::int64_t malformed() const { return malformed_; }
   /// Of other trackers, or resting on other events.
@@ -34,8 +34,8 @@ class EstimateLog {
   LogRecord record_;
   std::string channel_;
   std::int64_t events_session_;
-  std::int64_t session_ = 0;  // Of the tracker; 0: none found yet.
-  std::int64_t newest_ = 0;   // Events applied, of what was handed out last.
+  std::int64_t session_ = 0;  // The tracker's; 0: not found yet.
+  std::int64_t newest_ = 0;   // Events applied in the last returned estimate.
   LossAccount losses_;
   std::int64_t repeated_ = 0;
   std::int64_t malformed_ = 0;

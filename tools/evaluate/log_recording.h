@@ -9,13 +9,13 @@
 
 namespace puck {
 
-/// Whether a file is a log of LCM, by its first bytes. False where there is no such file.
+/// Recognises an LCM log by its first bytes. False if the file does not exist.
 bool is_lcm_log(const std::filesystem::path& path);
 
-/// The run of the publisher whose events these are. Throws LogFileError.
+/// Session of the publisher of the log's events. Throws LogFileError.
 std::int64_t session_of_event_log(const std::filesystem::path& path, const std::string& prefix);
 
-/// The truth that a log of the simulated table holds on PUCK_TRUTH; none where the world was real.
+/// The truth on PUCK_TRUTH in a log of the simulated table; empty for a real one.
 std::vector<TruthRow> read_truth_log(const std::filesystem::path& path,
                                      const std::string& prefix = "");
 

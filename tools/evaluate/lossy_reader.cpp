@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-// As puck-camera gathers events: camera.flush_us, and camera.quiet_flush_us for a few of them.
+// puck-camera's defaults of camera.flush_us, and of camera.quiet_flush_us for few events.
 constexpr std::int64_t kFlushUs = 250;
 constexpr std::int64_t kQuietFlushUs = 5000;
 constexpr std::size_t kFew = 32;
@@ -37,7 +37,7 @@ bool LossyReader::read(EventPacket& packet, std::size_t max_events) {
   return true;
 }
 
-// False when there are no more events.
+// False at the end of the events.
 bool LossyReader::cut_packet() {
   packet_.events.clear();
   handed_out_ = 0;
@@ -66,7 +66,7 @@ bool LossyReader::is_complete(Timestamp next) const {
 
 bool LossyReader::is_lost() {
   ++packets_;
-  // The upper 53 bits as a fraction: the same on every machine, which distributions are not.
+  // The upper 53 bits as a fraction: unlike distributions, the same on every machine.
   const double drawn = static_cast<double>(random_() >> 11) * 0x1p-53;
   if (drawn * 100 >= params_.drop_percent) return false;
   ++packets_lost_;
@@ -88,7 +88,7 @@ void LossyReader::rewind() {
 
 std::vector<std::string> LossyReader::warnings() const {
   std::vector<std::string> warnings = events_->warnings();
-  warnings.push_back("dropped, as asked, " + std::to_string(packets_lost_) + " of " +
+  warnings.push_back("--drop-packets dropped " + std::to_string(packets_lost_) + " of " +
                      std::to_string(packets_) + " packets with " + std::to_string(events_lost_) +
                      " events");
   return warnings;

@@ -12,23 +12,22 @@
 namespace puck {
 
 struct LossyReaderParams {
-  double drop_percent = 0;  ///< Packets that are lost, of all.
+  double drop_percent = 0;  ///< Share of lost packets.
   std::uint64_t seed = 1;   ///< The same seed loses the same packets.
   int packet_bytes = 1472;  ///< Largest datagram.
 };
 
-/// The events of another reader as a network brings them that loses packets: cut into the packets
-/// that puck-camera would send with its default settings, of which some never come, each by chance
-/// and whole.
+/// Another reader's events after a network with packet loss: cut into the packets that puck-camera
+/// would send with its default settings, of which some are dropped at random.
 class LossyReader final : public EventReader {
  public:
-  /// Throws std::invalid_argument where packets cannot be of that size.
+  /// Throws std::invalid_argument for an invalid packet size.
   LossyReader(std::unique_ptr<EventReader> events, const LossyReaderParams& params);
 
   SensorSize sensor_size() const override { return events_->sensor_size(); }
   bool read(EventPacket& packet, std::size_t max_events) override;
   void rewind() override;
-  /// Of the reader behind the loss: lost events are counted as read.
+  /// Of the other reader: lost events count as read.
   const EventCounters& counters() const override { return events_->counters(); }
   std::vector<std::string> warnings() const override;
 
@@ -45,10 +44,10 @@ class LossyReader final : public EventReader {
   LossyReaderParams params_;
   std::size_t max_events_;
   std::mt19937_64 random_;
-  EventPacket recorded_;  // As the reader gave it …
-  std::size_t cut_ = 0;   // … and how much of it has gone into packets.
+  EventPacket recorded_;  // Last packet of the other reader …
+  std::size_t cut_ = 0;   // … and the number of its events already in packets.
   EventPacket packet_;
-  std::size_t handed_out_ = 0;  // Of packet_.
+  std::size_t handed_out_ = 0;  // Events of packet_ returned so far.
   std::int64_t packets_ = 0;
   std::int64_t packets_lost_ = 0;
   std::int64_t events_lost_ = 0;

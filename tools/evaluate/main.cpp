@@ -35,7 +35,7 @@
 namespace puck {
 namespace {
 
-// The run, and what a replay found, which goes into the report.
+// Runs the tracker; the result of a replay goes into the report.
 RunSummary run(EventReader& events, const TrackerSetup& setup, const EvaluateOptions& options,
                EvaluationReport& report, const OnTick& on_tick, std::span<const Timestamp> marks) {
   if (options.replay) {
@@ -52,7 +52,8 @@ void make_output_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
-    throw std::runtime_error(folder.string() + ": no folder can be made here: " + error.message());
+    throw std::runtime_error(folder.string() +
+                             ": the folder cannot be created: " + error.message());
   }
 }
 
@@ -62,7 +63,7 @@ void warn(const std::vector<std::string>& warnings) {
   }
 }
 
-// Whether a replay is as close as it was to be; what stands against it goes to stderr.
+// Prints the reason to stderr if the replay is not close enough.
 bool is_close_enough(const ReplayComparison& replay, const EvaluateOptions& options) {
   warn(replay.notes);
   if (options.exact && replay.equal < replay.estimates) {
@@ -82,7 +83,7 @@ bool is_close_enough(const ReplayComparison& replay, const EvaluateOptions& opti
   return false;
 }
 
-// False when a replay differs too much, or truth and events have no time in common.
+// False if a replay differs too much, or if truth and events have no time in common.
 bool evaluate(const EvaluateOptions& options) {
   const bool is_log = is_lcm_log(options.events);
   if (options.replay && !is_log) {
@@ -114,7 +115,7 @@ bool evaluate(const EvaluateOptions& options) {
   setup.roi_only = options.roi_only;
   setup.search_delay_us = options.search_delay_us;
   if (options.replay && setup.algorithm != Algorithm::kPuck) {
-    throw std::invalid_argument("--replay needs algorithm puck: the tracker runs no other");
+    throw std::invalid_argument("--replay needs algorithm puck, the only one of puck-tracker");
   }
   warn(doubts_about(setup.pipeline_params().sizes_of(setup.size_model), events->sensor_size()));
   if (!options.detection_region.empty()) {
@@ -127,7 +128,7 @@ bool evaluate(const EvaluateOptions& options) {
     } else if (is_log && !options.no_puck) {
       truth = read_truth_log(options.events, options.prefix);
     }
-    // What moved before the part began did so unseen.
+    // The tracker has not seen motion before the part.
     if (begin && !truth.empty()) {
       std::erase_if(truth, [&](const TruthRow& row) { return row.time < *begin; });
       if (truth.empty()) throw std::invalid_argument("the truth ends before --start");
@@ -161,7 +162,7 @@ bool evaluate(const EvaluateOptions& options) {
   if (ticks) ticks->close();
   print(report);
   if (!options.json.empty()) write_json(report, options.json);
-  // Where not one tick counts there is nothing to plot, which has been told.
+  // Without a scored tick there is nothing to plot; a warning was printed.
   const std::vector<ScoredEstimate> samples = scoring.samples();
   if (!options.plots.empty() && !samples.empty()) write_plots(samples, options.plots);
   if (picture) picture->save(*events, report.run, scoring.truth());
@@ -173,7 +174,7 @@ bool evaluate(const EvaluateOptions& options) {
 }  // namespace puck
 
 int main(int argc, char** argv) {
-  CLI::App app("Runs a tracker over a recording and says how accurate, quick or fast it is.");
+  CLI::App app("Runs a tracker over a recording and measures accuracy, latency or throughput.");
   puck::EvaluateOptions options;
   puck::add_options(app, options);
   return puck::run_tool(app, argc, argv, "puck-evaluate",

@@ -27,7 +27,7 @@ void add_scoring_options(CLI::App& app, EvaluateOptions& options) {
          [&](double milliseconds) {
            options.accuracy.settle_us = std::llround(milliseconds * 1e3);
          },
-         "ticks up to so long after the puck's first motion do not count (default 200; 0 where "
+         "ticks up to this time after the puck's first motion do not count (default 200; 0 where "
          "less than 1 s of truth follows that motion)")
       ->check(number_range(0, kLongest_ms));
   auto* marks = app.add_flag("--score-at-marks", options.score_at_marks,
@@ -39,7 +39,7 @@ void add_scoring_options(CLI::App& app, EvaluateOptions& options) {
       ->excludes(marks);
   app.add_option("--scoring", options.scoring,
                  "ours, or paper: as the paper's authors score, where each row of truth takes the "
-                 "nearest estimate within 10 ms and a missing one costs nothing")
+                 "nearest estimate within 10 ms and a missing one is not penalised")
       ->check(CLI::IsMember({"ours", "paper"}))
       ->capture_default_str();
   for (const char* other : {"--real-time", "--as-fast-as-possible", "--replay"}) {
@@ -53,10 +53,9 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("EVENTS", options.events,
                  "recording: Prophesee RAW (EVT2, EVT3), text, YARP log, or LCM log")
       ->required();
-  app.add_option(
-      "--truth", options.truth,
-      "where the puck truly was: t_us,x,y,width,height[,visible], or boxes as lines `t y0 y1 x0 "
-      "x1`; a log of a simulated game has its own");
+  app.add_option("--truth", options.truth,
+                 "true positions: t_us,x,y,width,height[,visible], or boxes as lines `t y0 y1 x0 "
+                 "x1`; a log of a simulated game has its own");
   app.add_option("--algorithm", options.algorithm)
       ->check(CLI::IsMember({"puck", "cluster", "particle-filter", "particle-filter-eros"}))
       ->capture_default_str();
@@ -67,7 +66,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--hot-pixel-mask", options.hot_pixel_mask,
                  "TOML made by puck-calibrate hot-pixels: leaves their events out");
   app.add_option("--without", options.without,
-                 "an ingredient that preset default is to do without; may be given again");
+                 "switch this feature of preset default off; may be repeated");
   app.add_flag_callback(
       "--list-ingredients",
       [] {
@@ -76,7 +75,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
         }
         throw CLI::Success();
       },
-      "print what --without takes, and stop");
+      "print the features for --without, and stop");
   app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
   app.add_flag("--roi-only", options.roi_only,
                "while there is a track, keep only its region of the surface up to date");
@@ -92,7 +91,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   auto* replay =
       app.add_flag(
              "--replay", options.replay,
-             "of a log: make each of its estimates again, after as many events, and compare; "
+             "of a log: repeat each of its estimates, after as many events, and compare; "
              "exit code 1 when they differ too much. The settings must be those of the tracker")
           ->excludes(rate)
           ->excludes(real_time)
@@ -107,7 +106,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
                "with tracker.reproducible are")
       ->needs(replay);
   app.add_option("--search-delay", options.search_delay_us,
-                 "what a search found is told so many µs later, as on a busy machine")
+                 "delay of search results, µs, as on a busy machine")
       ->check(number_range(0, 1e6))
       ->excludes(replay)
       ->excludes(real_time);
@@ -116,12 +115,12 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
     return [&time_us](double seconds) { time_us = std::llround(seconds * 1e6); };
   };
   app.add_option_function<double>("--start", seconds_into(options.part.from_us),
-                                  "begin so many seconds after the first event, knowing nothing "
-                                  "of what was before")
+                                  "seconds after the first event at which to begin, without the "
+                                  "events before")
       ->check(number_range(0, kLongest_s))
       ->excludes(replay);
   app.add_option_function<double>("--seconds", seconds_into(options.part.length_us),
-                                  "stop so many seconds later")
+                                  "length of the part, s")
       ->check(number_range(1e-3, kLongest_s))
       ->excludes(replay);
   auto* drop = app.add_option_function<double>(
@@ -130,7 +129,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
                         options.drops_packets = true;
                         options.loss.drop_percent = percent;
                       },
-                      "cut the events into packets as a camera would, and lose so many percent of "
+                      "cut the events into packets as a camera would, and drop this percentage of "
                       "them; compare with 0")
                    ->check(number_range(0, 100))
                    ->excludes(replay);
@@ -153,7 +152,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
       ->check(number_range(0, kLongest_s))
       ->needs(picture);
   picture->excludes(fast);
-  app.add_option("--prefix", options.prefix, "of the channels in a log");
+  app.add_option("--prefix", options.prefix, "prefix of the channels in a log");
   add_event_file_options(app, options.file);
 }
 

@@ -14,7 +14,7 @@
 
 namespace puck {
 
-/// What the command line says.
+/// Options of the command line.
 struct EvaluateOptions {
   std::filesystem::path events;
   std::filesystem::path truth;
@@ -38,7 +38,7 @@ struct EvaluateOptions {
   bool exact = false;
   double max_difference_px = 0.5;
   AccuracyParams accuracy;
-  bool has_truth_gap = false;  ///< It was given.
+  bool has_truth_gap = false;  ///< Set by an option.
   bool score_at_marks = false;
   bool no_puck = false;
   std::string scoring = "ours";

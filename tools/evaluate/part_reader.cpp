@@ -30,7 +30,7 @@ PartReader::PartReader(std::unique_ptr<EventReader> events, const RecordingPart&
 }
 
 bool PartReader::read(EventPacket& packet, std::size_t max_events) {
-  // An empty packet would say that the part has ended.
+  // An empty packet would end the part.
   do {
     if (!events_->read(packet, max_events)) return false;
   } while (packet.newest() < begin_);

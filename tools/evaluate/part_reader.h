@@ -11,7 +11,7 @@
 
 namespace puck {
 
-/// A part of a recording, from its first event on.
+/// A time span, counted from the first event.
 struct RecordingPart {
   static constexpr std::int64_t kEnd = std::numeric_limits<std::int64_t>::max();
 
@@ -24,15 +24,15 @@ struct RecordingPart {
 /// A part of another reader's events.
 class PartReader final : public EventReader {
  public:
-  /// Throws std::invalid_argument when the recording ends before the part begins.
+  /// Throws std::invalid_argument if the recording ends before the part.
   PartReader(std::unique_ptr<EventReader> events, const RecordingPart& part);
 
   SensorSize sensor_size() const override { return events_->sensor_size(); }
   bool read(EventPacket& packet, std::size_t max_events) override;
   void rewind() override;
-  /// Of the reader behind it: what lies before the part is counted as read.
+  /// Of the other reader: events before the part count as read.
   const EventCounters& counters() const override { return events_->counters(); }
-  /// … and what lies after it is not warned of.
+  /// Of the other reader, without warnings on events after the part.
   std::vector<std::string> warnings() const override { return events_->warnings(); }
 
   Timestamp begin() const { return begin_; }
@@ -40,7 +40,7 @@ class PartReader final : public EventReader {
  private:
   std::unique_ptr<EventReader> events_;
   Timestamp begin_;
-  Timestamp end_;  // the first time that does not belong to the part
+  Timestamp end_;  // Exclusive.
 };
 
 }  // namespace puck

@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-// Blue and orange differ for every kind of colour blindness; what is drawn over them is bright.
+// Blue and orange differ for every kind of colour blindness; overlays are bright.
 constexpr Ink kBackground{13, 17, 23};
 constexpr Ink kBar{22, 27, 34};
 constexpr Ink kWords{230, 237, 243};
@@ -26,15 +26,15 @@ constexpr Ink kTruth{255, 90, 200};
 constexpr int kFont = cv::FONT_HERSHEY_DUPLEX;
 constexpr int kFooterPx = 48;
 constexpr int kMarginPx = 16;
-// The arrow ends where the puck will be so much later.
+// The arrow ends at the position predicted this far ahead.
 constexpr double kArrowS = 0.05;
-// Two points of a trail that are further apart in time are not joined.
+// Trail points with a longer gap are not joined.
 constexpr std::int64_t kLongestGapUs = 20'000;
-// An event of kEventsUs ago still has this share of its colour.
+// Share of the colour that an event of age kEventsUs keeps.
 constexpr double kOldestShare = 0.25;
-// So many times its longer axis is shown of the puck in the close-up.
+// Extent of the close-up, in lengths of the puck's longer axis.
 constexpr double kCloseUpSizes = 1.35;
-constexpr int kShift = 4;  // Of the coordinates handed to OpenCV: 1/16 px.
+constexpr int kShift = 4;  // Fractional bits of OpenCV coordinates: 1/16 px.
 
 cv::Scalar scalar(Ink ink) { return cv::Scalar(ink.blue, ink.green, ink.red); }
 
@@ -45,7 +45,7 @@ Ink mix(Ink from, Ink to, double share) {
   return {part(from.red, to.red), part(from.green, to.green), part(from.blue, to.blue)};
 }
 
-/// Draws in the coordinates of the sensor, of which `origin` is the first pixel that is shown.
+/// Draws in sensor coordinates; `origin` is the first visible pixel.
 class SensorCanvas {
  public:
   SensorCanvas(cv::Mat area, int scale, cv::Point origin = {})
@@ -113,9 +113,9 @@ class SensorCanvas {
  private:
   int length(double px) const { return static_cast<int>(std::lround(px * scale_ * (1 << kShift))); }
   cv::Point place(Pixel at) const {
-    // A pixel's centre is the middle of its block.
+    // Map the pixel's centre to the centre of its block.
     const double half = 0.5 - 0.5 / scale_;
-    // What lies far outside is drawn outside: OpenCV's integers hold no more.
+    // OpenCV's integer coordinates would overflow further out.
     const auto held = [](double px) { return std::clamp(px, -5e3, 5e3); };
     return {length(held(at.x - origin_.x) + half), length(held(at.y - origin_.y) + half)};
   }
@@ -128,7 +128,7 @@ class SensorCanvas {
   cv::Point origin_;
 };
 
-/// Writes words and samples from left to right on a bar.
+/// Writes text and samples from left to right on a bar.
 class Bar {
  public:
   explicit Bar(cv::Mat area) : area_(std::move(area)) {
@@ -223,7 +223,7 @@ void write_legend(const TrackedMoment& moment, Bar bar) {
   name("velocity (50 ms)");
 }
 
-// The puck larger, in the corner of the sensor's area that is furthest from it.
+// A close-up of the puck in the corner that is furthest from it.
 void draw_close_up(const TrackedMoment& moment, cv::Mat area, int scale) {
   const PuckEstimate& estimate = moment.estimate;
   const double longest = std::max({estimate.size.width, estimate.size.height, 1.0});

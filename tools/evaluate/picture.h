@@ -13,21 +13,21 @@
 
 namespace puck {
 
-/// One moment of a tracked puck: what a picture of it shows.
+/// The content of a picture: a tracked puck at one moment.
 struct TrackedMoment {
-  /// How far back a picture shows events and the trail.
+  /// Age of the oldest shown event and trail point.
   static constexpr std::int64_t kEventsUs = 20'000;
   static constexpr std::int64_t kTrailUs = 500'000;
 
   struct TrailPoint {
     Timestamp time;
-    std::optional<Pixel> position;  ///< Nothing: lost at that time; the trail is interrupted.
+    std::optional<Pixel> position;  ///< Empty: lost; interrupts the trail.
   };
 
   SensorSize sensor;
   Timestamp time;
-  double seconds = 0;  ///< The time that is written on the picture.
-  EventPacket events;  ///< In the order of their times; those outside of kEventsUs are left out.
+  double seconds = 0;  ///< Time shown in the picture.
+  EventPacket events;  ///< In order of time; those outside of kEventsUs are not drawn.
   PuckEstimate estimate;
   std::vector<TrailPoint> trail;  ///< Oldest first.
   std::optional<TruthRow> truth;
@@ -39,8 +39,8 @@ struct TrackedMoment {
 cv::Mat draw_picture(const TrackedMoment& moment);
 
 inline constexpr int kPictureWidthPx = 1200;
-/// Rows above the image of the sensor: place (x, y) of the sensor is drawn at the scale times
-/// (x + 0.5, y + 0.5), so many rows down.
+/// Rows above the sensor's image: sensor position (x, y) is drawn at scale * (x + 0.5, y + 0.5),
+/// this many rows down.
 inline constexpr int kPictureHeaderPx = 48;
 
 /// Canvas pixels per sensor pixel.

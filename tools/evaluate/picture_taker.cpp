@@ -14,14 +14,14 @@
 namespace puck {
 namespace {
 
-// So many ticks a second make a smooth trail; more only cost time.
+// Enough ticks for a smooth trail.
 constexpr std::int64_t kTrailStepUs = 1000;
 
 double speed_of(const PuckEstimate& estimate) {
   return std::hypot(estimate.velocity.x, estimate.velocity.y);
 }
 
-// Before the run: who waited for it must not lose the picture to a mistyped path.
+// Before the run, so that an unwritable path costs no result.
 void require_writable(const std::filesystem::path& path) {
   if (path.extension() != ".png") {
     throw std::runtime_error(path.string() + ": a picture is a PNG: give a name that ends in .png");
@@ -107,7 +107,7 @@ void PictureTaker::add(const EvaluatedTick& tick) {
 }
 
 void PictureTaker::save(EventReader& events, const RunSummary& run, const TruthTrack* truth) {
-  // The end that is told is rounded to ms.
+  // The end in the message is rounded to ms.
   if (at_ && *at_ - run.last > 1000) {
     char end[32];
     std::snprintf(end, sizeof end, "%.3f", run.duration_s);

@@ -11,20 +11,20 @@
 
 namespace puck {
 
-/// Takes the picture of --picture: keeps what the ticks of a run say about one moment, and reads
-/// that moment's events afterwards. One thread at a time.
+/// Makes the picture of --picture: collects the ticks of one moment during a run and reads that
+/// moment's events afterwards. One thread at a time.
 class PictureTaker {
  public:
-  /// `at_s`: seconds after the first event; nothing: when the tracked puck is fastest. Reads the
-  /// first event and rewinds. Throws std::runtime_error when no file can be written at `path`.
+  /// `at_s`: seconds after the first event; empty: when the tracked puck is fastest. Reads the
+  /// first event and rewinds. Throws std::runtime_error if `path` is not writable.
   PictureTaker(std::filesystem::path path, std::optional<double> at_s, EventReader& events);
 
-  /// Ticks in the order of their times.
+  /// Ticks in order of time.
   void add(const EvaluatedTick& tick);
 
-  /// Reads the events again and writes the file. Throws std::invalid_argument when the moment lies
-  /// outside of the recording or the puck was never tracked, std::runtime_error when the file
-  /// cannot be written.
+  /// Reads the events again and writes the file. Throws std::invalid_argument if the moment is
+  /// outside of the recording or the puck was never tracked, std::runtime_error if the file cannot
+  /// be written.
   void save(EventReader& events, const RunSummary& run, const TruthTrack* truth);
 
  private:

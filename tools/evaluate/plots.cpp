@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// What is further off is off: the curves end there.
+// The curves end at this error.
 constexpr double kShownPx = 10;
 constexpr double kTableEndPx = 20;
 constexpr double kTableStepPx = 0.05;
@@ -81,7 +81,7 @@ void plot_score(const ScoreCurve& curve, const std::filesystem::path& folder) {
   });
   char title[96];
   std::snprintf(title, sizeof title,
-                "what a threshold on the score gives; best F1 at %.3f, area %.4f",
+                "precision and recall by score threshold; best F1 at %.3f, area %.4f",
                 curve.best().threshold, curve.average_precision());
   Chart chart(title, {.label = "threshold"}, {.label = "%", .to = 105});
   const double best = curve.best().threshold;

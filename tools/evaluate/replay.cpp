@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// All that the estimate itself says, without when and on what host.
+// The estimate without host times and host name.
 std::vector<std::uint8_t> bytes_of(const PuckEstimate& estimate, SensorSize sensor) {
   puck_estimate_t message = to_message(estimate, sensor);
   std::vector<std::uint8_t> bytes;
@@ -26,7 +26,7 @@ class Comparer {
   explicit Comparer(SensorSize sensor) : sensor_(sensor) {}
 
   void add(const PuckEstimate& recorded, PuckEstimate again) {
-    // The tracker also says so when its camera has been silent, which is a matter of host time.
+    // The tracker also reports `resting` when its camera is silent in host time.
     again.resting = again.resting && recorded.resting;
     ++comparison_.estimates;
     if (bytes_of(again, sensor_) == bytes_of(recorded, sensor_)) ++comparison_.equal;
@@ -62,13 +62,14 @@ void add_notes(const EstimateLog& log, const puck_estimate_t& last, std::int64_t
     if (count > 0) notes.push_back(std::to_string(count) + " " + what);
   };
   note(last.packets_lost, "packets were lost on the way to the recorded tracker");
-  note(last.events_skipped, "events were left out by the recorded tracker, to keep to the newest");
-  note(log.missing(), "estimates are missing in the log: what was asked there is not known");
+  note(last.events_skipped, "events were skipped by the recorded tracker to reduce its delay");
+  note(log.missing(), "estimates are missing in the log, so their queries are unknown");
   note(log.malformed(), "estimates in the log are malformed");
   note(log.of_others(), "estimates in the log are of another tracker, or rest on other events");
   note(out_of_step,
-       "estimates rest on other events than the log holds up to there: asked at their sensor time");
-  if (log.began_anew()) notes.emplace_back("the recorded tracker began anew: compared up to there");
+       "estimates rest on other events than the log holds up to there: repeated at their sensor "
+       "time");
+  if (log.began_anew()) notes.emplace_back("the recorded tracker restarted: compared up to there");
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ ReplayResult run_replay(EventReader& events, const std::filesystem::path& path,
   result.comparison.repeated = log.repeated();
   if (!has_start) {
     result.comparison.notes.emplace_back(
-        "the log does not hold all that the recorded tracker had before its first estimate");
+        "the log lacks events that the recorded tracker had before its first estimate");
   }
   add_notes(log, last, out_of_step, result.comparison.notes);
   return result;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kWholePacket = std::numeric_limits<std::size_t>::max();
 
-// Of the events from index `from` on, how many come before the first that is newer than `time`.
+// Number of events from index `from` on up to `time`.
 std::int64_t count_not_after(const EventPacket& packet, std::size_t from, Timestamp time) {
   const auto begin = packet.events.begin() + static_cast<std::ptrdiff_t>(from);
   const auto end =
@@ -32,7 +32,7 @@ bool ReplayFeed::skip_to_start(std::int64_t applied, Timestamp time) {
   return start.has_value();
 }
 
-// Events before the first packet after which the count fits the time.
+// Events before the first packet for which the count fits the time.
 std::optional<std::int64_t> ReplayFeed::find_start(std::int64_t applied, Timestamp time) {
   std::vector<std::int64_t> starts;
   std::int64_t before = 0;
@@ -40,12 +40,12 @@ std::optional<std::int64_t> ReplayFeed::find_start(std::int64_t applied, Timesta
   while (events_.read(packet, kWholePacket)) {
     starts.push_back(before);
     const std::int64_t after = before + static_cast<std::int64_t>(packet.events.size());
-    // Estimates are mostly made between two packets …
+    // Most estimates are made between two packets …
     if (packet.newest() == time) {
       const auto whole = std::find(starts.begin(), starts.end(), after - applied);
       if (whole != starts.end()) return *whole;
     }
-    // … else after one of the events of that time, if there are any here.
+    // … others after one of the events with that time.
     const std::int64_t first = before + count_not_after(packet, 0, time - 1);
     const std::int64_t last = before + count_not_after(packet, 0, time);
     const auto inside = std::find_if(starts.begin(), starts.end(), [&](std::int64_t start) {

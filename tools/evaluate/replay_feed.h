@@ -10,23 +10,23 @@
 
 namespace puck {
 
-/// Hands the events of a log to a tracker as another one got them, of which is known only how many
-/// events it had at which times. Packets stay whole where they can: between two questions a tracker
-/// may depend on how its events were handed over. One thread.
+/// Feeds a tracker with a log's events as another tracker received them, given that tracker's event
+/// counts over time. Packets stay whole if possible, because a tracker may depend on the
+/// boundaries. One thread.
 class ReplayFeed {
  public:
   ReplayFeed(EventReader& events, TrackingAlgorithm& tracker)
       : events_(events), tracker_(tracker) {}
 
-  /// Passes over the events that the other tracker was too late for, where `applied` events after
-  /// its first packet the newest was of `time`; false when no packet can have been its first.
+  /// Skips the events before the other tracker's start, so that after `applied` further events the
+  /// newest has `time`; false if no packet fits.
   bool skip_to_start(std::int64_t applied, Timestamp time);
 
-  /// Hands over what makes `applied` events in all, the newest of `time`. False when there is no
-  /// such place: then all up to that time, and it is counted on from there.
+  /// Feeds up to `applied` events in all, the newest with `time`. False if the counts do not fit:
+  /// then feeds all up to `time` and counts on from there.
   bool feed(std::int64_t applied, Timestamp time);
 
-  /// Events handed over, and when the first and the last of them were.
+  /// Number and time span of the fed events.
   const RunSummary& summary() const { return summary_; }
 
  private:
@@ -37,9 +37,9 @@ class ReplayFeed {
   EventReader& events_;
   TrackingAlgorithm& tracker_;
   EventPacket packet_;
-  std::size_t used_ = 0;  // Events of it that have been handed over.
+  std::size_t used_ = 0;  // Events of it that were fed.
   EventPacket piece_;
-  std::int64_t ahead_ = 0;  // Events that the other tracker has counted beyond those here.
+  std::int64_t ahead_ = 0;  // Events counted by the other tracker but missing here.
   RunSummary summary_;
 };
 

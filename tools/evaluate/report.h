@@ -11,25 +11,25 @@
 
 namespace puck {
 
-/// All that an evaluation found.
+/// All results of an evaluation.
 struct EvaluationReport {
   std::string algorithm;
-  std::optional<std::string> preset;  ///< Of the algorithm puck only.
+  std::optional<std::string> preset;  ///< For algorithm puck only.
   RunSummary run;
   std::string scoring;                     ///< `ours` or `paper`.
-  std::optional<ErrorStatistics> errors;   ///< With truth only: by our rules or the paper's.
-  std::optional<AccuracyReport> accuracy;  ///< By our rules only.
-  std::optional<PaperReport> paper;        ///< By the paper's rules only.
-  /// With truth, by our rules, or of a recording without a puck.
+  std::optional<ErrorStatistics> errors;   ///< With truth only.
+  std::optional<AccuracyReport> accuracy;  ///< With scoring `ours` only.
+  std::optional<PaperReport> paper;        ///< With scoring `paper` only.
+  /// With truth and scoring `ours`, or for a recording without a puck.
   std::optional<double> said_and_wrong_percent;
-  std::optional<ReplayComparison> replay;  ///< Of a replay only; no keys of it without one.
+  std::optional<ReplayComparison> replay;  ///< Of a replay only.
 };
 
-/// A table for people.
+/// Prints a table.
 void print(const EvaluationReport& report);
 
-/// One flat object; what was not measured is null. Throws std::runtime_error when the file cannot
-/// be written.
+/// Writes one flat object with null for unmeasured values. Throws std::runtime_error if the file
+/// cannot be written.
 void write_json(const EvaluationReport& report, const std::filesystem::path& path);
 
 }  // namespace puck

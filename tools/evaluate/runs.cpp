@@ -20,13 +20,13 @@ using std::chrono::duration_cast;
 using std::chrono::microseconds;
 using std::chrono::steady_clock;
 
-// As a camera would send them: little at a time.
+// Short packets, as from a camera.
 constexpr std::int64_t kLivePacketUs = 500;
-// A longer pause is a damaged time: to ask at every tick of it, or to wait for its end, would take
-// for ever.
+// A longer pause means a damaged time stamp; asking at every tick of it, or waiting for its end,
+// would not end.
 constexpr std::int64_t kLongestPauseUs = std::int64_t{3600} * 1'000'000;
 
-// Counts events and their span as they go by.
+// Counts events and their time span.
 class Span {
  public:
   void add(const EventPacket& packet) {
@@ -47,12 +47,12 @@ class Span {
   Timestamp last_;
 };
 
-// Cuts what a reader gives into pieces that end where the caller wants.
+// Cuts a reader's packets at times of the caller's choice.
 class PacketCutter {
  public:
   explicit PacketCutter(EventReader& events) : events_(events) {}
 
-  // Time of the next event; nothing at the end. Throws std::runtime_error at too long a pause.
+  // Time of the next event; empty at the end. Throws std::runtime_error at too long a pause.
   std::optional<Timestamp> next_time() {
     if (used_ == packet_.events.size()) {
       used_ = 0;
@@ -68,8 +68,8 @@ class PacketCutter {
     return next;
   }
 
-  // The next events up to and including `until`, at most what has been read already; there must be
-  // a next event and it must not lie beyond.
+  // Takes the next events up to and including `until`, within the current packet. Requires a next
+  // event at or before `until`.
   void take_until(Timestamp until, EventPacket& piece) {
     const auto begin = packet_.events.begin() + static_cast<std::ptrdiff_t>(used_);
     const auto end = std::upper_bound(
@@ -84,14 +84,14 @@ class PacketCutter {
   EventReader& events_;
   EventPacket packet_;
   std::size_t used_ = 0;
-  std::optional<Timestamp> before_;  // What was told last.
+  std::optional<Timestamp> before_;  // Last returned time.
 };
 
 std::int64_t us_since(steady_clock::time_point time) {
   return duration_cast<microseconds>(steady_clock::now() - time).count();
 }
 
-// Hands packets on when they are due on the host's clock.
+// Passes packets on when due on the host's clock.
 template <typename TakePacket>
 void play(EventReader& events, Span& span, const TakePacket& take) {
   PacketCutter cutter(events);
@@ -155,7 +155,7 @@ RunSummary run_in_real_time(EventReader& events, const TrackerSetup& setup, cons
     Timestamp newest{-1};
     LiveTracker tracker(sensor, setup.pipeline_params(), setup.size_model, {},
                         [&](const TrackedEstimate& tracked) {
-                          // The first word rests on no event.
+                          // The first estimate has no events.
                           if (tracked.estimate.events_applied == 0) return;
                           if (tracked.estimate.newest_event <= newest) return;
                           newest = tracked.estimate.newest_event;

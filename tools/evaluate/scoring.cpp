@@ -98,8 +98,8 @@ std::vector<std::string> Scoring::warnings(const RunSummary& run) const {
   if (is_of_another_time(run)) {
     lines.push_back(spans + ": they do not overlap; truth must be on the recording's own clock");
   } else if (samples().empty()) {
-    lines.push_back(spans + ": not one tick counts; is the puck ever seen, and is it the right " +
-                    "truth?");
+    lines.push_back(spans +
+                    ": not one tick counts; is the puck ever visible, and is it the right truth?");
   } else if (truth()->first() - run.first > kSlackUs || run.last - truth()->last() > kSlackUs) {
     lines.push_back(spans + ": only the ticks that the truth covers count");
   }

@@ -14,28 +14,28 @@
 
 namespace puck {
 
-/// Scores the ticks of a run as the command line says: by our rules or the paper's, at every tick
-/// or at the rows of the truth alone; or, of a recording without a puck, counts what is tracked.
+/// Scores the ticks of a run: by our rules or the paper's, at every tick or at the rows of the
+/// truth alone; or, for a recording without a puck, counts false tracks.
 class Scoring {
  public:
-  /// Without rows of truth nothing is scored, unless the options say that there is no puck.
+  /// Without truth nothing is scored, except with --no-puck.
   Scoring(const EvaluateOptions& options, std::vector<TruthRow> truth, SensorSize sensor);
 
-  /// Null where there is none.
+  /// Null without truth.
   const TruthTrack* truth() const {
     return ours_ ? &ours_->truth() : paper_ ? &paper_->truth() : nullptr;
   }
-  /// Times at which an estimate is to be asked for besides the usual ticks.
+  /// Times of additional queries.
   const std::vector<Timestamp>& marks() const { return marks_; }
 
-  /// Ticks in the order of their times.
+  /// Ticks in order of time.
   void add(const EvaluatedTick& tick);
 
   void write_to(EvaluationReport& report) const;
-  /// The estimates that count, for plots.
+  /// The scored estimates, for plots.
   std::vector<ScoredEstimate> samples() const;
-  /// What a person must know to read the figures right: truth that does not cover the events, or
-  /// has gaps, or ticks of which none counts. Less than 100 ms at the ends do not matter.
+  /// Warnings for reading the figures: truth that does not cover the events, or has gaps, or no
+  /// scored ticks. Less than 100 ms at the ends is ignored.
   std::vector<std::string> warnings(const RunSummary& run) const;
   /// Whether truth and events have no time in common, so that they cannot belong together.
   bool is_of_another_time(const RunSummary& run) const;

@@ -6,7 +6,7 @@ namespace puck {
 
 TickFile::TickFile(const std::filesystem::path& path) : path_(path), file_(path) {
   if (!file_) throw std::runtime_error(path.string() + ": cannot be written");
-  // The same estimates give the same file, to the bit.
+  // Enough digits to restore the exact values.
   file_.precision(17);
   file_ << "t_us,x,y,width,height,score,state,latency_us\n";
 }

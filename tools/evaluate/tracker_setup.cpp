@@ -58,13 +58,13 @@ PipelineParams TrackerSetup::pipeline_params() const {
   }
   if (!without.empty() && (algorithm != Algorithm::kPuck || !params.follows_contour)) {
     throw std::invalid_argument("--without " + without.front() +
-                                " needs preset default: nothing else is made of ingredients");
+                                " needs preset default, the only one with such features");
   }
   for (const std::string& name : without) {
     const auto found = std::find_if(kContourIngredients.begin(), kContourIngredients.end(),
                                     [&](const ContourIngredient& i) { return i.name == name; });
     if (found == kContourIngredients.end()) {
-      throw std::invalid_argument("there is no ingredient " + name +
+      throw std::invalid_argument("there is no feature " + name +
                                   "; --list-ingredients prints all");
     }
     params.contour.ingredients.*found->is_on = false;
@@ -92,7 +92,7 @@ std::unique_ptr<TrackingAlgorithm> TrackerSetup::make(SensorSize sensor) const {
 Region parse_region(const std::string& text) {
   Region region;
   char rest = 0;
-  // Five digits are more than any sensor needs, and no sum of two such numbers overflows.
+  // Five digits are enough for any sensor, and a sum of two such numbers cannot overflow.
   const int read = std::sscanf(text.c_str(), "%5d,%5d,%5d,%5d%c", &region.x, &region.y,
                                &region.width, &region.height, &rest);
   if (read != 4 || region.empty()) {

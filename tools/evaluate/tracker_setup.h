@@ -21,30 +21,30 @@ enum class Algorithm : std::uint8_t { kPuck, kCluster, kParticleFilter, kParticl
 const char* to_string(Algorithm algorithm);
 std::optional<Algorithm> algorithm_from(std::string_view name);
 
-/// Which tracker to run, as the command line says.
+/// The tracker selected on the command line.
 struct TrackerSetup {
   Algorithm algorithm = Algorithm::kPuck;
   Preset preset = Preset::kDefault;
   PuckSizeModel size_model;
   ContourCalibration contour;
   std::optional<Region> detection_region;  ///< Instead of the preset's.
-  /// Names in kContourIngredients: what the preset `default` is to do without.
+  /// Features of the preset `default` to switch off, by their names in kContourIngredients.
   std::vector<std::string> without;
   bool roi_only = false;             ///< PipelineParams::roi_only.
   std::int64_t search_delay_us = 0;  ///< PipelineParams::search_delay_us.
 
-  /// The preset's parameters with all of that put in. Throws std::invalid_argument when there is no
-  /// ingredient of a name in `without`.
+  /// The preset's parameters with these changes. Throws std::invalid_argument for an unknown name
+  /// in `without`.
   PipelineParams pipeline_params() const;
   std::unique_ptr<TrackingAlgorithm> make(SensorSize sensor) const;
 };
 
-/// `x,y,w,h` in px. Throws std::invalid_argument saying what was expected.
+/// Parses `x,y,w,h` in px. Throws std::invalid_argument with the expected format.
 Region parse_region(const std::string& text);
 
-/// The file with the size model that belongs to a recording: `given` if not empty, else BASE.toml
-/// beside it if that holds one, else, which it says, config/calibration/simulated_size.toml below
-/// the working folder. Throws std::runtime_error when there is none.
+/// The size model's file for a recording: `given` if not empty, else BASE.toml beside the recording
+/// if that has one, else, with a message, config/calibration/simulated_size.toml below the working
+/// folder. Throws std::runtime_error if there is none.
 std::filesystem::path find_calibration(const std::filesystem::path& recording,
                                        const std::filesystem::path& given);
 

@@ -13,7 +13,7 @@
 namespace puck {
 namespace {
 
-// Every prefix has its own channels, and a log may be made to have any number of them.
+// Each prefix has its own channels, so a log may hold any number of them.
 constexpr std::size_t kMostFiles = 256;
 
 /// One table, in a file or on stdout.
@@ -71,8 +71,7 @@ class Tables {
   void finish() {
     for (auto& [name, table] : tables_) table.finish();
     if (!options_.channel.empty() && tables_.empty()) {
-      throw std::runtime_error("the log has no message of ours on " +
-                               for_terminal(options_.channel));
+      throw std::runtime_error("the log has no PUCK message on " + for_terminal(options_.channel));
     }
   }
 
@@ -80,9 +79,9 @@ class Tables {
   Table& begin(const std::string& name, Channel channel) {
     if (tables_.size() == kMostFiles) {
       throw std::runtime_error("the log has more than " + std::to_string(kMostFiles) +
-                               " channels of ours; take one with --channel");
+                               " PUCK channels; choose one with --channel");
     }
-    // Names of channels of ours are letters, digits and underscores, so they make good file names.
+    // Names of PUCK channels are letters, digits and underscores, so they are valid file names.
     const std::filesystem::path file =
         options_.folder.empty() ? std::filesystem::path() : options_.folder / (name + ".csv");
     return tables_.try_emplace(name, file, channel).first->second;
@@ -95,14 +94,13 @@ class Tables {
 }  // namespace
 
 LogTally export_log(const std::filesystem::path& path, const ExportOptions& options) {
-  LogReader{path};  // What is no log leaves no folder behind.
+  LogReader{path};  // Fails before a folder is created if the file is not a log.
   Tables tables(options);
   const LogTally tally = read_log(
       path, [&](const LoggedMessage& message) { tables.add(message); }, [](const LogDamage&) {});
   tables.finish();
   if (tally.foreign > 0) {
-    std::fprintf(stderr, "%" PRId64 " messages on channels that are not ours left out\n",
-                 tally.foreign);
+    std::fprintf(stderr, "%" PRId64 " messages on other channels left out\n", tally.foreign);
   }
   if (!tally.is_fine()) std::fprintf(stderr, "left out: %s\n", in_words(tally).c_str());
   return tally;

@@ -8,13 +8,13 @@
 namespace puck {
 
 struct ExportOptions {
-  std::filesystem::path folder;  ///< One CHANNEL.csv a channel into it; empty: to stdout.
-  std::string channel;           ///< Only this one; empty: all.
+  std::filesystem::path folder;  ///< For one CHANNEL.csv per channel; empty: to stdout.
+  std::string channel;           ///< The only one to export; empty: all.
 };
 
-/// Writes the messages of a log as CSV, a line each; what no receiver takes is left out. What it
-/// did and what is wrong goes to stderr. Throws LogFileError, and std::runtime_error when a file
-/// cannot be written or the channel is not there or not ours.
+/// Writes the valid messages of a log as CSV, one line each. Counts and defects go to stderr.
+/// Throws LogFileError, and std::runtime_error if a file cannot be written or the channel is
+/// missing or not a PUCK channel.
 LogTally export_log(const std::filesystem::path& path, const ExportOptions& options);
 
 }  // namespace puck

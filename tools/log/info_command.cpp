@@ -75,7 +75,7 @@ std::string local_time(std::int64_t utime) {
   return {text.data(), length};
 }
 
-/// A number of a fixed width, a dash where there is none.
+/// A number of a fixed width; a dash if empty.
 std::string number(const std::optional<double>& value, int width, int digits) {
   std::array<char, 400> text{};
   if (!value) {
@@ -93,7 +93,7 @@ void print_channel(const std::string& name, const ChannelSurvey& channel) {
               number(channel.mb_s(), 8, 3).c_str(),
               number(static_cast<double>(channel.longest_gap_us) * 1e-3, 9, 1).c_str());
   if (!channel.channel) {
-    std::printf("  not one of ours\n");
+    std::printf("  not a PUCK channel\n");
     return;
   }
   std::printf(" %8" PRId64 " %8" PRId64 " %6" PRId64 " %9" PRId64 "\n", arrivals.sessions,

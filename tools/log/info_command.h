@@ -6,7 +6,7 @@
 
 namespace puck {
 
-/// Prints what a log holds, as a table or, for scripts, as JSON. Throws LogFileError.
+/// Prints a summary of a log, as a table or as JSON. Throws LogFileError.
 LogTally print_log_info(const std::filesystem::path& path, bool as_json);
 
 }  // namespace puck

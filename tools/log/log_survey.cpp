@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// Anybody can fill a log with names.
+// A log may hold any number of names.
 constexpr std::size_t kMostChannels = 1000;
 
 std::optional<double> per_second(double amount, const ChannelSurvey& channel) {
@@ -17,7 +17,7 @@ std::optional<double> per_second(double amount, const ChannelSurvey& channel) {
 }
 
 void add(const LoggedMessage& message, ChannelSurvey& survey) {
-  // Any number may stand in a damaged log; a difference of two must not overflow.
+  // Damaged logs hold arbitrary times; their difference must not overflow.
   constexpr std::int64_t kMost = std::int64_t{1} << 61;
   const LogRecord& record = message.record;
   const std::int64_t utime = std::clamp<std::int64_t>(record.utime, -kMost, kMost);

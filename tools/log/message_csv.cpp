@@ -30,8 +30,8 @@ void append_element(std::string_view value, bool is_first, std::string& cell) {
   }
 }
 
-/// Cuts what visit_fields() tells into cells. Arrays of changing length may be empty and are then
-/// not told of, so the layout says which cell is next.
+/// Builds the cells of a line from visit_fields(), which does not report empty variable-length
+/// arrays: the layout gives the next cell.
 class LineWriter {
  public:
   LineWriter(const WireLayout& layout, std::string& line) : layout_(layout), line_(line) {}

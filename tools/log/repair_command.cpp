@@ -6,7 +6,7 @@
 namespace puck {
 
 LogTally repair_log(const std::filesystem::path& input, const std::filesystem::path& output) {
-  LogReader{input};  // What is no log leaves no output behind.
+  LogReader{input};  // Fails before an output is created if the file is not a log.
   LogWriter writer(output);
   const LogTally tally = read_log(
       input,

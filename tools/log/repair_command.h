@@ -6,9 +6,8 @@
 
 namespace puck {
 
-/// Copies what receivers take, and messages on channels that are not ours as they are, into a new
-/// log, and prints what it left out and where. Throws LogFileError; so it does when `output`
-/// exists.
+/// Copies valid messages, and all messages on other channels, into a new log, and prints what is
+/// left out and where. Throws LogFileError, also if `output` exists.
 LogTally repair_log(const std::filesystem::path& input, const std::filesystem::path& output);
 
 }  // namespace puck

@@ -19,7 +19,7 @@ LogTally verify_log(const std::filesystem::path& path) {
       });
   std::printf("%" PRId64 " messages", tally.messages);
   if (tally.foreign > 0) {
-    std::printf(", of them %" PRId64 " on channels that are not ours and unchecked", tally.foreign);
+    std::printf(", of them %" PRId64 " on other channels and unchecked", tally.foreign);
   }
   std::printf(": %s\n", in_words(tally).c_str());
   return tally;

@@ -6,8 +6,7 @@
 
 namespace puck {
 
-/// Prints every place of a log where something is wrong, with its offset, and a summary. Throws
-/// LogFileError.
+/// Prints each defect of a log with its byte offset, and a summary. Throws LogFileError.
 LogTally verify_log(const std::filesystem::path& path);
 
 }  // namespace puck

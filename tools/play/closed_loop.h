@@ -15,30 +15,30 @@
 
 namespace puck {
 
-/// Camera, tracker, bridge and arm in one thread and in steps, with the messages that the services
-/// would send one another. The same setup and seed give the same game, to the bit.
+/// Camera, tracker, bridge and arm in one thread and in steps, with the messages of the services.
+/// The same setup and seed give the same game, to the bit.
 class ClosedLoop {
  public:
   /// Throws std::invalid_argument that names a value out of its range.
   ClosedLoop(const PlaySetup& setup, std::int64_t seed);
 
-  /// Moves everything on by one step of the world.
+  /// Advances everything by one step of the world.
   void step();
 
   const SimulatedTruth& truth() const { return court_->truth(); }
   Timestamp now() const { return truth().time; }
   const PlayBridge& bridge() const { return bridge_; }
 
-  /// Whether the newest estimate that arrived has a track.
+  /// Whether the newest received estimate has a track.
   bool is_tracked() const { return is_tracked_; }
-  /// Where the bridge last sent the arm; nothing before its first command.
+  /// The bridge's last target for the arm; empty before its first command.
   std::optional<double> target_m() const { return target_m_; }
 
-  /// Called with every estimate that is made, before anything happens to it on its way.
+  /// Called with every estimate, before delay and losses.
   void on_estimate(std::function<void(const PuckEstimate&)> call) {
     on_estimate_ = std::move(call);
   }
-  /// Called with every TRAJECTORY, which is not made unless somebody asks.
+  /// Called with every TRAJECTORY, which is made only for this call.
   void on_trajectory(std::function<void(const puck_trajectory_t&)> call) {
     on_trajectory_ = std::move(call);
   }

@@ -8,7 +8,7 @@
 namespace puck {
 namespace {
 
-// Of a world that nobody draws: as short as the highest rate of estimates asks for.
+// Of an undrawn world: the period of the highest rate of estimates.
 constexpr std::int64_t kStepUs = 200;
 static_assert(kStepUs % PuckPhysics::kStep_us == 0);
 

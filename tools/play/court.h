@@ -10,27 +10,27 @@
 
 namespace puck {
 
-/// The table with the game on it, and the tracker that watches it. One thread.
+/// The table with the game, and the tracker. One thread.
 class Court {
  public:
   virtual ~Court() = default;
 
-  /// Moves the world on by one step.
+  /// Advances the world by one step.
   virtual void advance() = 0;
-  /// The world after it.
+  /// The world after the last step.
   virtual const SimulatedTruth& truth() const = 0;
   /// As SimulatedTable::set_robot_mallet.
   virtual void set_robot_mallet(double y_m) = 0;
-  /// What the tracker says now.
+  /// The tracker's current estimate.
   virtual PuckEstimate estimate() = 0;
 };
 
-/// With source kEvents the tracker sees events, else the truth with PUCK's errors on it, and
-/// nothing is drawn. The same setup and seed make the same game, whatever the source, up to the
-/// robot's touch. Throws std::invalid_argument that names a value out of its range.
+/// With source kEvents the tracker gets events; otherwise estimates are the truth plus PUCK's
+/// errors, and nothing is drawn. The same setup and seed give the same game for every source, up to
+/// the robot's touch. Throws std::invalid_argument that names a value out of its range.
 std::unique_ptr<Court> make_court(const PlaySetup& setup, std::int64_t seed);
 
-/// Of the plane in which the middle of the puck moves, with the camera in its home pose: exact.
+/// Exact, for the plane of the puck's centre and the camera in its home pose.
 Homography exact_table_from_image(const SimulationParams& world);
 
 }  // namespace puck

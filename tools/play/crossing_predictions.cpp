@@ -46,7 +46,7 @@ void print_bins(const char* name, const std::array<PredictionBin, PredictionRepo
   }
 }
 
-// Of fewer, the share of 90 % says nothing.
+// With fewer, the 90th percentile is not meaningful.
 constexpr std::int64_t kFewest = 20;
 
 using Value = double PredictionBin::*;
@@ -69,7 +69,7 @@ PredictionReport score_predictions(const PlaySetup& setup, const std::vector<Sho
   run_in_parallel(jobs, shots.size(),
                   [&](std::size_t i) { moments[i] = watch_predictions(setup, shots[i]); });
   PredictionScore score;
-  // One after the other, as if they had been played so.
+  // Shifts the shots in time, as if played one after another.
   constexpr std::int64_t kApartUs = 100'000'000;
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const std::int64_t begin_us = kApartUs * static_cast<std::int64_t>(i);

@@ -9,14 +9,13 @@
 
 namespace puck {
 
-/// How well the bridge's TRAJECTORY foretells where and when the shots cross, from the hit on.
+/// Errors of the bridge's TRAJECTORY in place and time of the shots' crossings, from the hit on.
 PredictionReport score_predictions(const PlaySetup& setup, const std::vector<ShotFacts>& shots,
                                    int jobs);
 
-/// For a person, to stdout.
+/// Prints to stdout, for people.
 void print(const PredictionReport& report);
-/// Writes prediction.png into a folder, which is made if need be. Throws std::runtime_error when
-/// that fails.
+/// Writes prediction.png into a folder, created if needed. Throws std::runtime_error on failure.
 void write_plot(const PredictionReport& report, const std::filesystem::path& folder);
 
 }  // namespace puck

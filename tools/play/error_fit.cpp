@@ -7,14 +7,13 @@
 namespace puck {
 namespace {
 
-// So near to the puck the tracker has noticed a turn; what is further off later is on something
-// else.
+// Within this distance the tracker has noticed a turn; a later larger error has another cause.
 constexpr double kNearPx = 3;
-// After a turn errors have another nature for so long.
+// Time after a turn whose errors differ from those in free flight.
 constexpr std::int64_t kSettledUs = 20'000;
-// A hit goes on for a few ms.
+// A hit takes a few ms.
 constexpr std::int64_t kOneTurnUs = 10'000;
-// The errors' memory is looked at over so long.
+// Lag at which the errors' autocorrelation is measured.
 constexpr std::int64_t kMemoryUs = 5'000;
 constexpr std::size_t kFewestTicks = 100;
 

@@ -15,22 +15,22 @@ namespace puck {
 /// A tracker's errors in the flight of one shot.
 struct FlightErrors {
   struct Tick {
-    Pixel error;             ///< Estimate minus truth, at the time that the estimate is for, px.
+    Pixel error;             ///< Estimate minus truth, at the estimate's time, px.
     PixelVelocity velocity;  ///< Of the true puck.
     double reported_sigma_px = 0;
   };
-  /// Well after any turn. One tick after the other; where one is missing, a new run begins.
+  /// Consecutive ticks well after any turn; a missing tick begins a new run.
   std::vector<std::vector<Tick>> runs;
-  /// A hit or a bounce, and the time up to the next.
+  /// A hit or a bounce, until the next one.
   struct Turn {
     std::int64_t lost_us = 0;     ///< Without a track.
-    std::int64_t noticed_us = 0;  ///< The last that the estimate was far from the puck, since then.
+    std::int64_t noticed_us = 0;  ///< Last time with a large error, since the turn.
   };
   std::vector<Turn> turns;
-  std::optional<std::int64_t> detected_us;  ///< Since the puck came into the game.
+  std::optional<std::int64_t> detected_us;  ///< Since the puck came into play.
 };
 
-/// Gathers them. One thread.
+/// Collects FlightErrors. One thread.
 class FlightErrorWatch {
  public:
   FlightErrorWatch(const ShotFacts& facts, const Homography& table_from_image)
@@ -38,7 +38,7 @@ class FlightErrorWatch {
 
   /// At every step of the world.
   void see(const SimulatedTruth& truth);
-  /// At every tick, all of them `period_us` apart.
+  /// At every tick, each `period_us` after the last.
   void see(const PuckEstimate& estimate, std::int64_t period_us);
 
   const FlightErrors& errors() const { return errors_; }
@@ -56,8 +56,8 @@ class FlightErrorWatch {
   bool in_run_ = false;
 };
 
-/// The model's numbers for many flights, with ticks `period_us` apart. Throws std::runtime_error
-/// when there are too few ticks.
+/// Parameters of the error model from many flights, with ticks `period_us` apart. Throws
+/// std::runtime_error for too few ticks.
 EstimateErrorParams fit_estimate_errors(const std::vector<FlightErrors>& flights,
                                         std::int64_t period_us);
 

@@ -25,7 +25,7 @@ FlightErrors watch_flight(const PlaySetup& setup, const ShotFacts& facts) {
   const auto period_us = static_cast<std::int64_t>(1e6 / setup.link.rate_hz);
   ClosedLoop loop(setup, facts.seed);
   FlightErrorWatch watch(facts, exact_table_from_image(setup.world));
-  // The loop asks the tracker within its step, after the world has moved on.
+  // The loop calls this within a step, after the world has advanced.
   loop.on_estimate([&](const PuckEstimate& estimate) {
     watch.see(loop.truth());
     watch.see(estimate, period_us);

@@ -8,20 +8,20 @@
 
 namespace puck {
 
-/// The errors that PUCK makes on events, and what a game is with them and with the model of them.
+/// PUCK's errors on events, and the saves with them and with the model of them.
 struct ErrorModelCheck {
   EstimateErrorParams fitted;
   SaveFigures on_events;
-  SaveFigures on_model;  ///< The setup's, not the one that was fitted just now.
+  SaveFigures on_model;  ///< With the setup's model, not the new fit.
 };
 
 /// The errors of the setup's tracker in one shot.
 FlightErrors watch_flight(const PlaySetup& setup, const ShotFacts& facts);
 
-/// Plays single shots of the setup on events and on the model. `count` shots in `jobs` threads.
+/// Plays `count` single shots of the setup on events and on the model, in `jobs` threads.
 ErrorModelCheck check_error_model(PlaySetup setup, std::int64_t seed, int count, int jobs);
 
-/// For a person, to stdout.
+/// Prints to stdout, for people.
 void print(const ErrorModelCheck& check);
 
 }  // namespace puck

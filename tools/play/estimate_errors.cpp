@@ -6,7 +6,7 @@ namespace puck {
 namespace {
 
 constexpr std::uint64_t kErrorStream = 40;
-// In one step of the world, and while it is in play, nothing else changes the velocity so much.
+// Larger changes of velocity within one step come from hits and bounces only.
 constexpr double kTurn_m_s = 0.3;
 constexpr std::int64_t kStrayUs = 1'000;
 
@@ -25,7 +25,7 @@ EstimateErrors::EstimateErrors(const EstimateErrorParams& params, SensorSize sen
   error_y_px_ = params_.sigma_y_px * random_.normal();
 }
 
-// An Ornstein-Uhlenbeck process: its spread is the same at all times and however long the steps.
+// An Ornstein-Uhlenbeck process: its variance is the same at all times and for any step.
 void EstimateErrors::drift(std::int64_t passed_us) {
   const double keep = std::exp(-static_cast<double>(passed_us) / params_.correlation_us);
   const double fresh = std::sqrt(1 - keep * keep);
@@ -33,7 +33,7 @@ void EstimateErrors::drift(std::int64_t passed_us) {
   error_y_px_ = keep * error_y_px_ + fresh * params_.sigma_y_px * random_.normal();
 }
 
-// `newest_` and `velocity_` are still those of before.
+// `newest_` and `velocity_` are still from before the turn.
 void EstimateErrors::turn(Timestamp now) {
   if (now >= noticed_from_) {
     turned_ = newest_->time;

@@ -26,7 +26,7 @@ bool EstimateLink::is_due(std::int64_t now_us) {
   return true;
 }
 
-// Bursts begin and end at any time, so that the share lost is the same whatever the rate.
+// Bursts begin and end at any time: the share of losses does not depend on the rate.
 bool EstimateLink::is_lost(std::int64_t now_us) {
   const double share = params_.loss_percent / 100;
   if (params_.burst_us == 0 || share == 0 || share == 1) return random_.uniform() < share;
@@ -34,7 +34,7 @@ bool EstimateLink::is_lost(std::int64_t now_us) {
   burst_judged_us_ = now_us;
   const double leave_per_us = 1 / static_cast<double>(params_.burst_us);
   const double enter_per_us = leave_per_us * share / (1 - share);
-  // A Markov chain of two states, after any time.
+  // A Markov chain of two states in continuous time.
   const double memory = std::exp(-(leave_per_us + enter_per_us) * passed);
   const double in_burst = in_burst_ ? share + (1 - share) * memory : share * (1 - memory);
   in_burst_ = random_.uniform() < in_burst;

@@ -12,23 +12,23 @@ namespace puck {
 struct EstimateLinkParams {
   double rate_hz = 1000;            ///< Estimates a second.
   std::int64_t latency_us = 1'000;  ///< From the sensor to the bridge and the arm.
-  double loss_percent = 0;          ///< Of the estimates.
-  /// Losses come one by one, or with this in bursts that take so long on average.
+  double loss_percent = 0;          ///< Share of lost estimates.
+  /// 0: single losses; else the mean length of bursts.
   std::int64_t burst_us = 0;
 };
 
-/// The way of the estimates from the tracker to whoever uses them: a rate, a delay, and losses.
+/// The path of estimates from the tracker to their users: a rate, a delay, and losses.
 /// One thread.
 class EstimateLink {
  public:
-  /// Throws std::invalid_argument that names the option when a value is out of its range.
+  /// Throws std::invalid_argument that names the option of a value out of range.
   EstimateLink(const EstimateLinkParams& params, std::int64_t seed);
 
-  /// Whether an estimate is to be made at `now_us`; once a period.
+  /// Whether to make an estimate at `now_us`; once per period.
   bool is_due(std::int64_t now_us);
-  /// Sends one, which arrives `extra_us` later than others would.
+  /// Sends an estimate, with `extra_us` more delay than usual.
   void send(const puck_estimate_t& estimate, std::int64_t now_us, std::int64_t extra_us = 0);
-  /// The next that has arrived by `now_us`.
+  /// The next estimate that has arrived by `now_us`.
   std::optional<puck_estimate_t> receive(std::int64_t now_us);
 
  private:

@@ -58,7 +58,7 @@ PuckEstimate FrameTracker::look(std::int64_t middle_us) {
   PuckEstimate estimate;
   estimate.newest_event = {middle_us};
   estimate.state = TrackState::kLost;
-  // A puck that came or went while the shutter was open is not told from what is behind it.
+  // A puck that was visible for only a part of the exposure is not detected.
   if (seen_ == 0 || seen_ < samples_) return estimate;
   const double smear_px = std::hypot(last_.x - first_.x, last_.y - first_.y);
   const double sigma_px = std::hypot(params_.sigma_px, params_.smear_share * smear_px);

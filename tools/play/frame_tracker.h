@@ -10,24 +10,24 @@
 
 namespace puck {
 
-/// A tracker on the pictures of a camera with a global shutter: it finds the middle of the puck's
-/// smear, which is where the puck was in the middle of the exposure, and knows when that was. The
-/// picture is read out for one period after its exposure, and then looked at.
+/// A tracker on a frame camera with a global shutter: finds the centre of the puck's motion blur,
+/// which is the position at mid-exposure, and knows that time. A frame is read out for one period
+/// after its exposure, then processed.
 struct FrameTrackerParams {
   double rate_hz = 60;
-  double exposure_share = 0.5;  ///< Of a period.
+  double exposure_share = 0.5;  ///< As a share of a period.
   std::int64_t processing_us = 3'000;
-  double sigma_px = 0.3;      ///< Of the puck's place, when it stands …
-  double smear_share = 0.05;  ///< … and this part of the smear's length on top.
+  double sigma_px = 0.3;      ///< Position error of a puck at rest …
+  double smear_share = 0.05;  ///< … plus this share of the blur's length.
 };
 
 /// One thread.
 class FrameTracker {
  public:
-  /// Throws std::invalid_argument that names the value that is out of its range.
+  /// Throws std::invalid_argument that names the value out of range.
   FrameTracker(const FrameTrackerParams& params, SensorSize sensor, std::int64_t seed);
 
-  /// The world as it is now; to be called at every step. An estimate when an exposure ends.
+  /// Takes the current world; call at every step. Returns an estimate when an exposure ends.
   std::optional<PuckEstimate> watch(const SimulatedTruth& truth);
 
   /// From the end of the exposure to the estimate.
@@ -40,9 +40,9 @@ class FrameTracker {
   SensorSize sensor_;
   Random random_;
   double period_us_ = 0;
-  std::int64_t frame_ = 0;  // of which the exposure is awaited or under way
+  std::int64_t frame_ = 0;  // current or next one
   int samples_ = 0;         // within the exposure
-  int seen_ = 0;            // those with the puck in the image
+  int seen_ = 0;            // of them with the puck in the image
   double sum_x_px_ = 0;
   double sum_y_px_ = 0;
   Pixel first_;

@@ -6,8 +6,8 @@
 
 namespace puck {
 
-/// What the TRUTH and the GAME in a log say of the game that was played in real time. Throws
-/// LogFileError when there is no such log, std::runtime_error when it has no truth.
+/// The result of a game played in real time, from TRUTH and GAME in its log. Throws LogFileError if
+/// the log is missing, std::runtime_error if it has no truth.
 SaveFigures figures_of_log(const std::filesystem::path& path);
 
 }  // namespace puck

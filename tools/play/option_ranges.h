@@ -5,13 +5,13 @@
 
 namespace puck {
 
-/// The values that a number of the command line may have: both ends, too.
+/// The valid values of a numeric option, both ends included.
 struct OptionRange {
   const char* option = "";
   double lowest = 0;
   double highest = 0;
 
-  /// Throws std::invalid_argument that names the option unless it holds.
+  /// Throws std::invalid_argument that names the option of a value out of range.
   void require(double value) const {
     if (value >= lowest && value <= highest) return;
     throw std::invalid_argument(std::string(option) + " must be between " + words(lowest) +
@@ -19,7 +19,7 @@ struct OptionRange {
   }
 
  private:
-  // As on the command line: 0.6, 10000.
+  // Formatted as for the command line: 0.6, 10000.
   static std::string words(double value) {
     std::string text = std::to_string(value);
     text.erase(text.find_last_not_of('0') + 1);

@@ -88,12 +88,11 @@ void add_options(CLI::App& app, PlayOptions& options) {
       ->excludes(fit);
   app.callback([&options] {
     if (!options.plots.empty() && options.shots == 0 && options.sweep.empty()) {
-      throw CLI::ValidationError(
-          "--plots needs --shots or --sweep: of a whole game there is nothing to plot");
+      throw CLI::ValidationError("--plots needs --shots or --sweep: a whole game has no plots");
     }
     if (options.moving && options.source != "events") {
       throw CLI::ValidationError(
-          "--moving needs --source events: the truth is seen by a camera at rest");
+          "--moving needs --source events: the error model holds for a camera at rest");
     }
   });
 }

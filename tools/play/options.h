@@ -8,11 +8,11 @@
 
 namespace puck {
 
-/// What the command line says.
+/// Options of the command line.
 struct PlayOptions {
-  double seconds = 0;        ///< Of a whole game; 0: not told.
-  int shots = 0;             ///< 0: not told.
-  double max_speed_m_s = 0;  ///< 0: not told.
+  double seconds = 0;        ///< Length of a whole game; 0: not given.
+  int shots = 0;             ///< 0: not given.
+  double max_speed_m_s = 0;  ///< 0: not given.
   std::string source = "truth";
   std::string sweep;
   std::filesystem::path log;
@@ -28,7 +28,7 @@ struct PlayOptions {
   double rate_hz = 1000;
   double loss_percent = 0;
   double burst_ms = 0;
-  double frames_hz = 0;  ///< 0: PUCK instead of a camera.
+  double frames_hz = 0;  ///< 0: PUCK instead of a frame camera.
 };
 
 /// `options` must outlive the parsing.

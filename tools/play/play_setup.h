@@ -16,14 +16,14 @@
 
 namespace puck {
 
-/// Where estimates come from.
+/// Source of estimates.
 enum class EstimateSource : std::uint8_t {
-  kTruth,   ///< From where the puck truly is, with the errors that PUCK makes.
+  kTruth,   ///< The true position with PUCK's errors.
   kEvents,  ///< PUCK, on the events of the simulated camera.
-  kFrames,  ///< From where the puck truly is, as a tracker on a camera's pictures sees it.
+  kFrames,  ///< The true position as measured by a frame camera.
 };
 
-/// All that a game is made of: what the services read from their configuration.
+/// All parameters of a game, as in the services' configuration.
 struct PlaySetup {
   SimulationParams world;
   TableCalibration table{Homography({1, 0, 0, 0, 1, 0, 0, 0, 1}), {}};
@@ -37,11 +37,11 @@ struct PlaySetup {
   EstimateLinkParams link;
 };
 
-/// The services' defaults, and the calibrations in a folder: simulated_size.toml and
-/// simulated_table.toml. Throws ConfigError when one is missing or wrong.
+/// The services' defaults and a folder's calibrations: simulated_size.toml and
+/// simulated_table.toml. Throws ConfigError if one is missing or invalid.
 PlaySetup default_setup(const std::filesystem::path& calibration);
 
-/// The opponent shoots as fast as `max_speed_m_s`, at least half as fast. Throws
+/// Sets the opponent's shots to between half of `max_speed_m_s` and `max_speed_m_s`. Throws
 /// std::invalid_argument outside kMaxSpeedRange.
 void set_shot_speed(GameParams& game, double max_speed_m_s);
 

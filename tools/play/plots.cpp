@@ -12,7 +12,7 @@ namespace puck {
 namespace {
 
 constexpr double kMostPercent = 105;
-// Points of different curves lie side by side, so that none hides another's interval.
+// Offset between the points of curves, so that their intervals do not overlap.
 constexpr double kApart = 0.003;
 
 Axis axis_of(const Sweep& sweep) {
@@ -35,7 +35,7 @@ std::vector<std::string> curves_of(const Sweep& sweep) {
   return names;
 }
 
-// So much to the right of a value as `shift` of the axis is.
+// Shifts a value to the right by the share `shift` of the axis.
 double shifted(const Sweep& sweep, const Axis& axis, double value, double shift) {
   if (!sweep.is_logarithmic) return value + shift * (axis.to - axis.from);
   return value * std::pow(axis.to / axis.from, shift);
@@ -66,7 +66,7 @@ void draw_curve(const Sweep& sweep, const Axis& axis, const std::string& name, d
   chart.line(line, ink);
 }
 
-// What is told apart of the shots, and how.
+// Class of a shot's outcome, and its colour.
 struct Fate {
   const char* name;
   Ink ink;
@@ -75,7 +75,7 @@ struct Fate {
 Fate fate_of(const ShotOutcome& outcome) {
   if (outcome.end == ShotOutcome::End::kSaved) return {"saved", series_ink(0)};
   if (outcome.end == ShotOutcome::End::kUnjudged) return {"not judged", kGrey};
-  if (outcome.cause == GoalCause::kNotReachable) return {"goal that no arm saves", kBlack};
+  if (outcome.cause == GoalCause::kNotReachable) return {"unreachable goal", kBlack};
   return {"goal", series_ink(1)};
 }
 
@@ -111,7 +111,7 @@ void write_plot(const std::vector<ShotFacts>& shots, const std::vector<ShotOutco
     widest_m = std::max(widest_m, std::abs(shot.crossing_y_m));
   }
   widest_m *= 1.1;
-  Chart chart("what became of the shots", axis_from_zero("speed after the hit, m/s", fastest_m_s),
+  Chart chart("outcome of the shots", axis_from_zero("speed after the hit, m/s", fastest_m_s),
               {.label = "crosses at, m", .from = -widest_m, .to = widest_m},
               {.width_px = 1000, .height_px = 560});
   std::set<std::string> told;

@@ -9,12 +9,12 @@
 
 namespace puck {
 
-/// Writes saves_NAME.png into a folder, which is made if need be: the save rate of each curve with
-/// its 95 % interval, and between what they must lie. Throws std::runtime_error when that fails.
+/// Writes saves_NAME.png into a folder, created if needed: the save rate of each curve with its 95
+/// % interval, and its lower and upper bounds. Throws std::runtime_error on failure.
 void write_plot(const Sweep& sweep, const std::filesystem::path& folder);
 
-/// Writes shots.png there: where each shot crosses against its speed, and what became of it;
-/// `outcomes` are those of `shots`, one by one. Throws std::runtime_error when that fails.
+/// Writes shots.png there: each shot's crossing against its speed, by outcome. `outcomes` are in
+/// the order of `shots`. Throws std::runtime_error on failure.
 void write_plot(const std::vector<ShotFacts>& shots, const std::vector<ShotOutcome>& outcomes,
                 const std::filesystem::path& folder);
 

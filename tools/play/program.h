@@ -4,7 +4,7 @@
 
 namespace puck {
 
-/// Does what the command line asks for. Throws std::exception with a line for a person.
+/// Runs the program. Throws std::exception with a message of one line.
 void run(const PlayOptions& options);
 
 }  // namespace puck

@@ -72,11 +72,11 @@ void print(const SaveFigures& f) {
   both("goals against the robot", f.goals, f.believed_goals);
   std::printf("  %-44s %s\n", "saved", percent_of(f.saves, f.shots).c_str());
   if (f.reachable && f.causes) {
-    std::printf("  %-44s %s\n", "an arm that knew the crossing at the hit",
+    std::printf("  %-44s %s\n", "best arm, with the crossing known at the hit",
                 percent_of(*f.reachable, f.shots).c_str());
-    std::printf("  %-44s %s\n", "a mallet that never leaves the middle",
+    std::printf("  %-44s %s\n", "mallet at rest in the middle",
                 percent_of(f.waiting.value_or(0), f.shots).c_str());
-    if (f.goals > 0) std::printf("  why they went in:\n");
+    if (f.goals > 0) std::printf("  causes of the goals:\n");
     for (std::size_t i = 0; i < kGoalCauses; ++i) {
       if ((*f.causes)[i] == 0) continue;
       std::string name(to_string(static_cast<GoalCause>(i)));

@@ -8,13 +8,13 @@
 
 namespace puck {
 
-/// For a person, to stdout.
+/// Prints to stdout, for people.
 void print(const SaveFigures& figures);
-/// Flat; what is not known is null. Throws std::runtime_error when it cannot be written.
+/// Writes a flat object with null for unknown values. Throws std::runtime_error on failure.
 void write_json(const SaveFigures& figures, const std::filesystem::path& path);
 
 void print(const Sweep& sweep);
-/// An array `points` of the above, each with its `value` and `curve`.
+/// Writes an array `points` of such objects, each with its `value` and `curve`.
 void write_json(const Sweep& sweep, const std::filesystem::path& path);
 
 }  // namespace puck

@@ -7,7 +7,7 @@ namespace puck {
 
 Interval wilson_interval(std::int64_t successes, std::int64_t of) {
   if (of == 0) return {};
-  constexpr double kZ = 1.959963985;  // 97.5 % of a normal distribution lie below.
+  constexpr double kZ = 1.959963985;  // The 97.5 % quantile of a normal distribution.
   const auto n = static_cast<double>(of);
   const double share = static_cast<double>(successes) / n;
   const double scale = 1 / (1 + kZ * kZ / n);

@@ -8,25 +8,25 @@
 
 namespace puck {
 
-/// Between which shares of all shots the true share of saves lies with 95 % confidence.
+/// The 95 % confidence interval of a share.
 struct Interval {
   double low = 0;
   double high = 1;
 };
-/// Wilson's: good for few shots and near 0 and 1, too. All there is when `of` is 0.
+/// Wilson's score interval, valid for few shots and near 0 and 1, too. [0, 1] if `of` is 0.
 Interval wilson_interval(std::int64_t successes, std::int64_t of);
 
-/// What is told of a game or of many shots.
+/// Results of a game or of many shots.
 struct SaveFigures {
   std::int64_t shots = 0;
   std::int64_t saves = 0;
   std::int64_t goals = 0;
-  std::optional<std::int64_t> reachable;  ///< Shots that the best arm would save.
-  std::optional<std::int64_t> waiting;    ///< Shots that one that waits in the middle saves.
-  /// Of the goals. As all that is missing, only known of single shots.
+  std::optional<std::int64_t> reachable;  ///< Shots saved by the best arm.
+  std::optional<std::int64_t> waiting;    ///< Shots saved by a mallet at rest in the middle.
+  /// Causes of the goals. Like every empty value, known for single shots only.
   std::optional<std::array<std::int64_t, kGoalCauses>> causes;
   std::optional<double> sum_speed_m_s;  ///< Of the shots.
-  /// The game as the bridge saw it.
+  /// Counted by the bridge.
   std::int64_t believed_shots = 0;
   std::int64_t believed_saves = 0;
   std::int64_t believed_goals = 0;

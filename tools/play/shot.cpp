@@ -20,7 +20,7 @@ GoalCause cause_of(const ShotFacts& facts, const ShotOutcome& outcome) {
   return GoalCause::kDeflected;
 }
 
-// Follows the flight of the shot from the hit to the crossing.
+// Follows the shot from the hit to the crossing.
 class FlightWatch {
  public:
   FlightWatch(const ShotFacts& facts, ShotOutcome& outcome) : facts_(facts), outcome_(outcome) {}

@@ -12,15 +12,15 @@ namespace {
 
 constexpr std::int64_t kThinkUs = 1000;
 constexpr int kStepsPerThought = static_cast<int>(kThinkUs / PuckPhysics::kStep_us);
-// Until it is hit, a puck does not change its velocity by so much in a millisecond.
+// Before the hit, a puck changes its velocity by less than this in a millisecond.
 constexpr double kHit_m_s = 0.1;
-// Slower it is not on its way to the robot any more.
+// A slower puck no longer approaches the robot.
 constexpr double kSlowest_m_s = 0.1;
-// The Referee judges a hit when it has been over for 10 ms.
+// The Referee judges a hit 10 ms after its end.
 constexpr std::int64_t kJudgedUs = 25'000;
 constexpr std::int64_t kLongestWaitUs = 10'000'000;
 
-// A bridge that knows the truth.
+// A bridge with access to the truth.
 class Oracle {
  public:
   explicit Oracle(const PlaySetup& setup)
@@ -28,7 +28,7 @@ class Oracle {
         line_x_m_(setup.world.table.contact_line_x_m()),
         arm_(setup.arm) {}
 
-  /// Where and when a puck crosses the line if nobody touches it; false if it turns back before.
+  /// Place and time at which a free puck crosses the line; false if it turns back before.
   bool cross(DiscState puck, Timestamp now, ShotFacts& facts) const {
     while (puck.position.x_m > line_x_m_) {
       if (puck.velocity.x_m_s > -kSlowest_m_s) return false;
@@ -40,7 +40,7 @@ class Oracle {
     return true;
   }
 
-  /// Sends the arm there and says where it is.
+  /// Moves the arm towards the target and returns its position.
   double move(Timestamp now, double target_m) {
     const HostNow host = host_time_of(now);
     puck_estimate_t estimate{};
@@ -77,7 +77,7 @@ class Oracle {
   std::int64_t seq_ = 0;
 };
 
-// The puck as it is from its first hit on; nothing before.
+// The puck after its first hit; empty before.
 class FirstHit {
  public:
   bool has_happened(const std::optional<DiscState>& puck) {
@@ -95,7 +95,7 @@ class FirstHit {
   bool happened_ = false;
 };
 
-// Whether a mallet that waits in the middle saves the first shot.
+// Whether a mallet at rest in the middle saves the first shot.
 bool saves_by_waiting(const SimulationParams& world) {
   TableGame game(world);
   for (std::int64_t us = 0; us < kLongestWaitUs; us += PuckPhysics::kStep_us) {

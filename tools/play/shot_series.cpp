@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-// The seeds of different runs are far apart.
+// Distance between the seeds of different runs.
 constexpr std::int64_t kSeedsOfARun = 1'000'000;
 
 }  // namespace
@@ -17,7 +17,7 @@ constexpr std::int64_t kSeedsOfARun = 1'000'000;
 PlaySetup for_single_shots(PlaySetup setup) {
   GameParams& game = setup.world.game;
   game.served_at_start = true;
-  // From the start on; the serve takes 0.5 s.
+  // After the start; the serve takes 0.5 s.
   game.wait_min_s = 0.6;
   game.wait_max_s = 0.9;
   return setup;
@@ -25,13 +25,13 @@ PlaySetup for_single_shots(PlaySetup setup) {
 
 std::vector<ShotFacts> find_shots(const PlaySetup& setup, std::int64_t seed, int count, int jobs) {
   constexpr int kAtATime = 64;
-  constexpr int kMostGames = 20;  // for a shot
+  constexpr int kMostGames = 20;  // per shot
   std::vector<ShotFacts> shots;
   std::int64_t next = seed * kSeedsOfARun;
   for (int tried = 0; static_cast<int>(shots.size()) < count; tried += kAtATime) {
     if (tried > kMostGames * count + kAtATime) {
       throw std::runtime_error(
-          "too few of the opponent's shots go at the goal: " + std::to_string(shots.size()) +
+          "too few of the opponent's shots aim at the goal: " + std::to_string(shots.size()) +
           " shots in " + std::to_string(tried) + " games");
     }
     std::vector<ShotFacts> found(kAtATime);

@@ -9,13 +9,12 @@
 
 namespace puck {
 
-/// The setup's game as one in which the puck is served and shot once: little time passes between
-/// that the shot does not need.
+/// The setup's game with one serve and one shot, and little time in between.
 PlaySetup for_single_shots(PlaySetup setup);
 
-/// The first `count` games, counted from `seed`, whose first hit is a shot. They depend on the
-/// setup's world and arm alone, so other trackers can be given the same shots. `jobs` threads; the
-/// result does not depend on how many. Throws std::runtime_error when there are too few.
+/// The first `count` games, with seeds from `seed` on, whose first hit is a shot. They depend on
+/// the setup's world and arm only, so they fit other trackers, too. `jobs` threads; the result does
+/// not depend on their number. Throws std::runtime_error if there are too few.
 std::vector<ShotFacts> find_shots(const PlaySetup& setup, std::int64_t seed, int count, int jobs);
 
 /// Plays each of them.
@@ -24,11 +23,11 @@ std::vector<ShotOutcome> play_shots(const PlaySetup& setup, const std::vector<Sh
 
 struct ShotSeries {
   std::vector<ShotOutcome> outcomes;  ///< Of shot i.
-  SaveFigures figures;                ///< What they come to, and what it took.
+  SaveFigures figures;                ///< Sums over the shots, and the cost.
 };
 ShotSeries play_series(const PlaySetup& setup, const std::vector<ShotFacts>& shots, int jobs);
 
-/// The figures alone.
+/// The figures only.
 SaveFigures measure_saves(const PlaySetup& setup, const std::vector<ShotFacts>& shots, int jobs);
 
 }  // namespace puck

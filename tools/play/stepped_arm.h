@@ -10,13 +10,13 @@
 
 namespace puck {
 
-/// Sessions of the runs that a loop without a bus stands for.
+/// Sessions of the services in a loop without a bus.
 inline constexpr std::int64_t kCameraSession = 1;
 inline constexpr std::int64_t kTrackerSession = 2;
 inline constexpr std::int64_t kBridgeSession = 3;
 inline constexpr std::int64_t kArmSession = 4;
 
-/// All services run on one host, whose clocks started here when sensor time did.
+/// All services run on one host; its clocks start here at sensor time 0.
 inline constexpr std::int64_t kStartUtime = 1'700'000'000'000'000;
 inline constexpr std::int64_t kStartMonotonicUs = 1'000'000'000;
 inline const SenderClock kSameClock = ClockOffset{};
@@ -25,20 +25,20 @@ constexpr HostNow host_time_of(Timestamp t) {
   return {kStartUtime + t.us, kStartMonotonicUs + t.us};
 }
 
-/// The arm as its service runs it: a step each millisecond, ARM_STATE at 500 Hz. One thread.
+/// The arm as in its service: a step per millisecond, ARM_STATE at 500 Hz. One thread.
 class SteppedArm {
  public:
   explicit SteppedArm(const ArmControllerParams& params) : arm_(params, kArmSession) {}
 
   ArmController& controller() { return arm_; }
 
-  /// Makes the steps that are due by `now`.
+  /// Makes all steps due by `now`.
   void step_until(Timestamp now) {
     for (; next_step_ <= now; next_step_ = next_step_ + kStepUs) {
       arm_.step(host_time_of(next_step_), kStepUs * 1e-6);
     }
   }
-  /// ARM_STATE, when it is due.
+  /// ARM_STATE, if due.
   std::optional<arm_state_t> next_state(Timestamp now) {
     if (now < next_state_) return std::nullopt;
     next_state_ = next_state_ + kStatePeriodUs;

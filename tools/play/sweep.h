@@ -16,15 +16,15 @@ struct SweepPoint {
   SaveFigures figures;
 };
 
-/// How the save rate falls as one thing grows, for several trackers on the same shots.
+/// The save rate as a function of one quantity, for several trackers on the same shots.
 struct Sweep {
   std::string name;  ///< `latency`, `speed`, `rate` or `loss`.
-  std::string axis;  ///< What `value` is, with its unit.
+  std::string axis;  ///< Name of `value`, with its unit.
   bool is_logarithmic = false;
-  std::vector<SweepPoint> points;  ///< Curve by curve, values growing.
+  std::vector<SweepPoint> points;  ///< Curve by curve, in ascending order.
 };
 
-/// Which points a sweep has, before they are measured.
+/// The points of a sweep, before their measurement.
 struct PlannedSweep {
   struct Point {
     std::string curve;
@@ -37,17 +37,17 @@ struct PlannedSweep {
   std::vector<Point> points;
 };
 
-/// The sweep of that name around a setup. `max_speed_m_s`: of the shots, where that is not what is
+/// The sweep of that name around a setup. `max_speed_m_s`: maximum speed of the shots, unless
 /// swept. Throws std::invalid_argument for another name.
 PlannedSweep plan_sweep(const std::string& name, const PlaySetup& setup, double max_speed_m_s);
 
 struct SweepSettings {
-  int shots = 200;  ///< A point.
+  int shots = 200;  ///< Per point.
   std::int64_t seed = 1;
   int jobs = 1;
 };
-/// Plays it. The same shots are played at all points with the same speed. `on_point` is called with
-/// each as soon as it is measured.
+/// Plays a sweep, with the same shots at all points of equal speed. Calls `on_point` after each
+/// point.
 Sweep run_sweep(const PlannedSweep& plan, const SweepSettings& settings,
                 const std::function<void(const SweepPoint&)>& on_point);
 

@@ -7,7 +7,7 @@
 
 namespace puck {
 
-/// A game that goes on for so long. What a better arm would have saved is not known of it.
+/// Plays a game of this length. The saves of a better arm are unknown for it.
 SaveFigures play_game(const PlaySetup& setup, std::int64_t seed, double seconds);
 
 }  // namespace puck

@@ -9,16 +9,16 @@
 
 namespace puck {
 
-/// A chart of some curves over one pair of axes, which reach as far as the curves do.
+/// A chart of curves over one pair of axes, fitted to the curves.
 class CurvePlot {
  public:
   CurvePlot(std::string title, std::string x_label)
       : title_(std::move(title)), x_label_(std::move(x_label)) {}
 
   void add(Curve curve) { curves_.push_back(std::move(curve)); }
-  /// For x more than 0 only.
+  /// For positive x only.
   void make_x_logarithmic() { log_x_ = true; }
-  /// As PNG. Throws std::runtime_error when it cannot be written.
+  /// As PNG. Throws std::runtime_error if the file cannot be written.
   void save(const std::filesystem::path& path) const;
 
  private:

@@ -19,12 +19,12 @@ void print(const SimulateSettings& settings, const RecordingSummary& summary) {
               static_cast<long long>(summary.events), summary.seconds,
               events / summary.seconds * 1e-3);
   if (summary.lost > 0) {
-    std::printf("%lld events more were lost at the sensor's readout\n",
+    std::printf("%lld more events were lost at the sensor's readout\n",
                 static_cast<long long>(summary.lost));
   }
   std::printf("shots %d, saves %d, goals against %d, goals for %d\n", summary.counts.shots,
               summary.counts.saves, summary.counts.goals_against, summary.counts.goals_for);
-  std::printf("%d marks%s; took %.1f s, %.2f of the time played\n", summary.marks,
+  std::printf("%d marks%s; took %.1f s, %.2f times the played time\n", summary.marks,
               summary.has_size_model ? "" : " (too few for a size model)", summary.took_s,
               summary.took_s / summary.seconds);
 }
@@ -40,7 +40,7 @@ int run(int argc, char** argv) {
       "--output", settings.output,
       "base name: writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv, BASE.toml");
   app.add_option("--sensor-checks", settings.sensor_checks,
-                 "folder: measures the simulated sensor as one measures a real sensor, and "
+                 "folder: measures the simulated sensor with the methods for real ones, and "
                  "writes plots there");
   app.add_option("--scene", settings.scene,
                  "TOML file of the scene; config/scene.toml has every key");

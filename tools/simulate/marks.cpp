@@ -8,7 +8,7 @@ namespace puck {
 namespace {
 
 constexpr double kWhole = 0.99;
-// Truth comes every ms; a person would not look at more pictures than this.
+// Truth has a row per ms; an annotator would use at most every tenth.
 constexpr std::size_t kEveryRow = 10;
 
 double to_half_pixel(double value) { return std::round(2 * value) / 2; }
@@ -28,7 +28,7 @@ std::vector<Annotation> spread_marks(std::span<const TruthRow> truth, int count)
   for (std::size_t i = 0; i < truth.size(); i += kEveryRow) {
     if (truth[i].visible >= kWhole) candidates.push_back(truth[i]);
   }
-  // Each time the one that is farthest from all that were taken.
+  // The candidate that is farthest from all chosen ones.
   std::vector<double> distance(candidates.size(), std::numeric_limits<double>::infinity());
   std::vector<Annotation> marks;
   while (static_cast<int>(marks.size()) < count && marks.size() < candidates.size()) {

@@ -8,8 +8,8 @@
 
 namespace puck {
 
-/// Up to `count` rows in which the whole puck is seen, as far apart in the image as can be, as a
-/// person would mark them: the edges of the box to half a pixel. In the order of their times.
+/// Up to `count` rows with a fully visible puck, spread over the image, with a box rounded to half
+/// a pixel as in manual annotations. In order of time.
 std::vector<Annotation> spread_marks(std::span<const TruthRow> truth, int count);
 
 }  // namespace puck

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kMarks = 40;
 
-// While the puck is off the table it stays where it was seen last, unseen.
+// A puck off the table keeps its last visible position, as invisible.
 TruthRow row_of(const SimulatedTruth& truth, const TruthRow& before) {
   if (!truth.in_play) return {truth.time, before.centre, before.size, 0};
   return {truth.time, truth.position_px, truth.size_px, truth.visible};

@@ -9,16 +9,17 @@ namespace puck {
 
 struct RecordingSummary {
   std::int64_t events = 0;
-  std::int64_t lost = 0;  ///< Events that the sensor's readout could not take.
-  double seconds = 0;     ///< Of sensor time.
-  double took_s = 0;      ///< Of wall time.
+  std::int64_t lost = 0;  ///< Events lost at the sensor's readout.
+  double seconds = 0;     ///< Sensor time.
+  double took_s = 0;      ///< Wall time.
   int marks = 0;          ///< Rows of BASE.annotations.csv.
   bool has_size_model = false;
   GameCounts counts;
 };
 
 /// Plays the game and writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv and
-/// BASE.toml; tells how far it is on stderr. Throws with one line when a file cannot be written.
+/// BASE.toml; prints progress to stderr. Throws with a one-line message if a file cannot be
+/// written.
 RecordingSummary record(const SimulateSettings& settings, const SimulationParams& params);
 
 }  // namespace puck

@@ -8,8 +8,7 @@
 
 namespace puck {
 
-/// A sensor all of whose pixels see one light, as in a laboratory: it starts settled at
-/// ln(light) = 0.
+/// A sensor under uniform light, as in a laboratory. It starts settled at ln(light) = 0.
 class SensorBench {
  public:
   struct Set {
@@ -18,32 +17,32 @@ class SensorBench {
     SensorSize size{64, 48};
     std::int64_t seed = 1;
 
-    /// Nothing happens by itself.
+    /// Without noise events.
     Set without_noise() const;
-    /// All pixels fire at once on the bench, which no readout is made for: nor does it matter.
+    /// Without the readout's queue, which simultaneous events of all pixels would overload.
     Set without_queue() const;
-    /// Only the photoreceptor and the threshold are left to be seen.
+    /// With photoreceptor and threshold only.
     Set without_pauses() const;
     double time_constant_us() const;
   };
 
   explicit SensorBench(const Set& set);
 
-  /// For `duration_us` ln(light) follows `light_at`, straight between points `step_us` apart; the
+  /// ln(light) follows `light_at` for `duration_us`, linear between points `step_us` apart; the
   /// argument is µs since the bench's start.
   void follow(const std::function<double(double)>& light_at, std::int64_t duration_us,
               std::int64_t step_us = 50);
-  /// ln(light) jumps, within 1 µs, and stays for `duration_us`.
+  /// ln(light) jumps within 1 µs and stays for `duration_us`.
   void jump(double log_light, std::int64_t duration_us);
-  /// The light stays as it is.
+  /// The light stays constant.
   void wait(std::int64_t duration_us);
   void forget_events() { events_.clear(); }
 
   Timestamp now() const { return now_; }
   int pixel_count() const;
-  /// In the order of their times.
+  /// In order of time.
   const std::vector<PixelEvent>& events() const { return events_; }
-  /// The same, apart for each pixel.
+  /// The same, separate for each pixel.
   std::vector<std::vector<PixelEvent>> events_by_pixel() const;
   std::int64_t lost() const { return sensor_.lost(); }
 

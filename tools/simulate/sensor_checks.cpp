@@ -11,7 +11,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 double cutoff_hz(const SensorBench::Set& set) { return 1e6 / (kTurn * set.time_constant_us()); }
 
-// Calls with every combination of two thresholds and a start between two events, and its weight.
+// Calls with all combinations of two thresholds and a start between two events, and their weight.
 template <typename Use>
 void for_each_pixel_kind(const EventSensorParams& sensor, Use use) {
   constexpr int kThresholds = 24;  // To both sides, up to 4 standard deviations.
@@ -90,7 +90,7 @@ Curve contrast_response(const SensorBench::Set& set) {
 }
 
 FrequencyResponse frequency_response(const SensorBench::Set& set) {
-  // So many events that counting them by whole ones does not matter much.
+  // Enough events for a small quantisation error.
   const double swing = 20 * set.sensor.threshold;
   const double cutoff = cutoff_hz(set);
   const double most = events_per_cycle(set, swing, cutoff / 30);
@@ -132,7 +132,7 @@ Latency latency(SensorBench::Set set) {
 }
 
 std::vector<double> thresholds(SensorBench::Set set) {
-  // So slow that the low-pass lags by the same everywhere.
+  // Slow enough for a constant lag of the low-pass.
   constexpr double kSlope_1_us = 2e-5;
   constexpr std::int64_t kDuration_us = 80'000;
   SensorBench bench(set.without_pauses());
@@ -140,7 +140,7 @@ std::vector<double> thresholds(SensorBench::Set set) {
   std::vector<double> found;
   for (const auto& events : bench.events_by_pixel()) {
     if (events.size() < 3) continue;
-    // The first may have come while the low-pass still fell behind.
+    // Without the first interval, in which the low-pass may still settle.
     const auto span_us = static_cast<double>(events.back().t_us - events[1].t_us);
     found.push_back(kSlope_1_us * span_us / static_cast<double>(events.size() - 2));
   }

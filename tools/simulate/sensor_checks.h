@@ -7,8 +7,8 @@
 
 namespace puck {
 
-/// The measurements by which the field characterises event cameras, taken on the simulated one.
-/// Each returns what was measured and, where theory has an answer, what is expected.
+/// Standard measurements of event cameras, on the simulated one. Each returns the measured and, if
+/// theory gives it, the expected curve.
 struct Curve {
   struct Point {
     double x = 0;
@@ -18,7 +18,7 @@ struct Curve {
   std::vector<Point> points;
 };
 
-/// How many of the pixels answer a step of the light with 0, 1, 2 … events.
+/// Distribution of the pixels by their number of events after a step of the light.
 struct StepResponse {
   Curve measured;  ///< x: events, y: share of the pixels.
   Curve expected;
@@ -28,7 +28,7 @@ StepResponse step_response(const SensorBench::Set& set, double log_ratio);
 /// Events per pixel and cycle against the swing of ln(light), far below the cutoff.
 Curve contrast_response(const SensorBench::Set& set);
 
-/// Events per cycle against frequency, as a share of those far below the cutoff: x in Hz.
+/// Events per cycle against frequency, relative to those far below the cutoff: x in Hz.
 struct FrequencyResponse {
   Curve measured;
   Curve expected;  ///< Of a first-order low-pass.
@@ -36,15 +36,15 @@ struct FrequencyResponse {
 };
 FrequencyResponse frequency_response(const SensorBench::Set& set);
 
-/// Times from a step of 1.5 thresholds to each pixel's first event, µs, sorted; only of pixels that
-/// had one.
+/// Times from a step of 1.5 thresholds to each pixel's first event, µs, sorted; without silent
+/// pixels.
 struct Latency {
   std::vector<double> delays_us;
   double expected_median_us = 0;
 };
 Latency latency(SensorBench::Set set);
 
-/// Events of an unchanged light.
+/// Events under constant light.
 struct Noise {
   double rate_hz = 0;  ///< Per pixel.
   double on_share = 0;
@@ -52,28 +52,29 @@ struct Noise {
 };
 Noise noise(const SensorBench::Set& set, double seconds);
 
-/// By how much ln(light) must grow for the next event, of each pixel, sorted: as a cumulative
-/// distribution it is the S-curve whose width is the mismatch.
+/// Growth of ln(light) up to the next event, for each pixel, sorted: the cumulative distribution is
+/// the S-curve whose width is the mismatch.
 std::vector<double> thresholds(SensorBench::Set set);
 
-/// Intervals between the events of one pixel in a light that changes much too fast, µs, sorted.
+/// Intervals between events of one pixel under very fast changes of light, µs, sorted.
 std::vector<double> refractory_intervals(const SensorBench::Set& set);
 
-/// What leaves the sensor against what its pixels make.
+/// Output rate of the sensor against the event rate of its pixels.
 struct Saturation {
   Curve output_mev_s;  ///< x: made, Mev/s.
   Curve lost_share;
-  /// When all pixels fire at once: share of them that have left, over µs since the first.
+  /// After simultaneous events of all pixels: share of them read out, over µs since the first.
   Curve burst;
 };
 Saturation saturation(SensorBench::Set set);
 
-/// The sum of signed events times threshold beside ln(light), both from 0: x in s. A pixel whose ON
-/// and OFF thresholds differ drifts with every cycle of the light; those of all pixels cancel out.
+/// The sum of signed events times threshold, and ln(light), both from 0: x in s. A pixel with
+/// different ON and OFF thresholds drifts with every cycle of the light; the drifts of all pixels
+/// cancel out.
 struct Conservation {
   Curve light;
-  Curve sum;  ///< Mean of the pixels.
-  /// Of each pixel when the light has come to rest, in thresholds, sorted.
+  Curve sum;  ///< Mean over the pixels.
+  /// For each pixel after the light has settled, in thresholds, sorted.
   std::vector<double> differences;
 };
 Conservation conservation(const SensorBench::Set& set);

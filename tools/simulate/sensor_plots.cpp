@@ -16,7 +16,7 @@ std::string lux_of(const SensorBench::Set& set) {
   return std::to_string(static_cast<int>(std::lround(set.light.illuminance_lux))) + " lux";
 }
 
-// The share of the values up to each of them.
+// Empirical distribution function.
 Curve cumulative(std::string name, const std::vector<double>& sorted) {
   Curve curve{std::move(name), {}};
   for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -63,8 +63,7 @@ void write_sensor_plots(const SensorBench::Set& set, const std::filesystem::path
   std::filesystem::create_directories(folder);
 
   const StepResponse step = step_response(set, std::log(3.0));
-  CurvePlot steps("pixels that answer a step to three times the light with so many events",
-                  "events");
+  CurvePlot steps("pixels by number of events after a step to three times the light", "events");
   steps.add(step.measured);
   steps.add(step.expected);
   steps.save(folder / "step.png");

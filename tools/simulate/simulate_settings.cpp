@@ -33,7 +33,7 @@ SimulationParams simulation_params_of(const SimulateSettings& settings) {
   try {
     check_keys_together(params);
   } catch (const std::invalid_argument& error) {
-    // The keys do not know which file they come from.
+    // The keys do not know the name of their file.
     throw std::invalid_argument(settings.scene.string() + ": " + error.what());
   }
   return params;

@@ -39,7 +39,7 @@ std::optional<std::string> ChannelAccount::reject(std::span<const std::uint8_t> 
   auto rejection = check_message(*type_, bytes);
   if (!rejection) return std::nullopt;
   ++malformed_;
-  // With a key the seal would have been taken off.
+  // With a key, the bus would have opened the seal.
   if (sealed) return "is sealed, but puck-spy has no key (lcm.key_file of --config)";
   return rejection;
 }

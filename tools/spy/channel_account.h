@@ -16,23 +16,23 @@
 
 namespace puck {
 
-/// What came on one channel. Of a message no more is read than its check, its header and, of
-/// EVENTS, the numbering of the events.
+/// Counts the messages of one channel. Decodes only a message's check, its header and, of EVENTS,
+/// the numbering of the events.
 class ChannelAccount {
  public:
-  /// `type`: nothing for a name that is not ours. `from_us`: nothing had come by then.
+  /// `type`: empty for a foreign name. `from_us`: start of listening.
   ChannelAccount(std::string name, std::optional<Channel> type, const SpyParams& params,
                  std::int64_t from_us);
 
   std::optional<Channel> type() const { return type_; }
 
-  /// Whether it is a valid message of a type of ours.
+  /// Whether it is a valid message of a PUCK type.
   bool hear(std::span<const std::uint8_t> bytes, const Receipt& receipt);
 
-  /// What was dropped before it could be heard, in all, for want of our key; and why.
+  /// Total of messages dropped for lack of our key, and the reason.
   void set_unauthenticated(std::int64_t messages, std::string why);
 
-  /// The names of the publishers are left empty.
+  /// Leaves the publishers' names empty.
   ChannelRow row(std::int64_t now_us);
 
  private:
@@ -52,7 +52,7 @@ class ChannelAccount {
   std::string last_rejection_;
   std::optional<std::int64_t> newest_us_;
   PublisherList publishers_;
-  std::vector<std::uint8_t> newest_;  // Its memory is used again.
+  std::vector<std::uint8_t> newest_;  // Keeps its memory.
 };
 
 }  // namespace puck

@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-/// Rates, counts and µs fit a double as well as a screen needs them.
+/// A double is exact enough for rates, counts and µs on a screen.
 double value_of(const ChannelRow& channel, ChannelSort sort) {
   switch (sort) {
     case ChannelSort::kFlow:

@@ -8,7 +8,7 @@
 namespace puck {
 namespace {
 
-constexpr std::size_t kWide = 100;  // From here on there is room for gaps that please the eye.
+constexpr std::size_t kWide = 100;  // From this width on, with wider gaps.
 
 std::size_t wanted_width(const Column& column) {
   std::size_t width = std::max(column.min_width, column.title.size());
@@ -16,7 +16,7 @@ std::size_t wanted_width(const Column& column) {
   return width;
 }
 
-/// Of each column; 0: it is left out.
+/// Width of each column; 0: left out.
 std::vector<std::size_t> share_out(const std::vector<Column>& columns, std::size_t gap,
                                    std::size_t width) {
   std::vector<std::size_t> by_importance(columns.size());

@@ -67,7 +67,7 @@ void add_latencies(Screen& screen, const ServiceRow& service, std::size_t width)
     return latency_column(service, made, cell);
   };
   using Row = StatusLatency;
-  // Where nothing was measured there is no value.
+  // A row without samples has no values.
   const auto measured = [](const Row& row, std::int64_t value) {
     return row.samples == 0 ? "" : std::to_string(value);
   };

@@ -7,14 +7,14 @@
 
 namespace puck {
 
-/// All about one channel: its row, its publishers, why a message was malformed, and its newest
-/// message decoded. As many lines as it takes, each `width` characters at most.
+/// Details of a channel: its row, its publishers, the last rejection, and its newest message
+/// decoded. Any number of lines, each `width` characters at most.
 Screen channel_details(const ChannelRow& channel, std::size_t width);
 
-/// All about one service: its row, its last words, latencies and counters.
+/// Details of a service: its row, state text, latencies and counters.
 Screen service_details(const ServiceRow& service, std::size_t width);
 
-/// How a row is drawn.
+/// Style of a row.
 LineStyle style_of(const ChannelRow& channel);
 LineStyle style_of(const ServiceRow& service);
 

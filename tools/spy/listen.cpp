@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kStep{20};
 
-/// A model that is fed from a bus, which may still wait for its network.
+/// A model fed from a bus that may still wait for its network.
 class Listener {
  public:
   Listener(const BusParams& params, const SpyParams& spy)
@@ -26,7 +26,7 @@ class Listener {
     starter_ = std::jthread([this](const std::stop_token& stop) { start(stop); });
   }
 
-  /// Takes what has come, for a short while.
+  /// Takes the messages of a short time.
   void step() {
     if (started()) {
       bus_.handle(kStep);
@@ -35,8 +35,8 @@ class Listener {
     }
   }
 
-  /// Takes all that has come, for a second at most: on a busy machine that may be a lot, and what
-  /// still waits to be read would look like silence.
+  /// Takes all waiting messages, for a second at most: on a busy machine there may be many, and
+  /// unread messages would look like silence.
   void catch_up() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     while (started() && bus_.handle(milliseconds(0)) > 0 &&
@@ -58,7 +58,7 @@ class Listener {
   }
   const LcmUrl& url() const { return bus_.url(); }
 
-  /// Why it does not listen yet; empty: it does.
+  /// Why it does not listen yet; empty: it listens.
   std::string problem() const {
     const std::lock_guard lock(mutex_);
     return problem_;
@@ -83,7 +83,7 @@ class Listener {
   Bus bus_;
   SpyModel model_;
   mutable std::mutex mutex_;
-  bool started_ = false;  // Guarded by mutex_; from then on the bus is the caller's thread's.
+  bool started_ = false;  // Guarded by mutex_; once true, the bus belongs to the caller's thread.
   std::string problem_;   // Guarded by mutex_.
   std::jthread starter_;
 };

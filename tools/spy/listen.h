@@ -8,16 +8,16 @@
 
 namespace puck {
 
-/// What was heard in one go, and why nothing could be, if so.
+/// The result of listening.
 struct Heard {
   Snapshot snapshot;
-  std::string problem;  ///< Empty: the bus was listened to.
+  std::string problem;  ///< Why it could not listen; empty: it did.
 };
 
-/// Listens for so long, or until a stop is asked for; counts the wait for a network as listening.
+/// Listens for `seconds` or until a stop; includes the wait for a network.
 Heard listen(const BusParams& params, double seconds, StopSignal& stop);
 
-/// The live view, until `q` or a stop. Throws std::runtime_error when there is no terminal.
+/// The live view, until `q` or a stop. Throws std::runtime_error without a terminal.
 void watch(const BusParams& params, StopSignal& stop);
 
 }  // namespace puck

@@ -30,7 +30,7 @@ struct Options {
   bool json = false;
 };
 
-/// By themselves, so that one that nobody knows is told.
+/// Separate from the file, so that an unknown key is reported.
 void check_assignments(const Options& options) {
   Config assignments;
   for (const std::string& setting : options.settings) assignments.override_with(setting);
@@ -49,14 +49,14 @@ BusParams bus_params(const Options& options) {
   return params;
 }
 
-/// Of the terminal that stdout is; a file or a pipe takes any.
+/// Width of the terminal on stdout; unlimited for a file or a pipe.
 std::size_t output_width() {
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
   return std::numeric_limits<std::uint16_t>::max();
 }
 
-/// For the end of a sentence that says that nothing was heard; empty: not known.
+/// Ending for the message that nothing was received; empty: unknown.
 std::string reason_of(const Heard& heard) {
   if (!heard.problem.empty()) return ": " + heard.problem;
   std::int64_t unauthenticated = heard.snapshot.unknown_unauthenticated;

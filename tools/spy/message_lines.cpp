@@ -23,7 +23,7 @@ void add_line(std::vector<std::string>& lines, const std::string& name, const st
   lines.push_back(fit_left(name, std::max(kNameWidth, name.size())) + ' ' + value);
 }
 
-/// Gathers the values of an array until a line is full.
+/// Collects the values of an array until a line is full.
 class ArrayLines {
  public:
   ArrayLines(std::vector<std::string>& lines, std::size_t width)
@@ -64,7 +64,7 @@ void add_events(std::vector<std::string>& lines, std::span<const std::uint8_t> b
   }
 }
 
-/// What a number means, where it has a name.
+/// The name of a number's meaning, if it has one.
 std::string meaning_of(Channel channel, std::string_view name, std::string_view value) {
   const auto fields = wire_layout(channel).fields;
   const auto field = std::find_if(fields.begin(), fields.end(),
@@ -99,7 +99,7 @@ std::vector<std::string> message_lines(Channel channel, std::span<const std::uin
       [&](std::string_view name, std::optional<std::size_t> index, std::string_view value) {
         if (index) return array.add(name, *index, plain_text(value));
         array.flush();
-        // Shown as what they mean instead.
+        // Shown decoded instead.
         if (channel == Channel::kEvents && name == "data") return;
         add_field(lines, std::string(name), meaning_of(channel, name, value), width);
       });

@@ -9,7 +9,7 @@
 namespace puck {
 namespace {
 
-/// Which rows of a table are shown.
+/// The visible rows of a table.
 struct Window {
   std::size_t first = 0;
   std::size_t count = 0;
@@ -31,7 +31,7 @@ void add_table(Screen& screen, const std::vector<Row>& rows, const std::vector<s
   const Window window = window_around(rows, selected, room);
   ScreenLine head{table[0], LineStyle::kHead};
   if (window.count < rows.size()) {
-    // Over the head of the first column, which is wide enough.
+    // In place of the first column's head, which is wide enough.
     const std::string more = std::to_string(window.first + 1) + '-' +
                              std::to_string(window.first + window.count) + " of " +
                              std::to_string(rows.size());
@@ -61,7 +61,7 @@ Screen draw_overview(const Snapshot& snapshot, const std::string& selected, Scre
   Screen screen;
   const std::size_t rows = channels.size() + services.size();
   std::size_t service_room = services.size();
-  // Both have to do with less, each with its share.
+  // Both tables shrink in proportion.
   if (rows > room) service_room = (room * services.size() + rows / 2) / rows;
   const std::size_t channel_room = room - std::min(room, service_room);
   add_table(screen, channels, channel_table(channels, width), selected, channel_room);

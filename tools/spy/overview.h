@@ -7,11 +7,11 @@
 
 namespace puck {
 
-/// The tables of channels and services on so many lines. Where there are more rows than lines, the
-/// heads say so, and the rows around the selected one are shown.
+/// The tables of channels and services. If the rows do not fit, the heads say so, and the rows
+/// around the selected one are shown.
 Screen draw_overview(const Snapshot& snapshot, const std::string& selected, ScreenSize size);
 
-/// A row's name that no other row has and that lasts while rows come, go and change places.
+/// Unique and stable name of a row.
 std::string row_id(const ChannelRow& channel);
 std::string row_id(const ServiceRow& service);
 

@@ -10,7 +10,7 @@ namespace puck {
 
 Screen help_page() {
   Screen screen;
-  // No longer than the smallest screen is wide, nor more than a usual one is high.
+  // At most as wide as the smallest screen and as high as a usual one.
   for (const char* line : {
            "up, down, k, j  select a row; page keys, home, end",
            "enter           show the row: its newest message, decoded",

@@ -9,15 +9,15 @@
 
 namespace puck {
 
-/// The keys, and what the columns mean.
+/// The keys and the columns.
 Screen help_page();
 
-/// What others send at this group and port.
+/// Foreign traffic on this group and port.
 Screen others_page(const Snapshot& snapshot, std::size_t width);
-/// The same in a line.
+/// Summary in one line.
 ScreenLine others_line(const TransportCounters& network);
 
-/// For as long as nothing has come. `waiting_for`: why it does not listen yet, if so.
+/// Shown before the first message. `waiting_for`: why it does not listen yet, or empty.
 Screen silence_page(const std::string& waiting_for, const TransportCounters& network,
                     std::size_t width);
 

@@ -18,10 +18,10 @@ struct ScreenLine {
   bool selected = false;
 };
 
-/// From the top; as many as the screen has rows, each as long as it has columns at most.
+/// From the top; at most as many rows and columns as the screen.
 using Screen = std::vector<ScreenLine>;
 
-/// What can be asked for with the keyboard.
+/// Commands of the keyboard.
 enum class SpyKey {
   kUp,
   kDown,

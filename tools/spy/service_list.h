@@ -9,18 +9,18 @@
 
 namespace puck {
 
-/// The services, from what they say in STATUS. The 64 heard last are known.
+/// The services, from STATUS. Keeps the 64 heard last.
 class ServiceList {
  public:
   explicit ServiceList(const SpyParams& params) : params_(params) {}
 
   void hear(const service_status_t& status, std::int64_t now_us);
 
-  /// By name, host and pid. A run that has ended or fallen silent is left out when a younger one of
-  /// the same service on the same host has been heard.
+  /// By name, host and pid. Leaves out an ended or silent run if a newer run of the same service on
+  /// the same host was heard.
   std::vector<ServiceRow> rows(std::int64_t now_us) const;
 
-  /// Fills in who it is, when a STATUS of its session was heard.
+  /// Fills in the service of the publisher's session, if its STATUS was heard.
   void name(PublisherRow& publisher) const;
 
  private:

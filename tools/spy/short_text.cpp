@@ -14,12 +14,12 @@ std::string format(const char* how, Values... values) {
   return text.data();
 }
 
-/// Three digits and the letter of a power of 1000, from 100 000 on.
+/// Three digits and the letter of a power of 1000, for 100 000 or more.
 std::string with_letter(double number) {
   constexpr std::string_view kLetters = "kMGTPE";
   std::size_t letter = 0;
   number /= 1000;
-  // What would be rounded to four digits takes the next letter.
+  // Rounding to four digits would need the next letter.
   while (std::abs(number) >= 999.5 && letter + 1 < kLetters.size()) {
     number /= 1000;
     ++letter;
@@ -69,7 +69,7 @@ std::string plain_text(std::string_view text) {
   plain.reserve(text.size());
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    // The bytes of UTF-8 that continue a character.
+    // Continuation bytes of UTF-8.
     if ((byte & 0xc0) == 0x80) continue;
     plain += byte >= 0x20 && byte < 0x7f ? c : '?';
   }

@@ -15,10 +15,10 @@ std::string short_rate(double per_second);
 /// Up to 6 characters: 3ms, 1.5s, 12m05s, 3h20m, 8d.
 std::string short_duration(std::int64_t duration_us);
 
-/// What may stand on a terminal: of anything but printable ASCII, one question mark a character.
+/// Text that is safe for a terminal: a question mark for each character outside printable ASCII.
 std::string plain_text(std::string_view text);
 
-/// Exactly so many characters: cut off with a ~ at the end, or filled with spaces.
+/// Text of exactly `width` characters: cut with a ~ at the end, or padded with spaces.
 std::string fit_left(std::string_view text, std::size_t width);
 std::string fit_right(std::string_view text, std::size_t width);
 

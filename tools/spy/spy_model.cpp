@@ -7,7 +7,7 @@
 namespace puck {
 namespace {
 
-// Beyond our own; more are counted together, for names are free and memory is not.
+// Bounds the memory for foreign names; further ones are counted together.
 constexpr std::size_t kMaxChannels = kAllChannels.size() + 32;
 constexpr std::string_view kMoreNames = "(more names)";
 

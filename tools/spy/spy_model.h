@@ -13,8 +13,8 @@
 
 namespace puck {
 
-/// All that puck-spy knows of the bus. Fed with what a Bus hands to subscribe_all(); knows neither
-/// bus, clock nor screen. One thread.
+/// The model behind puck-spy, fed by Bus::subscribe_all(). Independent of bus, clock and screen.
+/// One thread.
 class SpyModel {
  public:
   /// Times are CLOCK_MONOTONIC, µs.
@@ -22,12 +22,11 @@ class SpyModel {
 
   void hear(std::string_view channel, std::span<const std::uint8_t> bytes, const Receipt& receipt);
 
-  /// What was dropped of a channel of ours before it could be heard, in all, for want of our key;
-  /// and why.
+  /// Total of a PUCK channel's messages dropped for lack of our key, and the reason.
   void set_unauthenticated(Channel channel, std::int64_t messages, const std::string& why,
                            std::int64_t now_us);
 
-  /// Rates are over the time between the snapshots of the rate window.
+  /// Rates cover the snapshots within the rate window.
   Snapshot snapshot(std::int64_t now_us);
 
  private:

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 double in_seconds(std::int64_t duration_us) { return static_cast<double>(duration_us) / 1e6; }
 double in_milliseconds(std::int64_t duration_us) { return static_cast<double>(duration_us) / 1e3; }
-/// More digits would say nothing.
+/// Rounds to one decimal.
 double rate(double per_second) { return std::round(per_second * 10) / 10; }
 
 Json json_of(const ChannelRow& channel) {
@@ -123,7 +123,7 @@ std::string json_report(const Snapshot& snapshot, const std::string& url,
   for (const ForeignTraffic& traffic : snapshot.network.foreign_traffic) {
     report["foreign"].push_back(json_of(traffic));
   }
-  // Text from the wire need not be UTF-8.
+  // Text from the network may not be UTF-8.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -7,13 +7,13 @@
 
 namespace puck {
 
-/// One JSON document for scripts: `channels`, `publishers`, `services` and `foreign` are arrays of
-/// flat objects, with the units in the names. Counters and latencies of services are keys of their
-/// own: `counter_events_sent`, `latency_packet_to_estimate_p50_us`.
+/// A JSON document: `channels`, `publishers`, `services` and `foreign` are arrays of flat objects,
+/// with units in the names. Each counter and latency of a service is a key: `counter_events_sent`,
+/// `latency_packet_to_estimate_p50_us`.
 std::string json_report(const Snapshot& snapshot, const std::string& url,
                         const std::string& prefix);
 
-/// The same as tables for a person, `width` characters a line at most; empty tables are left out.
+/// The same as tables, `width` characters a line at most; without empty tables.
 std::string text_report(const Snapshot& snapshot, std::size_t width);
 
 }  // namespace puck

@@ -55,7 +55,7 @@ void SpyView::press(SpyKey key) {
   }
 }
 
-/// From a page back to the overview; from there, and only there, enter shows details.
+/// From a page back to the overview; enter shows details from the overview only.
 void SpyView::toggle(Page page) {
   const bool enters = page_ != page && (page != Page::kDetails || page_ == Page::kOverview);
   page_ = enters ? page : Page::kOverview;
@@ -69,7 +69,7 @@ void SpyView::move(SpyKey key) {
   if (selecting) {
     at = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), selected_) - ids.begin());
   }
-  // Beyond the end is mended where the end is known.
+  // draw() limits a position beyond the end.
   constexpr std::size_t kEnd = 1'000'000;
   const std::size_t page = std::max<std::size_t>(page_rows_, 1);
   if (key == SpyKey::kUp) at -= std::min<std::size_t>(at, 1);
@@ -85,8 +85,8 @@ void SpyView::move(SpyKey key) {
   }
 }
 
-/// The first row, as long as none has been selected or the selected one is no more; but what is
-/// looked at in detail is not changed behind one's back.
+/// Selects the first row if none is selected or the selected one is gone, except on the details
+/// page, which keeps its subject.
 void SpyView::keep_selection() {
   const std::vector<std::string> ids = row_ids();
   const bool there = std::find(ids.begin(), ids.end(), selected_) != ids.end();
@@ -103,7 +103,7 @@ std::vector<std::string> SpyView::row_ids() const {
 Screen SpyView::draw(ScreenSize size) {
   const auto width = static_cast<std::size_t>(std::max(size.columns, 0));
   const auto rows = static_cast<std::size_t>(std::max(size.rows, 0));
-  constexpr std::size_t kFrame = 2;  // The first line and the last.
+  constexpr std::size_t kFrame = 2;  // Title and status line.
   const std::size_t room = rows - std::min(rows, kFrame);
   Screen screen = body({static_cast<int>(width), static_cast<int>(room)});
   const std::size_t lines = screen.size();
@@ -120,7 +120,7 @@ Screen SpyView::draw(ScreenSize size) {
   return screen;
 }
 
-/// What does not fit is reached by scrolling; the last line is kept at the bottom of the screen.
+/// Scrolls a body that does not fit; keeps the last line at the bottom of the screen.
 void SpyView::scroll(Screen& body, std::size_t room) {
   page_rows_ = room;
   if (page_ == Page::kOverview) scroll_ = 0;
@@ -154,7 +154,7 @@ Screen SpyView::body(ScreenSize size) const {
   return screen;
 }
 
-/// What would be left empty shows the selected row's details.
+/// Shows the selected row's details in the empty space.
 void SpyView::add_preview(Screen& screen, ScreenSize size) const {
   constexpr std::size_t kLeast = 8;
   constexpr std::size_t kRow = 2;  // The row itself and its head are on the screen already.

@@ -9,23 +9,23 @@
 
 namespace puck {
 
-/// What is looked at, and how: turns snapshots into lines for a screen of any size and keys into
-/// what is shown next. Knows no terminal. One thread.
+/// State of the display: turns snapshots into lines for a screen of any size, and keys into the
+/// next page. Independent of the terminal. One thread.
 class SpyView {
  public:
-  /// `bus`: what is listened to, for the first line.
+  /// `bus`: its description, for the title.
   explicit SpyView(std::string bus) : bus_(std::move(bus)) {}
 
-  /// What is shown while nothing has come.
+  /// Text before the first message.
   void set_notice(std::string notice) { notice_ = std::move(notice); }
 
-  /// The snapshot is replaced by newer ones, unless paused.
+  /// Replaces the shown snapshot, unless paused.
   void show(Snapshot snapshot);
   void press(SpyKey key);
   bool is_paused() const { return paused_; }
   bool wants_to_quit() const { return quit_; }
 
-  /// As many lines as the screen has rows, but for those at the end that would be empty.
+  /// At most as many lines as the screen has rows; empty lines at the end are left out.
   Screen draw(ScreenSize size);
 
  private:
@@ -47,7 +47,7 @@ class SpyView {
   std::string bus_;
   std::string notice_;
   Snapshot heard_;
-  Snapshot shown_;  // The same, its channels sorted.
+  Snapshot shown_;  // shown with sorted channels
   Page page_ = Page::kOverview;
   ChannelSort sort_ = ChannelSort::kFlow;
   bool reverse_ = false;
@@ -55,7 +55,7 @@ class SpyView {
   bool quit_ = false;
   std::string selected_;  // A row_id.
   std::size_t scroll_ = 0;
-  std::size_t page_rows_ = 1;  // Lines that the last screen had for what scrolls.
+  std::size_t page_rows_ = 1;  // Rows of the scrolled part at the last draw.
 };
 
 }  // namespace puck

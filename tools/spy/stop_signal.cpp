@@ -14,7 +14,7 @@ StopSignal::StopSignal() {
 }
 
 StopSignal::~StopSignal() {
-  requested();  // One that is still pending would kill as soon as it is let through.
+  requested();  // A pending signal would kill the process once unblocked.
   pthread_sigmask(SIG_SETMASK, &old_mask_, nullptr);
 }
 

@@ -4,8 +4,8 @@
 
 namespace puck {
 
-/// Whether the program has been asked to end: by Ctrl-C, by SIGTERM, or by a terminal that went
-/// away. Make it before any thread: a signal that a thread lets through still kills.
+/// Whether the program was asked to stop: by Ctrl-C, SIGTERM, or a lost terminal. Construct it
+/// before any thread: a signal that another thread does not block still kills.
 class StopSignal {
  public:
   StopSignal();
@@ -13,7 +13,7 @@ class StopSignal {
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
 
-  /// Never waits.
+  /// Never blocks.
   bool requested();
 
  private:

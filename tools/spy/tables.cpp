@@ -18,20 +18,20 @@ Column column(const std::vector<Row>& rows, Column made, const Cell& cell) {
 
 constexpr auto kMark = [](const auto& row) { return std::string(is_marked(row) ? "!" : ""); };
 
-/// The one that publishes; where one followed the other, the newest; nothing where that is not one.
+/// The current publisher; of successive ones, the newest; null unless there is exactly one.
 const PublisherRow* only_publisher(const ChannelRow& channel) {
   const bool one = !channel.publishers.empty() && !channel.several_publishers &&
                    channel.type != Channel::kStatus;
   return one ? &channel.publishers.back() : nullptr;
 }
 
-/// Who publishes, in few words.
+/// A short list of the publishers.
 std::string publishers_of(const ChannelRow& channel) {
   if (const PublisherRow* one = only_publisher(channel)) {
     return one->service.empty() ? describe(*one) : one->service;
   }
   const std::size_t count = channel.publishers.size();
-  if (count == 0) return channel.type ? "" : "not a channel of ours";
+  if (count == 0) return channel.type ? "" : "not a PUCK channel";
   if (!channel.several_publishers) {
     return std::to_string(count) + (count == 1 ? " service" : " services");
   }
@@ -55,7 +55,7 @@ bool ends_with_any(std::string_view name, const auto& ends) {
                      [name](std::string_view end) { return name.ends_with(end); });
 }
 
-/// What the service is there to deliver comes first.
+/// The service's main latency comes first.
 std::string latencies_of(const ServiceRow& service) {
   constexpr std::array<std::string_view, 3> kWork{"packet_to_estimate", "to_command", "to_motion"};
   std::string first;
@@ -68,8 +68,8 @@ std::string latencies_of(const ServiceRow& service) {
   return first + (first.empty() || others.empty() ? "" : ", ") + others;
 }
 
-/// Those that are not 0; what went wrong first, for there is not always room for all. Of those that
-/// have a channel's name before a dot, what is above in the channels' table anyway is left out.
+/// Counters that are not 0, errors first, as space may be short; without those of a channel
+/// ("CHANNEL.name") that the channels' table shows.
 std::string counters_of(const ServiceRow& service) {
   constexpr std::array<std::string_view, 16> kTroubles{
       "_lost",        "_late",     "_rejected",  "_dropped", "_skipped",  "_thinned",

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#define NCURSES_NOMACROS  // Or else words such as clear and move could not be used.
+#define NCURSES_NOMACROS  // Its macros clear and move would replace our names.
 #include <ncurses.h>
 #include <unistd.h>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr short kWarningColour = 1;
 constexpr short kAlarmColour = 2;
 constexpr int kEscape = 27;
-constexpr int kEscapeDelay_ms = 25;  // A lone escape is told from a key's sequence by this.
+constexpr int kEscapeDelay_ms = 25;  // Separates a single escape from a key's sequence.
 
 attr_t attributes_of(const ScreenLine& line) {
   attr_t attributes = line.selected ? A_REVERSE : A_NORMAL;
@@ -92,7 +92,7 @@ Terminal::Terminal() {
   if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) {
     throw std::runtime_error("the live view needs a terminal; without one use --once");
   }
-  // initscr() would end the program by itself.
+  // Unlike newterm(), initscr() ends the program on failure.
   if (newterm(nullptr, stdout, stdin) == nullptr) {
     const char* const type = std::getenv("TERM");
     throw std::runtime_error("the terminal's type is not known: TERM=" +

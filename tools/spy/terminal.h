@@ -6,11 +6,11 @@
 
 namespace puck {
 
-/// The terminal, taken over as long as this lives and given back as it was, however the program
-/// leaves the block. The only place that knows ncurses. One at a time, one thread.
+/// Owns the terminal and restores it on destruction. The only user of ncurses. One at a time, one
+/// thread.
 class Terminal {
  public:
-  /// Throws std::runtime_error when stdin or stdout is no terminal, or one of an unknown type.
+  /// Throws std::runtime_error if stdin or stdout is no terminal, or one of unknown type.
   Terminal();
   ~Terminal();
   Terminal(const Terminal&) = delete;
@@ -18,9 +18,9 @@ class Terminal {
 
   ScreenSize size() const;
   void show(const Screen& screen);
-  /// The next key that was pressed and means something; nothing when there is none. Never waits.
+  /// The next known key; empty if none was pressed. Never blocks.
   std::optional<SpyKey> read_key();
-  /// Whether the size has changed since this was last asked.
+  /// Whether the size has changed since the last call.
   bool was_resized();
 
  private:
