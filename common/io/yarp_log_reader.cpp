@@ -116,10 +116,11 @@ YarpLogReader::YarpLogReader(const std::filesystem::path& path, const EventFileO
       clock_(1),
       sink_({1, 1}) {
   if (!options_.sensor.is_valid()) {
-    throw EventFileError(name_ +
-                         ": a YARP log does not say how large the sensor is; give width and "
-                         "height (--width and --height, or camera.width and camera.height), such as "
-                         "304 x 240 for an ATIS");
+    throw EventFileError(
+        name_ +
+        ": a YARP log does not say how large the sensor is; give width and "
+        "height (--width and --height, or camera.width and camera.height), such as "
+        "304 x 240 for an ATIS");
   }
   find_encoding();
   rewind();

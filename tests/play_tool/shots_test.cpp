@@ -156,8 +156,8 @@ TEST_CASE("The fit of the errors recovers the model's parameters") {
   CHECK(fit.loss_us == within(0.6, 8'000));
 }
 
-TEST_CASE("The built-in errors are about those of PUCK on events" *
-          doctest::test_suite("deep") * doctest::skip(kIsSanitized)) {
+TEST_CASE("The built-in errors are about those of PUCK on events" * doctest::test_suite("deep") *
+          doctest::skip(kIsSanitized)) {
   PlaySetup setup = fast_shots();
   const EstimateErrorParams built_in = setup.errors;
   setup.source = EstimateSource::kEvents;
