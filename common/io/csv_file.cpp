@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "common/io/parse_number.h"
 #include "common/io/trimmed.h"
 
 namespace puck {
@@ -76,9 +77,7 @@ std::vector<std::size_t> places_of(const std::filesystem::path& path, std::size_
 double parse_value(const std::filesystem::path& path, std::size_t line, const CsvColumn& column,
                    std::string_view text) {
   double value = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (result.ec != std::errc{} || result.ptr != text.data() + text.size() ||
-      !std::isfinite(value)) {
+  if (!parse_number(text, value) || !std::isfinite(value)) {
     throw_csv_error(path, line,
                     std::string(column.name) + " must be a number, got " + in_quotes(text));
   }

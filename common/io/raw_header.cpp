@@ -1,8 +1,9 @@
 #include "common/io/raw_header.h"
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
+
+#include "common/io/parse_number.h"
 
 namespace puck {
 namespace {
@@ -16,9 +17,7 @@ bool is_printable(char character) {
 
 int parse_size(std::string_view text, const std::string& line) {
   int value = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (result.ec != std::errc{} || result.ptr != text.data() + text.size() || value < 1 ||
-      value > SensorSize::kMax) {
+  if (!parse_number(text, value) || value < 1 || value > SensorSize::kMax) {
     throw std::invalid_argument("the header's line \"% " + line +
                                 "\" must give a width and height from 1 to 2048");
   }
@@ -86,8 +85,7 @@ std::optional<SensorSize> RawHeader::sensor() const {
 std::optional<SensorSize> RawHeader::sensor_of_system() const {
   const std::string_view text = value("system_ID");
   int id = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return std::nullopt;
+  if (!parse_number(text, id)) return std::nullopt;
   switch (id) {
     // Gen3.0 and Gen3.1 cameras, IMX637, IMX647.
     case 0x15:

@@ -1,11 +1,11 @@
 #include "common/io/text_event_reader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
 #include "common/io/number_limits.h"
+#include "common/io/parse_number.h"
 #include "common/io/reader_warnings.h"
 #include "common/io/trimmed.h"
 
@@ -16,12 +16,6 @@ constexpr std::string_view kAnySeparator = " \t,;";
 
 bool is_in(char character, std::string_view set) {
   return set.find(character) != std::string_view::npos;
-}
-
-template <typename Number>
-bool parse(std::string_view text, Number& value) {
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc{} && result.ptr == text.data() + text.size();
 }
 
 // The sink needs a size before the file has stated it.
@@ -131,8 +125,9 @@ void TextEventReader::take_geometry() {
   text.remove_prefix(text.find(':') + 1);
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos ||
-      !parse(trimmed(text.substr(0, comma)), said_sensor_.width) ||
-      !parse(trimmed(text.substr(comma + 1)), said_sensor_.height) || !said_sensor_.is_valid()) {
+      !parse_number(trimmed(text.substr(0, comma)), said_sensor_.width) ||
+      !parse_number(trimmed(text.substr(comma + 1)), said_sensor_.height) ||
+      !said_sensor_.is_valid()) {
     fail("%geometry:WIDTH,HEIGHT with both from 1 to 2048");
   }
 }
@@ -181,10 +176,10 @@ void TextEventReader::take_line() {
   int x = 0;
   int y = 0;
   int polarity = 0;
-  const bool is_event = split(fields) && parse(fields[columns_.time], time) &&
-                        parse(fields[columns_.x], x) && parse(fields[columns_.y], y) &&
-                        parse(fields[columns_.polarity], polarity) && polarity >= -1 &&
-                        polarity <= 1;
+  const bool is_event =
+      split(fields) && parse_number(fields[columns_.time], time) &&
+      parse_number(fields[columns_.x], x) && parse_number(fields[columns_.y], y) &&
+      parse_number(fields[columns_.polarity], polarity) && polarity >= -1 && polarity <= 1;
   const double time_us = time * us_per_unit_;
   if (is_event && time_us >= 0 && time_us <= kLatestUs) {
     if (options_.text_unit == "auto" && us_per_unit_ == 1 && time != std::floor(time)) {

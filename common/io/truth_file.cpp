@@ -2,18 +2,17 @@
 
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "common/io/csv_file.h"
 #include "common/io/number_limits.h"
+#include "common/io/parse_number.h"
 #include "common/io/trimmed.h"
 
 namespace puck {
@@ -45,8 +44,7 @@ std::vector<double> numbers_in(const std::string& line) {
   std::istringstream words(line);
   for (std::string word; words >> word;) {
     double number = 0;
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (result.ec != std::errc{} || result.ptr != word.data() + word.size()) return {};
+    if (!parse_number(word, number)) return {};
     numbers.push_back(number);
   }
   return numbers;

@@ -10,20 +10,20 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kWrap = std::int64_t{1} << 31;
-// Records of one packet may be out of turn by so much.
+// Tolerated disorder within a packet.
 constexpr double kDisorderUs = 10'000;
-// The host's times are those of sending: they and the stamps agree to better than that.
+// Largest delay between a stamp and the host time of its packet's sending.
 constexpr double kHostSlackUs = 1e6;
-// A longer pause in which the counter wrapped is a damaged host time.
+// A longer pause with a wrap of the counter is a damaged host time.
 constexpr double kLongestPauseUs = 24 * 3600e6;
-// So many records that go on from each other, far back, are a counter that was set anew.
+// Successive records far back that make a reset of the counter certain.
 constexpr std::size_t kNewCount = 64;
-// So many tell whether the very first stamp is damaged.
+// Records that are needed to detect a damaged first stamp.
 constexpr std::size_t kFirstRecords = 3;
 
 }  // namespace
 
-// In ticks; the shorter way round, and as many turns more as the host's time shows.
+// Ticks from one record to the other: the smaller step, plus the wraps that the host times show.
 std::int64_t YarpEventClock::step_to(const StampedRecord& from, const StampedRecord& to) const {
   const std::int64_t forward = (std::int64_t{to.stamp} - std::int64_t{from.stamp}) & (kWrap - 1);
   const std::int64_t step = forward < kWrap / 2 ? forward : forward - kWrap;
@@ -63,7 +63,7 @@ void YarpEventClock::finish(std::vector<TimedRecord>& placed) {
   back_.clear();
 }
 
-// With the first record that its successor does not contradict.
+// Begins with the first record whose successor agrees with it.
 void YarpEventClock::begin(std::vector<TimedRecord>& placed) {
   const auto agree = [&](const StampedRecord& a, const StampedRecord& b) {
     return goes_on(a, b, std::max(b.host_time_s - a.host_time_s, 0.0) * 1e6 + kHostSlackUs);
@@ -98,7 +98,7 @@ void YarpEventClock::advance(const StampedRecord& record, std::vector<TimedRecor
 void YarpEventClock::believe(const StampedRecord& record, std::int64_t step,
                              std::vector<TimedRecord>& placed) {
   const std::int64_t ticks = ticks_ + step;
-  // Damaged host times may add up to any time.
+  // Damaged host times can sum to any value.
   if (static_cast<double>(ticks) * us_per_tick_ > kLatestUs) {
     ++doubtful_records_;
     return;
@@ -109,7 +109,7 @@ void YarpEventClock::believe(const StampedRecord& record, std::int64_t step,
   ticks_ = ticks;
 }
 
-// A record that leapt ahead of its successor was damaged.
+// Believes the record that waits, unless its successor is older.
 void YarpEventClock::settle_ahead(const StampedRecord& next, std::vector<TimedRecord>& placed) {
   const StampedRecord waiting = *ahead_;
   ahead_.reset();
@@ -121,7 +121,8 @@ void YarpEventClock::settle_ahead(const StampedRecord& next, std::vector<TimedRe
   }
 }
 
-// True when `next` belongs to those that wait, or they have become a new count with it.
+// Adds `next` to the records that wait, if it continues them, and detects a reset of the counter.
+// Otherwise their stamps were damaged; false then.
 bool YarpEventClock::settle_back(const StampedRecord& next, std::vector<TimedRecord>& placed) {
   const double waited_us = std::max(next.host_time_s - back_.back().host_time_s, 0.0) * 1e6;
   const bool joins =

@@ -13,11 +13,10 @@ namespace {
 // A longer line is no packet: the largest has some 100,000 events.
 constexpr std::size_t kLongestYarpLine = std::size_t{16} << 20;
 constexpr std::size_t kUsualYarpLine = std::size_t{64} << 10;
-// So much of a file tells its encoding.
+// The encoding is detected from this part of the file.
 constexpr int kSamplePackets = 200;
 constexpr int kSampleLines = 100'000;
-// Packets without stamps follow one another: one may begin so long before the end of the one
-// before, and so long after it.
+// Packets without stamps: tolerated overlap with the previous packet, and gap after it.
 constexpr double kMostOverlapUs = 50'000;
 constexpr double kUsualGapUs = 1e6;
 
@@ -26,11 +25,11 @@ constexpr std::uint32_t kStampMask = 0x7fffffff;
 int x_of(std::uint32_t address) { return static_cast<int>(address >> 1 & 0x7ff); }
 int y_of(std::uint32_t address) { return static_cast<int>(address >> 12 & 0x3ff); }
 std::uint32_t eye_of(std::uint32_t address) { return address >> 22 & 1; }
-// Samples of an inertial sensor, skin, sound: a bit of their own above the address. Bit 25 says
-// that an event lies on a corner.
+// Samples of inertial sensors, skin and sound set a bit above the address. Bit 25 marks an event on
+// a corner.
 bool is_event(std::uint32_t address) { return (address & 0xfd800000) == 0; }
 
-// What the first packets of a log say about how it is to be read.
+// Detects the encoding of a log from its first packets.
 class EncodingSample {
  public:
   explicit EncodingSample(SensorSize sensor) : sensor_(sensor) {}
@@ -49,15 +48,15 @@ class EncodingSample {
   }
   int packets() const { return packets_; }
 
-  /// Whether every other word is a stamp: stamps rise, and are addresses on the sensor by chance
-  /// only.
+  /// Whether every other word is a stamp: stamps rise, and look like addresses on the sensor only
+  /// by chance.
   bool has_stamps() const {
     if (!is_bytes_) return true;
     return 2 * odd_packets_ < packets_ && 10 * falls_ <= rises_ &&
            10 * on_sensor_[0] < 9 * on_sensor_[1];
   }
 
-  /// 0.08 or 1: whichever is nearer to what most of the packets' host times say.
+  /// 0.08 or 1: whichever is nearer to the median ratio of host time to stamps.
   double us_per_tick() const {
     constexpr double kBetween = 3.5;  // Ticks a µs, of 12.5 and 1.
     if (ticks_per_us_.empty()) return is_bytes_ ? 1 : 0.08;
@@ -66,7 +65,7 @@ class EncodingSample {
     return sorted[sorted.size() / 2] > kBetween ? 0.08 : 1;
   }
 
-  /// The eye that most events are of.
+  /// The eye with more events.
   std::uint32_t eye() const {
     std::array<std::int64_t, 2> events = of_eye_[1];
     if (!has_stamps()) {
@@ -95,7 +94,7 @@ class EncodingSample {
   SensorSize sensor_;
   int packets_ = 0;
   bool is_bytes_ = false;
-  // Of the words that would be stamps, and of those that would be addresses behind them.
+  // Counts for words at even places, possibly stamps, and at odd places, the addresses behind them.
   std::array<std::int64_t, 2> on_sensor_{};
   std::array<std::array<std::int64_t, 2>, 2> of_eye_{};
   int odd_packets_ = 0;
@@ -118,7 +117,7 @@ YarpLogReader::YarpLogReader(const std::filesystem::path& path, const EventFileO
   if (!options_.sensor.is_valid()) {
     throw EventFileError(
         name_ +
-        ": a YARP log does not say how large the sensor is; give width and "
+        ": a YARP log does not contain the sensor's size; give width and "
         "height (--width and --height, or camera.width and camera.height), such as "
         "304 x 240 for an ATIS");
   }
@@ -145,7 +144,6 @@ void YarpLogReader::rewind() {
   is_at_end_ = false;
   is_finished_ = false;
   clock_ = YarpEventClock(us_per_tick_);
-  told_doubtful_ = 0;
   held_.reset();
   plain_zero_s_.reset();
   newest_plain_us_ = 0;
@@ -172,7 +170,7 @@ bool YarpLogReader::next_line() {
     std::size_t length = 0;
     bool is_too_long = false;
     do {
-      // Full, not at a line end: there is more of the line.
+      // The buffer is full and the line continues.
       if (length > 0) buffer_.resize(2 * buffer_.size());
       file_.clear();
       file_.getline(buffer_.data() + length, static_cast<std::streamsize>(buffer_.size() - length));
@@ -191,7 +189,7 @@ bool YarpLogReader::next_line() {
       continue;
     }
     if (is_at_end_ && length == 0) return false;
-    // Where there is a line end, it counts.
+    // The length includes the line end, if there is one.
     line_ = std::string_view(buffer_.data(), length - (is_line_whole_ ? 1 : 0));
     return true;
   }
@@ -230,14 +228,14 @@ void YarpLogReader::finish() {
 }
 
 void YarpLogReader::take_stamped() {
-  // In a list ON is 0.
+  // Lists encode ON as 0.
   const std::uint32_t turn = packet_.is_bytes ? 0 : 1;
   for (std::size_t i = 0; i + 1 < packet_.words.size(); i += 2) {
     const std::uint32_t address = packet_.words[i + 1];
     if (!is_of_this_eye(address)) continue;
     clock_.add({packet_.words[i] & kStampMask, packet_.host_time_s, address ^ turn}, placed_);
-    append_placed();
   }
+  append_placed();
   if (packet_.words.size() % 2 == 0) return;
   if (packet_.is_cut && !is_line_whole_) {
     sink_.counters().truncated_bytes += 4;
@@ -246,25 +244,28 @@ void YarpLogReader::take_stamped() {
   }
 }
 
-// A packet's events are spread evenly over its duration, which ends at its host time. A packet
-// whose host time contradicts the one before waits for the next: if that agrees with it, it was
-// right.
+// Spreads a packet's events evenly over its duration, which ends at its host time. A packet whose
+// host time contradicts the previous one waits for the next packet; its host time is believed if
+// the next one agrees.
 void YarpLogReader::take_plain() {
-  const double duration_us = static_cast<double>(packet_.duration_us);
-  if (!plain_zero_s_) plain_zero_s_ = packet_.host_time_s - duration_us * 1e-6;
+  if (!plain_zero_s_) {
+    plain_zero_s_ = packet_.host_time_s - static_cast<double>(packet_.duration_us) * 1e-6;
+  }
+  const auto end_us = [&](const YarpPacket& packet) {
+    return (packet.host_time_s - *plain_zero_s_) * 1e6;
+  };
   const auto start_us = [&](const YarpPacket& packet) {
-    return (packet.host_time_s - *plain_zero_s_) * 1e6 - static_cast<double>(packet.duration_us);
+    return end_us(packet) - static_cast<double>(packet.duration_us);
   };
   const auto agrees = [&](const YarpPacket& packet, double before_us) {
     const double gap_us = start_us(packet) - before_us;
     return gap_us > -kMostOverlapUs && gap_us < kUsualGapUs;
   };
   if (held_) {
-    const double held_end_us = (held_->host_time_s - *plain_zero_s_) * 1e6;
-    if (agrees(packet_, held_end_us)) {
-      // Ahead it was a pause, and back a host's clock that was set back, after which time goes on.
+    if (agrees(packet_, end_us(*held_))) {
+      // A jump ahead was a pause. After a jump back of the host's clock, time continues.
       if (start_us(*held_) < newest_plain_us_) {
-        plain_zero_s_ = *plain_zero_s_ + (start_us(*held_) - newest_plain_us_) * 1e-6;
+        *plain_zero_s_ += (start_us(*held_) - newest_plain_us_) * 1e-6;
       }
       place_plain(*held_, start_us(*held_));
     } else {
@@ -283,7 +284,7 @@ void YarpLogReader::take_plain() {
 void YarpLogReader::place_plain(const YarpPacket& packet, double start_us) {
   const double end_us =
       std::max(start_us + static_cast<double>(packet.duration_us), newest_plain_us_);
-  // Packets overlap a little, as the host's clock is not the sensor's, which must cost no event.
+  // An overlap with the previous packet must not drop events: the host's clock is not the sensor's.
   const double from_us = std::max(start_us, newest_plain_us_);
   const double step_us = (end_us - from_us) / static_cast<double>(packet.words.size());
   for (std::size_t i = 0; i < packet.words.size(); ++i) {
@@ -293,7 +294,7 @@ void YarpLogReader::place_plain(const YarpPacket& packet, double start_us) {
   newest_plain_us_ = end_us;
 }
 
-// Counts what is not.
+// False for the other eye and for other sensors, which are counted.
 bool YarpLogReader::is_of_this_eye(std::uint32_t address) {
   if (is_event(address) && eye_of(address) == eye_) return true;
   ++sink_.counters().other_data;
@@ -303,9 +304,7 @@ bool YarpLogReader::is_of_this_eye(std::uint32_t address) {
 void YarpLogReader::append_placed() {
   for (const TimedRecord& record : placed_) append(record.time, record.address);
   placed_.clear();
-  const std::int64_t doubtful = clock_.doubtful_records();
-  sink_.counters().time_glitches += doubtful - told_doubtful_;
-  told_doubtful_ = doubtful;
+  sink_.counters().time_glitches += clock_.take_doubtful_records();
 }
 
 void YarpLogReader::append(Timestamp time, std::uint32_t address) {

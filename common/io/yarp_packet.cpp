@@ -2,26 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "common/io/parse_number.h"
 
 namespace puck {
 namespace {
 
 constexpr std::string_view kEventTag = "AE";
 constexpr std::string_view kBlanks = " \t\r";
-// Host times beyond this, s, are no times: the year 5138.
+// The year 5138, s: a later host time is damaged.
 constexpr double kLatestHostTime_s = 1e11;
 
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
-
-template <typename Number>
-bool parse_number(std::string_view text, Number& value) {
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc{} && result.ptr == text.data() + text.size();
-}
 
 // Steps through the values of a line: words, numbers, `( … )` and `" … "`.
 class ValueCursor {
@@ -44,8 +40,8 @@ class ValueCursor {
     return rest_.empty() ? '\0' : rest_.front();
   }
 
-  /// What stands between the parentheses of a list that is next. `is_closed` is false where the
-  /// line ends before it does.
+  /// Steps over the list that is next and returns its content without the parentheses. `is_closed`
+  /// is false if the line ends before the list.
   std::string_view take_list(bool& is_closed) {
     rest_.remove_prefix(1);
     int depth = 1;
@@ -60,7 +56,7 @@ class ValueCursor {
     return list;
   }
 
-  /// What stands between the quotes of a string that is next, its escapes as they are.
+  /// Steps over the string that is next and returns its content without the quotes, still escaped.
   std::string_view take_string(bool& is_closed) {
     rest_.remove_prefix(1);
     std::size_t length = 0;
@@ -84,7 +80,7 @@ class ValueCursor {
   std::string_view rest_;
 };
 
-// `sequence time [time]`, up to the tag. A second time is that of receipt.
+// Reads `sequence time [time]` and the tag behind it. A second time is the time of receipt.
 bool take_envelope(ValueCursor& cursor, double& host_time_s, std::string_view& tag) {
   std::int64_t sequence = 0;
   if (!parse_number(cursor.take_word(), sequence)) return false;
@@ -98,7 +94,7 @@ bool take_envelope(ValueCursor& cursor, double& host_time_s, std::string_view& t
   return !tag.empty() && std::all_of(tag.begin(), tag.end(), is_capital);
 }
 
-// A number of 32 bits, with or without a sign.
+// Parses a 32-bit number, signed or unsigned.
 bool parse_word(std::string_view text, std::uint32_t& word) {
   std::int64_t value = 0;
   if (!parse_number(text, value) || value < std::numeric_limits<std::int32_t>::min() ||
@@ -109,16 +105,16 @@ bool parse_word(std::string_view text, std::uint32_t& word) {
   return true;
 }
 
-// The numbers of a list, in pairs; a pair with a malformed one is passed over.
+// Reads the numbers of a list in pairs; skips a pair with a malformed number.
 void read_list(std::string_view list, bool is_closed, YarpPacket& packet) {
   std::array<std::uint32_t, 2> pair{};
   std::size_t in_pair = 0;
   bool is_pair_good = true;
-  std::size_t complete = 0;  // Of the list, up to the end of a pair.
+  std::size_t complete = 0;  // Length of the list up to the end of its last whole pair.
   std::size_t at = 0;
   while ((at = list.find_first_not_of(kBlanks, at)) != std::string_view::npos) {
     const std::size_t end = std::min(list.find_first_of(kBlanks, at), list.size());
-    // The last number of a list that was cut may have had more digits.
+    // In a list that was cut, the last number may lack digits.
     if (end == list.size() && !is_closed) break;
     is_pair_good = parse_word(list.substr(at, end - at), pair[in_pair]) && is_pair_good;
     at = end;
@@ -153,14 +149,14 @@ char unescaped(char escape) {
   }
 }
 
-// Bytes of a string, four to a word, the lowest first.
+// Reads the bytes of a string, four to a word, least significant first.
 void read_string(std::string_view text, bool is_closed, YarpPacket& packet) {
   std::uint32_t word = 0;
   int filled = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     char byte = text[i];
     if (byte == '\\') {
-      // Cut within an escape.
+      // The string was cut within an escape.
       if (++i == text.size()) break;
       byte = unescaped(text[i]);
     }
@@ -178,7 +174,7 @@ void read_string(std::string_view text, bool is_closed, YarpPacket& packet) {
   }
 }
 
-// What follows the tag of events: a list, or a duration and a string.
+// Reads what follows the tag of events: a list, or a duration and a string. False if it was cut.
 bool read_events(ValueCursor& cursor, YarpPacket& packet) {
   bool is_closed = true;
   if (cursor.next() == '(') {
@@ -200,7 +196,7 @@ bool read_events(ValueCursor& cursor, YarpPacket& packet) {
   return is_closed;
 }
 
-// Values up to the next tag: all of them are one record of something else.
+// Skips the values up to the next tag, which are one record of other data.
 void skip_record(ValueCursor& cursor) {
   bool is_closed = true;
   while (true) {
@@ -237,13 +233,10 @@ bool is_yarp_log(std::string_view head) {
 }
 
 bool parse_yarp_packet(std::string_view line, YarpPacket& packet) {
-  packet.duration_us = 0;
-  packet.is_bytes = false;
-  packet.words.clear();
-  packet.other_records = 0;
-  packet.is_cut = false;
-  packet.cut_bytes = 0;
-  packet.malformed_values = 0;
+  YarpPacket empty;
+  empty.words = std::move(packet.words);
+  empty.words.clear();
+  packet = std::move(empty);
   ValueCursor cursor(line);
   std::string_view tag;
   if (!take_envelope(cursor, packet.host_time_s, tag)) return false;

@@ -338,7 +338,7 @@ TEST_CASE("a YARP log needs its sensor's size, and one with a damaged start its 
   const std::string text = encoded(random_events(3), YarpEncoding::kStamped);
   write_text(folder / "data.log", text);
   CHECK(contains(message_of<EventFileError>([&] { open_event_file(folder / "data.log"); }),
-                 "a YARP log does not say how large the sensor is"));
+                 "a YARP log does not contain the sensor's size"));
   CHECK(
       read_log("2 rubbish\n3 more\n4\n" + text, {.from = "yarp", .sensor = kAtis}).events.size() ==
       60);
