@@ -134,13 +134,14 @@ EvaluatedTick silent_tick_at(std::int64_t t_us, bool is_mark = false) {
 }
 
 TEST_CASE("truth that ends early, has gaps or does not match the events is reported") {
-  RunSummary run;
-  run.first = {0};
-  run.last = {3'000'000};
+  EvaluationReport report;
+  report.run.first = {0};
+  report.run.last = {3'000'000};
   const auto warnings_after = [&](std::vector<TruthRow> truth, std::int64_t tick_us) {
     Scoring scoring({}, std::move(truth), kRecordedSensor);
     scoring.add(silent_tick_at(tick_us));
-    return scoring.warnings(run);
+    scoring.write_to(report);
+    return scoring.warnings(report);
   };
   CHECK(warnings_after(truth_until(2'950'000), 2'900'000).empty());
   const auto half = warnings_after(truth_until(1'500'000), 1'400'000);

@@ -157,14 +157,15 @@ bool evaluate(const EvaluateOptions& options) {
       },
       scoring.marks());
   warn(events->warnings());
-  warn(scoring.warnings(report.run));
   scoring.write_to(report);
+  warn(scoring.warnings(report));
   if (ticks) ticks->close();
   print(report);
   if (!options.json.empty()) write_json(report, options.json);
   // Without a scored tick there is nothing to plot; a warning was printed.
-  const std::vector<ScoredEstimate> samples = scoring.samples();
-  if (!options.plots.empty() && !samples.empty()) write_plots(samples, options.plots);
+  if (!options.plots.empty() && report.errors->estimates > 0) {
+    write_plots(scoring.samples(), options.plots);
+  }
   if (picture) picture->save(*events, report.run, scoring.truth());
   if (scoring.is_of_another_time(report.run)) return false;
   return !report.replay || is_close_enough(*report.replay, options);

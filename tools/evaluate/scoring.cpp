@@ -79,25 +79,23 @@ std::vector<ScoredEstimate> Scoring::samples() const {
   return ours_ ? ours_->samples() : std::vector<ScoredEstimate>{};
 }
 
-std::vector<std::string> Scoring::warnings(const RunSummary& run) const {
+std::vector<std::string> Scoring::warnings(const EvaluationReport& report) const {
+  const RunSummary& run = report.run;
   std::vector<std::string> lines;
   if (truth() == nullptr) return lines;
   const std::string spans = "the truth goes " + span_text(truth()->first(), truth()->last()) +
                             ", the events " + span_text(run.first, run.last);
-  if (ours_) {
-    const AccuracyReport report = ours_->report();
-    if (report.truth_gap_percent > 0) {
-      char text[200];
-      std::snprintf(text, sizeof text,
-                    "%.1f %% of the ticks within the truth do not count, as its rows are too far "
-                    "apart (%.0f ms at most): see --truth-gap-ms and --score-at-marks",
-                    report.truth_gap_percent, static_cast<double>(longest_gap_us()) / 1000);
-      lines.emplace_back(text);
-    }
+  if (report.accuracy && report.accuracy->truth_gap_percent > 0) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "%.1f %% of the ticks within the truth do not count, as its rows are too far "
+                  "apart (%.0f ms at most): see --truth-gap-ms and --score-at-marks",
+                  report.accuracy->truth_gap_percent, static_cast<double>(longest_gap_us()) / 1000);
+    lines.emplace_back(text);
   }
   if (is_of_another_time(run)) {
     lines.push_back(spans + ": they do not overlap; truth must be on the recording's own clock");
-  } else if (samples().empty()) {
+  } else if (report.errors->estimates == 0) {
     lines.push_back(spans +
                     ": not one tick counts; is the puck ever visible, and is it the right truth?");
   } else if (truth()->first() - run.first > kSlackUs || run.last - truth()->last() > kSlackUs) {

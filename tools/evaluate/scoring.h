@@ -34,9 +34,9 @@ class Scoring {
   void write_to(EvaluationReport& report) const;
   /// The scored estimates, for plots.
   std::vector<ScoredEstimate> samples() const;
-  /// Warnings for reading the figures: truth that does not cover the events, or has gaps, or no
-  /// scored ticks. Less than 100 ms at the ends is ignored.
-  std::vector<std::string> warnings(const RunSummary& run) const;
+  /// Warnings for reading the figures of a report that write_to has filled: truth that does not
+  /// cover the events, or has gaps, or no scored ticks. Less than 100 ms at the ends is ignored.
+  std::vector<std::string> warnings(const EvaluationReport& report) const;
   /// Whether truth and events have no time in common, so that they cannot belong together.
   bool is_of_another_time(const RunSummary& run) const;
 
