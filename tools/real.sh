@@ -174,33 +174,31 @@ done | xargs -0 -n 2 -P "$jobs" bash -c 'run_logged "$@"' run_logged || failed=1
 
 # Prints the rows in the plan's order; several runs of a title are averaged.
 print_rows() {
-  local seen=$'\n' line title run contestant runs
-  for line in "${plan[@]}"; do
-    title=$(cut -f 1 <<<"$line")
-    case "$seen" in *$'\n'"$title"$'\n'*) continue ;; esac
-    seen+=$title$'\n'
-    for contestant in "${contestants[@]}"; do
-      runs=()
-      for run in "${plan[@]}"; do
-        [ "$(cut -f 1 <<<"$run")" != "$title" ] ||
-          runs+=("$output/runs/$(cut -f 2 <<<"$run")-$contestant.json")
-      done
-      { cat "${runs[@]}" 2>/dev/null || true; } | runs=${#runs[@]} title=$title contestant=$contestant awk -F '[:,]' '
-        { gsub(/[ "]/, "", $1) }
-        $2 ~ /^ *-?[0-9.]/ { sum[$1] += $2; count[$1]++ }
-        /^{/ { runs++ }
-        function mean(key, decimals) {
-          return count[key] ? sprintf("%." decimals "f", sum[key] / count[key]) : "–"
-        }
-        END {
-          if (runs < ENVIRON["runs"]) exit
-          printf "| %s | %s | %s | %s | %s | %s | %s | %s |\n", ENVIRON["title"],
-            ENVIRON["contestant"], mean("mean_px", 2), mean("median_px", 2), mean("lost_percent", 2),
-            mean("said_and_wrong_percent", 2), mean("time_to_first_track_ms", 0),
-            mean("cpu_us_per_ms", 0)
-        }'
-    done
-  done
+  local files=() file
+  for file in "$output"/runs/*.json; do [ ! -f "$file" ] || files+=("$file"); done
+  printf '%s\n' "${plan[@]%%$'\t'*}" | contestants=${contestants[*]} awk '
+    FILENAME == "-" { if (!planned[$0]++) titles[++rows] = $0; next }
+    function text_of(line) { sub(/^[^:]*: "/, "", line); sub(/",$/, "", line); return line }
+    /^  "recording": / { title = text_of($0); next }
+    /^  "contestant": / { row = title SUBSEP text_of($0); runs[row]++; next }
+    {
+      split($0, pair, /[":, ]+/)
+      if (pair[3] ~ /^-?[0-9.]/) { sum[row, pair[2]] += pair[3]; count[row, pair[2]]++ }
+    }
+    function mean(key, decimals) {
+      return count[row, key] ? sprintf("%." decimals "f", sum[row, key] / count[row, key]) : "–"
+    }
+    END {
+      names = split(ENVIRON["contestants"], name, " ")
+      for (i = 1; i <= rows; i++) for (k = 1; k <= names; k++) {
+        row = titles[i] SUBSEP name[k]
+        if (runs[row] < planned[titles[i]]) continue
+        printf "| %s | %s | %s | %s | %s | %s | %s | %s |\n", titles[i], name[k],
+          mean("mean_px", 2), mean("median_px", 2), mean("lost_percent", 2),
+          mean("said_and_wrong_percent", 2), mean("time_to_first_track_ms", 0),
+          mean("cpu_us_per_ms", 0)
+      }
+    }' - "${files[@]}"
 }
 
 echo

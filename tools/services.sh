@@ -120,7 +120,7 @@ TMPDIR to another folder"
 
 # Plays a game and logs it in $work/game.lcm.
 play_game() { # URL SECONDS [CAMERA_OPTION...]
-  local url=$1 seconds=$2 name late
+  local url=$1 seconds=$2 name late_ms
   shift 2
   require_space "$seconds"
   echo "starting the services"

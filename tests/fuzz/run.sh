@@ -23,8 +23,7 @@ if [ $# -gt 0 ]; then
 fi
 
 cores=$(nproc)
-cmake --preset asan >/dev/null
-cmake --build --preset asan -j "$cores" --target puck_fuzzers -- --quiet
+tools/build.sh --preset asan puck_fuzzers
 
 build=build/asan
 fuzzers=("$@")
