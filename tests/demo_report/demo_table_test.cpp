@@ -62,6 +62,8 @@ TEST_CASE("the table counts shots that were neither saved nor goals") {
   CHECK_FALSE(contains(demo_table(game_of(8, 7, 1)), "neither saved"));
   // Saved, and in the goal by a rail.
   CHECK_FALSE(contains(demo_table(game_of(1, 1, 1)), "neither saved"));
+  CHECK(contains(demo_table(game_of(1, 1, 1)), "1 goal besides missed shots: a saved puck"));
+  CHECK_FALSE(contains(demo_table(game_of(8, 7, 1)), "besides missed shots"));
 }
 
 TEST_CASE("the table reports a difference between the bridge's and the simulated table's counts") {

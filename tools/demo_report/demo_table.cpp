@@ -61,12 +61,14 @@ void add_game(const DemoFigures& f, Table& table) {
   table.row("shots at the robot's goal", f.shots);
   table.row("saves", f.saves);
   table.row("goals against the robot", f.goals_against);
-  // A saved puck may still go in by a rail: it counts as a save and as a goal.
   if (f.shots && f.saves && f.goals_against) {
     const std::int64_t open = *f.shots - *f.saves - *f.goals_against;
     if (open > 0) {
       table.note(count_of(open, "shot", "shots") +
                  " neither saved nor in: still under way, or stopped by the opponent");
+    } else if (open < 0) {
+      table.note(count_of(-open, "goal", "goals") +
+                 " besides missed shots: a saved puck that went in by a rail, or an own goal");
     }
   }
   if (f.believed_shots && f.believed_saves && f.believed_goals_against &&
