@@ -23,7 +23,7 @@ root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 # shellcheck source=tools/games.sh
 . "$root/tools/games.sh"
 
-all="default correlation paper reference cluster particle-filter particle-filter-eros"
+all="default evidence correlation paper reference cluster particle-filter particle-filter-eros"
 read -ra contestants <<<"$all"
 only=
 json=
@@ -151,7 +151,7 @@ run() { # CONTESTANT LINE-OF-THE-PLAN
   title=${fields[0]}
   name=$output/runs/${fields[1]}-$1
   case "$1" in
-    default | correlation | paper | reference) options=(--preset "$1") ;;
+    default | evidence | correlation | paper | reference) options=(--preset "$1") ;;
     *) options=(--algorithm "$1") ;;
   esac
   "$programs/puck-evaluate" "${fields[@]:2}" "${options[@]}" --json "$name.part" >/dev/null

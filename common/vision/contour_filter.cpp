@@ -52,11 +52,11 @@ void ContourFilter::give_slack(double px) {
   keep_in_bounds();
 }
 
-void ContourFilter::predict(std::int64_t time_us, bool blind) {
+void ContourFilter::predict(std::int64_t time_us, double damping_s) {
   const double dt = static_cast<double>(time_us - time_us_) * 1e-6;
   if (!(dt > 0)) return;
   time_us_ = time_us;
-  const double keep = 1 - std::min(dt / (blind ? params_.blind_damping_s : params_.damping_s), 1.0);
+  const double keep = 1 - std::min(dt / damping_s, 1.0);
   state_[0] += dt * state_[2];
   state_[1] += dt * state_[3];
   state_[2] *= keep;
@@ -87,6 +87,25 @@ void ContourFilter::predict(std::int64_t time_us, bool blind) {
   cov(4, 4) += 2 * share * (params_.growth_sigma_px * params_.growth_sigma_px - cov(4, 4));
 }
 
+void ContourFilter::slow_down(double share, const std::array<double, 2>& variances) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::size_t speed = axis + 2;
+    state_[speed] *= share;
+    scale(speed, share);
+    const double grown = std::max(cov(axis, axis) - variances[axis], 0.0) * (1 - share * share);
+    const double kept = std::max(cov(axis, axis) - grown, 1e-6);
+    scale(axis, std::sqrt(kept / cov(axis, axis)));
+  }
+}
+
+// Multiplies a component's error.
+void ContourFilter::scale(std::size_t component, double factor) {
+  for (std::size_t i = 0; i < kSize; ++i) {
+    cov(component, i) *= factor;
+    cov(i, component) *= factor;
+  }
+}
+
 double ContourFilter::distance_variance(double normal_x, double normal_y) const {
   return normal_x * (normal_x * cov(0, 0) + 2 * (normal_y * cov(0, 1) + cov(0, 4))) +
          normal_y * (normal_y * cov(1, 1) + 2 * cov(1, 4)) + cov(4, 4);
@@ -97,13 +116,13 @@ double ContourFilter::speed_variance(double normal_x, double normal_y) const {
          normal_y * normal_y * cov(3, 3);
 }
 
-void ContourFilter::correct(double distance_px, double normal_x, double normal_y) {
+void ContourFilter::correct(double distance_px, double normal_x, double normal_y, double share) {
   State ph;
   for (std::size_t i = 0; i < kSize; ++i) {
     ph[i] = normal_x * cov(i, 0) + normal_y * cov(i, 1) + cov(i, 4);
   }
   // Distant events weigh less, without a threshold.
-  const double variance = params_.event_variance_px2 * (1 + distance_px * distance_px / 4);
+  const double variance = params_.event_variance_px2 * (1 + distance_px * distance_px / 4) / share;
   const double per_innovation = 1 / (normal_x * ph[0] + normal_y * ph[1] + ph[4] + variance);
   apply(ph, per_innovation, distance_px);
   keep_in_bounds();

@@ -47,7 +47,18 @@ class ContourFilter {
   Start start_at(Pixel position) const;
 
   /// Predicts to `time_us`, not before the last time; `blind`: no recent event supports the track.
-  void predict(std::int64_t time_us, bool blind);
+  void predict(std::int64_t time_us, bool blind) {
+    predict(time_us, blind ? params_.blind_damping_s : params_.damping_s);
+  }
+  /// The same with a time constant of the speed.
+  void predict(std::int64_t time_us, double damping_s);
+
+  /// The puck was slower than the filter takes it to be, by `share`: shrinks the velocity and its
+  /// errors, and takes back what those have added to the position's variances since they were
+  /// `variances`.
+  void slow_down(double share, const std::array<double, 2>& variances);
+  /// Variances of x and y, px².
+  std::array<double, 2> place_variances() const { return {cov(0, 0), cov(1, 1)}; }
 
   /// Variance of the predicted distance of a contour event with this outward normal, px².
   double distance_variance(double normal_x, double normal_y) const;
@@ -61,7 +72,8 @@ class ContourFilter {
 
   /// Corrects with an event `distance_px` outside the predicted contour. predict() must have been
   /// called for the event's time.
-  void correct(double distance_px, double normal_x, double normal_y);
+  /// `share`: probability that the event is of the contour.
+  void correct(double distance_px, double normal_x, double normal_y, double share = 1);
 
   /// Corrects with an independent position measurement, (dx, dy) from the filter's position, with
   /// standard deviation `sigma_px` along each axis.
@@ -95,6 +107,7 @@ class ContourFilter {
 
   /// The Kalman step for one scalar measurement: `ph` is the state's covariance with it,
   /// `per_innovation` the inverse of the innovation's variance.
+  void scale(std::size_t component, double factor);
   void apply(const State& ph, double per_innovation, double innovation);
   void keep_in_bounds();
   double& cov(std::size_t row, std::size_t column) { return covariance_[row * kSize + column]; }

@@ -80,6 +80,12 @@ PipelineParams contour() {
   return params;
 }
 
+PipelineParams evidence() {
+  PipelineParams params = contour();
+  params.weighs_evidence = true;
+  return params;
+}
+
 PuckSizeModel contour_of_box(const PuckSizeModel& box) {
   return {.width_0 = box.width_0 / kAuthorsBoxScale,
           .width_x = box.width_x / kAuthorsBoxScale,
@@ -101,13 +107,15 @@ const char* to_string(Preset preset) {
       return "correlation";
     case Preset::kDefault:
       return "default";
+    case Preset::kEvidence:
+      return "evidence";
   }
   return "unknown";
 }
 
 std::optional<Preset> preset_from(std::string_view name) {
-  for (const Preset preset :
-       {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault}) {
+  for (const Preset preset : {Preset::kPaper, Preset::kReference, Preset::kCorrelation,
+                              Preset::kDefault, Preset::kEvidence}) {
     if (name == to_string(preset)) return preset;
   }
   return std::nullopt;
@@ -121,6 +129,8 @@ PipelineParams preset_params(Preset preset) {
       return reference();
     case Preset::kCorrelation:
       return correlation();
+    case Preset::kEvidence:
+      return evidence();
     case Preset::kDefault:
       break;
   }

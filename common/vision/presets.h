@@ -12,9 +12,10 @@ enum class Preset : std::uint8_t {
   kReference,    ///< As the authors' code ran, without its errors.
   kCorrelation,  ///< The paper's method with our improvements.
   kDefault,      ///< The most accurate: a contour filter.
+  kEvidence,     ///< To become the default: better on real recordings, but not yet in all games.
 };
 
-/// Name of a preset: `paper`, `reference`, `correlation`, `default`.
+/// Name of a preset: `paper`, `reference`, `correlation`, `default`, `evidence`.
 const char* to_string(Preset preset);
 std::optional<Preset> preset_from(std::string_view name);
 

@@ -63,6 +63,16 @@ struct ContourRing {
     return {(rho - 1) * rho * per_slope, gx * per_slope, gy * per_slope, sector_of(u, v)};
   }
 
+  /// Sector of a direction from the centre. Without an arc tangent: quadrants, and in each the
+  /// slopes of 30° and 60°.
+  static int sector_of(double u, double v) {
+    const double au = std::abs(u);
+    const double av = std::abs(v);
+    const int within = av < 0.57735 * au ? 0 : (av < 1.73205 * au ? 1 : 2);
+    const int quarter = (u < 0 ? 1 : 0) + (v < 0 ? 2 : 0);
+    return quarter * 3 + within;
+  }
+
   /// Areas, px²: of everything up to `reach_px` outside; of the band within `half_width_px` of the
   /// ring; of everything farther inside than that; of the band from there to `reach_px` outside.
   double reach_area(double reach_px) const;
@@ -77,15 +87,6 @@ struct ContourRing {
 
   double mean_radius() const {
     return std::sqrt((semi_x * semi_x + face_semi_y() * face_semi_y()) / 2);
-  }
-
-  // Without an arc tangent: quadrants, and in each the slopes of 30° and 60°.
-  static int sector_of(double u, double v) {
-    const double au = std::abs(u);
-    const double av = std::abs(v);
-    const int within = av < 0.57735 * au ? 0 : (av < 1.73205 * au ? 1 : 2);
-    const int quarter = (u < 0 ? 1 : 0) + (v < 0 ? 2 : 0);
-    return quarter * 3 + within;
   }
 };
 

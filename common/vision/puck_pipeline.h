@@ -57,6 +57,8 @@ struct PipelineParams {
   /// searches for it. Of the parameters above, only those of the surface, the kernels and the
   /// detector are used then.
   bool follows_contour = false;
+  /// … by EvidencePipeline, of which only the calibration can be set.
+  bool weighs_evidence = false;
   /// Its calibration also applies to the correlation's soft ring.
   ContourPipelineParams contour;
   /// Puck sizes are those of a disc in perspective, where calibrated; otherwise, as in the paper,

@@ -111,7 +111,8 @@ TEST_CASE("a second of tracking allocates nothing, in either thread") {
     if (!packet.empty()) packets.push_back(std::move(packet));
   }
   REQUIRE(packets.size() > kPackets);
-  for (const Preset preset : {Preset::kDefault, Preset::kReference, Preset::kCorrelation}) {
+  for (const Preset preset :
+       {Preset::kDefault, Preset::kEvidence, Preset::kReference, Preset::kCorrelation}) {
     CAPTURE(static_cast<int>(preset));
     PipelineParams params = preset_params(preset);
     // Everywhere, not only where the authors' robot had it.

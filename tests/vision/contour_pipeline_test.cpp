@@ -1,6 +1,7 @@
 #include "common/vision/contour_pipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -11,6 +12,7 @@
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
 #include "tests/support/sanitizers.h"
+#include "tests/vision/contour_table.h"
 #include "tests/vision/contour_world.h"
 
 namespace puck {
@@ -20,178 +22,73 @@ namespace {
 // the cases that search for long.
 constexpr std::uint32_t kSeeds = kIsSanitized ? 1 : 3;
 
-constexpr SensorSize kHalfSensor{320, 240};
-constexpr PuckSizeModel kHalfSizeModel{16, 0, 0.08, 8, 0, 0.08};
+// Those that follow the contour; `evidence` does not yet pass all of these scenarios.
+constexpr std::array kPresets{Preset::kDefault, Preset::kEvidence};
 
-// Shows a tracker of preset `default` a dark puck that glides, rests, jumps or hides.
-class Table {
- public:
-  explicit Table(const PipelineParams& params = preset_params(Preset::kDefault),
-                 std::uint32_t seed = 1, const PuckSizeModel& size_model = kHalfSizeModel)
-      : contour_(kHalfSensor, size_model, exact(), true),
-        tracker_(kHalfSensor, with_exact(params), size_model),
-        random_(seed) {}
-
-  // Lets the puck glide for so long; the mean error of the last half, px.
-  double glide(PixelVelocity velocity, int milliseconds) {
-    test::MovingContour puck(contour_, puck_, velocity, density, wall_share_);
-    puck.has_print = has_print;
-    double sum = 0;
-    for (int i = 0; i < milliseconds; ++i) {
-      const std::int64_t from_us = i * 1000;
-      show(test::packet_of(puck.events(from_us, from_us + 1000), kHalfSensor, now_us_, from_us));
-      puck_ = puck.position_at(from_us + 1000);
-      if (i >= milliseconds / 2) sum += error_px();
-    }
-    return sum / (milliseconds - milliseconds / 2);
-  }
-
-  // Slows down until nothing is left but noise.
-  void come_to_rest() {
-    glide({250, 30}, 500);
-    for (const double speed : {120, 80, 50, 30}) glide({speed, 0}, 40);
-    rest(500, 3);
-  }
-
-  // Nothing moves but a few pixels that fire at random, so many a millisecond.
-  void rest(int milliseconds, int pixels = 1) {
-    for (int i = 0; i < milliseconds; ++i) {
-      EventPacket packet{{now_us_}, {}};
-      for (int n = 0; n < pixels; ++n) packet.events.push_back(stray(500 + n));
-      show(packet);
-    }
-  }
-
-  // Something covers the puck: events of both signs all over it.
-  void cover(int milliseconds) {
-    for (int i = 0; i < milliseconds; ++i) {
-      EventPacket packet{{now_us_}, {}};
-      for (int n = 0; n < 100; ++n) {
-        random_ = random_ * 1664525u + 1013904223u;
-        packet.events.push_back({static_cast<std::uint16_t>(puck_.x - 30 + (random_ >> 8) % 60),
-                                 static_cast<std::uint16_t>(puck_.y - 30 + (random_ >> 20) % 60),
-                                 static_cast<std::uint16_t>((random_ >> 30) & 1),
-                                 static_cast<std::uint32_t>(n * 10)});
-      }
-      show(packet);
-    }
-  }
-
-  // The rounded front of something comes from that far away at that velocity.
-  void approach(Pixel offset, PixelVelocity velocity, int milliseconds) {
-    test::MovingContour mallet(contour_, {puck_.x + offset.x, puck_.y + offset.y}, velocity);
-    for (int i = 0; i < milliseconds; ++i) {
-      const std::int64_t from_us = i * 1000;
-      std::vector<ContourEvent> front = mallet.events(from_us, from_us + 1000);
-      const double y = mallet.position_at(from_us).y;
-      std::erase_if(front, [&](const ContourEvent& event) { return event.y < y; });
-      show(test::packet_of(front, kHalfSensor, now_us_, from_us));
-    }
-  }
-
-  // Events that a px of contour makes on each px of its way.
-  double density = 3;
-  // Pixels that fire at random all the while, so many a millisecond.
-  int noise_a_ms = 0;
-  // There is a print on the puck's face.
-  bool has_print = false;
-  // The puck's side wall makes events where the calibration says that it does not.
-  void show_other_wall() { wall_share_ = contour_.other_wall_share(); }
-  // … and is so high, in widths in the image's middle, where the annotations leave it out.
-  void show_wall(double height) {
-    contour_.correct_other_wall_share(-height);
-    show_other_wall();
-  }
-  void put(Pixel position) { puck_ = position; }
-  double error_px() const {
-    if (!estimate_.position) return 100;
-    return distance_px(*estimate_.position, puck_);
-  }
-  const PuckEstimate& estimate() const { return estimate_; }
-
- private:
-  static ContourCalibration exact() { return {0, 0, 0}; }
-  static PipelineParams with_exact(PipelineParams params) {
-    params.contour.calibration = exact();
-    return params;
-  }
-
-  void add_noise(EventPacket& packet) {
-    for (int n = 0; n < noise_a_ms; ++n) packet.events.push_back(stray(n * 1000 / noise_a_ms));
-    std::stable_sort(packet.events.begin(), packet.events.end(),
-                     [](const Event& a, const Event& b) { return a.offset_us < b.offset_us; });
-  }
-
-  Event stray(int offset_us) {
-    random_ = random_ * 1664525u + 1013904223u;
-    const std::uint32_t x = (random_ >> 8) % 320;
-    random_ = random_ * 1664525u + 1013904223u;
-    const std::uint32_t y = (random_ >> 8) % 240;
-    return {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-            static_cast<std::uint16_t>(random_ >> 31), static_cast<std::uint32_t>(offset_us)};
-  }
-
-  void show(EventPacket packet) {
-    if (noise_a_ms > 0) add_noise(packet);
-    if (!packet.empty()) tracker_.update(packet);
-    now_us_ += 1000;
-    estimate_ = tracker_.estimate();
-  }
-
-  PuckContour contour_;
-  double wall_share_ = 0;
-  SurfaceTracker tracker_;
-  Pixel puck_{60, 100};
-  PuckEstimate estimate_;
-  std::int64_t now_us_ = 0;
-  std::uint32_t random_;
-};
+using Table = test::ContourTable;
+using test::kTableSensor;
+using test::kTableSizeModel;
 
 TEST_CASE("a moving puck is found without help and followed to a fraction of a pixel") {
-  Table table;
-  CHECK(table.glide({700, 200}, 200) < 0.2);
-  CHECK(table.estimate().state == TrackState::kTracking);
-  CHECK(table.estimate().velocity.x == doctest::Approx(700).epsilon(0.05));
-  CHECK(table.estimate().score > 0.8);
-  CHECK(table.estimate().covariance[0] > 0);
-  CHECK(table.estimate().covariance[0] < 1);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    Table table(preset_params(preset));
+    CHECK(table.glide({700, 200}, 200) < 0.2);
+    CHECK(table.estimate().state == TrackState::kTracking);
+    CHECK(table.estimate().velocity.x == doctest::Approx(700).epsilon(0.05));
+    CHECK(table.estimate().score > 0.8);
+    CHECK(table.estimate().covariance[0] > 0);
+    CHECK(table.estimate().covariance[0] < 1);
+  }
 }
 
 TEST_CASE("a fast puck is found by searches whose answers come late") {
-  PipelineParams params = preset_params(Preset::kDefault);
-  params.search_delay_us = 15'000;
-  Table table(params);
-  table.glide({1500, 300}, 100);
-  CHECK(table.estimate().state == TrackState::kTracking);
-  CHECK(table.error_px() < 1);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    PipelineParams params = preset_params(preset);
+    params.search_delay_us = 15'000;
+    Table table(params);
+    table.glide({1500, 300}, 100);
+    CHECK(table.estimate().state == TrackState::kTracking);
+    CHECK(table.error_px() < 1);
+  }
 }
 
 TEST_CASE("a puck that bounces is followed on") {
-  Table table;
-  table.glide({900, 100}, 150);
-  table.glide({-800, 100}, 10);
-  CHECK(table.glide({-800, 100}, 60) < 0.3);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    Table table(preset_params(preset));
+    table.glide({900, 100}, 150);
+    table.glide({-800, 100}, 10);
+    CHECK(table.glide({-800, 100}, 60) < 0.3);
+  }
 }
 
 TEST_CASE("a puck with a print on its face is found and followed") {
-  Table table;
-  table.has_print = true;
-  table.glide({700, 200}, 150);
-  CHECK(table.glide({700, 200}, 200) < 0.3);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    Table table(preset_params(preset));
+    table.has_print = true;
+    table.glide({700, 200}, 150);
+    CHECK(table.glide({700, 200}, 200) < 0.3);
+  }
 }
 
 TEST_CASE("a puck with a print is found where a plain one was covered and is gone") {
-  Table table;
-  table.density = 6;
-  table.glide({400, 100}, 400);
-  table.rest(300);
-  REQUIRE(table.estimate().resting);
-  table.cover(200);
-  table.rest(500);
-  table.put({80, 60});
-  table.has_print = true;
-  table.glide({700, 200}, 50);
-  CHECK(table.glide({700, 200}, 150) < 0.3);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    Table table(preset_params(preset));
+    table.density = 6;
+    table.glide({400, 100}, 400);
+    table.rest(300);
+    REQUIRE(table.estimate().resting);
+    table.cover(200);
+    table.rest(500);
+    table.put({80, 60});
+    table.has_print = true;
+    table.glide({700, 200}, 50);
+    CHECK(table.glide({700, 200}, 150) < 0.3);
+  }
 }
 
 TEST_CASE("a puck that stops keeps its place without events") {
@@ -264,15 +161,18 @@ TEST_CASE("a puck at rest is not lost in the sensor's noise") {
 }
 
 TEST_CASE("a puck that is covered at rest is lost, or stays where it is") {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-    CAPTURE(seed);
-    Table table(preset_params(Preset::kDefault), seed);
-    table.come_to_rest();
-    REQUIRE(table.estimate().resting);
-    for (int i = 0; i < 30; ++i) {
-      CAPTURE(i);
-      table.cover(1);
-      if (table.estimate().state == TrackState::kTracking) CHECK(table.error_px() < 5);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+      CAPTURE(seed);
+      Table table(preset_params(preset), seed);
+      table.come_to_rest();
+      REQUIRE(table.estimate().resting);
+      for (int i = 0; i < 30; ++i) {
+        CAPTURE(i);
+        table.cover(1);
+        if (table.estimate().state == TrackState::kTracking) CHECK(table.error_px() < 5);
+      }
     }
   }
 }
@@ -325,58 +225,70 @@ TEST_CASE("a mallet that touches a puck at rest and draws back does not take the
 }
 
 TEST_CASE("a faint puck is followed when it sets off slowly") {
-  for (std::uint32_t seed = 1; seed <= std::min(kSeeds, 2u); ++seed) {
-    CAPTURE(seed);
-    Table table(preset_params(Preset::kDefault), seed);
-    table.density = 1;
-    table.come_to_rest();
-    double worst_px = 0;
-    for (int i = 0; i < 100; ++i) {
-      table.glide({100, 30}, 1);
-      worst_px = std::max(worst_px, table.error_px());
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    for (std::uint32_t seed = 1; seed <= std::min(kSeeds, 2u); ++seed) {
+      CAPTURE(seed);
+      Table table(preset_params(preset), seed);
+      table.density = 1;
+      table.come_to_rest();
+      double worst_px = 0;
+      for (int i = 0; i < 100; ++i) {
+        table.glide({100, 30}, 1);
+        worst_px = std::max(worst_px, table.error_px());
+      }
+      CHECK(worst_px < 5);
+      CHECK(table.error_px() < 1);
     }
-    CHECK(worst_px < 5);
-    CHECK(table.error_px() < 1);
   }
 }
 
 TEST_CASE("a puck that begins to move after long noise is found within a tenth of a second") {
-  for (const bool was_known : {false, true}) {
-    CAPTURE(was_known);
-    Table table;
-    if (was_known) {
-      table.glide({600, 100}, 200);
-      table.cover(100);
-      CHECK(table.estimate().state == TrackState::kLost);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    for (const bool was_known : {false, true}) {
+      CAPTURE(was_known);
+      Table table(preset_params(preset));
+      if (was_known) {
+        table.glide({600, 100}, 200);
+        table.cover(100);
+        CHECK(table.estimate().state == TrackState::kLost);
+      }
+      table.rest(2500, 3);
+      table.put({250, 180});
+      table.glide({-500, -200}, 100);
+      CHECK(table.estimate().state == TrackState::kTracking);
+      CHECK(table.error_px() < 0.5);
     }
-    table.rest(2500, 3);
+  }
+}
+
+TEST_CASE("a puck that is covered is lost within a tenth of a second and found again elsewhere") {
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    Table table(preset_params(preset));
+    table.glide({600, 100}, 200);
+    table.cover(100);
+    CHECK(table.estimate().state == TrackState::kLost);
+    CHECK_FALSE(table.estimate().position.has_value());
     table.put({250, 180});
-    table.glide({-500, -200}, 100);
+    table.glide({-500, -200}, 120);
     CHECK(table.estimate().state == TrackState::kTracking);
     CHECK(table.error_px() < 0.5);
   }
 }
 
-TEST_CASE("a puck that is covered is lost within a tenth of a second and found again elsewhere") {
-  Table table;
-  table.glide({600, 100}, 200);
-  table.cover(100);
-  CHECK(table.estimate().state == TrackState::kLost);
-  CHECK_FALSE(table.estimate().position.has_value());
-  table.put({250, 180});
-  table.glide({-500, -200}, 120);
-  CHECK(table.estimate().state == TrackState::kTracking);
-  CHECK(table.error_px() < 0.5);
-}
-
 TEST_CASE("a puck that leaves the image is known to have left, and where") {
-  Table table;
-  table.glide({1500, 0}, 190);
-  table.rest(60);
-  CHECK(table.estimate().state == TrackState::kLost);
-  REQUIRE(table.estimate().left_image.has_value());
-  CHECK(table.estimate().left_image->x == 319);
-  CHECK(std::abs(table.estimate().left_image->y - 100) < 3);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    Table table(preset_params(preset));
+    table.glide({1500, 0}, 190);
+    table.rest(60);
+    CHECK(table.estimate().state == TrackState::kLost);
+    REQUIRE(table.estimate().left_image.has_value());
+    CHECK(table.estimate().left_image->x == 319);
+    CHECK(std::abs(table.estimate().left_image->y - 100) < 3);
+  }
 }
 
 // A puck that has been beyond doubt, and left by the right side at 3500 px/s so long ago.
@@ -390,31 +302,37 @@ void let_leave(Table& table, int away_ms) {
 }
 
 TEST_CASE("a fast puck that comes back elsewhere over the image's side is soon found") {
-  // Summed over how long it is away, since searches fall when they fall.
-  int milliseconds = 0;
-  for (const int away_ms : {14, 18, 22, 26}) {
-    Table table;
-    let_leave(table, away_ms);
-    table.put({319 + 3.5 * away_ms, 200});
-    // Back to where half of it is seen.
-    table.glide({-3'500, 300}, away_ms + 1);
-    for (; table.error_px() > 5 && milliseconds < 200; ++milliseconds) {
-      table.glide({-3'500, 300}, 1);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    // Summed over how long it is away, since searches fall when they fall.
+    int milliseconds = 0;
+    for (const int away_ms : {14, 18, 22, 26}) {
+      Table table(preset_params(preset));
+      let_leave(table, away_ms);
+      table.put({319 + 3.5 * away_ms, 200});
+      // Back to where half of it is seen.
+      table.glide({-3'500, 300}, away_ms + 1);
+      for (; table.error_px() > 5 && milliseconds < 200; ++milliseconds) {
+        table.glide({-3'500, 300}, 1);
+      }
     }
+    CHECK(milliseconds < 60);
   }
-  CHECK(milliseconds < 60);
 }
 
 TEST_CASE("random events are never a puck") {
-  Table table;
-  table.cover(300);
-  table.rest(100);
-  CHECK(table.estimate().state == TrackState::kSearching);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    Table table(preset_params(preset));
+    table.cover(300);
+    table.rest(100);
+    CHECK(table.estimate().state == TrackState::kSearching);
+  }
 }
 
 // Of a puck whose annotations leave its wall out.
 PuckSizeModel half_face_model() {
-  PuckSizeModel model = kHalfSizeModel;
+  PuckSizeModel model = kTableSizeModel;
   model.disc = DiscModel{.width_0 = 16,
                          .width_y = 0.08,
                          .face_on_px = 60,
@@ -424,14 +342,17 @@ PuckSizeModel half_face_model() {
 }
 
 TEST_CASE("a puck is followed whose side wall makes events below the face that was annotated") {
-  const PuckSizeModel model = half_face_model();
-  REQUIRE(PuckContour(kHalfSensor, model, {0, 0, 0}, true).other_wall_share() < -0.1);
-  for (const bool has_wall : {false, true}) {
-    CAPTURE(has_wall);
-    Table table(preset_params(Preset::kDefault), 1, model);
-    if (has_wall) table.show_other_wall();
-    CHECK(table.glide({700, 200}, 300) < 0.2);
-    CHECK(table.estimate().state == TrackState::kTracking);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    const PuckSizeModel model = half_face_model();
+    REQUIRE(PuckContour(kTableSensor, model, {0, 0, 0}, true).other_wall_share() < -0.1);
+    for (const bool has_wall : {false, true}) {
+      CAPTURE(has_wall);
+      Table table(preset_params(preset), 1, model);
+      if (has_wall) table.show_other_wall();
+      CHECK(table.glide({700, 200}, 300) < 0.2);
+      CHECK(table.estimate().state == TrackState::kTracking);
+    }
   }
 }
 
@@ -445,26 +366,29 @@ TEST_CASE("how high a wall is that the annotations leave out is learned on the w
 }
 
 TEST_CASE("the same events give the same estimates, however often one asks") {
-  const auto run = [](int asks) {
-    SurfaceTracker tracker(kHalfSensor, preset_params(Preset::kDefault), kHalfSizeModel);
-    const PuckContour contour(kHalfSensor, kHalfSizeModel, {}, true);
-    test::MovingContour puck(contour, {60, 100}, {700, 200});
-    PuckEstimate last;
-    for (int i = 0; i < 100; ++i) {
-      const std::int64_t from_us = i * 1000;
-      const EventPacket packet =
-          test::packet_of(puck.events(from_us, from_us + 1000), kHalfSensor, from_us, from_us);
-      if (packet.empty()) continue;
-      tracker.update(packet);
-      for (int n = 0; n < asks; ++n) last = tracker.estimate();
-    }
-    return tracker.estimate();
-  };
-  const PuckEstimate seldom = run(0);
-  const PuckEstimate often = run(2);
-  REQUIRE(seldom.position.has_value());
-  REQUIRE(often.position.has_value());
-  CHECK(*seldom.position == *often.position);
+  for (const Preset preset : kPresets) {
+    CAPTURE(to_string(preset));
+    const auto run = [preset](int asks) {
+      SurfaceTracker tracker(kTableSensor, preset_params(preset), kTableSizeModel);
+      const PuckContour contour(kTableSensor, kTableSizeModel, {}, true);
+      test::MovingContour puck(contour, {60, 100}, {700, 200});
+      PuckEstimate last;
+      for (int i = 0; i < 100; ++i) {
+        const std::int64_t from_us = i * 1000;
+        const EventPacket packet =
+            test::packet_of(puck.events(from_us, from_us + 1000), kTableSensor, from_us, from_us);
+        if (packet.empty()) continue;
+        tracker.update(packet);
+        for (int n = 0; n < asks; ++n) last = tracker.estimate();
+      }
+      return tracker.estimate();
+    };
+    const PuckEstimate seldom = run(0);
+    const PuckEstimate often = run(2);
+    REQUIRE(seldom.position.has_value());
+    REQUIRE(often.position.has_value());
+    CHECK(*seldom.position == *often.position);
+  }
 }
 
 TEST_CASE("every ingredient can be left out" * doctest::test_suite("deep")) {

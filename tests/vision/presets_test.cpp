@@ -131,7 +131,8 @@ TEST_CASE("The paper's presets use Equation (2), the others the disc where there
 
 TEST_CASE("presets are found by their names") {
   for (const Preset preset :
-       {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault}) {
+       {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault,
+        Preset::kEvidence}) {
     CHECK(preset_from(to_string(preset)) == preset);
   }
   CHECK_FALSE(preset_from("best").has_value());

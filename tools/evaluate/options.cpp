@@ -60,7 +60,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
       ->check(CLI::IsMember({"puck", "cluster", "particle-filter", "particle-filter-eros"}))
       ->capture_default_str();
   app.add_option("--preset", options.preset)
-      ->check(CLI::IsMember({"default", "correlation", "paper", "reference"}))
+      ->check(CLI::IsMember({"default", "evidence", "correlation", "paper", "reference"}))
       ->capture_default_str();
   app.add_option("--size-model", options.size_model, "TOML made by puck-calibrate size");
   app.add_option("--hot-pixel-mask", options.hot_pixel_mask,

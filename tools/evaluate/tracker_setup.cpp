@@ -56,7 +56,7 @@ PipelineParams TrackerSetup::pipeline_params() const {
   if (search_delay_us > 0 && algorithm != Algorithm::kPuck) {
     throw std::invalid_argument("--search-delay needs algorithm puck: the others make no searches");
   }
-  if (!without.empty() && (algorithm != Algorithm::kPuck || !params.follows_contour)) {
+  if (!without.empty() && (algorithm != Algorithm::kPuck || preset != Preset::kDefault)) {
     throw std::invalid_argument("--without " + without.front() +
                                 " needs preset default, the only one with such features");
   }

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "common/events/sensor_size.h"
+#include "common/vision/contour_filter.h"
+#include "common/vision/decision_params.h"
+#include "common/vision/evidence.h"
+#include "common/vision/puck_belief.h"
+#include "common/vision/puck_contour.h"
+
+namespace puck {
+
+/// An event as the hypotheses take it.
+struct TimedEvent {
+  std::int64_t time_us = 0;
+  float x = 0;
+  float y = 0;
+  bool on = false;
+  bool first = false;  ///< EventHistory::is_first.
+};
+
+/// What is the same for all hypotheses of a tracker.
+struct TrackingContext {
+  PuckContour contour;
+  ContourFilterParams filter;
+  EvidenceParams evidence;
+  DecisionParams decision;
+  GameTraits game;
+};
+
+/// One possible puck: a contour filter on single events, and the belief that it is the puck.
+class Hypothesis {
+ public:
+  enum class Origin : std::uint8_t {
+    kSearch,     ///< A search saw something there.
+    kManoeuvre,  ///< The puck was stopped, hit or bounced just now.
+    kWall,       ///< The side wall makes events, or makes none, contrary to what was assumed.
+  };
+
+  Hypothesis(Origin origin, const ContourFilter::Start& start, double wall_share, double log_odds,
+             std::int64_t time_us, const TrackingContext& context);
+
+  /// Takes events in the order of their times.
+  void take(std::span<const TimedEvent> events, const TrackingContext& context);
+
+  /// Moves on to a decision. Returns true when a packet of evidence was full, and is in packet().
+  bool decide(std::int64_t time_us, const TrackingContext& context);
+
+  /// A hypothesis about the same object as `parent` takes over what is known of its looks.
+  void inherit(const Hypothesis& parent);
+
+  Origin origin() const { return origin_; }
+  const ContourFilter& filter() const { return filter_; }
+  const PuckBelief& belief() const { return belief_; }
+  /// PuckContour::ring_at's.
+  double wall_share() const { return wall_share_; }
+  const ContourRing& ring() const { return ring_; }
+  double width_px() const { return 2 * ring_.half_width(); }
+  /// The last full packet, and what it said.
+  const EvidencePacket& packet() const { return closed_; }
+  const Evidence& evidence() const { return evidence_; }
+  double nats() const { return nats_; }
+  const EvidenceAreas& areas() const { return areas_; }
+  double density(const GameTraits& game) const;
+
+  std::int64_t born_us() const { return born_us_; }
+  /// When it last had events that noise does not explain.
+  std::int64_t heard_us() const { return heard_us_; }
+  /// When a packet was last full by its events.
+  std::int64_t busy_us() const { return busy_us_; }
+  int packets() const { return packets_; }
+  /// Events near the contour since the last decision.
+  double recent_events() const { return recent_events_; }
+
+  /// From −1, it moves with the scene of a turning camera, to a little above 0, it moves by itself.
+  double own_motion = 0;
+  /// Among all hypotheses, as of the last decision.
+  double posterior = 0;
+  /// Probability that the puck is seen elsewhere, as of the last decision.
+  double elsewhere = 0;
+  /// It has been the track.
+  bool was_main = false;
+
+ private:
+  void follow_contour(const TrackingContext& context);
+  void sweep(double seconds, SensorSize sensor, double leading_share);
+  void measure_clutter(double seconds);
+  void slow_down(const TrackingContext& context);
+  double damping_s() const;
+
+  Origin origin_;
+  ContourFilter filter_;
+  PuckBelief belief_;
+  double wall_share_;
+  ContourRing ring_;
+  EvidenceAreas areas_;
+  double seen_ = 1;  // share of the contour that lies in the image
+  EvidencePacket open_;
+  EvidencePacket closed_;
+  Evidence evidence_;
+  double nats_ = 0;
+  std::int64_t born_us_;
+  std::int64_t decided_us_;
+  std::int64_t heard_us_;
+  std::int64_t busy_us_;
+  int packets_ = 0;
+  double recent_events_ = 0;
+  double counted_ = 0;
+  double beside_ = 0;
+  double clutter_px2_s_ = 0;
+  // Of this hypothesis alone, fading.
+  double own_dark_ = 0;
+  double own_bright_ = 0;
+  double own_events_ = 0;
+  double own_swept_ = 0;
+  std::array<double, 2> start_variance_;  // of the position, when the packet began
+};
+
+}  // namespace puck

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace puck {
+
+/// Rates of change of what a hypothesis is, per second.
+struct BeliefRates {
+  double hide = 1;             ///< A visible puck becomes covered, where something is seen to come.
+  double show = 5;             ///< A covered puck shows again.
+  double leave = 0.1;          ///< The puck is elsewhere: a hypothesis with events …
+  double leave_silent = 0.02;  ///< … without …
+  double leave_hidden = 2;     ///< … one of a covered puck …
+  double elsewhere = 20;       ///< … and any while the puck is seen elsewhere.
+  double come = 0.2;           ///< The puck comes to be where the hypothesis is.
+};
+
+/// Belief that a hypothesis is the puck and visible, is the puck but covered, or is not the puck: a
+/// Markov chain whose state is observed through Evidence::sum. Forgets by its rates, so that a
+/// certainty of seconds is undone within some packets.
+class PuckBelief {
+ public:
+  explicit PuckBelief(double log_odds = 0)
+      : visible_(1 / (1 + std::exp(-log_odds))), not_puck_(1 - visible_) {}
+
+  /// Lets `seconds` pass. `comes`: how much of the place is busy with something that may cover the
+  /// puck, 0 to 1; `told`: Evidence::told; `elsewhere`: probability that the puck is seen
+  /// elsewhere.
+  void pass(double seconds, double comes, double told, double elsewhere, const BeliefRates& rates) {
+    const double away = rates.elsewhere * elsewhere;
+    const double leave = away + rates.leave_silent + (rates.leave - rates.leave_silent) * told;
+    const double hides = visible_ * std::min(rates.hide * comes * seconds, 1.0);
+    const double leaves = visible_ * std::min(leave * seconds, 1.0);
+    const double shows = hidden_ * std::min(rates.show * seconds, 1.0);
+    const double forgets = hidden_ * std::min((away + rates.leave_hidden * told) * seconds, 1.0);
+    const double comes_back = not_puck_ * std::min(rates.come * seconds, 1.0);
+    visible_ += shows + comes_back - hides - leaves;
+    hidden_ += hides - shows - forgets;
+    not_puck_ += leaves + forgets - comes_back;
+  }
+
+  /// Takes a packet's log likelihood ratio. A covered puck's events are of what covers it.
+  void take(double nats) {
+    visible_ *= std::exp(nats);
+    const double sum = visible_ + hidden_ + not_puck_;
+    visible_ /= sum;
+    hidden_ /= sum;
+    not_puck_ /= sum;
+  }
+
+  double visible() const { return visible_; }
+  double hidden() const { return hidden_; }
+  /// That it is the puck, visible or not, against that it is not.
+  double odds() const { return (visible_ + hidden_) / std::max(not_puck_, 1e-12); }
+  double visible_odds() const { return visible_ / std::max(not_puck_, 1e-12); }
+  /// If it is the puck, how likely it is seen.
+  double seen_share() const { return visible_ / std::max(visible_ + hidden_, 1e-12); }
+
+ private:
+  double visible_;
+  double hidden_ = 0;
+  double not_puck_;
+};
+
+}  // namespace puck
