@@ -70,9 +70,8 @@ class ContourFilter {
   double slack_px() const { return slack_px_; }
   double largest_growth_px() const { return params_.largest_growth_px + slack_px_; }
 
-  /// Corrects with an event `distance_px` outside the predicted contour. predict() must have been
-  /// called for the event's time.
-  /// `share`: probability that the event is of the contour.
+  /// Corrects with an event `distance_px` outside the predicted contour, which is of the contour
+  /// with probability `share`. predict() must have been called for the event's time.
   void correct(double distance_px, double normal_x, double normal_y, double share = 1);
 
   /// Corrects with an independent position measurement, (dx, dy) from the filter's position, with
@@ -107,8 +106,8 @@ class ContourFilter {
 
   /// The Kalman step for one scalar measurement: `ph` is the state's covariance with it,
   /// `per_innovation` the inverse of the innovation's variance.
-  void scale(std::size_t component, double factor);
   void apply(const State& ph, double per_innovation, double innovation);
+  void scale(std::size_t component, double factor);
   void keep_in_bounds();
   double& cov(std::size_t row, std::size_t column) { return covariance_[row * kSize + column]; }
   double cov(std::size_t row, std::size_t column) const {

@@ -12,8 +12,17 @@ constexpr double kGameMemory_packets = 500;
 // Share of packets of either class that look like the other's, so that no single packet decides.
 constexpr double kOutliers = 0.03;
 
-// Γ(a + k) / Γ(a), logarithm.
-double log_rising(double a, double k) { return k > 0 ? std::lgamma(a + k) - std::lgamma(a) : 0; }
+// Γ(a + k) / Γ(a), logarithm, of a whole k.
+double log_rising(double a, double k) {
+  constexpr double kFew = 16;
+  if (k <= kFew) {
+    double product = 1;
+    for (double i = 0; i < k; ++i) product *= a + i;
+    return std::log(product);
+  }
+  int sign = 0;
+  return lgamma_r(a + k, &sign) - lgamma_r(a, &sign);
+}
 
 // Of a Dirichlet-multinomial, without its coefficient, which is the same for both classes.
 double log_likelihood(std::span<const double> counts, std::span<const double> shares,
@@ -25,6 +34,11 @@ double log_likelihood(std::span<const double> counts, std::span<const double> sh
     log += log_rising(concentration * shares[i], counts[i]);
   }
   return log - log_rising(concentration, sum);
+}
+
+// log(exp(a) + exp(b)).
+double log_sum(double a, double b) {
+  return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
 }
 
 double bounded(double nats) {
@@ -98,20 +112,22 @@ double sector_nats(const EvidencePacket& packet, const GameTraits& game,
                    const EvidenceParams& params) {
   if (packet.ring < 2) return 0;
   const auto puck = [&](const Sectors& flux) {
-    return std::exp(
-        log_of_sectors(packet.sectors, flux, params.sector_puck, params.sector_puck_even));
+    return log_of_sectors(packet.sectors, flux, params.sector_puck, params.sector_puck_even);
   };
   // Where the speed's error exceeds the speed, a puck may move in any direction.
   const double squared = packet.swept * packet.swept;
   const double error = packet.swept_high - packet.swept;
   const double known = squared / (squared + error * error + 1e-9);
-  double likelihood = known * puck(packet.flux);
-  for (std::size_t direction = 0; direction < kContourSectors; ++direction) {
-    likelihood +=
-        (1 - known) / kContourSectors * puck(flux_towards(direction, game.leading_share()));
+  constexpr double kWellKnown = 0.99;
+  double log = puck(packet.flux);
+  if (known < kWellKnown) {
+    const double any = std::log((1 - known) / kContourSectors);
+    log += std::log(std::max(known, 1e-9));
+    for (std::size_t direction = 0; direction < kContourSectors; ++direction) {
+      log = log_sum(log, any + puck(flux_towards(direction, game.leading_share())));
+    }
   }
-  constexpr double kLeast = 1e-300;
-  return std::log(std::max(likelihood, kLeast)) -
+  return log -
          log_of_sectors(packet.sectors, packet.flux, params.sector_other, params.sector_other_even);
 }
 

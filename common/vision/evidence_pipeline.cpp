@@ -1,9 +1,12 @@
 #include "common/vision/evidence_pipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "common/vision/decision_time.h"
+#include "common/vision/image_bounds.h"
 
 namespace puck {
 namespace {
@@ -15,8 +18,6 @@ constexpr std::size_t kUsualPiece = 16'384;
 constexpr std::int64_t kCoast_us = 50'000;
 
 double share_of(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
-
-double distance(Pixel a, Pixel b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
@@ -30,7 +31,9 @@ EvidencePipeline::EvidencePipeline(SensorSize sensor, const EvidencePipelinePara
                .evidence = params.evidence,
                .decision = params.decision,
                .game = {}},
-      other_wall_share_(context_.contour.other_wall_share()),
+      // Only what lies on a plane is seen to have a side wall.
+      has_wall_(size_model.is_plane() &&
+                context_.contour.other_wall_share() != context_.contour.calibrated_wall_share()),
       history_(sensor),
       noise_floor_(sensor),
       background_(sensor) {
@@ -41,23 +44,34 @@ EvidencePipeline::EvidencePipeline(SensorSize sensor, const EvidencePipelinePara
 
 void EvidencePipeline::take(Timestamp start, std::span<const Event> events) {
   piece_.clear();
-  for (const Event& event : events) {
+  constexpr std::size_t kFetchedAhead = 8;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (i + kFetchedAhead < events.size()) history_.fetch(events[i + kFetchedAhead]);
+    const Event& event = events[i];
     const std::int64_t time_us = (start + event.offset_us).us;
     decide_before(time_us);
     now_us_ = std::max(now_us_, time_us);
     noise_floor_.take(event.x, event.y);
     const bool first = history_.is_first(event, time_us);
-    background_.take(event.x, event.y);
+    if (!puck_.contains(event.x, event.y)) background_.take(event.x, event.y);
     piece_.push_back({time_us, static_cast<float>(event.x), static_cast<float>(event.y),
                       event.polarity != 0, first});
-    if (is_searching_ && missed_.size() < kMostMissed) missed_.push_back(piece_.back());
+    if (missed_in_.contains(event.x, event.y) && missed_.size() < kMostMissed) {
+      missed_.push_back(piece_.back());
+    }
   }
   for (Hypothesis& hypothesis : all_) hypothesis.take(piece_, context_);
 }
 
 void EvidencePipeline::decide_before(std::int64_t time_us) {
+  // Silence is to be noticed before it is over; but not for longer than anything is believed.
+  constexpr std::int64_t kLongestSilence_us = 500'000;
+  constexpr std::int64_t kSilentStep_us = 10'000;
   const std::int64_t due_us = decision_before(time_us, decision_us_);
-  if (due_us > decided_us_) decide(due_us);
+  if (due_us <= decided_us_) return;
+  std::int64_t step_us = std::max(decided_us_, due_us - kLongestSilence_us) + kSilentStep_us;
+  for (; step_us < due_us; step_us += kSilentStep_us) decide(step_us);
+  decide(due_us);
 }
 
 void EvidencePipeline::decide(std::int64_t time_us) {
@@ -66,17 +80,20 @@ void EvidencePipeline::decide(std::int64_t time_us) {
   context_.game.noise_px2_s = noise_floor_.per_pixel_us() * 1e6;
   background_.decide(time_us, noise_floor_.per_pixel_us());
   const bool is_puck = teaches();
-  for (std::size_t i = 0; i < all_.size(); ++i) {
-    Hypothesis& hypothesis = all_[i];
-    if (!hypothesis.decide(time_us, context_) || !is_puck) continue;
-    if (i == main_) context_.game.learn(hypothesis.packet());
-    compare_walls(hypothesis);
+  std::array<bool, kMostHypotheses> is_heard{};
+  for (std::size_t i = 0; i < all_.size(); ++i) is_heard[i] = all_[i].decide(time_us, context_);
+  if (is_puck && is_heard[*main_]) {
+    context_.game.learn(all_[*main_].packet());
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      if (is_heard[i]) compare_walls(all_[i]);
+    }
   }
   choose(time_us);
   if (!is_seen(time_us)) forget(time_us);
   offer_siblings(time_us);
   plan_search(time_us);
   prune(time_us);
+  puck_ = is_sure() ? box_of(all_[*main_]) : Region{};
   decided_us_ = time_us;
 }
 
@@ -105,7 +122,8 @@ void EvidencePipeline::compare_walls(const Hypothesis& hypothesis) {
   const Hypothesis& main = all_[*main_];
   if (hypothesis.wall_share() == main.wall_share() ||
       now_us_ - hypothesis.born_us() < kSettled_us ||
-      distance(hypothesis.filter().position(), main.filter().position()) > 0.3 * main.width_px()) {
+      distance_px(hypothesis.filter().position(), main.filter().position()) >
+          0.3 * main.width_px()) {
     return;
   }
   const bool is_other = context_.contour.is_other_wall(hypothesis.wall_share());
@@ -114,12 +132,13 @@ void EvidencePipeline::compare_walls(const Hypothesis& hypothesis) {
       std::clamp(context_.game.other_wall + (is_other ? nats : -nats), -kMost, kMost);
 }
 
-double EvidencePipeline::own_motion_of(const Hypothesis& hypothesis) const {
-  constexpr double kKeep = 0.9;
+double EvidencePipeline::own_motion_of(const Hypothesis& hypothesis, std::int64_t passed_us) const {
+  constexpr double kMemory_us = 5'000;
   constexpr double kTurning_px_s = 15;
   constexpr double kError_px_s = 30;
   constexpr double kErrorShare = 0.25;
-  const double old = kKeep * hypothesis.own_motion;
+  const double keep = std::exp(-static_cast<double>(passed_us) / kMemory_us);
+  const double old = keep * hypothesis.own_motion;
   const auto still = background_.still_velocity_at(hypothesis.filter().position());
   if (!still) return old;
   const double turn = std::hypot(still->x, still->y);
@@ -132,15 +151,13 @@ double EvidencePipeline::own_motion_of(const Hypothesis& hypothesis) const {
   const double squared =
       d * d / (variance + kError_px_s * kError_px_s + kErrorShare * kErrorShare * turn * turn);
   const double along = share_of(4 - squared);
-  return old + (1 - kKeep) * (0.3 - 1.3 * along);
+  return old + (1 - keep) * (0.3 - 1.3 * along);
 }
 
 double EvidencePipeline::odds(const Hypothesis& hypothesis) const {
   const bool is_other = context_.contour.is_other_wall(hypothesis.wall_share());
   const double wall =
-      other_wall_share_ == context_.contour.calibrated_wall_share()
-          ? 1
-          : 2 * share_of(is_other ? context_.game.other_wall : -context_.game.other_wall);
+      has_wall_ ? 2 * share_of(is_other ? context_.game.other_wall : -context_.game.other_wall) : 1;
   return hypothesis.belief().odds() * wall *
          std::exp(context_.decision.own_motion_nats * hypothesis.own_motion);
 }
@@ -150,7 +167,7 @@ void EvidencePipeline::choose(std::int64_t time_us) {
   const DecisionParams& params = context_.decision;
   double sum = 1;  // of none
   for (Hypothesis& hypothesis : all_) {
-    hypothesis.own_motion = own_motion_of(hypothesis);
+    hypothesis.own_motion = own_motion_of(hypothesis, time_us - decided_us_);
     hypothesis.posterior = odds(hypothesis);
     sum += hypothesis.posterior;
   }
@@ -174,14 +191,15 @@ void EvidencePipeline::choose(std::int64_t time_us) {
   if (!main_) return;
   Hypothesis& main = all_[*main_];
   main.was_main = true;
+  if (main.belief().seen_share() < 0.5) return;
   seen_at_ = main.filter().position();
-  if (main.belief().seen_share() > 0.5) seen_us_ = time_us;
+  seen_us_ = time_us;
 }
 
 double EvidencePipeline::seen_elsewhere(const Hypothesis& hypothesis) const {
   double seen = 0;
   for (const Hypothesis& other : all_) {
-    if (distance(other.filter().position(), hypothesis.filter().position()) >
+    if (distance_px(other.filter().position(), hypothesis.filter().position()) >
         0.5 * other.width_px()) {
       seen += other.posterior * other.belief().seen_share();
     }
@@ -196,7 +214,7 @@ double EvidencePipeline::seen_here() const {
   const Hypothesis& main = all_[*main_];
   double here = 0;
   for (const Hypothesis& hypothesis : all_) {
-    if (distance(hypothesis.filter().position(), main.filter().position()) <
+    if (distance_px(hypothesis.filter().position(), main.filter().position()) <
         0.3 * main.width_px()) {
       here += hypothesis.posterior * hypothesis.belief().seen_share();
     }
@@ -244,8 +262,7 @@ void EvidencePipeline::offer_siblings(std::int64_t time_us) {
     add(sibling, time_us);
   }
   constexpr std::int64_t kWallPeriod_us = 50'000;
-  if (other_wall_share_ != context_.contour.calibrated_wall_share() && time_us >= next_wall_us_ &&
-      main.belief().visible() > 0.5) {
+  if (has_wall_ && time_us >= next_wall_us_ && main.belief().visible() > 0.5) {
     next_wall_us_ = time_us + kWallPeriod_us;
     const bool is_other = context_.contour.is_other_wall(main.wall_share());
     const double share = context_.contour.wall_share(!is_other);
@@ -266,7 +283,7 @@ void EvidencePipeline::plan_search(std::int64_t time_us) {
   constexpr std::int64_t kWidePeriod_us = 20'000;
   constexpr double kNear_px = 60;
   constexpr double kNear_px_us = 1.5e-3;
-  if (is_searching_ || is_sure() || time_us < next_search_us_) return;
+  if (!missed_in_.empty() || is_sure() || time_us < next_search_us_) return;
   next_search_us_ = time_us + kNearPeriod_us;
   const Region image = Region::all_of(sensor_);
   const bool is_wide = !main_ || time_us >= next_wide_us_;
@@ -281,7 +298,7 @@ void EvidencePipeline::plan_search(std::int64_t time_us) {
   wanted_.fresh_only = true;
   wanted_.other_wall_share = 0;
   wanted_.other_wall = false;
-  if (other_wall_share_ != context_.contour.calibrated_wall_share()) {
+  if (has_wall_) {
     constexpr double kKnown = 2;
     const double other = context_.game.other_wall;
     searched_other_wall_ = std::abs(other) > kKnown ? other > 0 : !searched_other_wall_;
@@ -292,24 +309,28 @@ void EvidencePipeline::plan_search(std::int64_t time_us) {
 SearchRequest EvidencePipeline::search_wanted() {
   SearchRequest request = wanted_;
   wanted_ = {};
-  if (!request.region.empty()) {
-    is_searching_ = true;
-    missed_.clear();
-  }
+  if (request.region.empty()) return request;
+  constexpr int kMargin_px = 80;
+  missed_in_ = request.region.inflated(kMargin_px);
+  missed_.clear();
   return request;
 }
 
 void EvidencePipeline::take(const SearchResult& result) {
-  is_searching_ = false;
+  missed_in_ = {};
   const EvidenceParams& learned = context_.evidence;
   const std::size_t most = main_ ? 4 : 8;
   const double since_s = static_cast<double>(now_us_ - seen_us_) * 1e-6;
   const double share = context_.contour.wall_share(result.request.other_wall);
+  // Live, the snapshot may be newer than the events that were taken. Of too many missed events the
+  // last are not known.
+  const std::int64_t born_us =
+      missed_.size() < kMostMissed ? std::min(result.time.us, now_us_) : now_us_;
   std::size_t tried = 0;
   for (const SearchCandidate& candidate : result.candidates) {
     if (tried >= most) break;
     const bool is_known = std::any_of(all_.begin(), all_.end(), [&](const Hypothesis& other) {
-      return distance(other.filter().position_at(result.time.us), candidate.position) <
+      return distance_px(other.filter().position_at(result.time.us), candidate.position) <
              std::max(2.5, 0.15 * other.width_px());
     });
     if (is_known) continue;
@@ -318,20 +339,39 @@ void EvidencePipeline::take(const SearchResult& result) {
     // The one puck was there: elsewhere it is only as far as it may have gone, or that was wrong.
     if (main_) {
       const double reach = 15 + 2000 * since_s;
-      log_odds += std::log(std::exp(-distance(candidate.position, seen_at_) / reach) + 0.02);
+      log_odds += std::log(std::exp(-distance_px(candidate.position, seen_at_) / reach) + 0.02);
     }
     const ContourFilter::Start start{
         .position = candidate.position, .sigma_px = 3, .sigma_px_s = context_.decision.found_px_s};
     const Hypothesis hypothesis(Hypothesis::Origin::kSearch, start, share,
-                                std::clamp(log_odds, -9.0, 1.0), result.time.us, context_);
-    if (Hypothesis* added = add(hypothesis, now_us_)) added->take(missed_, context_);
+                                std::clamp(log_odds, -9.0, 1.0), born_us, context_);
+    if (Hypothesis* added = add(hypothesis, now_us_)) catch_up(*added);
   }
   missed_.clear();
 }
 
-Pixel EvidencePipeline::nearest_in_image(Pixel place) const {
-  return {std::clamp(place.x, 0.0, sensor_.width - 1.0),
-          std::clamp(place.y, 0.0, sensor_.height - 1.0)};
+// What a search found was there when its snapshot was taken.
+void EvidencePipeline::catch_up(Hypothesis& hypothesis) {
+  const std::span<const TimedEvent> missed(missed_);
+  std::size_t from = 0;
+  while (from < missed.size() && missed[from].time_us <= hypothesis.born_us()) ++from;
+  while (from < missed.size()) {
+    const std::int64_t due_us = decision_before(missed[from].time_us, decision_us_);
+    if (due_us > hypothesis.decided_us()) hypothesis.decide(due_us, context_);
+    std::size_t to = from + 1;
+    while (to < missed.size() && missed[to].time_us <= due_us + decision_us_) ++to;
+    hypothesis.take(missed.subspan(from, to - from), context_);
+    from = to;
+  }
+}
+
+// Whose events are not of what stands still.
+Region EvidencePipeline::box_of(const Hypothesis& hypothesis) const {
+  constexpr int kMargin_px = 8;
+  const PuckSize size = context_.contour.size_at(hypothesis.filter().position());
+  return Region::around(hypothesis.filter().position(), static_cast<int>(size.width),
+                        static_cast<int>(size.height))
+      .inflated(kMargin_px);
 }
 
 bool EvidencePipeline::is_outside(const Hypothesis& hypothesis) const {
@@ -351,11 +391,11 @@ void EvidencePipeline::prune(std::int64_t time_us) {
     const Hypothesis& hypothesis = all_[i];
     const std::int64_t age_us = time_us - hypothesis.born_us();
     bool gone = is_outside(hypothesis);
-    if (gone && i == main_) left_image_ = nearest_in_image(hypothesis.filter().position());
+    if (gone && i == main_) left_image_ = nearest_in_image(hypothesis.filter().position(), sensor_);
     if (i != main_) {
       gone |= age_us > kHopelessAfter_us && hypothesis.belief().odds() < kHopeless;
       gone |= time_us - hypothesis.heard_us() > (hypothesis.was_main ? kSilentMain_us : kSilent_us);
-      if (hypothesis.packets() > 4) {
+      if (!hypothesis.was_main && hypothesis.packets() > 4) {
         gone |= hypothesis.origin() == Hypothesis::Origin::kManoeuvre && age_us > 16'000;
         gone |= hypothesis.origin() == Hypothesis::Origin::kWall && age_us > 40'000;
       }
@@ -365,7 +405,7 @@ void EvidencePipeline::prune(std::int64_t time_us) {
         const PixelVelocity a = hypothesis.filter().velocity();
         const PixelVelocity b = other.filter().velocity();
         const bool is_same =
-            distance(hypothesis.filter().position(), other.filter().position()) < 2 &&
+            distance_px(hypothesis.filter().position(), other.filter().position()) < 2 &&
             std::hypot(a.x - b.x, a.y - b.y) < 100 + 0.1 * other.filter().speed_px_s() &&
             hypothesis.wall_share() == other.wall_share();
         gone = is_same && (j == main_ || other.belief().odds() > hypothesis.belief().odds());
@@ -394,8 +434,8 @@ PuckEstimate EvidencePipeline::step(const SurfaceSnapshot& snapshot) {
   estimate.covariance = filter.covariance();
   estimate.size = context_.contour.size_at(filter.position());
   estimate.score = std::clamp(seen_here(), 0.0, 1.0);
-  estimate.resting = time_us - main.busy_us() > kCoast_us;
-  estimate.coasting = !estimate.resting && main.belief().seen_share() < 0.5;
+  estimate.coasting = main.belief().seen_share() < 0.5;
+  estimate.resting = !estimate.coasting && time_us - main.heard_us() > kCoast_us;
   return estimate;
 }
 

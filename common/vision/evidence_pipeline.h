@@ -46,25 +46,26 @@ class EvidencePipeline final : public TrackingPipeline {
   bool teaches() const;
   void forget(std::int64_t time_us);
   void compare_walls(const Hypothesis& hypothesis);
-  double own_motion_of(const Hypothesis& hypothesis) const;
+  double own_motion_of(const Hypothesis& hypothesis, std::int64_t passed_us) const;
   double odds(const Hypothesis& hypothesis) const;
   void choose(std::int64_t time_us);
   bool is_sure() const;
   double seen_here() const;
   double seen_elsewhere(const Hypothesis& hypothesis) const;
+  void catch_up(Hypothesis& hypothesis);
   Hypothesis* add(const Hypothesis& hypothesis, std::int64_t time_us);
   void remove(std::size_t index);
   void offer_siblings(std::int64_t time_us);
   void plan_search(std::int64_t time_us);
   void prune(std::int64_t time_us);
-  Pixel nearest_in_image(Pixel place) const;
+  Region box_of(const Hypothesis& hypothesis) const;
   bool is_outside(const Hypothesis& hypothesis) const;
 
   SensorSize sensor_;
   Region detection_region_;
   std::int64_t decision_us_;
   TrackingContext context_;
-  double other_wall_share_;
+  bool has_wall_;  // which may make events or not
   EventHistory history_;
   NoiseFloor noise_floor_;
   Background background_;
@@ -79,13 +80,14 @@ class EvidencePipeline final : public TrackingPipeline {
 
   std::vector<TimedEvent> piece_;
   std::vector<TimedEvent> missed_;  // since the search began
-  bool is_searching_ = false;
+  Region missed_in_;                // empty: no search runs
   SearchRequest wanted_;
   std::int64_t next_search_us_ = 0;
   std::int64_t next_wide_us_ = 0;
   std::int64_t next_manoeuvre_us_ = 0;
   std::int64_t next_wall_us_ = 0;
   bool searched_other_wall_ = false;
+  Region puck_;  // whose events are not the scene's
   std::int64_t now_us_ = 0;
   std::int64_t decided_us_ = 0;
 };

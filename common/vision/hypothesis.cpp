@@ -24,8 +24,8 @@ constexpr double kUnseenDamping_s = 0.1;
 constexpr double kOwnMemory_s = 0.05;
 constexpr double kClutterMemory_s = 0.01;
 constexpr double kLeastClutter_px2_s = 1e-3;
-// A packet with more told than this is heard.
-constexpr double kHeard = 0.3;
+// A packet with more events than this, beyond noise, is heard.
+constexpr double kHeard = 2;
 
 // Directions of the points that stand for a contour.
 constexpr int kPoints = 32;
@@ -49,7 +49,6 @@ Hypothesis::Hypothesis(Origin origin, const ContourFilter::Start& start, double 
       born_us_(time_us),
       decided_us_(time_us),
       heard_us_(time_us),
-      busy_us_(time_us),
       start_variance_{start.sigma_px * start.sigma_px, start.sigma_px * start.sigma_px} {
   follow_contour(context);
 }
@@ -140,6 +139,7 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
 }
 
 bool Hypothesis::decide(std::int64_t time_us, const TrackingContext& context) {
+  if (time_us <= decided_us_) return false;
   filter_.predict(time_us, damping_s());
   follow_contour(context);
   const double seconds = static_cast<double>(time_us - decided_us_) * 1e-6;
@@ -151,19 +151,18 @@ bool Hypothesis::decide(std::int64_t time_us, const TrackingContext& context) {
   const DecisionParams& params = context.decision;
   measure_clutter(seconds);
   const double made = context.game.noise_px2_s * areas_.all() * open_.seconds;
-  const bool is_full = open_.near() - made >= params.packet_events;
-  if (!is_full && open_.seconds < params.packet_s) return false;
-  if (is_full) busy_us_ = time_us;
-  evidence_ = evidence_of(open_, areas_, density(context.game), context.game, context.evidence);
-  nats_ = std::clamp(evidence_.sum(context.evidence), -params.most_nats, params.most_nats);
+  if (open_.near() - made < params.packet_events && open_.seconds < params.packet_s) return false;
+  const Evidence evidence =
+      evidence_of(open_, areas_, density(context.game), context.game, context.evidence);
+  nats_ = std::clamp(evidence.sum(context.evidence), -params.most_nats, params.most_nats);
   // Less than half a contour, at the image's border, is no evidence for a puck.
   if (nats_ > 0) nats_ *= std::max(2 * seen_ - 1, 0.0);
-  if (evidence_.told > kHeard) heard_us_ = time_us;
+  if (open_.near() - made > kHeard) heard_us_ = time_us;
   // What covers the puck must be seen to come.
   constexpr double kBusy_px2 = 0.02;
   const double comes = std::min(
       1.0, (open_.inside + open_.outside) / (kBusy_px2 * (areas_.inside + areas_.outside)));
-  belief_.pass(open_.seconds, comes, evidence_.told, elsewhere, params.rates);
+  belief_.pass(open_.seconds, comes, evidence.told, elsewhere, params.rates);
   belief_.take(nats_);
   slow_down(context);
   start_variance_ = filter_.place_variances();

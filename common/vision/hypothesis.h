@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -45,7 +46,8 @@ class Hypothesis {
   /// Takes events in the order of their times.
   void take(std::span<const TimedEvent> events, const TrackingContext& context);
 
-  /// Moves on to a decision. Returns true when a packet of evidence was full, and is in packet().
+  /// Moves on to a decision, if that is later than the last. Returns true when a packet of evidence
+  /// was full, and is in packet().
   bool decide(std::int64_t time_us, const TrackingContext& context);
 
   /// A hypothesis about the same object as `parent` takes over what is known of its looks.
@@ -58,18 +60,14 @@ class Hypothesis {
   double wall_share() const { return wall_share_; }
   const ContourRing& ring() const { return ring_; }
   double width_px() const { return 2 * ring_.half_width(); }
+  std::int64_t decided_us() const { return decided_us_; }
   /// The last full packet, and what it said.
   const EvidencePacket& packet() const { return closed_; }
-  const Evidence& evidence() const { return evidence_; }
   double nats() const { return nats_; }
-  const EvidenceAreas& areas() const { return areas_; }
-  double density(const GameTraits& game) const;
 
   std::int64_t born_us() const { return born_us_; }
-  /// When it last had events that noise does not explain.
+  /// When it last had more than a few events that noise does not explain.
   std::int64_t heard_us() const { return heard_us_; }
-  /// When a packet was last full by its events.
-  std::int64_t busy_us() const { return busy_us_; }
   int packets() const { return packets_; }
   /// Events near the contour since the last decision.
   double recent_events() const { return recent_events_; }
@@ -89,6 +87,7 @@ class Hypothesis {
   void measure_clutter(double seconds);
   void slow_down(const TrackingContext& context);
   double damping_s() const;
+  double density(const GameTraits& game) const;
 
   Origin origin_;
   ContourFilter filter_;
@@ -99,12 +98,10 @@ class Hypothesis {
   double seen_ = 1;  // share of the contour that lies in the image
   EvidencePacket open_;
   EvidencePacket closed_;
-  Evidence evidence_;
   double nats_ = 0;
   std::int64_t born_us_;
   std::int64_t decided_us_;
   std::int64_t heard_us_;
-  std::int64_t busy_us_;
   int packets_ = 0;
   double recent_events_ = 0;
   double counted_ = 0;

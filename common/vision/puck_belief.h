@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace puck {
@@ -24,20 +25,20 @@ class PuckBelief {
   explicit PuckBelief(double log_odds = 0)
       : visible_(1 / (1 + std::exp(-log_odds))), not_puck_(1 - visible_) {}
 
-  /// Lets `seconds` pass. `comes`: how much of the place is busy with something that may cover the
+  /// Lets `seconds` pass, however many. Where nothing is told, nothing covers or shows.
+  /// `comes`: how much of the place is busy with something that may cover the
   /// puck, 0 to 1; `told`: Evidence::told; `elsewhere`: probability that the puck is seen
   /// elsewhere.
   void pass(double seconds, double comes, double told, double elsewhere, const BeliefRates& rates) {
     const double away = rates.elsewhere * elsewhere;
     const double leave = away + rates.leave_silent + (rates.leave - rates.leave_silent) * told;
-    const double hides = visible_ * std::min(rates.hide * comes * seconds, 1.0);
-    const double leaves = visible_ * std::min(leave * seconds, 1.0);
-    const double shows = hidden_ * std::min(rates.show * seconds, 1.0);
-    const double forgets = hidden_ * std::min((away + rates.leave_hidden * told) * seconds, 1.0);
-    const double comes_back = not_puck_ * std::min(rates.come * seconds, 1.0);
-    visible_ += shows + comes_back - hides - leaves;
+    const auto [hides, leaves] = outflows(visible_, rates.hide * comes * told, leave, seconds);
+    const auto [shows, forgets] =
+        outflows(hidden_, rates.show * told, away + rates.leave_hidden * told, seconds);
+    const auto [appears, none] = outflows(not_puck_, rates.come, 0, seconds);
+    visible_ += shows + appears - hides - leaves;
     hidden_ += hides - shows - forgets;
-    not_puck_ += leaves + forgets - comes_back;
+    not_puck_ += leaves + forgets - appears - none;
   }
 
   /// Takes a packet's log likelihood ratio. A covered puck's events are of what covers it.
@@ -58,6 +59,14 @@ class PuckBelief {
   double seen_share() const { return visible_ / std::max(visible_ + hidden_, 1e-12); }
 
  private:
+  // What leaves a state at two rates; together no more than there is.
+  static std::array<double, 2> outflows(double state, double one, double other, double seconds) {
+    const double rate = one + other;
+    if (!(rate > 0)) return {0, 0};
+    const double out = state * (1 - std::exp(-rate * seconds));
+    return {out * one / rate, out * other / rate};
+  }
+
   double visible_;
   double hidden_ = 0;
   double not_puck_;

@@ -8,8 +8,6 @@ namespace {
 
 // The smallest semi-axis of a contour that has an inside.
 constexpr double kSmallestSemi_px = 2;
-// Smallest growth of the width from row to row for a plane in perspective, px per px.
-constexpr double kLeastSlope = 0.01;
 // 300 px/s for the puck of config/scene.toml, 33 px wide in the middle.
 constexpr double kTurningWidths_per_s = 9;
 
@@ -42,7 +40,7 @@ PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
       other_wall_share_(calibration.other_wall_share(size_model)),
       middle_column_((sensor.width - 1) / 2.0),
       tangent_of_twice_lean_(std::tan(2 * calibration.lean_deg * std::numbers::pi / 180)),
-      sheared_(sheared && size_model.width_growth() > kLeastSlope) {
+      sheared_(sheared && size_model.is_plane()) {
   const double width_px = size_model.at({middle_column_, (sensor.height - 1) / 2.0}).width;
   turning_px_s_ = kTurningWidths_per_s * std::max(width_px, 2 * kSmallestSemi_px);
   // On a plane a disc's width shrinks linearly to zero at the horizon.

@@ -58,6 +58,11 @@ struct PuckSizeModel {
 
   /// Growth of the width from row to row, px/px.
   double width_growth() const { return disc ? disc->width_y : width_y; }
+  /// Whether it grows from row to row as on a plane in perspective.
+  bool is_plane() const {
+    constexpr double kLeastGrowth = 0.01;
+    return width_growth() > kLeastGrowth;
+  }
   /// The row of the plane's horizon (zero width) in a column. Needs a growth.
   double horizon_row(double column) const {
     const double at_top =

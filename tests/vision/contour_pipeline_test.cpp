@@ -167,7 +167,7 @@ TEST_CASE("a puck that is covered at rest is lost, or stays where it is") {
       CAPTURE(seed);
       Table table(preset_params(preset), seed);
       table.come_to_rest();
-      REQUIRE(table.estimate().resting);
+      REQUIRE(table.estimate().state == TrackState::kTracking);
       for (int i = 0; i < 30; ++i) {
         CAPTURE(i);
         table.cover(1);

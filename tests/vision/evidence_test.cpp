@@ -104,6 +104,16 @@ TEST_CASE("no packet says more than its bound") {
   for (const double nats : {much.place, much.sector, much.sign}) CHECK(std::abs(nats) < 3.6);
 }
 
+TEST_CASE("half a contour speaks against a puck, however many events it has") {
+  for (const double events : {10, 100, 1'000, 10'000}) {
+    CAPTURE(events);
+    EvidencePacket packet = packet_of_puck();
+    packet.ring = 6 * events;
+    packet.sectors = {events, events, events, 0, 0, 0, events, events, events};
+    CHECK(evidence_in(quiet_game(), packet).sector < -1);
+  }
+}
+
 TEST_CASE("what was learned of a game is forgotten by shares") {
   GameTraits game;
   for (int i = 0; i < 100; ++i) game.learn(packet_of_puck());
