@@ -29,6 +29,9 @@ struct DecisionParams {
   double manoeuvre_px_s = 900;
   /// … and of what a search finds.
   double found_px_s = 600;
+  /// Log odds that what a search finds is the puck: at score 0, and growth with the score.
+  double found = -5;
+  double found_per_score = 5;
   /// Nats against what moves with the scene of a turning camera.
   double own_motion_nats = 7;
 };

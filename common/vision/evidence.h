@@ -33,9 +33,6 @@ struct EvidenceParams {
   double place_worth = 1.24;
   double sector_worth = 0.875;
   double sign_worth = 0.739;
-  /// Log odds that a search's candidate is the puck: at score 0, and growth with the score.
-  double found = -5;
-  double found_per_score = 5;
 };
 
 struct EvidencePacket;

@@ -318,7 +318,6 @@ SearchRequest EvidencePipeline::search_wanted() {
 
 void EvidencePipeline::take(const SearchResult& result) {
   missed_in_ = {};
-  const EvidenceParams& learned = context_.evidence;
   const std::size_t most = main_ ? 4 : 8;
   const double since_s = static_cast<double>(now_us_ - seen_us_) * 1e-6;
   const double share = context_.contour.wall_share(result.request.other_wall);
@@ -335,7 +334,7 @@ void EvidencePipeline::take(const SearchResult& result) {
     });
     if (is_known) continue;
     ++tried;
-    double log_odds = learned.found + learned.found_per_score * candidate.score;
+    double log_odds = context_.decision.found + context_.decision.found_per_score * candidate.score;
     // The one puck was there: elsewhere it is only as far as it may have gone, or that was wrong.
     if (main_) {
       const double reach = 15 + 2000 * since_s;
