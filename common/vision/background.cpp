@@ -31,7 +31,6 @@ constexpr double kSpeedKept = 0.9;
 // to 48.
 constexpr double kActivityMemory_us = 50'000;
 constexpr double kActive = 5;
-constexpr int kLeastActiveCells = 34;
 // … and of all events but noise, which a hand and two mallets have in fewer cells.
 constexpr double kBusy = 60;
 constexpr int kLeastBusyCells = 16;
@@ -65,8 +64,12 @@ CameraTurn turn_of(SensorSize sensor) {
 
 }  // namespace
 
-Background::Background(SensorSize sensor)
-    : sensor_(sensor), cells_(sensor), map_(sensor), turn_(turn_of(sensor)) {
+Background::Background(SensorSize sensor, int least_cells)
+    : sensor_(sensor),
+      least_cells_(least_cells),
+      cells_(sensor),
+      map_(sensor),
+      turn_(turn_of(sensor)) {
   taken_.reserve(kMostEvents);
   then_.reserve(kMostEvents);
 }
@@ -187,7 +190,7 @@ void Background::note_activity(std::int64_t passed_us, double noise) {
   const auto sum_of = [](const Cells& cells) {
     return std::accumulate(cells.begin(), cells.end(), 0.0);
   };
-  is_known_ = count_above(activity_, kActive) >= kLeastActiveCells;
+  is_known_ = count_above(activity_, kActive) >= least_cells_;
   const double all_noise = noise_ * sensor_.width * sensor_.height;
   const double cell_noise = all_noise / static_cast<double>(events_.size());
   head_turns_ = is_known_ && sum_of(activity_) > kTurningShare * (sum_of(events_) - all_noise);

@@ -23,7 +23,11 @@ namespace puck {
 /// the same answers, to the bit.
 class Background {
  public:
-  explicit Background(SensorSize sensor);
+  /// Number of the 48 cells of the image in which what stands still must be seen for it to be
+  /// known: arms that cross half of the image are in up to 25. A scene with few edges needs fewer.
+  static constexpr int kUsualCells = 34;
+
+  explicit Background(SensorSize sensor, int least_cells = kUsualCells);
 
   /// Takes an event of anywhere in the image, but not of the puck's. Of too many it takes some.
   void take(double x, double y) {
@@ -101,6 +105,7 @@ class Background {
   void note_activity(std::int64_t passed_us, double noise);
 
   SensorSize sensor_;
+  int least_cells_;
   ImageCells cells_;
   FadingMap map_;
   CameraTurn turn_;

@@ -17,6 +17,9 @@ constexpr std::size_t kMostMissed = 16'384;
 constexpr std::size_t kUsualPiece = 16'384;
 constexpr std::int64_t kCoast_us = 50'000;
 
+// What moves with the scene is only less likely, so that it is known sooner.
+constexpr int kSceneCells = 24;
+
 double share_of(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
 
 }  // namespace
@@ -36,7 +39,7 @@ EvidencePipeline::EvidencePipeline(SensorSize sensor, const EvidencePipelinePara
                 context_.contour.other_wall_share() != context_.contour.calibrated_wall_share()),
       history_(sensor),
       noise_floor_(sensor),
-      background_(sensor) {
+      background_(sensor, kSceneCells) {
   all_.reserve(kMostHypotheses);
   missed_.reserve(kMostMissed);
   piece_.reserve(kUsualPiece);

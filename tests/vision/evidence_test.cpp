@@ -97,8 +97,10 @@ TEST_CASE("what the sensor makes by itself says nothing") {
 
 TEST_CASE("no packet says more than its bound") {
   EvidencePacket packet = packet_of_puck();
-  for (double* count : {&packet.ring, &packet.dark, &packet.swept, &packet.swept_low})
+  for (double* count :
+       {&packet.ring, &packet.dark, &packet.swept, &packet.swept_low, &packet.swept_high}) {
     *count *= 100;
+  }
   for (double& sector : packet.sectors) sector *= 100;
   const Evidence much = evidence_in(quiet_game(), packet);
   for (const double nats : {much.place, much.sector, much.sign}) CHECK(std::abs(nats) < 3.6);
