@@ -393,7 +393,7 @@ TEST_CASE("an empty log is intact") {
 }
 
 TEST_CASE("lengths that all point to before one distant message cost one search, not one each") {
-  constexpr std::size_t kHeads = 100'000;
+  constexpr std::size_t kHeads = kIsSanitized ? 10'000 : 100'000;
   constexpr std::size_t kHeadBytes = 29;
   constexpr std::size_t kGap = kIsSanitized ? 1'000'000 : 20'000'000;
   std::vector<std::uint8_t> bytes(kHeads * kHeadBytes + kGap + kHeadBytes);
