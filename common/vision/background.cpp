@@ -26,9 +26,8 @@ constexpr double kSpeedGain = 0.04;
 // of its speed is kept.
 constexpr double kLeastSupport = 2;
 constexpr double kSpeedKept = 0.9;
-// Events on the map in so many cells of the image, each so many of late: the scene moves as one.
-// Arms that cross half of it have them in up to 25 cells of 48, a table while the head turns in 37
-// to 48.
+// Events on the map in `least_cells` cells of the image, each so many of late: the scene moves as
+// one.
 constexpr double kActivityMemory_us = 50'000;
 constexpr double kActive = 5;
 // … and of all events but noise, which a hand and two mallets have in fewer cells.
@@ -223,10 +222,8 @@ double Background::still_share(const ContourRing& ring, Pixel centre) const {
   int still = 0;
   for (int i = 0; i < kPlaces; ++i) {
     const double angle = 2 * std::numbers::pi * i / kPlaces;
-    const double face_dy = ring.face_semi_y() * std::sin(angle);
-    const double dx = ring.semi_x * std::cos(angle) + ring.shear * face_dy;
-    const double dy = face_dy + std::copysign(ring.half_wall, face_dy);
-    if (is_still(centre.x + dx, centre.y + dy - ring.rise)) ++still;
+    const Pixel point = ring.point(std::cos(angle), std::sin(angle));
+    if (is_still(centre.x + point.x, centre.y + point.y - ring.rise)) ++still;
   }
   return static_cast<double>(still) / kPlaces;
 }

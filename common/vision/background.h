@@ -24,7 +24,8 @@ namespace puck {
 class Background {
  public:
   /// Number of the 48 cells of the image in which what stands still must be seen for it to be
-  /// known: arms that cross half of the image are in up to 25. A scene with few edges needs fewer.
+  /// known: arms that cross half of the image are in up to 25, a table while the head turns in 37
+  /// to 48. A scene with few edges needs fewer.
   static constexpr int kUsualCells = 34;
 
   explicit Background(SensorSize sensor, int least_cells = kUsualCells);

@@ -8,7 +8,6 @@
 namespace puck {
 namespace {
 
-constexpr double kGameMemory_packets = 500;
 // Share of packets of either class that look like the other's, so that no single packet decides.
 constexpr double kOutliers = 0.03;
 
@@ -148,7 +147,8 @@ double sign_nats(const EvidencePacket& packet, const GameTraits& game,
 }  // namespace
 
 void GameTraits::learn(const EvidencePacket& packet) {
-  constexpr double kKeep = 1 - 1 / kGameMemory_packets;
+  constexpr double kMemory_packets = 500;
+  constexpr double kKeep = 1 - 1 / kMemory_packets;
   dark_ = kKeep * dark_ + packet.dark;
   bright_ = kKeep * bright_ + packet.bright;
   events_ = kKeep * events_ + packet.ring;

@@ -289,6 +289,7 @@ void EvidencePipeline::plan_search(std::int64_t time_us) {
   if (!missed_in_.empty() || is_sure() || time_us < next_search_us_) return;
   next_search_us_ = time_us + kNearPeriod_us;
   const Region image = Region::all_of(sensor_);
+  wanted_ = {.fresh_only = true};
   const bool is_wide = !main_ || time_us >= next_wide_us_;
   if (is_wide) {
     next_wide_us_ = time_us + kWidePeriod_us;
@@ -298,9 +299,6 @@ void EvidencePipeline::plan_search(std::int64_t time_us) {
     const int side = 2 * static_cast<int>(std::min(radius, 1e4)) + 1;
     wanted_.region = Region::around(seen_at_, side, side).intersect(image);
   }
-  wanted_.fresh_only = true;
-  wanted_.other_wall_share = 0;
-  wanted_.other_wall = false;
   if (has_wall_) {
     constexpr double kKnown = 2;
     const double other = context_.game.other_wall;

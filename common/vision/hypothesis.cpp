@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/vision/image_bounds.h"
+
 namespace puck {
 namespace {
 
@@ -191,11 +193,11 @@ void Hypothesis::sweep(double seconds, SensorSize sensor, double leading_share) 
   const PixelVelocity velocity = filter_.velocity();
   int seen = 0;
   for (const auto& [u, v] : kCircle) {
-    const double face_y = semi_y * v;
-    const double x = filter_.position().x + ring_.semi_x * u + ring_.shear * face_y;
-    const double y =
-        filter_.position().y - ring_.rise + face_y + std::copysign(ring_.half_wall, face_y);
-    if (x < 0 || y < 0 || x > sensor.width - 1 || y > sensor.height - 1) continue;
+    const Pixel point = ring_.point(u, v);
+    if (!is_in_image({filter_.position().x + point.x, filter_.position().y + point.y - ring_.rise},
+                     sensor)) {
+      continue;
+    }
     ++seen;
     const double gx = u / ring_.semi_x;
     const double gy = v / semi_y - ring_.shear * gx;

@@ -104,9 +104,10 @@ class Hypothesis {
   std::int64_t heard_us_;
   int packets_ = 0;
   double recent_events_ = 0;
+  // Since the last decision: events near the contour, and those of them that are not on it.
   double counted_ = 0;
   double beside_ = 0;
-  double clutter_px2_s_ = 0;
+  double clutter_px2_s_ = 0;  // events beside the contour, fading
   // Of this hypothesis alone, fading.
   double own_dark_ = 0;
   double own_bright_ = 0;

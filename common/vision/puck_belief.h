@@ -25,9 +25,9 @@ class PuckBelief {
   explicit PuckBelief(double log_odds = 0)
       : visible_(1 / (1 + std::exp(-log_odds))), not_puck_(1 - visible_) {}
 
-  /// Lets `seconds` pass, however many. Where nothing is told, nothing covers or shows.
-  /// `comes`: how much of the place is busy with something that may cover the
-  /// puck, 0 to 1; `told`: Evidence::told; `elsewhere`: probability that the puck is seen
+  /// Lets `seconds` pass, however many. `comes`: how much of the place is busy with something that
+  /// may cover the puck, 0 to 1; `told`: Evidence::told: while it is 0, a visible puck is not
+  /// covered, and a covered one does not show; `elsewhere`: probability that the puck is seen
   /// elsewhere.
   void pass(double seconds, double comes, double told, double elsewhere, const BeliefRates& rates) {
     const double away = rates.elsewhere * elsewhere;
@@ -35,10 +35,10 @@ class PuckBelief {
     const auto [hides, leaves] = outflows(visible_, rates.hide * comes * told, leave, seconds);
     const auto [shows, forgets] =
         outflows(hidden_, rates.show * told, away + rates.leave_hidden * told, seconds);
-    const auto [appears, none] = outflows(not_puck_, rates.come, 0, seconds);
+    const double appears = outflows(not_puck_, rates.come, 0, seconds)[0];
     visible_ += shows + appears - hides - leaves;
     hidden_ += hides - shows - forgets;
-    not_puck_ += leaves + forgets - appears - none;
+    not_puck_ += leaves + forgets - appears;
   }
 
   /// Takes a packet's log likelihood ratio. A covered puck's events are of what covers it.

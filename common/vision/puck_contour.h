@@ -47,6 +47,13 @@ struct ContourRing {
     return ring_y - std::clamp(ring_y - sides_slope * dx, -half_wall, half_wall);
   }
 
+  /// The point of the ring, from the ring's centre, that is (u, v) on the unit circle whose image
+  /// its ellipse is.
+  Pixel point(double u, double v) const {
+    const double face_y = face_semi_y() * v;
+    return {semi_x * u + shear * face_y, face_y + std::copysign(half_wall, face_y)};
+  }
+
   /// Offset of a pixel (dx, dy) from the puck's centre; the ring is `growth_px` larger all round.
   ContourOffset offset(double dx, double dy, double growth_px) const {
     // One inversion each: this runs for every event near a track.
