@@ -8,7 +8,7 @@
 # --sequences N  of the still and of the moving camera each, 1 to 20 (default 10), and half as many
 #                of each hard scene in tools/compare/scenes
 # --seconds S    length of each (default 30); the hard ones are a third as long, 2 to 10 s
-# --only NAMES   these presets and baselines only, without the ablation of default
+# --only NAMES   these presets and baselines only
 # --scoring R    by our rules (default) or by those of the paper's authors: see puck-evaluate --help
 # --output DIR   for all output (default build/compare): comparison.txt, comparison.md,
 #                comparison.json and the figures as PNG. DIR/results keeps the finished runs,
@@ -20,8 +20,8 @@
 # are calibrated on seed 1; latency is measured on seed 2. Test seeds: still from 1001, moving from 1101, hard
 # scenes from 1201, 1211, 1221 and so on. No tracker gets truth, not even to start.
 #
-# The whole comparison takes about 40 minutes on two cores; without the particle filter and the ablation 15
-# minutes; with --sequences 2 --seconds 5 less than two minutes.
+# The whole comparison takes most of its time for the particle filter; with --sequences 2 --seconds 5 it takes
+# less than two minutes on two cores.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 

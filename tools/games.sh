@@ -46,6 +46,15 @@ score() { # BASE SIZE_MODEL [OPTION of puck-evaluate...]
     }' <<<"$told"
 }
 
+# Calibrates the puck's size as a user would: on every 97th row of the truth, or on all of fewer than 1,000.
+# Writes FILE.toml, and the rows to FILE.marks.csv.
+calibrate_size() { # TRUTH WIDTH HEIGHT FILE [FACTOR]: of sizes times FACTOR
+  awk -F, -v OFS=, -v rows="$(wc -l <"$1")" -v factor="${5:-1}" '
+    NR > 1 && factor != 1 { $4 *= factor; $5 *= factor }
+    NR == 1 || rows <= 1000 || NR % 97 == 2' "$1" >"$4.marks.csv"
+  "$programs/puck-calibrate" size "$4.marks.csv" --output "$4.toml" --width "$2" --height "$3" >&2
+}
+
 # Runs a function in a shell of its own, because bash disables -e within a function whose result is tested.
 # Prints how it ended and, after a failure, the end of its log.
 logged() { # NAME LOG FUNCTION [ARGUMENT...]
@@ -57,4 +66,4 @@ logged() { # NAME LOG FUNCTION [ARGUMENT...]
     return 1
   fi
 }
-export -f score logged
+export -f score calibrate_size logged

@@ -17,7 +17,7 @@
 # --keep             keep the recordings (30 to 100 MB each); later runs with the same scene,
 #                    length and simulator use them, too
 # -- OPTION...       tracks each game once more with these options of puck-evaluate, such as
-#                    --without shear or --preset correlation, and prints the change
+#                    --search-delay 5000 or --preset correlation, and prints the change
 #
 # Prints a row for each game, mean px / lost % / longest loss in ms, and then the means. Exit code 1: a game
 # could not be played or scored; it is left out of rows and means.

@@ -3,7 +3,7 @@
 # real scenes without a disc, and another project's simulator.
 #
 #   tools/real.sh [--json FILE] [--only NAME[,NAME...]] [--recordings DIR] [--output DIR] [--jobs J]
-#                 [--programs DIR]
+#                 [--programs DIR] [--evidence DIR]
 #
 # --json FILE        every run's figures, by the keys of puck-evaluate and `recording`, `contestant`
 # --only NAMES       these presets and algorithms only
@@ -12,18 +12,22 @@
 # --output DIR       for calibrations, figures and logs (default build/real)
 # --jobs J           runs at a time (default: one a core)
 # --programs DIR     use these programs and build nothing
+# --evidence DIR     folder of tools/fit_evidence.sh: `default` uses the numbers of without-RECORDING.toml if
+#                    it is there, else of all.toml; says which there are
 #
 # The puck's size is calibrated as a user would do it: by puck-calibrate on every 97th row of the truth, or on
 # all of fewer than 1,000. The ellipse's size and lean are set by hand; the ball is tracked once more with a
 # size of 14 px everywhere. On a recording without a disc, the tracker looks for pucks of 16, 32 and 48 px and
-# of the simulated table's sizes, and a row is the mean of these four runs. Exit code 1: a run failed; its row
-# is left out.
+# of the simulated table's sizes, and a row is the mean of these four runs. Rows with wrong sizes are the
+# mean of sizes × 0.6, 0.8, 1.25 and 1.6. The fast dots are simulated here: a disc of 14 px goes round in a
+# circle of 100 px for 50 ms, and each pixel makes six events of an edge within 0.3, 1 or 2 ms on average; a
+# row is the mean of these three. Exit code 1: a run failed; its row is left out.
 set -euo pipefail
 root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 # shellcheck source=tools/games.sh
 . "$root/tools/games.sh"
 
-all="default evidence correlation paper reference cluster particle-filter particle-filter-eros"
+all="default correlation paper reference cluster particle-filter particle-filter-eros"
 read -ra contestants <<<"$all"
 only=
 json=
@@ -31,9 +35,10 @@ recordings=${PUCK_RECORDINGS:-$root/../shared/recordings}
 output=$root/build/real
 jobs=$(nproc)
 programs=
+evidence=
 while [ $# -gt 0 ]; do
   case "$1" in
-    --json | --only | --recordings | --output | --jobs | --programs)
+    --json | --only | --recordings | --output | --jobs | --programs | --evidence)
       [ -n "${2-}" ] || refuse "$1 takes a value; --help says which"
       case "$1" in
         --json) json=$(realpath -m "$2") ;;
@@ -42,6 +47,7 @@ while [ $# -gt 0 ]; do
         --output) output=$(realpath -m "$2") ;;
         --jobs) jobs=$2 ;;
         --programs) programs=$(realpath -m "$2") ;;
+        --evidence) evidence=$(realpath -m "$2") ;;
       esac
       shift 2
       ;;
@@ -58,6 +64,8 @@ fi
 require_jobs "$jobs"
 [ -d "$recordings" ] ||
   refuse "no folder $recordings; set it with --recordings or PUCK_RECORDINGS"
+[ -z "$evidence" ] || [ -f "$evidence/all.toml" ] ||
+  refuse "no fits in $evidence; tools/fit_evidence.sh makes them"
 recordings=$(realpath "$recordings")
 require_programs puck-calibrate puck-evaluate
 [ -z "$json" ] || : >>"$json" || refuse "$json cannot be written"
@@ -74,13 +82,11 @@ size_file() { # NAME WIDTH HEIGHT [LEAN_DEG]: a puck as large everywhere; prints
   echo "$file"
 }
 
-calibrated() { # NAME TRUTH WIDTH HEIGHT: prints the file's path
-  local file=$output/sizes/$1.toml
-  local marks=$output/sizes/$1.marks.csv
-  awk -v rows="$(wc -l <"$2")" 'NR == 1 || rows <= 1000 || NR % 97 == 2' "$2" >"$marks"
-  "$programs/puck-calibrate" size "$marks" --output "$file" --width "$3" --height "$4" \
-    >"$output/sizes/$1.log" 2>&1 || refuse "$2 gives no size model: $(tail -n 1 "$output/sizes/$1.log")"
-  echo "$file"
+calibrated() { # NAME TRUTH WIDTH HEIGHT [FACTOR]: prints the size model's path
+  local file=$output/sizes/$1
+  calibrate_size "$2" "$3" "$4" "$file" "${@:5}" 2>"$file.log" ||
+    refuse "$2 gives no size model: $(tail -n 1 "$file.log")"
+  echo "$file.toml"
 }
 
 # A line per run: names of recording and run, and the options of puck-evaluate.
@@ -99,6 +105,8 @@ add() { # TITLE RUN OPTION...
   plan+=("$(printf '%s\t' "$@")")
 }
 
+wrong_factors="0.6 0.8 1.25 1.6"
+
 ball=real_ball/bouncing_ball_atis_304x240
 if is_there $ball.yarp.log && is_there $ball.truth.csv; then
   options=("$recordings/$ball.yarp.log" --width 304 --height 240 --truth "$recordings/$ball.truth.csv"
@@ -107,20 +115,32 @@ if is_there $ball.yarp.log && is_there $ball.truth.csv; then
   add "real ball" ball "${options[@]}" "$size"
   add "real ball, at its marks" ball-marks "${options[@]}" "$size" --score-at-marks
   add "real ball, size 14 px everywhere" ball-14px "${options[@]}" "$(size_file ball-14px 14 14)"
+  for factor in $wrong_factors; do
+    add "real ball, wrong sizes" "ball-times-$factor" "${options[@]}" \
+      "$(calibrated "ball-times-$factor" "$recordings/$ball.truth.csv" 304 240 "$factor")"
+  done
+  add "real ball, size model of the simulated table" ball-table "${options[@]}" \
+    "$root/config/calibration/simulated_size.toml"
 fi
 
 shapes=shapes_rotation_davis240c_240x180
 if is_there $shapes.txt && is_there $shapes.truth.csv; then
-  add "ellipse of shapes_rotation" ellipse "$recordings/$shapes.txt" --width 240 --height 180 \
-    --truth "$recordings/$shapes.truth.csv" --size-model "$(size_file ellipse 33 23 -28)"
+  options=("$recordings/$shapes.txt" --width 240 --height 180 --truth "$recordings/$shapes.truth.csv"
+    --size-model)
+  add "ellipse of shapes_rotation" ellipse "${options[@]}" "$(size_file ellipse 33 23 -28)"
+  add "ellipse, lean forgotten" ellipse-upright "${options[@]}" "$(size_file ellipse-upright 33 23)"
 fi
 
 for sequence in still_faint_6_m_s moving_faint_5_m_s moving_round_logos still_shots_15_m_s; do
   base=second_simulator/$sequence
   if is_there $base.raw && is_there $base.truth.csv; then
     size=$(calibrated $sequence "$recordings/$base.truth.csv" 640 480)
-    add "second simulator: $sequence" $sequence "$recordings/$base.raw" \
-      --truth "$recordings/$base.truth.csv" --size-model "$size"
+    options=("$recordings/$base.raw" --truth "$recordings/$base.truth.csv" --size-model)
+    add "second simulator: $sequence" $sequence "${options[@]}" "$size"
+    for factor in $wrong_factors; do
+      add "second simulator, wrong sizes: $sequence" "$sequence-times-$factor" "${options[@]}" \
+        "$(calibrated "$sequence-times-$factor" "$recordings/$base.truth.csv" 640 480 "$factor")"
+    done
   fi
 done
 
@@ -141,8 +161,42 @@ without_disc walking walking_640x480_evt3.extracted.raw --width 640 --height 480
 
 if [ ${#plan[@]} -eq 0 ]; then refuse "none of the recordings is in $recordings"; fi
 
+fast_dot() { # PX_PER_S TRAIL_MS: writes a text recording and its truth; prints their path without ending
+  local base=$output/dots/$1-$2
+  awk -v speed="$1" -v trail_us="${2}e3" -v truth="$base.truth.csv" '
+    function emit(t, x, y, p) { printf "%d %d %d %d\n", t, x, y, p }
+    BEGIN {
+      srand(1)
+      step_us = 20; turn = speed * 1e-6 / 100
+      print "t_us,x,y,width,height" >truth
+      for (t = 0; t <= 50000; t += step_us) {
+        x = 320 + 100 * cos(turn * t); y = 240 + 100 * sin(turn * t)
+        if (t % 1000 == 0) printf "%d,%.3f,%.3f,14,14\n", t, x, y >truth
+        for (i = int(x) - 9; i <= int(x) + 9; i++) for (j = int(y) - 9; j <= int(y) + 9; j++) {
+          inside = (i - x) ^ 2 + (j - y) ^ 2 < 49
+          was = t > 0 ? (i - last_x) ^ 2 + (j - last_y) ^ 2 < 49 : inside
+          if (inside == was) continue
+          emit(t + step_us * rand(), i, j, !inside)
+          for (k = 1; k < 6; k++) emit(t - trail_us * log(1 - rand()), i, j, !inside)
+        }
+        last_x = x; last_y = y
+      }
+      for (k = 0; k < 0.5 * 640 * 480 * 0.05; k++) emit(50000 * rand(), 640 * rand(), 480 * rand(), rand() < 0.5)
+    }' | sort -n >"$base.txt"
+  echo "$base"
+}
+
+mkdir -p "$output/dots"
+for speed in 5000 10000 20000; do
+  for trail_ms in 0.3 1 2; do
+    base=$(fast_dot $speed $trail_ms)
+    add "dot at $speed px/s, simulated" "dot-$speed-$trail_ms" "$base.txt" --width 640 --height 480 --unit us \
+      --truth "$base.truth.csv" --size-model "$(size_file dot 14 14)"
+  done
+done
+
 # The following also runs in the shells started by xargs.
-export output programs
+export output programs evidence
 
 run() { # CONTESTANT LINE-OF-THE-PLAN
   set -euo pipefail
@@ -151,7 +205,13 @@ run() { # CONTESTANT LINE-OF-THE-PLAN
   title=${fields[0]}
   name=$output/runs/${fields[1]}-$1
   case "$1" in
-    default | evidence | correlation | paper | reference) options=(--preset "$1") ;;
+    default)
+      options=(--preset default)
+      local fit=$evidence/without-${fields[1]%%-*}.toml
+      [ -f "$fit" ] || fit=$evidence/all.toml
+      [ -z "$evidence" ] || options+=(--evidence "$fit")
+      ;;
+    correlation | paper | reference) options=(--preset "$1") ;;
     *) options=(--algorithm "$1") ;;
   esac
   "$programs/puck-evaluate" "${fields[@]:2}" "${options[@]}" --json "$name.part" >/dev/null
@@ -200,6 +260,11 @@ print_rows() {
       }
     }' - "${files[@]}"
 }
+
+if [ -n "$evidence" ]; then
+  own=$(cd "$evidence" && find . -name 'without-*.toml' -printf ' %f' | sort)
+  echo "$me: fits that leave a recording out:${own:- none}" >&2
+fi
 
 echo
 echo "| recording | tracker | mean px | median px | lost % | said and wrong % | first found, ms | CPU, µs/ms |"

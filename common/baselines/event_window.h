@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

@@ -9,10 +9,10 @@
 #include "common/baselines/particle_template.h"
 #include "common/baselines/puck_seed.h"
 #include "common/events/sensor_size.h"
+#include "common/vision/geometry/puck_size_model.h"
+#include "common/vision/interfaces/tracking_algorithm.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_size_model.h"
 #include "common/vision/surface_tracker.h"
-#include "common/vision/tracking_algorithm.h"
 
 namespace puck {
 

@@ -8,11 +8,11 @@
 #include "common/baselines/particle_template.h"
 #include "common/baselines/puck_seed.h"
 #include "common/events/sensor_size.h"
-#include "common/vision/eros_surface.h"
-#include "common/vision/gaussian_blur.h"
+#include "common/vision/correlation/gaussian_blur.h"
+#include "common/vision/interfaces/tracking_algorithm.h"
 #include "common/vision/presets.h"
+#include "common/vision/surface/surface.h"
 #include "common/vision/surface_tracker.h"
-#include "common/vision/tracking_algorithm.h"
 
 namespace puck {
 
@@ -50,7 +50,7 @@ class ParticleFilterEros final : public TrackingAlgorithm {
 
   ParticleFilterErosParams params_;
   PuckSizeModel size_model_;
-  ErosSurface surface_;
+  Surface surface_;
   std::optional<SurfaceTracker> detector_;  // until the puck is detected
 
   ParticleTemplate template_;

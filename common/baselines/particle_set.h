@@ -7,7 +7,7 @@
 #include "common/baselines/particle_template.h"
 #include "common/baselines/uniform_random.h"
 #include "common/events/sensor_size.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

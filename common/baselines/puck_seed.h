@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

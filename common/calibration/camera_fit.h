@@ -4,7 +4,7 @@
 
 #include "common/table/correspondence.h"
 #include "common/table/homography.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

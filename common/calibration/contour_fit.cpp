@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include "common/calibration/median.h"
 #include "common/calibration/robust_sigma.h"
 
 namespace puck {
@@ -63,13 +64,6 @@ class Expectation {
   PuckContour contour_;
 };
 
-double median_of(std::vector<double>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double spread_of(const ContourSamples& samples, const Parameters& p) {
   const Expectation expectation(samples, p);
   std::vector<double> sizes;
@@ -77,7 +71,7 @@ double spread_of(const ContourSamples& samples, const Parameters& p) {
     const double size = std::abs(expectation.residual_of(sample).value_px);
     if (size < kGatePx) sizes.push_back(size);
   }
-  return std::max(kSigmaOfMedian * median_of(sizes), kSmallestSpreadPx);
+  return std::max(kSigmaOfMedian * median(sizes), kSmallestSpreadPx);
 }
 
 // Normal equations N step = g of the linearised, weighted problem.
@@ -166,10 +160,10 @@ void describe(const ContourSamples& samples, const Parameters& p, ContourFit& fi
     speeds.push_back(std::abs(r.normal_speed_px_s));
   }
   fit.events = speeds.size();
-  fit.front_px = median_of(front);
-  fit.back_px = median_of(back);
-  fit.upper_px = median_of(upper);
-  fit.lower_px = median_of(lower);
+  fit.front_px = median(front);
+  fit.back_px = median(back);
+  fit.upper_px = median(upper);
+  fit.lower_px = median(lower);
   const auto fast = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);
   std::nth_element(speeds.begin(), fast, speeds.end());
   fit.fast_px_s = *fast;

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "common/calibration/contour_samples.h"
-#include "common/vision/contour_calibration.h"
+#include "common/vision/contour/contour_calibration.h"
 
 namespace puck {
 

@@ -8,9 +8,9 @@
 #include "common/calibration/truth_motion.h"
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
-#include "common/vision/contour_calibration.h"
-#include "common/vision/puck_contour.h"
-#include "common/vision/puck_size_model.h"
+#include "common/vision/contour/contour_calibration.h"
+#include "common/vision/contour/puck_contour.h"
+#include "common/vision/geometry/puck_size_model.h"
 
 namespace puck {
 

@@ -3,9 +3,9 @@
 #include <span>
 
 #include "common/calibration/size_residuals.h"
-#include "common/vision/annotation.h"
-#include "common/vision/disc_model.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/annotation.h"
+#include "common/vision/geometry/disc_model.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include "common/calibration/median.h"
 #include "common/calibration/refuse.h"
 #include "common/table/puck_motion.h"
 
@@ -155,9 +156,7 @@ class Fitter {
     std::array<double, 2> usual{};
     for (std::size_t i = 0; i < rms.size(); ++i) {
       if (rms[i].empty()) continue;
-      const auto middle = rms[i].begin() + static_cast<std::ptrdiff_t>(rms[i].size() / 2);
-      std::nth_element(rms[i].begin(), middle, rms[i].end());
-      usual[i] = std::max(*middle, kLeastUsualM);
+      usual[i] = std::max(median(rms[i]), kLeastUsualM);
     }
     return usual;
   }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/calibration/median.h"
 #include "common/calibration/robust_sigma.h"
 
 namespace puck {
@@ -38,12 +39,6 @@ struct Fits {
   SizeFit planes;
   DiscFit disc;
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<Annotation> without_rows(const std::vector<NumberedAnnotation>& numbered) {
   std::vector<Annotation> annotations;

@@ -8,8 +8,8 @@
 #include "common/calibration/disc_fit.h"
 #include "common/calibration/size_fit.h"
 #include "common/events/sensor_size.h"
-#include "common/vision/annotation.h"
-#include "common/vision/puck_size_model.h"
+#include "common/vision/geometry/annotation.h"
+#include "common/vision/geometry/puck_size_model.h"
 
 namespace puck {
 

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "common/calibration/size_residuals.h"
-#include "common/vision/annotation.h"
-#include "common/vision/puck_size_model.h"
+#include "common/vision/geometry/annotation.h"
+#include "common/vision/geometry/puck_size_model.h"
 
 namespace puck {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "common/vision/annotation.h"
+#include "common/vision/geometry/annotation.h"
 
 namespace puck {
 

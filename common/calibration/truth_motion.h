@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "common/events/timestamp.h"
-#include "common/vision/pixel.h"
-#include "common/vision/truth_row.h"
+#include "common/vision/geometry/pixel.h"
+#include "common/vision/geometry/truth_row.h"
 
 namespace puck {
 

@@ -8,7 +8,7 @@
 #include "common/evaluation/error_statistics.h"
 #include "common/evaluation/truth_track.h"
 #include "common/events/sensor_size.h"
-#include "common/vision/puck_estimate.h"
+#include "common/vision/interfaces/puck_estimate.h"
 
 namespace puck {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/vision/puck_estimate.h"
+#include "common/vision/interfaces/puck_estimate.h"
 
 namespace puck {
 

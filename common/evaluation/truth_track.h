@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/events/timestamp.h"
-#include "common/vision/truth_row.h"
+#include "common/vision/geometry/truth_row.h"
 
 namespace puck {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/vision/annotation.h"
+#include "common/vision/geometry/annotation.h"
 
 namespace puck {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/vision/contour_calibration.h"
+#include "common/vision/contour/contour_calibration.h"
 
 namespace puck {
 

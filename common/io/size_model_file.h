@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/vision/puck_size_model.h"
+#include "common/vision/geometry/puck_size_model.h"
 
 namespace puck {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/vision/truth_row.h"
+#include "common/vision/geometry/truth_row.h"
 
 namespace puck {
 

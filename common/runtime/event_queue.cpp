@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/vision/region_filter.h"
-
 namespace puck {
 
 EventQueue::EventQueue(std::size_t capacity) {
@@ -18,31 +16,26 @@ EventQueue::EventQueue(std::size_t capacity) {
   slots_.resize(std::bit_ceil(capacity));
 }
 
-std::size_t EventQueue::push(Timestamp start, std::span<const Event> events, const Region& region) {
+void EventQueue::push(Timestamp start, std::span<const Event> events) {
   const std::uint64_t begin = begin_.load(std::memory_order_acquire);
   std::uint64_t end = end_.load(std::memory_order_relaxed);
   const auto space = [&] { return slots_.size() - static_cast<std::size_t>(end - begin); };
-  std::size_t inside = 0;
   std::size_t accepted = 0;
   std::size_t stride = stride_for(space());
-  for_inside(events, region, [&](std::span<const Event> part) {
-    inside += part.size();
-    for (const Event& event : part) {
-      if (++skipped_ < stride) continue;
-      skipped_ = 0;
-      slot(end) = {(start + event.offset_us).us, event};
-      ++end;
-      ++accepted;
-      stride = stride_for(space());
-    }
-  });
-  if (accepted > 0) end_.store(end, std::memory_order_release);
-  if (accepted < inside) {
-    thinned_.store(
-        thinned_.load(std::memory_order_relaxed) + static_cast<std::int64_t>(inside - accepted),
-        std::memory_order_relaxed);
+  for (const Event& event : events) {
+    if (++skipped_ < stride) continue;
+    skipped_ = 0;
+    slot(end) = {(start + event.offset_us).us, event};
+    ++end;
+    ++accepted;
+    stride = stride_for(space());
   }
-  return inside;
+  if (accepted > 0) end_.store(end, std::memory_order_release);
+  if (accepted < events.size()) {
+    thinned_.store(thinned_.load(std::memory_order_relaxed) +
+                       static_cast<std::int64_t>(events.size() - accepted),
+                   std::memory_order_relaxed);
+  }
 }
 
 // The largest power of two that is at most capacity / space.

@@ -8,7 +8,6 @@
 
 #include "common/events/event.h"
 #include "common/events/timestamp.h"
-#include "common/vision/region.h"
 
 namespace puck {
 
@@ -22,9 +21,8 @@ class EventQueue {
   /// two.
   explicit EventQueue(std::size_t capacity);
 
-  /// Event thread only. Accepts the events inside `region`, thinned as space requires; returns the
-  /// number of events inside. Times must not decrease.
-  std::size_t push(Timestamp start, std::span<const Event> events, const Region& region);
+  /// Event thread only. Accepts the events, thinned as space requires. Times must not decrease.
+  void push(Timestamp start, std::span<const Event> events);
 
   /// Safe from any thread. Number of events accepted so far: a position in the stream.
   std::uint64_t end() const { return end_.load(std::memory_order_acquire); }

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "common/runtime/shared_surface.h"
-#include "common/vision/puck_search.h"
-#include "common/vision/surface_snapshot.h"
-#include "common/vision/tracking_pipeline.h"
+#include "common/vision/interfaces/tracking_pipeline.h"
+#include "common/vision/paper/puck_search.h"
+#include "common/vision/surface/surface_snapshot.h"
 
 namespace puck {
 

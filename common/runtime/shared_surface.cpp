@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "common/vision/region_filter.h"
+#include "common/vision/surface/region_filter.h"
 
 namespace puck {
 namespace {
@@ -18,11 +18,12 @@ constexpr int kTriesBeforeYielding = 32;
 
 }  // namespace
 
-SharedSurface::SharedSurface(SensorSize sensor, const ErosParams& params, const Options& options)
+SharedSurface::SharedSurface(SensorSize sensor, const SurfaceParams& params, const Options& options)
     : surface_(sensor, params), roi_only_(options.roi_only) {
+  // Allocates the buffers now.
+  surface_.take(Region::all_of(sensor), taken_);
   if (!options.keeps_fresh) return;
   fresh_.emplace(sensor);
-  // Allocates the buffer now.
   fresh_->copy_rows({}, taken_fresh_);
 }
 
@@ -37,14 +38,13 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
     surface_.update(packet.start, batch);
     if (fresh_) fresh_->take(packet.start, batch);
     applied += batch.size();
-    const bool queued = !queued_.empty() && queue_.push(packet.start, batch, queued_) > 0;
-    const bool watches_all = watched_.empty() && queued_.empty();
-    if (queued || watches_all || any_inside(batch, watched_)) report_news(wakes);
+    if (queues_) queue_.push(packet.start, batch);
+    if (queues_ || watched_.empty() || any_inside(batch, watched_)) report_news(wakes);
     if (requested_.load(std::memory_order_acquire)) serve(&packet, applied);
   }
 }
 
-void SharedSurface::snapshot(const Region& region, const Region& events, SharedSnapshot& out) {
+void SharedSurface::snapshot(const Region& region, bool events, SharedSnapshot& out) {
   request({.region = region, .events = events, .snapshot = &out});
   surface_.develop(taken_, out.surface);
 }
@@ -97,7 +97,7 @@ void SharedSurface::wake() {
 
 void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
   if (request_.snapshot != nullptr && roi_only_) {
-    const Region asked = request_.region.united(request_.events);
+    const Region asked = request_.events ? Region{} : request_.region;
     surface_.keep_only(asked.empty() ? Region::all_of(size()) : asked);
   }
   surface_.take(request_.region, taken_);
@@ -107,7 +107,7 @@ void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
     // Cleared under the lock, so that events after the copy count as news again.
     news_.store(false, std::memory_order_release);
     watched_ = request_.region;
-    queued_ = request_.events;
+    queues_ = request_.events;
     out.events_end = queue_.end();
     out.origin = origin_;
     out.backlog_us = 0;

@@ -12,10 +12,10 @@
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
 #include "common/runtime/event_queue.h"
-#include "common/vision/eros_surface.h"
-#include "common/vision/fresh_pixels.h"
-#include "common/vision/region.h"
-#include "common/vision/surface_snapshot.h"
+#include "common/vision/geometry/region.h"
+#include "common/vision/surface/fresh_pixels.h"
+#include "common/vision/surface/surface.h"
+#include "common/vision/surface/surface_snapshot.h"
 
 namespace puck {
 
@@ -56,7 +56,7 @@ struct SharedSnapshot {
 /// thread requests a region of it. The event thread serves a request between two batches of events;
 /// while it is idle, the tracking thread serves itself. So neither waits for longer than it takes
 /// to apply a batch or to copy a region. The copies hold counts, which the tracking thread converts
-/// to grey values. Single events of a requested region are passed in a queue.
+/// to grey values. Single events, if requested, are passed in a queue.
 ///
 /// A tracking step runs on the tracking thread, or on the event thread between two updates, one at
 /// a time under TrackingThread's lock: the stepping thread is the thread that holds it.
@@ -67,31 +67,33 @@ class SharedSurface {
   static constexpr std::size_t kQueuedEvents = 8192;
 
   struct Options {
-    /// Updates only the regions of the last snapshot, or the whole surface while both are empty.
+    /// Updates only the region of the last snapshot, or the whole surface if that region is empty
+    /// or events are requested.
     bool roi_only = false;
     /// Allows `fresh_only` copies.
     bool keeps_fresh = true;
   };
-  SharedSurface(SensorSize sensor, const ErosParams& params, const Options& options);
-  SharedSurface(SensorSize sensor, const ErosParams& params)
+  SharedSurface(SensorSize sensor, const SurfaceParams& params, const Options& options);
+  SharedSurface(SensorSize sensor, const SurfaceParams& params)
       : SharedSurface(sensor, params, Options{}) {}
 
   SensorSize size() const { return surface_.size(); }
 
   /// Event thread only. Applies a packet, which must not be empty, and serves requests meanwhile.
-  /// With `wakes`, wakes the tracking thread when an event lies in the last requested region;
-  /// without it, the caller must poll `has_news()` or call `wake()`.
+  /// With `wakes`, wakes the tracking thread when an event is news; without it, the caller must
+  /// poll `has_news()` or call `wake()`.
   void update(const EventPacket& packet, const PacketOrigin& origin, bool wakes = true);
 
-  /// Safe from any thread. Whether events have arrived in the watched regions since the last copy.
+  /// Safe from any thread. Whether events have arrived in the watched region since the last
+  /// snapshot.
   bool has_news() const { return news_.load(std::memory_order_acquire); }
 
-  /// Stepping thread only. Copies `region`. From then on the events in `events` go to the queue,
-  /// and both regions are watched; if both are empty, the whole sensor is.
-  void snapshot(const Region& region, const Region& events, SharedSnapshot& out);
+  /// Stepping thread only. Copies `region`. From then on that region is watched, or the whole
+  /// sensor if it is empty; with `events`, all events go to the queue and are news.
+  void snapshot(const Region& region, bool events, SharedSnapshot& out);
 
   /// Stepping thread only. Copies `part`, which must lie inside `out`'s region and picture, to its
-  /// place in `out`, with the stamps of this copy. The watched regions do not change. `fresh_only`
+  /// place in `out`, with the stamps of this copy. The watched region does not change. `fresh_only`
   /// needs Options::keeps_fresh: pixels that have not fired recently are dark.
   void copy_part(const Region& part, bool fresh_only, SurfaceSnapshot& out);
 
@@ -100,7 +102,7 @@ class SharedSurface {
     return queue_.pop(until, most, out);
   }
 
-  /// Safe from any thread. Events of requested regions that the queue dropped.
+  /// Safe from any thread. Requested events that the queue dropped.
   std::int64_t events_thinned() const { return queue_.thinned(); }
 
   /// Tracking thread only, between steps. Sleeps until there is news, `timeout` has passed or
@@ -125,7 +127,7 @@ class SharedSurface {
   // A request of the stepping thread: a snapshot, or a part of one.
   struct Request {
     Region region;
-    Region events;
+    bool events = false;
     SharedSnapshot* snapshot = nullptr;  // nullptr: a part, without the queue's and packet's state.
     bool fresh_only = false;
   };
@@ -137,12 +139,12 @@ class SharedSurface {
   // Held by the event thread while it applies a packet, and by the stepping thread while it serves
   // itself.
   std::mutex surface_mutex_;
-  ErosSurface surface_;               // Guarded by surface_mutex_.
+  Surface surface_;                   // Guarded by surface_mutex_.
   std::optional<FreshPixels> fresh_;  // Guarded by surface_mutex_.
   const bool roi_only_;
   PacketOrigin origin_;  // Guarded by surface_mutex_.
-  Region watched_;       // Guarded by surface_mutex_.
-  Region queued_;        // Guarded by surface_mutex_. Both empty: the whole sensor is watched.
+  Region watched_;       // Guarded by surface_mutex_. Empty: the whole sensor.
+  bool queues_ = false;  // Guarded by surface_mutex_. Events go to the queue; all of them are news.
   EventQueue queue_{kQueuedEvents};
 
   // Written by the stepping thread before it sets `requested_` (release), served by the holder of

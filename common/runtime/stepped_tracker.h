@@ -6,8 +6,8 @@
 #include "common/events/sensor_size.h"
 #include "common/runtime/shared_surface.h"
 #include "common/runtime/tracking_thread.h"
-#include "common/vision/puck_pipeline.h"
-#include "common/vision/puck_size_model.h"
+#include "common/vision/geometry/puck_size_model.h"
+#include "common/vision/make_pipeline.h"
 #include "common/vision/surface_tracker.h"
 
 namespace puck {

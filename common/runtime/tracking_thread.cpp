@@ -5,8 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "common/vision/event_pieces.h"
-#include "common/vision/region_filter.h"
+#include "common/vision/interfaces/event_pieces.h"
 
 namespace puck {
 namespace {
@@ -45,7 +44,6 @@ TrackingThread::TrackingThread(SharedSurface& surface, std::unique_ptr<TrackingP
       publish_period_(publish_period(params)),
       publish_(std::move(publish)) {
   events_.reserve(kQueueBatchEvents);
-  wanted_.reserve(kQueueBatchEvents);
   snapshot_.surface.grey.reserve(surface.size().width, surface.size().height);
   next_publish_ = Clock::now();
   heartbeat_due_ = next_publish_;
@@ -132,7 +130,7 @@ void TrackingThread::make_step(microseconds longest_take) {
 void TrackingThread::look(microseconds longest_take) {
   newest_.tracking_started = system_clock::now();
   const auto began = Clock::now();
-  surface_.snapshot(pipeline_->region_needed(), pipeline_->events_needed(), snapshot_);
+  surface_.snapshot(pipeline_->region_needed(), pipeline_->needs_events(), snapshot_);
   look_requested_ = false;
   const bool is_all_taken = take_events(longest_take);
   if (!is_all_taken) look_requested_ = true;
@@ -152,7 +150,7 @@ void TrackingThread::look(microseconds longest_take) {
     publish_from_ = began + publish_period_ / 2;
   }
   unpublished_ = true;
-  if (pipeline_->region_needed().empty() && pipeline_->events_needed().empty()) {
+  if (pipeline_->region_needed().empty() && !pipeline_->needs_events()) {
     next_look_ = Clock::now() + std::min(publish_period_, kIdlePeriod);
   }
 }
@@ -166,11 +164,7 @@ bool TrackingThread::take_events(microseconds longest_take) {
     if (events_.empty()) return true;
     for_each_piece(start, events_, pipeline_->decision_period_us(),
                    [&](std::span<const Event> piece) {
-                     // The region may have moved since the queue accepted these events.
-                     const Region region = pipeline_->events_needed();
-                     keep_inside(piece, region, wanted_);
-                     if (wanted_.empty()) return;
-                     pipeline_->take(start, wanted_);
+                     pipeline_->take(start, piece);
                      begin_search_if_wanted();
                    });
     if (Clock::now() >= time_up) {

@@ -10,8 +10,8 @@
 
 #include "common/runtime/search_worker.h"
 #include "common/runtime/shared_surface.h"
-#include "common/vision/puck_search.h"
-#include "common/vision/tracking_pipeline.h"
+#include "common/vision/interfaces/tracking_pipeline.h"
+#include "common/vision/paper/puck_search.h"
 
 namespace puck {
 
@@ -99,7 +99,6 @@ class TrackingThread {
 
   SharedSnapshot snapshot_;
   std::vector<Event> events_;    // A batch from the queue.
-  std::vector<Event> wanted_;    // Those of a piece that lie in the region.
   bool look_requested_ = false;  // Look even without news.
   Clock::time_point next_look_;  // Earliest time of the next look.
   Clock::time_point urgently_searched_;

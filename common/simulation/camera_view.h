@@ -8,7 +8,7 @@
 #include "common/simulation/simulated_truth.h"
 #include "common/simulation/vector3.h"
 #include "common/table/homography.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

@@ -13,7 +13,7 @@
 #include "common/simulation/light_params.h"
 #include "common/simulation/random.h"
 #include "common/simulation/sensor_readout.h"
-#include "common/vision/image.h"
+#include "common/vision/geometry/image.h"
 
 namespace puck {
 

@@ -6,7 +6,7 @@
 #include "common/events/sensor_size.h"
 #include "common/simulation/camera_view.h"
 #include "common/simulation/static_scene.h"
-#include "common/vision/image.h"
+#include "common/vision/geometry/image.h"
 
 namespace puck {
 

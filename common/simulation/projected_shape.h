@@ -6,8 +6,8 @@
 #include "common/simulation/convex_outline.h"
 #include "common/simulation/vector3.h"
 #include "common/table/table_point.h"
-#include "common/vision/pixel.h"
-#include "common/vision/region.h"
+#include "common/vision/geometry/pixel.h"
+#include "common/vision/geometry/region.h"
 
 namespace puck {
 

@@ -9,8 +9,8 @@
 #include "common/simulation/event_sensor.h"
 #include "common/simulation/panorama.h"
 #include "common/simulation/row_blend.h"
-#include "common/vision/image.h"
-#include "common/vision/region.h"
+#include "common/vision/geometry/image.h"
+#include "common/vision/geometry/region.h"
 
 namespace puck {
 

@@ -10,7 +10,7 @@
 #include "common/simulation/simulation_params.h"
 #include "common/table/homography.h"
 #include "common/table/table_camera.h"
-#include "common/vision/image.h"
+#include "common/vision/geometry/image.h"
 
 namespace puck {
 

@@ -5,7 +5,7 @@
 #include "common/events/timestamp.h"
 #include "common/table/head_pose.h"
 #include "common/table/table_point.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

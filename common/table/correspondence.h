@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/table/table_point.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

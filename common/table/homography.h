@@ -5,7 +5,7 @@
 
 #include "common/table/matrix3.h"
 #include "common/table/table_point.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

@@ -6,7 +6,7 @@
 #include "common/table/head_pose.h"
 #include "common/table/homography.h"
 #include "common/table/table_view.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

@@ -5,7 +5,7 @@
 #include "common/table/homography.h"
 #include "common/table/matrix4.h"
 #include "common/table/puck_track.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck {
 

@@ -1,8 +1,10 @@
 #include "common/vision/make_pipeline.h"
 
-#include "common/vision/contour_pipeline.h"
-#include "common/vision/evidence_pipeline.h"
-#include "common/vision/puck_detector.h"
+#include <stdexcept>
+#include <string>
+
+#include "common/vision/hypotheses/evidence_pipeline.h"
+#include "common/vision/paper/puck_detector.h"
 
 namespace puck {
 
@@ -10,12 +12,15 @@ std::unique_ptr<TrackingPipeline> make_pipeline(SensorSize sensor, const Pipelin
                                                 const PuckSizeModel& size_model) {
   const PuckSizeModel sizes = params.sizes_of(size_model);
   const Region region = detection_region(sensor, params.detector);
-  if (params.weighs_evidence) {
-    return std::make_unique<EvidencePipeline>(
-        sensor, EvidencePipelineParams{.calibration = params.contour.calibration}, region, sizes);
-  }
   if (params.follows_contour) {
-    return std::make_unique<ContourPipeline>(sensor, params.contour, region, sizes);
+    if (params.surface != SurfaceKind::kEros) {
+      throw std::invalid_argument(std::string("tracker.surface: preset default needs eros; ") +
+                                  "correlation, paper and reference also take " +
+                                  to_string(params.surface));
+    }
+    return std::make_unique<EvidencePipeline>(
+        sensor, EvidencePipelineParams{.calibration = params.contour, .evidence = params.evidence},
+        region, sizes);
   }
   return std::make_unique<PuckPipeline>(sensor, params, sizes);
 }

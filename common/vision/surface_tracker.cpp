@@ -2,9 +2,7 @@
 
 #include <utility>
 
-#include "common/vision/event_pieces.h"
-#include "common/vision/make_pipeline.h"
-#include "common/vision/region_filter.h"
+#include "common/vision/interfaces/event_pieces.h"
 
 namespace puck {
 
@@ -15,12 +13,12 @@ SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
 SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
                                const PuckSizeModel& size_model,
                                std::unique_ptr<TrackingPipeline> pipeline)
-    : surface_(sensor, params.eros),
+    : surface_(sensor, params.surface_params()),
       pipeline_(std::move(pipeline)),
       search_(sensor, params, size_model),
       roi_only_(params.roi_only),
       search_delay_us_(params.search_delay_us) {
-  if (params.searches_fresh()) fresh_.emplace(sensor);
+  if (params.follows_contour) fresh_.emplace(sensor);
 }
 
 void SurfaceTracker::update(const EventPacket& packet) {
@@ -38,7 +36,7 @@ PuckEstimate SurfaceTracker::step() {
   surface_.snapshot(pipeline_->region_needed(), snapshot_);
   const PuckEstimate estimate = pipeline_->step(snapshot_);
   if (roi_only_) {
-    const Region next = pipeline_->region_needed().united(pipeline_->events_needed());
+    const Region next = pipeline_->needs_events() ? Region{} : pipeline_->region_needed();
     surface_.keep_only(next.empty() ? Region::all_of(surface_.size()) : next);
   }
   return estimate;
@@ -47,11 +45,8 @@ PuckEstimate SurfaceTracker::step() {
 void SurfaceTracker::take(Timestamp start, std::span<const Event> piece) {
   surface_.update(start, piece);
   if (fresh_) fresh_->take(start, piece);
-  const Region region = pipeline_->events_needed();
-  if (region.empty()) return;
-  keep_inside(piece, region, wanted_);
-  if (wanted_.empty()) return;
-  pipeline_->take(start, wanted_);
+  if (!pipeline_->needs_events()) return;
+  pipeline_->take(start, piece);
   search_if_wanted();
 }
 

@@ -3,14 +3,13 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
-#include "common/vision/eros_surface.h"
-#include "common/vision/fresh_pixels.h"
-#include "common/vision/puck_pipeline.h"
-#include "common/vision/puck_search.h"
-#include "common/vision/tracking_algorithm.h"
-#include "common/vision/tracking_pipeline.h"
+#include "common/vision/interfaces/tracking_algorithm.h"
+#include "common/vision/interfaces/tracking_pipeline.h"
+#include "common/vision/make_pipeline.h"
+#include "common/vision/paper/puck_search.h"
+#include "common/vision/surface/fresh_pixels.h"
+#include "common/vision/surface/surface.h"
 
 namespace puck {
 
@@ -35,7 +34,7 @@ class SurfaceTracker final : public TrackingAlgorithm {
   PuckEstimate step();
   bool search_if_wanted();
 
-  ErosSurface surface_;
+  Surface surface_;
   std::optional<FreshPixels> fresh_;  // where searches ask for it
   std::unique_ptr<TrackingPipeline> pipeline_;
   PuckSearch search_;
@@ -45,7 +44,6 @@ class SurfaceTracker final : public TrackingAlgorithm {
   SurfaceSnapshot searched_;
   FreshRows searched_fresh_;
   std::optional<SearchResult> unanswered_;
-  std::vector<Event> wanted_;
 };
 
 }  // namespace puck

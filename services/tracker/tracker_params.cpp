@@ -6,14 +6,27 @@
 #include <string_view>
 
 #include "common/io/contour_calibration_file.h"
+#include "common/io/evidence_file.h"
 #include "common/io/pixel_mask_file.h"
 #include "common/io/size_model_file.h"
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
 
 namespace puck {
 namespace {
 
 constexpr std::array<std::string_view, 4> kPresets{"default", "correlation", "paper", "reference"};
+
+void read_surface(Config& config, PipelineParams& pipeline) {
+  std::string name = to_string(pipeline.surface);
+  config.read_choice("tracker.surface", name, kSurfaceNames);
+  pipeline.surface = surface_kind_from(name).value();
+  if (pipeline.follows_contour && pipeline.surface != SurfaceKind::kEros) {
+    config.fail("tracker.surface",
+                "of preset \"default\" must be \"eros\"; \"correlation\", \"paper\" and "
+                "\"reference\" take the others");
+  }
+}
 
 void read_detection_region(Config& config, Region& region) {
   std::array<double, 4> numbers{static_cast<double>(region.x), static_cast<double>(region.y),
@@ -44,6 +57,7 @@ TrackerServiceParams read_tracker_params(Config& config) {
   params.pipeline = preset_params(preset_from(preset).value());
 
   PipelineParams& pipeline = params.pipeline;
+  read_surface(config, pipeline);
   config.read("tracker.half_width_px", pipeline.eros.half_width_px, 1, 8);
   config.read("tracker.decay", pipeline.eros.decay, 0.01, 0.999);
   config.read("tracker.roi_only", pipeline.roi_only);
@@ -55,7 +69,6 @@ TrackerServiceParams read_tracker_params(Config& config) {
   config.read("tracker.lowest_score", pipeline.loss.lowest_score, 0, 1);
   config.read("tracker.lowest_start_score", pipeline.loss.lowest_start_score, 0, 1);
   read_milliseconds(config, "tracker.coast_ms", pipeline.loss.coast_us);
-  pipeline.contour.coast_us = pipeline.loss.coast_us;
   read_milliseconds(config, "tracker.search_period_ms", pipeline.loss.search_period_us);
   config.read("tracker.reproducible", params.reproducible);
   config.read("tracker.max_publish_hz", params.thread.max_publish_hz, 1, 100'000);
@@ -66,8 +79,16 @@ TrackerServiceParams read_tracker_params(Config& config) {
       size_model.empty() ? authors_static_size_model() : read_size_model_file(size_model);
   params.has_own_size_model = !size_model.empty();
   if (params.has_own_size_model) {
-    pipeline.contour.calibration =
-        read_contour_calibration(size_model).value_or(ContourCalibration{});
+    pipeline.contour = read_contour_calibration(size_model).value_or(ContourCalibration{});
+  }
+
+  std::string evidence;
+  config.read("tracker.evidence", evidence);
+  if (!evidence.empty()) {
+    if (preset != "default") {
+      config.fail("tracker.evidence", "must be \"\", except for preset \"default\"");
+    }
+    pipeline.evidence = read_evidence_file(evidence);
   }
 
   std::string hot_pixel_mask;

@@ -5,8 +5,8 @@
 #include "common/events/pixel_mask.h"
 #include "common/io/config.h"
 #include "common/runtime/tracking_thread.h"
-#include "common/vision/puck_pipeline.h"
-#include "common/vision/puck_size_model.h"
+#include "common/vision/geometry/puck_size_model.h"
+#include "common/vision/make_pipeline.h"
 
 namespace puck {
 
@@ -16,7 +16,7 @@ struct TrackerServiceParams {
   bool has_own_size_model = false;  ///< From tracker.size_model; else that of the paper's authors.
   PixelMask hot_pixels;
   TrackingThreadParams thread;
-  bool reproducible = false;  ///< Key tracker.reproducible: SteppedTrack, one thread.
+  bool reproducible = false;  ///< Key tracker.reproducible: SteppedTracker, one thread.
 };
 
 /// Reads the keys of [tracker]. The preset gives the defaults of all other keys. Throws

@@ -1,16 +1,15 @@
 #include "services/tracker/tracker_service.h"
 
-#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include <spdlog/fmt/fmt.h>
 
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/host_time.h"
+#include "common/messaging/single_publisher.h"
 #include "common/messaging/wire_layout.h"
 #include "common/runtime/scheduling.h"
 #include "common/vision/surface_tracker.h"
@@ -21,14 +20,10 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kHandle{20};
-constexpr std::int64_t kSilentUs = 1'000'000;
 // STATUS reports an overload for this time after its end.
 constexpr std::int64_t kFloodToldUs = 1'000'000;
 // A camera has noise in a still scene, too; after a longer silence it may be dead.
 constexpr milliseconds kRestEnds{500};
-// Packets overlap by less; a larger step back is a restarted clock. Accepted at most once in this
-// time, so that jumping clocks do not keep the tracker busy.
-constexpr std::int64_t kClockRestartedUs = 1'000'000;
 // An older packet, by its camera's clock, comes from a replayed log.
 constexpr std::int64_t kLiveUs = 200'000;
 
@@ -44,7 +39,7 @@ StatusLatency named(const char* name, const LatencyHistogram& histogram) {
 }  // namespace
 
 TrackerService::TrackerService(const TrackerServiceParams& params, ServiceContext& context)
-    : params_(params), context_(context) {
+    : params_(params), context_(context), intake_(!params.reproducible) {
   context_.peers.need({"puck-camera"});
   // Invalid parameters must fail at the start, not with the first packet. The trial uses the
   // largest sensor, since the limits of the detection region are not known yet.
@@ -59,150 +54,108 @@ void TrackerService::run(std::stop_token stop) {
   take_short_turns();
   while (!stop.stop_requested()) {
     context_.bus.handle(kHandle);
-    take_held();
-    if (track_) track_->poll();
+    if (const auto* held = intake_.release()) take(held->packet, held->receipt);
+    if (stepped_) stepped_->poll();
     watch_input();
-    count_thinned();
     poll_status(context_, *this);
   }
-  count_thinned();
-  track_.reset();
+  end_track();
 }
 
 void TrackerService::receive(const EventPacketView& packet, const Receipt& receipt) {
-  switch (publisher_.hear(packet.session, packet.seq, receipt.monotonic_us)) {
-    case SinglePublisher::Verdict::kOtherPublisher:
-      ++others_packets_;
+  const std::int64_t skipped_before = intake_.counters().packets_skipped;
+  const PacketIntake::Verdict verdict = intake_.admit(packet, receipt, host_monotonic_us());
+  if (intake_.counters().packets_skipped > skipped_before) {
+    context_.limited_log.warn("events",
+                              "overload: packets are skipped to keep up with the newest events");
+  }
+  switch (verdict) {
+    case PacketIntake::Verdict::kBegin:
+      end_track();
+      [[fallthrough]];
+    case PacketIntake::Verdict::kTake:
+      take(packet, receipt);
+      break;
+    case PacketIntake::Verdict::kUnfit:
+      context_.limited_log.warn("events",
+                                "dropped a packet: other sensor size, or older than the newest "
+                                "event");
+      break;
+    case PacketIntake::Verdict::kOtherPublisher:
       context_.limited_log.warn("events", "ignores a second publisher of events: " +
                                               context_.peers.name_of(packet.session) + ", at " +
                                               to_string(receipt.sender));
-      return;
-    case SinglePublisher::Verdict::kLate:
-      if (!publisher_.is_silent(receipt.monotonic_us)) {
-        packets_.add(packet.session, packet.seq, packet.events_before, packet.count);
-        ++dropped_packets_;
-        return;
-      }
-      // Old numbers after a silence: a log is replayed.
-      publisher_ = {};
-      publisher_.hear(packet.session, packet.seq, receipt.monotonic_us);
-      begin(packet, receipt);
       break;
-    case SinglePublisher::Verdict::kNewPublisher:
-      begin(packet, receipt);
+    case PacketIntake::Verdict::kHeld:
+    case PacketIntake::Verdict::kLate:
       break;
-    case SinglePublisher::Verdict::kAccepted:
-      if (!track_ || clock_began_anew(packet, receipt)) begin(packet, receipt);
-      break;
-  }
-  packets_.add(packet.session, packet.seq, packet.events_before, packet.count);
-  if (SensorSize{packet.width, packet.height} != sensor_ ||
-      packet.first_event_us < newest_event_.us) {
-    ++dropped_packets_;
-    context_.limited_log.warn("events",
-                              "dropped a packet: other sensor size, or older than the newest "
-                              "event");
-    return;
-  }
-  heard_us_ = receipt.monotonic_us;
-  skip_held();
-  if (!params_.reproducible && catch_up_.leaves_out(receipt.monotonic_us, host_monotonic_us())) {
-    hold(packet, receipt);
-  } else {
-    take(packet, receipt);
   }
 }
 
 void TrackerService::take(const EventPacketView& packet, const Receipt& receipt) {
+  if (!live_ && !stepped_) begin_track(packet);
   unpack(packet, events_);
-  events_received_ += packet.count;
   if (masks_hot_pixels_) events_masked_ += params_.hot_pixels.remove_from(events_);
   if (events_.empty()) return;
 
   PacketOrigin origin = origin_of(packet, receipt);
   if (!origin.is_live) ++packets_not_live_;
-  // Time in whole packets that waited behind this one while it waited itself.
-  const std::int64_t waited_us = host_monotonic_us() - receipt.monotonic_us;
-  const std::int64_t length_us = std::max<std::int64_t>(1, events_.newest() - newest_event_);
-  origin.queued_us = waited_us / length_us * length_us;
-  newest_event_ = events_.newest();
-  watch_.expect(newest_event_, origin.received);
-  track_->update(events_, origin, receipt.more_waiting);
+  origin.queued_us =
+      intake_.note_taken(events_.newest(), receipt.monotonic_us, host_monotonic_us());
+  watch_.expect(events_.newest(), origin.received);
+  if (live_) {
+    live_->update(events_, origin, receipt.more_waiting);
+  } else {
+    stepped_->update(events_, origin);
+  }
 }
 
-// A packet is skipped only when another one comes, since the newest matters most. Until then it is
-// kept without unpacking, so that a queue is skipped quickly.
-void TrackerService::hold(const EventPacketView& packet, const Receipt& receipt) {
-  held_data_.assign(packet.data.begin(), packet.data.end());
-  held_packet_ = packet;
-  held_packet_.data = held_data_;
-  held_receipt_ = receipt;
-  holds_packet_ = true;
-}
-
-void TrackerService::skip_held() {
-  if (!std::exchange(holds_packet_, false)) return;
-  events_received_ += held_packet_.count;
-  events_skipped_ += held_packet_.count;
-  ++packets_skipped_;
-  skipped_us_ = host_monotonic_us();
-  context_.limited_log.warn("events",
-                            "overload: packets are skipped to keep up with the newest events");
-}
-
-void TrackerService::take_held() {
-  if (std::exchange(holds_packet_, false)) take(held_packet_, held_receipt_);
-}
-
-bool TrackerService::clock_began_anew(const EventPacketView& packet, const Receipt& receipt) const {
-  return packet.first_event_us < newest_event_.us - kClockRestartedUs &&
-         receipt.monotonic_us - began_us_ > kClockRestartedUs;
-}
-
-void TrackerService::begin(const EventPacketView& packet, const Receipt& receipt) {
-  track_.reset();
-  began_us_ = receipt.monotonic_us;
-  sensor_ = {packet.width, packet.height};
-  newest_event_ = {packet.first_event_us};
+void TrackerService::begin_track(const EventPacketView& packet) {
+  const SensorSize sensor{packet.width, packet.height};
   published_event_ = {-1};
-  packets_ = {};
-  catch_up_ = {};
-  holds_packet_ = false;
   watch_.clear();
-  packets_skipped_ = 0;
   packets_not_live_ = 0;
-  events_skipped_ = 0;
-  dropped_packets_ = 0;
-  events_received_ = 0;
   events_thinned_ = 0;
   events_masked_ = 0;
   context_.log.info(fmt::format("following events of session {}, sensor {}x{}", packet.session,
                                 packet.width, packet.height));
-  check_calibration();
+  check_calibration(sensor);
   PipelineParams pipeline = params_.pipeline;
   const Region& wanted = pipeline.detector.region;
-  if (!wanted.empty() && wanted.intersect(Region::all_of(sensor_)).empty()) {
+  if (!wanted.empty() && wanted.intersect(Region::all_of(sensor)).empty()) {
     context_.log.error("tracker.detection_region lies outside the sensor; searching all of it");
     pipeline.detector.region = {};
   }
-  track_ = make_track(sensor_, pipeline, params_,
-                      [this](const TrackedEstimate& tracked) { publish(tracked); });
+  const auto publish_it = [this, sensor](const TrackedEstimate& tracked) {
+    publish(tracked, sensor);
+  };
+  if (params_.reproducible) {
+    stepped_.emplace(sensor, pipeline, params_.size_model, params_.thread, publish_it);
+  } else {
+    live_.emplace(sensor, pipeline, params_.size_model, params_.thread, publish_it);
+  }
+}
+
+void TrackerService::end_track() {
+  if (live_) events_thinned_ = live_->events_thinned();
+  live_.reset();
+  stepped_.reset();
 }
 
 // A camera without matching calibration is tracked as well as possible.
-void TrackerService::check_calibration() {
+void TrackerService::check_calibration(SensorSize sensor) {
   if (!params_.has_own_size_model) {
     context_.log.warn(
         "tracker.size_model is empty: the puck's size is that of the paper authors' table; name a "
         "file made by puck-calibrate size");
   }
   const PuckSizeModel sizes = params_.pipeline.sizes_of(params_.size_model);
-  for (const std::string& doubt : doubts_about(sizes, sensor_)) {
+  for (const std::string& doubt : doubts_about(sizes, sensor)) {
     context_.log.warn("tracker.size_model: " + doubt);
   }
   masks_hot_pixels_ = true;
   try {
-    params_.hot_pixels.check_sensor(sensor_, "tracker.hot_pixel_mask");
+    params_.hot_pixels.check_sensor(sensor, "tracker.hot_pixel_mask");
   } catch (const std::invalid_argument& error) {
     masks_hot_pixels_ = false;
     context_.log.error(std::string(error.what()) + ": the mask is ignored");
@@ -224,14 +177,16 @@ PacketOrigin TrackerService::origin_of(const EventPacketView& packet,
   origin.received_utime = receipt.utime;
   origin.received =
       std::chrono::steady_clock::time_point(std::chrono::microseconds(receipt.monotonic_us));
-  const LossCounters& counters = packets_.counters();
-  origin.counters = {counters.received,   counters.lost,   dropped_packets_,     rejected_packets_,
-                     counters.items_lost, events_skipped_, packet.events_dropped};
+  const LossCounters& losses = intake_.losses();
+  const PacketIntake::Counters& counters = intake_.counters();
+  origin.counters = {losses.received,      losses.lost,       counters.packets_dropped,
+                     rejected_packets_,    losses.items_lost, counters.events_skipped,
+                     packet.events_dropped};
   return origin;
 }
 
-void TrackerService::publish(const TrackedEstimate& tracked) {
-  puck_estimate_t message = to_message(tracked.estimate, sensor_);
+void TrackerService::publish(const TrackedEstimate& tracked, SensorSize sensor) {
+  puck_estimate_t message = to_message(tracked.estimate, sensor);
   const PacketOrigin& origin = tracked.origin;
   message.events_session = origin.session;
   // After the camera has fallen silent, a resting puck may have moved.
@@ -275,11 +230,12 @@ void TrackerService::publish(const TrackedEstimate& tracked) {
 
 void TrackerService::watch_input() {
   rejected_packets_ = context_.bus.counters<EventPacketView>().rejected;
-  if (heard_us_ == 0) {
+  const std::int64_t now_us = host_monotonic_us();
+  if (intake_.heard_us() == 0) {
     context_.status.set_state(ServiceState::kWaiting, "for events");
-  } else if (host_monotonic_us() - heard_us_ > kSilentUs) {
+  } else if (now_us - intake_.heard_us() > SinglePublisher::kSilentAfterUs) {
     context_.status.set_state(ServiceState::kWaiting, "for events: none for 500 ms");
-  } else if (skipped_us_ != 0 && host_monotonic_us() - skipped_us_ < kFloodToldUs) {
+  } else if (intake_.skipped_us() != 0 && now_us - intake_.skipped_us() < kFloodToldUs) {
     context_.status.set_state(ServiceState::kDegraded,
                               "overload: more events arrive than can be processed");
   } else {
@@ -287,25 +243,22 @@ void TrackerService::watch_input() {
   }
 }
 
-void TrackerService::count_thinned() {
-  if (track_) events_thinned_ = track_->events_thinned();
-}
-
 void TrackerService::report(StatusReport& report) const {
-  const LossCounters& counters = packets_.counters();
+  const LossCounters& losses = intake_.losses();
+  const PacketIntake::Counters& counters = intake_.counters();
   report.counters = {
-      {"events_received", events_received_},
+      {"events_received", counters.events_received},
       {"events_masked", events_masked_},
-      {"packets_received", counters.received},
-      {"packets_lost", counters.lost},
-      {"packets_late", dropped_packets_},
+      {"packets_received", losses.received},
+      {"packets_lost", losses.lost},
+      {"packets_late", counters.packets_dropped},
       {"packets_rejected", rejected_packets_},
-      {"packets_skipped", packets_skipped_},
-      {"packets_of_others", others_packets_},
+      {"packets_skipped", counters.packets_skipped},
+      {"packets_of_others", counters.packets_of_others},
       {"packets_not_live", packets_not_live_},
-      {"events_lost", counters.items_lost},
-      {"events_skipped", events_skipped_},
-      {"events_thinned", events_thinned_},
+      {"events_lost", losses.items_lost},
+      {"events_skipped", counters.events_skipped},
+      {"events_thinned", live_ ? live_->events_thinned() : events_thinned_},
       {"estimates", context_.bus.counters<puck_estimate_t>().published},
   };
   report.latencies = {named("packet_to_look", packet_to_look_),

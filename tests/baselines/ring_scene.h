@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/events/event_packet.h"
-#include "common/vision/pixel.h"
-#include "common/vision/puck_size_model.h"
-#include "common/vision/tracking_algorithm.h"
+#include "common/vision/geometry/pixel.h"
+#include "common/vision/geometry/puck_size_model.h"
+#include "common/vision/interfaces/tracking_algorithm.h"
 #include "tests/vision/puck_picture.h"
 
 namespace puck::test {

@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "common/vision/eros_surface.h"
+#include "common/vision/surface/surface.h"
 #include "tests/bench/bench_streams.h"
 #include "tests/bench/eros_plain.h"
 #include "tests/bench/eros_textbook.h"
@@ -15,8 +15,8 @@ namespace {
 constexpr double kDecay = 0.786;
 
 // One iteration applies one part of the stream; items are events.
-template <typename Surface>
-void apply_stream(benchmark::State& state, const BenchEvents& stream, Surface& surface) {
+template <typename AnySurface>
+void apply_stream(benchmark::State& state, const BenchEvents& stream, AnySurface& surface) {
   BenchParts parts(stream.packet.events);
   for (auto _ : state) {
     surface.update(parts.next());
@@ -27,7 +27,7 @@ void apply_stream(benchmark::State& state, const BenchEvents& stream, Surface& s
 
 void ours(benchmark::State& state, BenchStream name, int half_width) {
   const BenchEvents stream = load(name);
-  ErosSurface surface(stream.sensor, {.half_width_px = half_width, .decay = kDecay});
+  Surface surface(stream.sensor, ErosParams{.half_width_px = half_width, .decay = kDecay});
   apply_stream(state, stream, surface);
 }
 

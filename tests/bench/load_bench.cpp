@@ -42,7 +42,7 @@ class Load {
         std::filesystem::path(PUCK_SOURCE_DIR) / "config/calibration/simulated_size.toml";
     size_model_ = read_size_model_file(calibration);
     if (const auto contour = read_contour_calibration(calibration)) {
-      params_.contour.calibration = *contour;
+      params_.contour = *contour;
     }
     const BenchEvents scene = load(BenchStream::kScene);
     sensor_ = scene.sensor;

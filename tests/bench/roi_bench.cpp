@@ -5,8 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "common/vision/eros_surface.h"
-#include "common/vision/region_filter.h"
+#include "common/vision/surface/surface.h"
 #include "tests/bench/bench_streams.h"
 #include "tests/bench/eros_textbook.h"
 
@@ -21,9 +20,11 @@ constexpr Region kRegion{200, 150, 150, 110};
 constexpr double kMostInside = 0.10;
 
 double share_inside(const BenchEvents& stream, const Region& region) {
-  std::vector<Event> inside;
-  keep_inside(stream.packet.events, region, inside);
-  return static_cast<double>(inside.size()) / static_cast<double>(stream.packet.events.size());
+  const std::vector<Event>& events = stream.packet.events;
+  const auto inside = std::count_if(events.begin(), events.end(), [&](const Event& event) {
+    return region.contains(event.x, event.y);
+  });
+  return static_cast<double>(inside) / static_cast<double>(events.size());
 }
 
 // The region with what reaches into it, made smaller until at most a tenth of the events are
@@ -49,7 +50,7 @@ void apply_stream(benchmark::State& state, const BenchEvents& stream, const Upda
 void ours(benchmark::State& state) {
   const BenchEvents stream = load(BenchStream::kScene);
   const Region region = region_for(stream);
-  ErosSurface surface(stream.sensor, {.half_width_px = kHalfWidth, .decay = kDecay});
+  Surface surface(stream.sensor, ErosParams{.half_width_px = kHalfWidth, .decay = kDecay});
   surface.keep_only(region);
   apply_stream(state, stream, [&](std::span<const Event> events) { surface.update(events); });
   state.counters["inside_percent"] = 100 * share_inside(stream, region.inflated(kHalfWidth));

@@ -12,10 +12,10 @@
 #include <benchmark/benchmark.h>
 #include <opencv2/imgproc.hpp>
 
-#include "common/vision/eros_surface.h"
-#include "common/vision/kernel_bank.h"
+#include "common/vision/correlation/kernel_bank.h"
+#include "common/vision/paper/puck_tracker.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_tracker.h"
+#include "common/vision/surface/surface.h"
 
 namespace puck {
 namespace {
@@ -45,7 +45,7 @@ struct Task {
 SurfaceSnapshot surface_with_puck(const Task& task, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> share(0, 1);
-  ErosSurface surface(kSensor, task.params.eros);
+  Surface surface(kSensor, task.params.eros);
   std::vector<Event> events;
   const auto add = [&](double x, double y) {
     events.push_back({static_cast<std::uint16_t>(std::lround(x)),
@@ -79,8 +79,7 @@ Task task_at(const Distance& distance) {
   task.size_model.width_0 = distance.canvas_width - kernels.margin_x_px;
   task.size_model.height_0 = distance.canvas_height - kernels.margin_y_px;
   const KernelBank bank(kernels);
-  const PuckTracker tracker(kSensor, task.params.tracker, task.size_model,
-                            task.params.contour.calibration);
+  const PuckTracker tracker(kSensor, task.params.tracker, task.size_model, task.params.contour);
   task.region = tracker.region_around(kExpected, bank);
   const int margin = task.params.tracker.reach_margin_px;
   task.window = Region{static_cast<int>(kExpected.x) - distance.canvas_width / 2,
@@ -98,7 +97,7 @@ class Ours {
   explicit Ours(const Task& task)
       : region_(task.region),
         bank_(task.params.kernels),
-        tracker_(kSensor, task.params.tracker, task.size_model, task.params.contour.calibration) {}
+        tracker_(kSensor, task.params.tracker, task.size_model, task.params.contour) {}
 
   Pixel step(const SurfaceSnapshot& surface) {
     return tracker_.step(surface, region_, kExpected, bank_).position;

@@ -9,9 +9,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "common/vision/eros_surface.h"
+#include "common/vision/paper/puck_pipeline.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_pipeline.h"
+#include "common/vision/surface/surface.h"
 
 namespace puck {
 namespace {
@@ -53,7 +53,7 @@ void measure(benchmark::State& state, int kernel_px) {
   size_model.width_0 = diameter_px;
   size_model.height_0 = diameter_px;
 
-  ErosSurface surface(kSensor, params.eros);
+  Surface surface(kSensor, params.eros);
   surface.update(Timestamp{0}, events_around(diameter_px));
   PuckPipeline pipeline(kSensor, params, size_model);
   pipeline.take({.time = {0}, .request = {Region::all_of(kSensor)}, .candidates = {{kCentre, 1}}});

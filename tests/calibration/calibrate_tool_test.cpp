@@ -324,6 +324,50 @@ TEST_CASE("puck-calibrate lag adds its result to the size model, or replaces it"
   CHECK(contains(tool.read("said"), "no steady motion of 60 px/s or more"));
 }
 
+TEST_CASE("puck-calibrate evidence learns from a game, and puck-evaluate uses its file") {
+  const Tool tool;
+  REQUIRE(tool.run("puck-simulate", "--output game --seconds 1 --seed 5") == 0);
+  const std::string learn = "evidence game.raw --truth game.truth.csv --size-model game.toml ";
+  REQUIRE(tool.run(learn + "--output evidence.toml") == 0);
+  const std::string said = tool.read("said");
+  CHECK(contains(said, "game.raw: "));
+  CHECK(contains(said, "log loss as built in"));
+  const std::string file = tool.read("evidence.toml");
+  CHECK(
+      file.starts_with("# puck-calibrate evidence game.raw \\\n#     --truth game.truth.csv \\\n"));
+  CHECK(contains(file, "\n[evidence]\n"));
+  CHECK(contains(file, "\nsign_worth = "));
+
+  const std::string evaluate = "game.raw --truth game.truth.csv --evidence evidence.toml ";
+  CHECK(tool.run("puck-evaluate", evaluate) == 0);
+  CHECK(tool.run("puck-evaluate", evaluate + "--preset correlation") == 1);
+  CHECK(contains(tool.read("said"), "--evidence needs preset default"));
+  tool.write("evidence.toml", file.substr(0, file.find("sign_worth")));
+  CHECK(tool.run("puck-evaluate", evaluate) == 1);
+  CHECK(contains(tool.read("said"), "evidence.toml: evidence.sign_worth is missing"));
+
+  // Only the puck's packets remain, too few to learn what it is not.
+  CHECK(tool.run(learn + "--lookalikes game.raw --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "the recordings: only 0 packets of events are of anything"));
+  CHECK(tool.run(learn + "--lookalikes other.raw --output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "--lookalikes other.raw: is not one of the recordings"));
+  CHECK(tool.run("evidence game.raw game.raw --truth game.truth.csv --size-model game.toml "
+                 "--output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "--truth takes one value for each recording: got 1 for 2"));
+  CHECK(tool.run(learn + "--weight 1 2 --output no.toml") == 1);
+  CHECK(contains(tool.read("said"),
+                 "--weight takes one value for each recording, or one for all: got 2 for 1"));
+  CHECK(tool.run(learn + "--output game.truth.csv") == 1);
+  CHECK(contains(tool.read("said"), "--output would overwrite the input"));
+
+  // Truth of another recording.
+  tool.write("away.csv", "t_us,x,y,width,height\n0,5,470,50,40\n2000000,5,470,50,40\n");
+  CHECK(tool.run("evidence game.raw --truth away.csv --truth-gap-ms 5000 --size-model game.toml "
+                 "--output no.toml") == 1);
+  CHECK(contains(tool.read("said"), "game.raw: no events are of the puck at its true positions"));
+  CHECK(tool.read("no.toml").empty());
+}
+
 TEST_CASE("puck-calibrate hot-pixels writes a mask and prints the number of masked pixels") {
   const Tool tool;
   std::string events;

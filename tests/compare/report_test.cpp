@@ -83,7 +83,7 @@ TEST_CASE("by the paper's rules the deviation covers all rows, and nothing is lo
   CHECK_FALSE(summary.said_and_wrong_percent.has_value());
   PlanOptions plan;
   plan.scoring = "paper";
-  for (const Sequence& sequence : plan_sequences(plan, {})) {
+  for (const Sequence& sequence : plan_sequences(plan)) {
     for (const Contestant& contestant : sequence.contestants) {
       REQUIRE(contestant.options.size() >= 2);
       CHECK(contestant.options.back() == "paper");
@@ -142,13 +142,12 @@ TEST_CASE("every goal names existing sets") {
   }
 }
 
-TEST_CASE("the report names every set, every switch and every seed, in text and JSON") {
+TEST_CASE("the report names every set and every seed, in text and JSON") {
   Runs runs;
   runs.add("still", 1001, "default", figures(1000, 0.25, 0.1));
-  runs.add("fast-still", 1231, "without shear", figures(1000, 4.5, 0));
   const Comparison comparison = runs.comparison();
   const Comparison latency((ExperimentResults()));
-  const ComparisonReport report{{}, {"shear"}, comparison, latency};
+  const ComparisonReport report{{}, comparison, latency};
   const TemporaryFolder folder;
   write_report(report, folder.path());
 
@@ -160,12 +159,10 @@ TEST_CASE("the report names every set, every switch and every seed, in text and 
     CHECK(markdown.find("### " + set.title) != std::string::npos);
   }
   CHECK(text.find("seeds 1001 to 1010") != std::string::npos);
-  CHECK(text.find("without shear") != std::string::npos);
 
   const Json json = Json::parse(read_text(folder / "comparison.json"));
   CHECK(json["sets"]["still"]["contestants"]["default"]["mean_px"] == 0.25);
   CHECK(json["sets"]["still"]["contestants"]["default"]["runs"][0]["seed"] == 1001);
-  CHECK(json["ablation"]["shear"]["fast-still"]["mean_px"] == 4.5);
   CHECK(json["goals"].size() == goals().size());
 }
 
@@ -175,7 +172,7 @@ TEST_CASE("the report has standard errors beside mean and lost") {
   runs.add("still", 1002, "default", figures(1000, 0.75, 3));
   const Comparison comparison = runs.comparison();
   const Comparison latency((ExperimentResults()));
-  const ComparisonReport report{{}, {}, comparison, latency};
+  const ComparisonReport report{{}, comparison, latency};
   const TemporaryFolder folder;
   write_report(report, folder.path());
   const Json json = Json::parse(read_text(folder / "comparison.json"));

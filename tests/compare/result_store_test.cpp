@@ -63,11 +63,11 @@ TEST_CASE("a result replaces its outdated ones only") {
   const TemporaryFolder folder;
   ResultStore store(folder / "results");
   store.make("still-1-default", "old", kFill);
-  store.make("still-1-default-without", "old", kFill);
+  store.make("still-1-default-moving", "old", kFill);
   store.make("still-1-default", "new", kFill);
   CHECK_FALSE(store.find("still-1-default", "old").has_value());
   CHECK(store.find("still-1-default", "new").has_value());
-  CHECK(store.find("still-1-default-without", "old").has_value());
+  CHECK(store.find("still-1-default-moving", "old").has_value());
   store.remove("still-1-default", "new");
   CHECK(entries_of(folder / "results") == 1);
 }

@@ -29,7 +29,7 @@ TEST_CASE("the whole comparison is 10 still, 10 moving and 5 of each hard set") 
   int still = 0;
   int moving = 0;
   int hard = 0;
-  for (const Sequence& sequence : plan_sequences({}, {})) {
+  for (const Sequence& sequence : plan_sequences({})) {
     still += sequence.set.name == "still";
     moving += sequence.set.name == "moving";
     hard += sequence.set.is_hard;
@@ -45,7 +45,7 @@ TEST_CASE("no seed is used twice, and no development seed is used for testing") 
     PlanOptions options;
     options.sequences = sequences;
     std::set<int> seeds;
-    for (const Sequence& sequence : plan_sequences(options, {})) {
+    for (const Sequence& sequence : plan_sequences(options)) {
       CHECK(sequence.seed > 1000);
       CHECK(seeds.insert(sequence.seed).second);
     }
@@ -57,7 +57,7 @@ TEST_CASE("no seed is used twice, and no development seed is used for testing") 
 TEST_CASE("the quick form has every set, shortened") {
   const PlanOptions quick{.sequences = 2, .seconds = 5};
   std::set<std::string> sets;
-  for (const Sequence& sequence : plan_sequences(quick, {})) {
+  for (const Sequence& sequence : plan_sequences(quick)) {
     sets.insert(sequence.set.name);
     CHECK(sequence.seconds == (sequence.set.is_hard ? 2 : 5));
   }
@@ -67,24 +67,10 @@ TEST_CASE("the quick form has every set, shortened") {
   CHECK(sequences_of(hard, quick) == 1);
 }
 
-TEST_CASE("each component is switched off in turn on four sets, two still and two moving") {
-  std::set<std::string> still;
-  std::set<std::string> moving;
-  for (const Sequence& sequence : plan_sequences({}, {"shear", "blob"})) {
-    if (!runs(sequence, "without shear")) continue;
-    CHECK(runs(sequence, "without blob"));
-    (sequence.set.moving ? moving : still).insert(sequence.set.name);
-  }
-  CHECK(still.size() == 2);
-  CHECK(moving.size() == 2);
-  CHECK(default_without("shear").options ==
-        std::vector<std::string>{"--preset", "default", "--without", "shear"});
-}
-
 TEST_CASE("selected trackers run on every set, and no others") {
   const PlanOptions options{.only = {"default", "cluster"}};
-  const std::vector<Sequence> sequences = plan_sequences(options, {"shear"});
-  CHECK(sequences.size() == plan_sequences({}, {}).size());
+  const std::vector<Sequence> sequences = plan_sequences(options);
+  CHECK(sequences.size() == plan_sequences({}).size());
   for (const Sequence& sequence : sequences) {
     CHECK(sequence.contestants.size() == 2);
     CHECK(runs(sequence, "default"));
@@ -95,7 +81,7 @@ TEST_CASE("selected trackers run on every set, and no others") {
 }
 
 TEST_CASE("all presets run on every set, the particle filter where it is affordable") {
-  for (const Sequence& sequence : plan_sequences({}, {})) {
+  for (const Sequence& sequence : plan_sequences({})) {
     for (const char* name : {"paper", "reference", "correlation", "default", "cluster"}) {
       CHECK(runs(sequence, name));
     }

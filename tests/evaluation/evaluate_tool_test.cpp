@@ -50,6 +50,16 @@ std::filesystem::path recording_with_pause(const TemporaryFolder& folder, std::i
   return recording_of(folder, {1000, 1000 + pause_us});
 }
 
+TEST_CASE("only the presets that correlate take another surface than EROS") {
+  TrackerSetup other = setup();
+  other.surface = SurfaceKind::kTos;
+  CHECK_THROWS_AS(other.pipeline_params(), std::invalid_argument);
+  other.preset = Preset::kPaper;
+  CHECK(other.pipeline_params().surface == SurfaceKind::kTos);
+  other.algorithm = Algorithm::kParticleFilterEros;
+  CHECK_THROWS_AS(other.pipeline_params(), std::invalid_argument);
+}
+
 TEST_CASE("in a pause of a recording an estimate is requested at every tick") {
   const TemporaryFolder folder;
   const auto events = open_event_file(recording_with_pause(folder, 1'000'000));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <random>
 #include <thread>
 #include <vector>
 
@@ -13,8 +14,8 @@
 
 #include "common/runtime/live_tracker.h"
 #include "common/vision/make_pipeline.h"
+#include "common/vision/paper/puck_detector.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_detector.h"
 #include "tests/hot_path/counted_allocations.h"
 
 namespace puck {
@@ -35,12 +36,20 @@ bool covers(Pixel centre, int x, int y) {
   return std::hypot((x - centre.x) / (size.width / 2), (y - centre.y) / (size.height / 2)) < 1;
 }
 
-// A dark puck on a bright table: an event of every pixel that it covers or uncovers.
+// A dark puck on a bright table: an event of every pixel that it covers or uncovers. Before them
+// the sensor's noise, so that a tracker that a busy machine has held up notices where no puck is.
 EventPacket packet_of(int number) {
   constexpr int kSteps = 5;
   constexpr int kReach = 60;
+  constexpr int kNoise = 150;
   const std::int64_t start_us = number * kPacketUs;
   EventPacket packet{{start_us}, {}};
+  std::mt19937 random(static_cast<unsigned>(number));
+  for (int i = 0; i < kNoise; ++i) {
+    packet.events.push_back({static_cast<std::uint16_t>(random() % kSensor.width),
+                             static_cast<std::uint16_t>(random() % kSensor.height),
+                             static_cast<std::uint16_t>(random() & 1U), 0});
+  }
   for (int step = 0; step < kSteps; ++step) {
     const std::int64_t offset_us = step * kPacketUs / kSteps;
     const double t_s = static_cast<double>(start_us + offset_us) * 1e-6;
@@ -111,8 +120,7 @@ TEST_CASE("a second of tracking allocates nothing, in either thread") {
     if (!packet.empty()) packets.push_back(std::move(packet));
   }
   REQUIRE(packets.size() > kPackets);
-  for (const Preset preset :
-       {Preset::kDefault, Preset::kEvidence, Preset::kReference, Preset::kCorrelation}) {
+  for (const Preset preset : {Preset::kDefault, Preset::kReference, Preset::kCorrelation}) {
     CAPTURE(static_cast<int>(preset));
     PipelineParams params = preset_params(preset);
     // Everywhere, not only where the authors' robot had it.
@@ -133,7 +141,10 @@ TEST_CASE("a second of tracking allocates nothing, in either thread") {
     const std::int64_t events_before = test::own_allocations();
     play(tracker, said, packets, kWarmUpPackets, packets.size());
     CHECK(test::own_allocations() == events_before);
-    CHECK(said.allocations == tracking_before);
+    // The presets that correlate search when a busy machine has held them up: a search may
+    // allocate, a step may not.
+    const std::int64_t by_searches = preset == Preset::kDefault ? 0 : kPackets / 10;
+    CHECK(said.allocations - tracking_before <= by_searches);
     // Both threads have made steps meanwhile.
     CHECK(said.by_event_thread > by_event_thread_before);
     CHECK(said.by_tracking_thread > by_tracking_thread_before);
@@ -142,31 +153,49 @@ TEST_CASE("a second of tracking allocates nothing, in either thread") {
   }
 }
 
-TEST_CASE("search results of any number and age are taken without an allocation") {
-  for (const Preset preset : {Preset::kDefault, Preset::kEvidence}) {
-    CAPTURE(to_string(preset));
-    const auto pipeline = make_pipeline(kSensor, preset_params(preset), kSizeModel);
-    const EventPacket packet = packet_of(1);
-    pipeline->take(packet.start, packet.events);
-    SearchResult result{packet.newest(), pipeline->search_wanted(), {}};
-    REQUIRE_FALSE(result.request.region.empty());
-    for (std::size_t i = 0; i < PuckDetector::kMostDetections; ++i) {
-      const auto number = static_cast<double>(i);
-      result.candidates.push_back({{40 + 12 * number, 100 + 5 * number}, 0.9 - 0.01 * number});
-    }
-    std::vector<EventPacket> meanwhile;
-    for (int i = 2; i < 20; ++i) meanwhile.push_back(packet_of(i));
-    const EventPacket last = packet_of(20);
-
+TEST_CASE("events and copies of any surface allocate nothing, even the first") {
+  for (const SurfaceParams& params : {SurfaceParams(ErosParams{}), SurfaceParams(TosParams{}),
+                                      SurfaceParams(SitsParams{}), SurfaceParams(SaeParams{})}) {
+    CAPTURE(params.index());
+    SharedSurface surface(kSensor, params);
+    SharedSnapshot copy;
+    copy.surface.grey.reserve(kSensor.width, kSensor.height);
+    std::vector<EventPacket> packets;
+    for (int i = 1; i < 20; ++i) packets.push_back(packet_of(i));
     const std::int64_t before = test::own_allocations();
-    for (const EventPacket& later : meanwhile) pipeline->take(later.start, later.events);
-    pipeline->take(result);
-    // Live, a snapshot may be newer than the events that the pipeline has got.
-    result.time = last.newest() + 5'000;
-    pipeline->take(result);
-    pipeline->take(last.start, last.events);
+    Region region{300, 80, 40, 30};
+    for (const EventPacket& packet : packets) {
+      surface.update(packet, {.session = 1}, false);
+      surface.snapshot(region, {}, copy);
+      region = region.inflated(20).intersect(Region::all_of(kSensor));
+    }
     CHECK(test::own_allocations() == before);
+    CHECK(copy.surface.events_applied > 0);
   }
+}
+
+TEST_CASE("search results of any number and age are taken without an allocation") {
+  const auto pipeline = make_pipeline(kSensor, preset_params(Preset::kDefault), kSizeModel);
+  const EventPacket packet = packet_of(1);
+  pipeline->take(packet.start, packet.events);
+  SearchResult result{packet.newest(), pipeline->search_wanted(), {}};
+  REQUIRE_FALSE(result.request.region.empty());
+  for (std::size_t i = 0; i < PuckDetector::kMostDetections; ++i) {
+    const auto number = static_cast<double>(i);
+    result.candidates.push_back({{40 + 12 * number, 100 + 5 * number}, 0.9 - 0.01 * number});
+  }
+  std::vector<EventPacket> meanwhile;
+  for (int i = 2; i < 20; ++i) meanwhile.push_back(packet_of(i));
+  const EventPacket last = packet_of(20);
+
+  const std::int64_t before = test::own_allocations();
+  for (const EventPacket& later : meanwhile) pipeline->take(later.start, later.events);
+  pipeline->take(result);
+  // Live, a snapshot may be newer than the events that the pipeline has got.
+  result.time = last.newest() + 5'000;
+  pipeline->take(result);
+  pipeline->take(last.start, last.events);
+  CHECK(test::own_allocations() == before);
 }
 
 }  // namespace puck

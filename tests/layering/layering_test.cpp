@@ -63,42 +63,86 @@ bool begins_with_any(const std::string& target, const std::vector<std::string>& 
                      [&](const std::string& p) { return target.starts_with(p); });
 }
 
-// Allowed includes of each folder of common/ from the others.
-const std::map<std::string, std::set<std::string>> kAllowed{
+// The part of common/ that a path below it lies in: a folder, or a room of vision.
+std::string part_of(const fs::path& path) {
+  const std::string folder = path.begin()->string();
+  const std::string room = path.parent_path().string();
+  return folder == "vision" ? room : folder;
+}
+
+using Parts = std::set<std::string>;
+
+// Allowed includes of each part of common/ from the others. "vision" includes its rooms.
+const std::map<std::string, Parts> kAllowed{
     {"events", {}},
-    {"vision", {"events"}},
+    {"vision/geometry", {"events"}},
+    {"vision/surface", {"events", "vision/geometry"}},
+    {"vision/correlation", {"events", "vision/geometry"}},
+    {"vision/contour", {"events", "vision/geometry"}},
+    {"vision/scene", {"events", "vision/geometry"}},
+    {"vision/interfaces", {"events", "vision/geometry", "vision/surface"}},
+    {"vision/paper",
+     {"events", "vision/geometry", "vision/surface", "vision/correlation", "vision/contour",
+      "vision/interfaces"}},
+    {"vision/hypotheses",
+     {"events", "vision/geometry", "vision/surface", "vision/contour", "vision/scene",
+      "vision/interfaces"}},
+    {"vision",
+     {"events", "vision/geometry", "vision/surface", "vision/correlation", "vision/contour",
+      "vision/scene", "vision/interfaces", "vision/paper", "vision/hypotheses"}},
     {"baselines", {"events", "vision"}},
-    {"table", {"events", "vision"}},
+    {"table", {"events", "vision/geometry"}},
     {"posix", {}},
     {"motion", {}},
-    {"calibration", {"events", "vision", "table", "motion"}},
-    {"simulation", {"events", "vision", "table", "motion"}},
-    {"evaluation", {"events", "vision", "table"}},
+    {"calibration",
+     {"events", "vision/geometry", "vision/contour", "vision/hypotheses", "table", "motion"}},
+    {"simulation", {"events", "vision/geometry", "table", "motion"}},
+    {"evaluation", {"events", "vision/geometry", "vision/interfaces", "table"}},
     {"plot", {}},
     {"runtime", {"events", "vision"}},
-    {"io", {"events", "vision", "table", "motion"}},
-    {"messaging", {"posix", "events", "vision", "table"}},
+    {"io", {"events", "vision/geometry", "vision/contour", "vision/hypotheses", "table", "motion"}},
+    {"messaging", {"posix", "events", "vision/geometry", "vision/interfaces", "table"}},
     {"recording", {"events", "io", "messaging"}},
     {"play", {"events", "vision", "table", "messaging"}},
     {"control", {"events", "vision", "table", "motion", "runtime", "messaging"}},
     {"yarp", {"posix", "control"}},
 };
 
+bool may_include(const std::string& part, const std::string& other) {
+  const Parts& allowed = kAllowed.at(part);
+  return other == part || allowed.contains(other) ||
+         (other.starts_with("vision/") && allowed.contains("vision"));
+}
+
+// Adds what `part` may include, directly or through others.
+void add_below(const std::string& part, Parts& below) {
+  for (const std::string& other : kAllowed.at(part)) {
+    if (below.insert(other).second) add_below(other, below);
+  }
+}
+
 }  // namespace
 
-TEST_CASE("every folder of common includes only the folders below it") {
+TEST_CASE("every folder of common and room of vision includes only those below it") {
   const fs::path common = source_dir() / "common";
-  for (const std::string& folder : folders_below(common)) {
-    CAPTURE(folder);
-    REQUIRE(kAllowed.contains(folder));
-    for (const Include& include : includes_below(common / folder)) {
-      const std::string other = folder_of(include.target, "common");
-      const bool allowed = other.empty() || other == folder || kAllowed.at(folder).contains(other);
-      CHECK_MESSAGE(allowed, include.file.string(), ":", include.line, " includes ",
-                    include.target);
-      CHECK_MESSAGE(!include.target.starts_with("services/"), include.file.string());
-      CHECK_MESSAGE(!include.target.starts_with("tools/"), include.file.string());
-    }
+  for (const Include& include : includes_below(common)) {
+    CAPTURE(include.file.string());
+    const std::string part = part_of(include.file.lexically_relative(common));
+    REQUIRE(kAllowed.contains(part));
+    const bool is_own = include.target.starts_with("common/");
+    const bool allowed = !is_own || may_include(part, part_of(include.target.substr(7)));
+    CHECK_MESSAGE(allowed, include.file.string(), ":", include.line, " includes ", include.target);
+    CHECK_MESSAGE(!include.target.starts_with("services/"), include.file.string());
+    CHECK_MESSAGE(!include.target.starts_with("tools/"), include.file.string());
+  }
+}
+
+TEST_CASE("the allowed includes have no cycle") {
+  for (const auto& entry : kAllowed) {
+    const std::string& part = entry.first;
+    Parts below;
+    add_below(part, below);
+    CHECK_MESSAGE(!below.contains(part), part);
   }
 }
 
@@ -145,8 +189,14 @@ TEST_CASE("services and tools never include one another, except their common par
 TEST_CASE("the reader of include lines finds includes") {
   const auto includes = includes_below(source_dir() / "common" / "vision");
   CHECK(includes.size() > 40);
-  CHECK(folder_of("common/vision/region.h", "common") == "vision");
-  CHECK(folder_of("vector", "common").empty());
+  CHECK(folder_of("tools/play/play_setup.h", "tools") == "play");
+  CHECK(folder_of("vector", "tools").empty());
+  CHECK(part_of("vision/geometry/region.h") == "vision/geometry");
+  CHECK(part_of("vision/presets.h") == "vision");
+  CHECK(part_of("events/event.h") == "events");
+  CHECK(may_include("baselines", "vision/surface"));
+  CHECK(!may_include("vision/surface", "vision"));
+  CHECK(!may_include("vision/surface", "vision/paper"));
 }
 
 }  // namespace puck

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "common/vision/paper/puck_search.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_search.h"
 #include "tests/runtime/tracking_fixtures.h"
 #include "tests/vision/puck_picture.h"
 
@@ -35,7 +35,7 @@ TEST_CASE("a worker finds the same as an immediate search, near and far, repeate
   constexpr SensorSize kSensor{320, 240};
   const ErosParams eros = preset_params(Preset::kCorrelation).eros;
   SharedSurface shared(kSensor, eros);
-  ErosSurface alone(kSensor, eros);
+  Surface alone(kSensor, eros);
   SearchWorker worker(search_for(kSensor));
   PuckSearch at_once = search_for(kSensor);
   for (int i = 1; i <= 5; ++i) {

@@ -30,7 +30,7 @@ EventPacket random_packet(Timestamp start, int count, unsigned seed) {
 
 // The surface after the first `count` events of the packets.
 SurfaceSnapshot surface_after(const std::vector<EventPacket>& packets, std::int64_t count) {
-  ErosSurface surface(kSensor, {});
+  Surface surface(kSensor, {});
   for (const EventPacket& packet : packets) {
     const std::int64_t left = count - surface.events_applied();
     if (left <= 0) break;
@@ -55,7 +55,7 @@ TEST_CASE("a snapshot is served while the event thread is idle") {
   const std::vector<EventPacket> packets{random_packet({5000}, 1000, 1)};
   shared.update(packets[0], {.session = 42, .received_utime = 77});
   SharedSnapshot snapshot;
-  shared.snapshot(kWhole, {}, snapshot);
+  shared.snapshot(kWhole, false, snapshot);
   CHECK(snapshot.surface.events_applied == 1000);
   CHECK(snapshot.surface.newest_event == Timestamp{5999});
   CHECK(snapshot.origin.session == 42);
@@ -77,7 +77,7 @@ TEST_CASE("every snapshot of a busy surface is the surface after some number of 
   std::int64_t newest = -1;
   while (newest < 40 * 5'000) {
     SharedSnapshot snapshot;
-    shared.snapshot(kWhole, {}, snapshot);
+    shared.snapshot(kWhole, false, snapshot);
     REQUIRE(snapshot.surface.events_applied >= newest);
     newest = snapshot.surface.events_applied;
     if (taken.size() < 200) taken.push_back(snapshot);
@@ -96,7 +96,7 @@ TEST_CASE("every snapshot of a busy surface is the surface after some number of 
 }
 
 TEST_CASE(
-    "a surface that keeps only the requested regions is dark elsewhere, without one it is whole") {
+    "a surface that keeps only the requested region is dark elsewhere, without one it is whole") {
   SharedSurface shared(kSensor, {}, {.roi_only = true});
   SharedSnapshot snapshot;
   SurfaceSnapshot whole;
@@ -105,24 +105,27 @@ TEST_CASE(
   shared.update({{0}, {{10, 10, 1, 0}, {110, 110, 1, 1}}}, {});
   shared.copy_part(kWhole, false, whole);
   CHECK(whole.grey(10, 10) == 255);
-  shared.snapshot({100, 100, 20, 20}, {100, 80, 10, 5}, snapshot);
+  shared.snapshot({100, 100, 20, 20}, false, snapshot);
   CHECK(snapshot.surface.grey(10, 10) == 255);
-  shared.update({{10}, {{10, 10, 1, 0}, {100, 80, 1, 1}, {110, 112, 0, 2}}}, {});
+  shared.update({{10}, {{10, 10, 1, 0}, {110, 112, 0, 1}}}, {});
   shared.copy_part(kWhole, false, whole);
   CHECK(whole.grey(10, 10) == 0);
-  CHECK(whole.grey(100, 80) == 255);
   CHECK(whole.grey(110, 112) == 255);
-  CHECK(whole.events_applied == 5);
-  shared.snapshot({}, {}, snapshot);
-  shared.update({{20}, {{10, 10, 1, 0}}}, {});
-  shared.copy_part(kWhole, false, whole);
-  CHECK(whole.grey(10, 10) == 255);
+  CHECK(whole.events_applied == 4);
+  // A pipeline of single events may search anywhere.
+  for (const bool events : {false, true}) {
+    shared.snapshot({100, 100, 20, 20}, false, snapshot);
+    shared.snapshot(events ? Region{100, 100, 20, 20} : Region{}, events, snapshot);
+    shared.update({{20}, {{10, 10, 1, 0}}}, {});
+    shared.copy_part(kWhole, false, whole);
+    CHECK(whole.grey(10, 10) == 255);
+  }
 }
 
 TEST_CASE("only events in the region of the last snapshot count as news") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
-  shared.snapshot({100, 100, 20, 20}, {}, snapshot);
+  shared.snapshot({100, 100, 20, 20}, false, snapshot);
   EventPacket elsewhere{{0}, {{10, 10, 1, 0}, {99, 100, 1, 1}}};
   shared.update(elsewhere, {});
   CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
@@ -130,40 +133,36 @@ TEST_CASE("only events in the region of the last snapshot count as news") {
   shared.update(inside, {});
   CHECK(shared.wait_for_news(milliseconds(0)));
   CHECK(shared.wait_for_news(milliseconds(0)));  // until the next snapshot
-  shared.snapshot({100, 100, 20, 20}, {}, snapshot);
+  shared.snapshot({100, 100, 20, 20}, false, snapshot);
   CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
 }
 
 TEST_CASE("an empty region watches the whole sensor") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
-  shared.snapshot({}, {}, snapshot);
+  shared.snapshot({}, false, snapshot);
   CHECK(snapshot.surface.region.empty());
   EventPacket anywhere{{0}, {{3, 3, 1, 0}}};
   shared.update(anywhere, {});
   CHECK(shared.wait_for_news(milliseconds(0)));
 }
 
-TEST_CASE("the events of a region pass through a queue, and only they are news") {
+TEST_CASE("requested events pass through a queue, and all of them are news") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
-  shared.snapshot({}, {100, 100, 20, 20}, snapshot);
   std::vector<Event> events;
-  shared.update({{0}, {{10, 10, 1, 0}, {99, 100, 1, 1}}}, {});
-  CHECK_FALSE(shared.wait_for_news(milliseconds(1)));
-  shared.update({{20}, {{10, 10, 1, 0}, {119, 119, 0, 1}}}, {});
+  shared.update({{0}, {{10, 10, 1, 0}}}, {});
+  shared.snapshot({100, 100, 20, 20}, true, snapshot);
+  shared.update({{20}, {{10, 10, 1, 1}, {119, 119, 0, 2}}}, {});
   CHECK(shared.wait_for_news(milliseconds(0)));
-  shared.snapshot({}, {0, 0, 5, 5}, snapshot);
-  shared.update({{40}, {{3, 3, 1, 0}, {119, 119, 0, 1}}}, {});
+  shared.snapshot({100, 100, 20, 20}, false, snapshot);
+  shared.update({{40}, {{119, 119, 0, 0}}}, {});
 
-  // Up to the snapshot; then the events of the new region.
   CHECK(shared.pop_events(snapshot.events_end, 10, events) == Timestamp{21});
-  REQUIRE(events.size() == 1);
-  CHECK(events[0].x == 119);
-  shared.snapshot({}, {}, snapshot);
-  CHECK(shared.pop_events(snapshot.events_end, 10, events) == Timestamp{40});
-  REQUIRE(events.size() == 1);
-  CHECK(events[0].x == 3);
+  CHECK(events.size() == 2);
+  shared.snapshot({}, false, snapshot);
+  shared.pop_events(snapshot.events_end, 10, events);
+  CHECK(events.empty());
   CHECK(shared.events_thinned() == 0);
 }
 
@@ -172,7 +171,7 @@ TEST_CASE("a part is copied to its place without a change of the watched region"
   const std::vector<EventPacket> packets{random_packet({5000}, 1000, 1)};
   shared.update(packets[0], {});
   SharedSnapshot snapshot;
-  shared.snapshot({100, 100, 20, 20}, {}, snapshot);
+  shared.snapshot({100, 100, 20, 20}, false, snapshot);
   shared.update({{7000}, {{110, 110, 1, 0}}}, {});
   SurfaceSnapshot whole;
   whole.region = kWhole;
@@ -205,13 +204,13 @@ TEST_CASE("a part of the recent pixels shows no pixel without recent events") {
 TEST_CASE("a sleeping thread is woken by an event and by a call") {
   SharedSurface shared(kSensor, {});
   SharedSnapshot snapshot;
-  shared.snapshot(kWhole, {}, snapshot);
+  shared.snapshot(kWhole, false, snapshot);
   const EventPacket packet = random_packet({0}, 10, 3);
   {
     std::jthread event_thread([&] { shared.update(packet, {}); });
     CHECK(shared.wait_for_news(milliseconds(60'000)));
   }
-  shared.snapshot(kWhole, {}, snapshot);
+  shared.snapshot(kWhole, false, snapshot);
   std::jthread other([&] { shared.wake(); });
   CHECK_FALSE(shared.wait_for_news(milliseconds(60'000)));
 }

@@ -28,7 +28,7 @@ constexpr Region kRegion{0, 0, 40, 40};
 struct Conduct {
   std::thread::id event_thread = std::this_thread::get_id();
   TrackState state = TrackState::kTracking;
-  Region events;                            // that are wanted
+  bool needs_events = false;
   std::atomic<bool> slow_steps{false};      // 5 ms each
   std::atomic<bool> slow_takes{false};      // 200 µs a piece
   std::atomic<int> packets{0};              // handed over
@@ -46,7 +46,7 @@ class ConductedPipeline final : public TrackingPipeline {
  public:
   explicit ConductedPipeline(Conduct& conduct) : conduct_(conduct) {}
 
-  Region events_needed() const override { return conduct_.events; }
+  bool needs_events() const override { return conduct_.needs_events; }
   std::int64_t decision_period_us() const override { return 0; }
   void take(Timestamp, std::span<const Event> events) override {
     if (conduct_.slow_takes) std::this_thread::sleep_for(microseconds(200));
@@ -146,7 +146,7 @@ TEST_CASE("without a track the event thread makes no step") {
 
 TEST_CASE("the event thread takes a few of many events and leaves the others to the other thread") {
   Conduct conduct;
-  conduct.events = kRegion;
+  conduct.needs_events = true;
   Threads threads(conduct, {});
   int most = 0;
   for (int round = 0; round < 20; ++round) {

@@ -7,8 +7,8 @@
 #include <doctest/doctest.h>
 
 #include "common/runtime/tracking_thread.h"
+#include "common/vision/paper/puck_search.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_search.h"
 #include "tests/runtime/tracking_fixtures.h"
 #include "tests/support/wait_until.h"
 #include "tests/vision/puck_picture.h"
@@ -33,10 +33,9 @@ struct Life {
 // Requests single events and searches, and only records them.
 class LivingPipeline final : public TrackingPipeline {
  public:
-  LivingPipeline(Life& life, const Region& events, const Region& search)
-      : life_(life), events_(events), search_(search) {}
+  LivingPipeline(Life& life, const Region& search) : life_(life), search_(search) {}
 
-  Region events_needed() const override { return events_; }
+  bool needs_events() const override { return true; }
   std::int64_t decision_period_us() const override { return 100; }
   void take(Timestamp start, std::span<const Event> events) override {
     for (const Event& event : events) life_.event_times.push_back(start.us + event.offset_us);
@@ -65,7 +64,6 @@ class LivingPipeline final : public TrackingPipeline {
 
  private:
   Life& life_;
-  Region events_;
   Region search_;
   int steps_ = 0;
 };
@@ -73,13 +71,12 @@ class LivingPipeline final : public TrackingPipeline {
 }  // namespace
 
 TEST_CASE("single events arrive in order, in pieces, and before the step on their snapshot") {
-  const Region region{40, 30, 60, 60};
   SharedSurface surface(kSensor, {});
   Published published;
   Life life;
   std::vector<std::int64_t> sent;
   {
-    const TrackingThread thread(surface, std::make_unique<LivingPipeline>(life, region, Region{}),
+    const TrackingThread thread(surface, std::make_unique<LivingPipeline>(life, Region{}),
                                 default_search(), {.heartbeat = milliseconds(5)},
                                 [&](const TrackedEstimate& e) { published.add(e); });
     // Events are requested in the first step, which needs a new event.
@@ -94,7 +91,7 @@ TEST_CASE("single events arrive in order, in pieces, and before the step on thei
       for (std::uint32_t k = 0; k < 50; ++k) {
         const auto x = static_cast<std::uint16_t>((i * 7 + k * 13) % 160);
         packet.events.push_back({x, 60, 1, k * 20});
-        if (region.contains(x, 60)) sent.push_back(packet.start.us + k * 20);
+        sent.push_back(packet.start.us + k * 20);
       }
       surface.update(packet, {});
       if (i % 10 == 0) std::this_thread::sleep_for(milliseconds(1));
@@ -123,8 +120,8 @@ TEST_CASE("a slow tracking thread gets fewer events, and the others are counted"
     std::atomic<bool> stuck{true};
     std::atomic<int> steps{0};
     const TrackingThread thread(
-        surface, std::make_unique<LivingPipeline>(life, Region::all_of(kSensor), Region{}),
-        default_search(), {.heartbeat = milliseconds(5)}, [&](const TrackedEstimate& e) {
+        surface, std::make_unique<LivingPipeline>(life, Region{}), default_search(),
+        {.heartbeat = milliseconds(5)}, [&](const TrackedEstimate& e) {
           // From the first estimate with an event on, until all events have come.
           while (stuck && e.tracking_started != std::chrono::system_clock::time_point{}) {
             ++steps;
@@ -165,8 +162,7 @@ TEST_CASE("tracking and its heartbeat continue during a search of a large surfac
   Life life;
   {
     const TrackingThread thread(
-        surface,
-        std::make_unique<LivingPipeline>(life, Region{0, 0, 200, 200}, Region::all_of(kLarge)),
+        surface, std::make_unique<LivingPipeline>(life, Region::all_of(kLarge)),
         PuckSearch(kLarge, params, kSizeModel), {.heartbeat = milliseconds(2)},
         [&](const TrackedEstimate& e) { published.add(e); });
     // A single search may meet a busy machine.

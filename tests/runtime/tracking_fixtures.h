@@ -8,8 +8,8 @@
 
 #include "common/runtime/tracking_thread.h"
 #include "common/vision/make_pipeline.h"
+#include "common/vision/paper/puck_search.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_search.h"
 
 namespace puck::test {
 

@@ -102,13 +102,14 @@ TEST_CASE("a frozen service is named by its dependents, the arm stops, the game 
   RunningGame game(new_lcm_url());
   game.start_all();
   REQUIRE(game.until([&] { return game.plays(); }));
-  for (const auto& [service, needed_by] : kNeededBy) {
+  for (const auto& entry : kNeededBy) {
+    const std::string& service = entry.first;
     CAPTURE(service);
     const auto sessions = sessions_but_of(game, "");
     const std::string silent = game.name_and_place(service) + ", is silent";
     game.process(service).send(SIGSTOP);
     const auto began = Clock::now();
-    for (const std::string& other : needed_by) {
+    for (const std::string& other : entry.second) {
       CAPTURE(other);
       CHECK(game.until([&] { return says(game, other, silent); }));
       std::printf("%s frozen: %s says so after %lld ms (bar: 500)\n", service.c_str(),
@@ -124,7 +125,7 @@ TEST_CASE("a frozen service is named by its dependents, the arm stops, the game 
       return game.plays() && game.counter("puck-arm", "commands_accepted") > accepted + 20;
     }));
     std::printf("%s goes on: the game does after %lld ms\n", service.c_str(), ms_since(continued));
-    for (const std::string& other : needed_by) {
+    for (const std::string& other : entry.second) {
       CHECK(game.until([&] { return !says(game, other, "is silent"); }));
     }
     CHECK(sessions_but_of(game, "") == sessions);

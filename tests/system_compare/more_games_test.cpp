@@ -60,12 +60,12 @@ TEST_CASE("means have the standard error of their number of games") {
 
 TEST_CASE("the effect of options has the standard error of the differences, game by game") {
   const TemporaryFolder folder;
-  const Finished told = told_by(folder, kFigures, {"11-13", "--", "--without", "SEED"});
+  const Finished told = told_by(folder, kFigures, {"11-13", "--", "--option", "SEED"});
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 0);
   CHECK(contains(told.output, "| 12 | 2.000 / 20.000 / 412 | 0.200 / 1.000 / 512 |\n"));
-  CHECK(contains(told.output,
-                 "--without SEED: 0.300 ± 0.153 / 1.500 ± 0.764, longest loss 513 ms\n"));
+  CHECK(
+      contains(told.output, "--option SEED: 0.300 ± 0.153 / 1.500 ± 0.764, longest loss 513 ms\n"));
   CHECK(contains(told.output, "change: -2.700 ± 1.375 / -28.500 ± 14.511\n"));
 }
 
@@ -103,15 +103,14 @@ TEST_CASE("a game that fails or cannot be scored is left out of the means") {
     std::string evaluate;
     std::string simulate;
   };
-  for (const auto& [evaluate, simulate] :
-       {Failure{thirteenth + "exit 1; fi\n" + kFigures, ""},
-        Failure{thirteenth + "echo mean_px -; exit; fi\n" + kFigures, ""},
-        Failure{kFigures + thirteenth + "exit 1; fi\n", ""},
-        Failure{kFigures, thirteenth + "exit 1; fi\n"}}) {
-    CAPTURE(evaluate);
-    CAPTURE(simulate);
+  for (const Failure& failure : {Failure{thirteenth + "exit 1; fi\n" + kFigures, ""},
+                                 Failure{thirteenth + "echo mean_px -; exit; fi\n" + kFigures, ""},
+                                 Failure{kFigures + thirteenth + "exit 1; fi\n", ""},
+                                 Failure{kFigures, thirteenth + "exit 1; fi\n"}}) {
+    CAPTURE(failure.evaluate);
+    CAPTURE(failure.simulate);
     const TemporaryFolder folder;
-    const Finished told = told_by(folder, evaluate, {"11-13"}, simulate);
+    const Finished told = told_by(folder, failure.evaluate, {"11-13"}, failure.simulate);
     CHECK(told.exit_code == 1);
     CHECK(contains(told.errors, "seed 13 failed"));
     CHECK_FALSE(contains(told.output, "| 13 |"));
@@ -157,17 +156,17 @@ TEST_CASE("kept recordings are reused; those of another scene are not") {
   CHECK(recordings_in(folder / "out") == 2);
 }
 
-TEST_CASE("a real game is played in a real scene, with a component and without it") {
+TEST_CASE("a real game is played in a real scene, with preset default and another") {
   const TemporaryFolder folder;
   const Finished told = run_program(
       {more_games(), "11-11", "--scene", source_folder() / "tools/compare/scenes/rests.toml",
        "--seconds", "1", "--programs", required_environment("PUCK_BIN_DIR"), "--output",
-       folder / "out", "--", "--without", "lag"},
+       folder / "out", "--", "--preset", "correlation"},
       {}, std::chrono::minutes(4));
   INFO(told.output, told.errors);
   CHECK(told.exit_code == 0);
   CHECK(contains(told.output, "1 game of 1 s, rests, mean"));
-  CHECK(contains(told.output, "\n--without lag: "));
+  CHECK(contains(told.output, "\n--preset correlation: "));
 }
 
 TEST_CASE("impossible requests are refused before any game is played") {

@@ -4,9 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include "common/io/evidence_file.h"
 #include "common/messaging/bus_settings.h"
 #include "common/vision/presets.h"
 #include "tests/support/environment.h"
+#include "tests/support/temporary_folder.h"
 
 namespace puck {
 
@@ -24,12 +26,13 @@ TEST_CASE("config/tracker.toml shows every key with its default") {
   Config only_keys = Config::from_file(file);
   CHECK(config.effective().find("tracker.max_publish_hz") != std::string::npos);
   for (const char* key :
-       {"preset", "half_width_px", "decay", "detection_region", "detection_threshold",
+       {"preset", "surface", "half_width_px", "decay", "detection_region", "detection_threshold",
         "region_factor", "prior_sigma", "lose", "lowest_score", "lowest_start_score", "coast_ms",
-        "search_period_ms", "max_publish_hz", "size_model", "hot_pixel_mask"}) {
+        "search_period_ms", "max_publish_hz", "size_model", "evidence", "hot_pixel_mask"}) {
     CAPTURE(std::string(key));
     CHECK(only_keys.has(std::string("tracker.") + key));
   }
+  CHECK(shown.pipeline.surface == defaults.pipeline.surface);
   CHECK(shown.pipeline.eros.half_width_px == defaults.pipeline.eros.half_width_px);
   CHECK(shown.pipeline.eros.decay == defaults.pipeline.eros.decay);
   CHECK(shown.pipeline.detector.region.empty() == defaults.pipeline.detector.region.empty());
@@ -57,6 +60,42 @@ TEST_CASE("a preset gives the defaults and keys override them") {
   CHECK_FALSE(params.pipeline.loss.enabled);
 }
 
+TEST_CASE("evidence is read from its file, by preset default only") {
+  const TemporaryFolder folder;
+  EvidenceParams evidence;
+  evidence.place_puck += 1;
+  write_evidence_file(folder / "evidence.toml", evidence, "made by hand");
+  Config config;
+  config.override_with("tracker.evidence=\"" + (folder / "evidence.toml").string() + "\"");
+  CHECK(read_tracker_params(config).pipeline.evidence.place_puck == evidence.place_puck);
+  config.override_with("tracker.preset=\"correlation\"");
+  CHECK_THROWS_WITH_AS(read_tracker_params(config),
+                       doctest::Contains("must be \"\", except for preset \"default\""),
+                       ConfigError);
+  config.override_with("tracker.preset=\"default\"");
+  config.override_with("tracker.evidence=\"/nowhere.toml\"");
+  CHECK_THROWS_WITH_AS(read_tracker_params(config), doctest::Contains("/nowhere.toml"),
+                       ConfigError);
+}
+
+TEST_CASE("the presets that correlate take every surface, and default only EROS") {
+  for (const std::string preset : {"default", "correlation", "paper", "reference"}) {
+    for (const SurfaceKind surface :
+         {SurfaceKind::kEros, SurfaceKind::kTos, SurfaceKind::kSits, SurfaceKind::kSae}) {
+      CAPTURE(preset);
+      CAPTURE(std::string(to_string(surface)));
+      Config config;
+      config.override_with("tracker.preset=" + preset);
+      config.override_with(std::string("tracker.surface=") + to_string(surface));
+      if (preset == "default" && surface != SurfaceKind::kEros) {
+        CHECK_THROWS_AS(read_tracker_params(config), ConfigError);
+      } else {
+        CHECK(read_tracker_params(config).pipeline.surface == surface);
+      }
+    }
+  }
+}
+
 TEST_CASE("impossible settings are refused with the key and the expected form") {
   const auto refusal = [](const char* assignment) -> std::string {
     Config config;
@@ -70,6 +109,10 @@ TEST_CASE("impossible settings are refused with the key and the expected form") 
   };
   CHECK(refusal("tracker.half_width_px=9").find("tracker.half_width_px") != std::string::npos);
   CHECK(refusal("tracker.preset=best").find("tracker.preset") != std::string::npos);
+  CHECK(refusal("tracker.surface=scarf").find("\"eros\", \"tos\", \"sits\" or \"sae\"") !=
+        std::string::npos);
+  CHECK(refusal("tracker.surface=tos").find("of preset \"default\" must be \"eros\"") !=
+        std::string::npos);
   CHECK(refusal("tracker.size_model=nowhere.toml").find("nowhere.toml") != std::string::npos);
   CHECK(refusal("tracker.detection_region=[1, 2]").find("tracker.detection_region") !=
         std::string::npos);

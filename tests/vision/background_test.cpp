@@ -1,4 +1,4 @@
-#include "common/vision/background.h"
+#include "common/vision/scene/background.h"
 
 #include <cmath>
 
@@ -14,7 +14,7 @@ using test::still_share_of_marks;
 using test::TurningScene;
 
 TEST_CASE("What stands still is known as such through a whole sway of the head") {
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   TurningScene scene;
   scene.show(background, 300);
   for (int i = 0; i < 9; ++i) {
@@ -26,7 +26,7 @@ TEST_CASE("What stands still is known as such through a whole sway of the head")
 }
 
 TEST_CASE("How what stands still moves is known to a third of its speed while the head turns") {
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   TurningScene scene;
   CHECK_FALSE(background.still_velocity_at({320, 240}));
   scene.show(background, 300);
@@ -47,36 +47,8 @@ TEST_CASE("How what stands still moves is known to a third of its speed while th
   CHECK(squared_error < squared_speed / 9);
 }
 
-TEST_CASE(
-    "A place in the scene is found again wherever the head has turned, until it is forgotten") {
-  Background background(TurningScene::kSensor);
-  TurningScene scene;
-  scene.show(background, 300);
-  const auto place = [&] { return TurningScene::place(20, 0, scene.time_us()); };
-  const Background::ScenePlace kept = background.scene_place_of(place());
-  const Pixel before = place();
-  scene.show(background, 1'000);
-  REQUIRE(distance_px(before, place()) > 10);
-  REQUIRE(background.place_of(kept));
-  CHECK(distance_px(*background.place_of(kept), place()) < 2);
-  background.forget();
-  CHECK_FALSE(background.place_of(kept));
-}
-
-TEST_CASE("Where nothing is seen any more the head is not taken to turn on for long") {
-  Background background(TurningScene::kSensor);
-  TurningScene scene;
-  scene.show(background, 300);
-  const Pixel before = TurningScene::place(20, 0, scene.time_us());
-  const Background::ScenePlace kept = background.scene_place_of(before);
-  for (int i = 1; i <= 400; ++i) background.decide(scene.time_us() + i * 1'000);
-  REQUIRE(background.place_of(kept));
-  // At its speed of then it would have turned by 18 px.
-  CHECK(distance_px(*background.place_of(kept), before) < 3);
-}
-
 TEST_CASE("What passes once does not become part of what stands still") {
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   TurningScene scene;
   scene.show(background, 300);
   // An edge of one event a pixel, at 1 px a millisecond, where there is no mark.
@@ -89,7 +61,7 @@ TEST_CASE("What passes once does not become part of what stands still") {
 }
 
 TEST_CASE("Of a hand alone nothing is known") {
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   for (int i = 1; i <= 500; ++i) {
     for (int n = 0; n < 100; ++n) background.take(100 + n % 10, 200 + n / 2);
     background.decide(i * 1'000);
@@ -100,7 +72,7 @@ TEST_CASE("Of a hand alone nothing is known") {
 
 TEST_CASE("While the head turns most of what is seen stands still, a hand beside it or not") {
   for (const int hand_events : {0, 100}) {
-    Background background(TurningScene::kSensor);
+    Background background(TurningScene::kSensor, TurningScene::kLeastCells);
     TurningScene scene;
     scene.show(background, 300);
     for (int i = 0; i < 1'500; ++i) {
@@ -109,14 +81,12 @@ TEST_CASE("While the head turns most of what is seen stands still, a hand beside
       REQUIRE(background.head_turns());
     }
     CHECK(background.still_velocity_at({320, 240}));
-    background.forget();
-    CHECK_FALSE(background.head_turns());
-    CHECK_FALSE(background.still_velocity_at({320, 240}));
   }
 }
 
-TEST_CASE("Arms that go to and fro draw no map of what stands still") {
-  Background background(TurningScene::kSensor);
+// These arms are in up to 30 cells, more than the tracker asks for.
+TEST_CASE("Arms that go to and fro draw no map of what must be seen in more cells") {
+  Background background(TurningScene::kSensor, 34);
   int known = 0;
   for (int i = 1; i <= 3'000; ++i) {
     // Two upright ones against each other; they linger where they turn around.
@@ -132,7 +102,7 @@ TEST_CASE("Arms that go to and fro draw no map of what stands still") {
 }
 
 TEST_CASE("The head rests when, looked at for 300 ms, nothing is known, and not before") {
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   std::int64_t time_us = 10'000'000;
   const auto look = [&](int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) background.decide(time_us += 1'000);
@@ -141,14 +111,9 @@ TEST_CASE("The head rests when, looked at for 300 ms, nothing is known, and not 
   CHECK_FALSE(background.head_rests());
   look(2);
   CHECK(background.head_rests());
-  background.forget();
-  CHECK_FALSE(background.head_rests());
-  time_us += 5'000'000;
-  look(299);
-  CHECK_FALSE(background.head_rests());
 
   TurningScene scene;
-  Background turning(TurningScene::kSensor);
+  Background turning(TurningScene::kSensor, TurningScene::kLeastCells);
   for (int i = 0; i < 20; ++i) {
     scene.show(turning, 50);
     REQUIRE_FALSE(turning.head_rests());
@@ -157,60 +122,19 @@ TEST_CASE("The head rests when, looked at for 300 ms, nothing is known, and not 
 
 TEST_CASE("The head no longer rests a few milliseconds after it has begun to turn") {
   TurningScene scene;
-  Background unused(TurningScene::kSensor);
+  Background unused(TurningScene::kSensor, TurningScene::kLeastCells);
   scene.show(unused, 400);
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   for (int i = 1; i <= 400; ++i) background.decide(i * 1'000);
   REQUIRE(background.head_rests());
   scene.show(background, 12);
-  CHECK_FALSE(background.head_rests());
-}
-
-TEST_CASE("While the head rests a glance of 100 ms each 300 ms will do") {
-  Background background(TurningScene::kSensor);
-  CHECK_FALSE(background.may_nap(150'000));
-  for (int i = 1; i <= 400; ++i) background.decide(i * 1'000);
-  REQUIRE(background.head_rests());
-  CHECK_FALSE(background.may_nap(699'999));
-  CHECK(background.may_nap(700'000));
-  CHECK(background.may_nap(899'999));
-  CHECK_FALSE(background.may_nap(900'000));
-  // After a nap the head has begun to turn.
-  TurningScene scene;
-  Background unused(TurningScene::kSensor);
-  scene.show(unused, 900);
-  scene.show(background, 12);
-  CHECK_FALSE(background.may_nap(1'000'000));
-}
-
-TEST_CASE("Glances see a turn of 10 px a second") {
-  constexpr double kSpeed_px_ms = 0.01;
-  Background background(TurningScene::kSensor);
-  std::int64_t time_us = 0;
-  for (int i = 0; i < 400; ++i) background.decide(time_us += 1'000);
-  REQUIRE(background.head_rests());
-  int glances_ms = 0;
-  for (int i = 0; i < 400; ++i) {
-    time_us += 1'000;
-    if (background.may_nap(time_us)) continue;
-    ++glances_ms;
-    // Each place on the marks' edges makes an event each time that it has moved by half a pixel.
-    for (int mark = 0; mark < TurningScene::kMarks; ++mark) {
-      for (int n = i % 50; n < 100; n += 50) {
-        const Pixel place = TurningScene::place(mark, n * 0.0628, 0);
-        background.take(std::round(place.x + i * kSpeed_px_ms), std::round(place.y));
-      }
-    }
-    background.decide(time_us);
-  }
-  CAPTURE(glances_ms);
   CHECK_FALSE(background.head_rests());
 }
 
 // For how long a head that turns again has to be watched until the background is known, ms; before
-// that it has stopped while it turned and has rested for so long, looked at only as long as needed.
+// that it has stopped while it turned and has rested for so long.
 int known_again_after_ms(int resting_ms, int noise_a_ms) {
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   TurningScene scene;
   scene.show(background, 1'000);
   REQUIRE(background.is_known());
@@ -218,7 +142,6 @@ int known_again_after_ms(int resting_ms, int noise_a_ms) {
   std::uint32_t random = 1;
   for (int i = 0; i < resting_ms; ++i) {
     time_us += 1'000;
-    if (background.may_nap(time_us)) continue;
     for (int n = 0; n < noise_a_ms; ++n) {
       random = random * 1664525u + 1013904223u;
       background.take((random >> 8) % 640, (random >> 20) % 480);
@@ -281,7 +204,7 @@ class NoisyScene {
     return still / 560.0;
   }
 
-  Background background{TurningScene::kSensor};
+  Background background{TurningScene::kSensor, TurningScene::kLeastCells};
   bool told = true;
   std::int64_t time_us = 0;
 
@@ -317,17 +240,8 @@ TEST_CASE("What stands still is told from noise while the head turns") {
   CHECK(scene.still_share_between() < 0.05);
 }
 
-TEST_CASE("Glances see through noise that the head begins to turn") {
-  NoisyScene scene;
-  scene.rest(400);
-  REQUIRE(scene.background.head_rests());
-  scene.time_us += 200'000;  // a nap
-  scene.turn(30);
-  CHECK_FALSE(scene.background.head_rests());
-}
-
 TEST_CASE("How the scene moves is not known of a head at rest, nor afterwards from before") {
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   TurningScene scene;
   scene.show(background, 300);
   REQUIRE(background.still_velocity_at({320, 240}));
@@ -343,7 +257,7 @@ TEST_CASE("How the scene moves is not known of a head at rest, nor afterwards fr
 }
 
 TEST_CASE("A hand with more events than all that stands still does not draw the map along") {
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   TurningScene scene;
   scene.show(background, 300);
   // Its edges, 8 px apart, go to the side at 0.7 px a millisecond.
@@ -363,20 +277,8 @@ TEST_CASE("A hand with more events than all that stands still does not draw the 
   CHECK(still_share_of_marks(background, scene.time_us()) > 0.9);
 }
 
-TEST_CASE("What was forgotten has to be seen again") {
-  Background background(TurningScene::kSensor);
-  TurningScene scene;
-  scene.show(background, 300);
-  REQUIRE(background.is_known());
-  background.forget();
-  CHECK_FALSE(background.is_known());
-  CHECK(still_share_of_marks(background, scene.time_us()) == 0);
-  scene.show(background, 300);
-  CHECK(background.is_known());
-}
-
 TEST_CASE("Of too many events some are taken, which say as much") {
-  Background background(TurningScene::kSensor);
+  Background background(TurningScene::kSensor, TurningScene::kLeastCells);
   for (int i = 1; i <= 300; ++i) {
     for (int n = 0; n < 20'000; ++n) {
       // Each millisecond's are of other places on the edges, in no order that goes with a stride.

@@ -1,11 +1,11 @@
-#include "common/vision/block_sums.h"
+#include "common/vision/correlation/block_sums.h"
 
 #include <algorithm>
 
 #include <doctest/doctest.h>
 
-#include "common/vision/correlation.h"
-#include "common/vision/kernel_bank.h"
+#include "common/vision/correlation/correlation.h"
+#include "common/vision/correlation/kernel_bank.h"
 #include "common/vision/presets.h"
 #include "tests/support/simd_targets.h"
 #include "tests/vision/noise_picture.h"

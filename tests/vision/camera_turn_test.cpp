@@ -1,4 +1,4 @@
-#include "common/vision/camera_turn.h"
+#include "common/vision/scene/camera_turn.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "common/vision/contour_calibration.h"
+#include "common/vision/contour/contour_calibration.h"
 
 #include <doctest/doctest.h>
 

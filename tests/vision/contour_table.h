@@ -6,15 +6,15 @@
 
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
-#include "tests/vision/contour_world.h"
+#include "tests/vision/moving_contour.h"
 
 namespace puck::test {
 
 inline constexpr SensorSize kTableSensor{320, 240};
 inline constexpr PuckSizeModel kTableSizeModel{16, 0, 0.08, 8, 0, 0.08};
 
-/// Shows a tracker, of preset `default` unless told otherwise, a dark puck that glides, rests,
-/// jumps or hides.
+/// Shows a tracker, with the parameters of preset `default` unless given others, a dark puck that
+/// glides, rests, jumps or hides.
 class ContourTable {
  public:
   explicit ContourTable(const PipelineParams& params = preset_params(Preset::kDefault),
@@ -73,9 +73,9 @@ class ContourTable {
     MovingContour mallet(contour_, {puck_.x + offset.x, puck_.y + offset.y}, velocity);
     for (int i = 0; i < milliseconds; ++i) {
       const std::int64_t from_us = i * 1000;
-      std::vector<ContourEvent> front = mallet.events(from_us, from_us + 1000);
+      std::vector<TimedEvent> front = mallet.events(from_us, from_us + 1000);
       const double y = mallet.position_at(from_us).y;
-      std::erase_if(front, [&](const ContourEvent& event) { return event.y < y; });
+      std::erase_if(front, [&](const TimedEvent& event) { return event.y < y; });
       show(packet_of(front, kTableSensor, now_us_, from_us));
     }
   }
@@ -88,11 +88,6 @@ class ContourTable {
   bool has_print = false;
   /// The puck's side wall makes events where the calibration says that it does not.
   void show_other_wall() { wall_share_ = contour_.other_wall_share(); }
-  /// … and is so high, in widths in the image's middle, where the annotations leave it out.
-  void show_wall(double height) {
-    contour_.correct_other_wall_share(-height);
-    show_other_wall();
-  }
   void put(Pixel position) { puck_ = position; }
   double error_px() const {
     if (!estimate_.position) return 100;
@@ -103,7 +98,7 @@ class ContourTable {
  private:
   static ContourCalibration exact() { return {0, 0, 0}; }
   static PipelineParams with_exact(PipelineParams params) {
-    params.contour.calibration = exact();
+    params.contour = exact();
     return params;
   }
 

@@ -1,11 +1,11 @@
-#include "common/vision/correlation.h"
+#include "common/vision/correlation/correlation.h"
 
 #include <random>
 
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "common/vision/kernel_bank.h"
+#include "common/vision/correlation/kernel_bank.h"
 #include "common/vision/presets.h"
 
 namespace puck {

@@ -1,10 +1,10 @@
-#include "common/vision/ellipse_kernel.h"
+#include "common/vision/correlation/ellipse_kernel.h"
 
 #include <stdexcept>
 
 #include <doctest/doctest.h>
 
-#include "common/vision/kernel_bank.h"
+#include "common/vision/correlation/kernel_bank.h"
 #include "common/vision/presets.h"
 
 namespace puck {

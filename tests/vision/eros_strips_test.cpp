@@ -1,4 +1,4 @@
-#include "common/vision/eros_strips.h"
+#include "common/vision/surface/eros_strips.h"
 
 #include <algorithm>
 #include <random>

@@ -1,5 +1,3 @@
-#include "common/vision/eros_surface.h"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -7,6 +5,8 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+
+#include "common/vision/surface/surface.h"
 
 namespace puck {
 namespace {
@@ -25,7 +25,7 @@ std::vector<Event> random_events(SensorSize size, int count, unsigned seed) {
   return events;
 }
 
-SurfaceSnapshot whole(ErosSurface& surface) {
+SurfaceSnapshot whole(Surface& surface) {
   SurfaceSnapshot snapshot;
   surface.snapshot(Region::all_of(surface.size()), snapshot);
   return snapshot;
@@ -49,7 +49,7 @@ Image<double> textbook_eros(SensorSize size, const ErosParams& params,
 }  // namespace
 
 TEST_CASE("EROS decays neighbours, not pixels beyond its half width") {
-  ErosSurface surface({32, 32}, {2, 0.5, ErosRounding::kNearest});
+  Surface surface({32, 32}, ErosParams{2, 0.5, ErosRounding::kNearest});
   surface.update(event_at(10, 10));
   surface.update(event_at(16, 10));
   surface.update(event_at(12, 10));
@@ -66,7 +66,7 @@ TEST_CASE("EROS equals the textbook's multiplication for every half width, even 
     CAPTURE(half_width);
     const ErosParams params{half_width, std::pow(0.3, 1.0 / half_width), ErosRounding::kNearest};
     const auto events = random_events(size, 3000, 7u + static_cast<unsigned>(half_width));
-    ErosSurface surface(size, params);
+    Surface surface(size, params);
     surface.update(events);
     const SurfaceSnapshot snapshot = whole(surface);
     const Image<double> expected = textbook_eros(size, params, events);
@@ -81,8 +81,8 @@ TEST_CASE("EROS equals the textbook's multiplication for every half width, even 
 TEST_CASE("a batch of events and single events give the same surface") {
   const SensorSize size{64, 48};
   const auto events = random_events(size, 5000, 3);
-  ErosSurface batch(size, {});
-  ErosSurface single(size, {});
+  Surface batch(size, {});
+  Surface single(size, {});
   batch.update(events);
   for (const Event& event : events) single.update(event);
   const SurfaceSnapshot a = whole(batch);
@@ -94,7 +94,7 @@ TEST_CASE("a batch of events and single events give the same surface") {
 
 TEST_CASE("truncating after every decay gives the authors' sequence of grey values") {
   const std::vector<int> expected{255, 183, 131, 94, 67, 48, 34, 24, 17, 12, 8, 5, 3, 2, 1, 0};
-  ErosSurface surface({16, 16}, {3, std::pow(0.1, 1.0 / 7), ErosRounding::kTruncateEachStep});
+  Surface surface({16, 16}, ErosParams{3, std::pow(0.1, 1.0 / 7), ErosRounding::kTruncateEachStep});
   surface.update(event_at(8, 8));
   for (const int value : expected) {
     CHECK(whole(surface).grey(8, 8) == value);
@@ -103,7 +103,7 @@ TEST_CASE("truncating after every decay gives the authors' sequence of grey valu
 }
 
 TEST_CASE("a pixel is dark after 255 events around it") {
-  ErosSurface surface({16, 16}, {3, 0.9999, ErosRounding::kNearest});
+  Surface surface({16, 16}, ErosParams{3, 0.9999, ErosRounding::kNearest});
   surface.update(event_at(8, 8));
   for (int i = 0; i < 254; ++i) surface.update(event_at(9, 8));
   CHECK(whole(surface).grey(8, 8) == 249);
@@ -112,7 +112,7 @@ TEST_CASE("a pixel is dark after 255 events around it") {
 }
 
 TEST_CASE("a snapshot is cut to the sensor and has the newest event and the number of events") {
-  ErosSurface surface({32, 24}, {});
+  Surface surface({32, 24}, {});
   EventPacket packet;
   packet.start = {1000};
   packet.events = {{31, 23, 1, 0}, {30, 23, 0, 7}};
@@ -131,8 +131,8 @@ TEST_CASE("a surface that keeps a region equals a whole one there, and entering 
   const SensorSize size{90, 70};
   const ErosParams params{4, 0.8, ErosRounding::kNearest};
   const auto events = random_events(size, 40'000, 11);
-  ErosSurface whole_one(size, params);
-  ErosSurface part(size, params);
+  Surface whole_one(size, params);
+  Surface part(size, params);
   part.update(std::span(events).first(10'000));
   whole_one.update(std::span(events).first(10'000));
 
@@ -191,7 +191,7 @@ TEST_CASE("a surface that keeps a region equals a whole one there, and entering 
 TEST_CASE("an exposure shows the surface of its time, even if developed later") {
   const SensorSize size{64, 48};
   const auto events = random_events(size, 5000, 3);
-  ErosSurface surface(size, {});
+  Surface surface(size, {});
   surface.update(events);
   const SurfaceSnapshot then = whole(surface);
   SurfaceExposure upper;
@@ -209,13 +209,13 @@ TEST_CASE("an exposure shows the surface of its time, even if developed later") 
 }
 
 TEST_CASE("EROS refuses parameters out of range and names the key") {
-  CHECK_THROWS_WITH_AS(ErosSurface({640, 480}, {0, 0.5}),
+  CHECK_THROWS_WITH_AS(Surface({640, 480}, ErosParams{0, 0.5}),
                        "tracker.half_width_px must be 1 to 8, got 0", std::invalid_argument);
-  CHECK_THROWS_AS(ErosSurface({640, 480}, {9, 0.5}), std::invalid_argument);
-  CHECK_THROWS_AS(ErosSurface({640, 480}, {3, 1.0}), std::invalid_argument);
-  CHECK_THROWS_AS(ErosSurface({640, 480}, {3, std::nan("")}), std::invalid_argument);
-  CHECK_THROWS_AS(ErosSurface({0, 480}, {3, 0.5}), std::invalid_argument);
-  CHECK_THROWS_AS(ErosSurface({640, 4096}, {3, 0.5}), std::invalid_argument);
+  CHECK_THROWS_AS(Surface({640, 480}, ErosParams{9, 0.5}), std::invalid_argument);
+  CHECK_THROWS_AS(Surface({640, 480}, ErosParams{3, 1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(Surface({640, 480}, ErosParams{3, std::nan("")}), std::invalid_argument);
+  CHECK_THROWS_AS(Surface({0, 480}, ErosParams{3, 0.5}), std::invalid_argument);
+  CHECK_THROWS_AS(Surface({640, 4096}, ErosParams{3, 0.5}), std::invalid_argument);
 }
 
 }  // namespace puck

@@ -1,4 +1,4 @@
-#include "common/vision/event_history.h"
+#include "common/vision/surface/event_history.h"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
-#include "common/vision/evidence.h"
+#include "common/vision/hypotheses/evidence.h"
 
 #include <cmath>
 
 #include <doctest/doctest.h>
 
-#include "common/vision/puck_belief.h"
+#include "common/vision/hypotheses/puck_belief.h"
 
 namespace puck {
 namespace {
@@ -106,6 +106,19 @@ TEST_CASE("no packet says more than its bound") {
   for (const double nats : {much.place, much.sector, much.sign}) CHECK(std::abs(nats) < 3.6);
 }
 
+TEST_CASE("evidence compares the likelihoods of both classes, outliers included") {
+  const GameTraits game = quiet_game();
+  const EvidencePacket packet = packet_of_puck();
+  const Evidence evidence = evidence_in(game, packet);
+  const auto nats = [&](const ClassLikelihoods& plain) {
+    const ClassLikelihoods log = with_outliers(plain);
+    return evidence.told * (log.puck - log.other);
+  };
+  CHECK(nats(place_likelihoods(packet, kAreas, 1, game, {})) == doctest::Approx(evidence.place));
+  CHECK(nats(sector_likelihoods(packet, game, {})) == doctest::Approx(evidence.sector));
+  CHECK(nats(sign_likelihoods(packet, game, {})) == doctest::Approx(evidence.sign));
+}
+
 TEST_CASE("half a contour speaks against a puck, however many events it has") {
   for (const double events : {10, 100, 1'000, 10'000}) {
     CAPTURE(events);
@@ -119,11 +132,26 @@ TEST_CASE("half a contour speaks against a puck, however many events it has") {
 TEST_CASE("what was learned of a game is forgotten by shares") {
   GameTraits game;
   for (int i = 0; i < 100; ++i) game.learn(packet_of_puck());
-  CHECK(game.knows_tone());
+  CHECK(game.dark_share() + game.bright_share() > 0.3);
   CHECK(game.density() == doctest::Approx(28.0 / 20).epsilon(0.02));
   game.forget(1);
-  CHECK_FALSE(game.knows_tone());
+  CHECK(game.dark_share() + game.bright_share() == 0);
   CHECK(game.leading_share() == doctest::Approx(0.5));
+}
+
+TEST_CASE("what has moved by itself is no mark of the scene, until it has rested for long") {
+  OwnMotion motion;
+  CHECK(motion.mark() == 1);
+  motion.pass(1, 1, 0.01);
+  CHECK(motion.mark() == 1);
+  for (int i = 0; i < 20; ++i) motion.pass(0.001, 0, 0.01);
+  const double moved = motion.mark();
+  CHECK(moved < 1e-3);
+  motion.pass(0.1, 1, 0.01);
+  CHECK(motion.mark() > moved);
+  CHECK(motion.mark() < 0.01);
+  motion.pass(1'000, 1, 0.01);
+  CHECK(motion.mark() == 1);
 }
 
 TEST_CASE("belief in a puck is undone within some packets, however long it has lasted") {

@@ -1,4 +1,4 @@
-#include "common/vision/fading_map.h"
+#include "common/vision/scene/fading_map.h"
 
 #include <cmath>
 

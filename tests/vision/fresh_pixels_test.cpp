@@ -1,4 +1,4 @@
-#include "common/vision/fresh_pixels.h"
+#include "common/vision/surface/fresh_pixels.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "common/vision/gaussian_blur.h"
+#include "common/vision/correlation/gaussian_blur.h"
 
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>

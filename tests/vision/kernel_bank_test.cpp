@@ -1,4 +1,4 @@
-#include "common/vision/kernel_bank.h"
+#include "common/vision/correlation/kernel_bank.h"
 
 #include <limits>
 #include <stdexcept>

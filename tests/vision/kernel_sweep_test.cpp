@@ -1,4 +1,4 @@
-#include "common/vision/kernel_sweep.h"
+#include "common/vision/correlation/kernel_sweep.h"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,10 @@
 
 #include <doctest/doctest.h>
 
-#include "common/vision/correlation.h"
-#include "common/vision/gaussian_blur.h"
-#include "common/vision/kernel_bank.h"
-#include "common/vision/plain_sums.h"
+#include "common/vision/correlation/correlation.h"
+#include "common/vision/correlation/gaussian_blur.h"
+#include "common/vision/correlation/kernel_bank.h"
+#include "common/vision/correlation/plain_sums.h"
 #include "common/vision/presets.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/simd_targets.h"

@@ -1,4 +1,4 @@
-#include "common/vision/measurement_noise.h"
+#include "common/vision/paper/measurement_noise.h"
 
 #include <cmath>
 

@@ -6,8 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include "common/vision/contour_track.h"
-#include "common/vision/puck_contour.h"
+#include "common/events/event_packet.h"
+#include "common/events/sensor_size.h"
+#include "common/vision/contour/puck_contour.h"
+#include "common/vision/hypotheses/hypothesis.h"
 
 namespace puck::test {
 
@@ -33,8 +35,8 @@ class MovingContour {
   }
 
   /// The events from `from_us` to `to_us`, a step of 10 µs at a time.
-  std::vector<ContourEvent> events(std::int64_t from_us, std::int64_t to_us) {
-    std::vector<ContourEvent> made;
+  std::vector<TimedEvent> events(std::int64_t from_us, std::int64_t to_us) {
+    std::vector<TimedEvent> made;
     for (std::int64_t t = from_us; t < to_us; t += 10) {
       const Pixel centre = position_at(t);
       const ContourRing ring = contour_.ring_at(centre, std::max(wall_share_, 0.0));
@@ -52,17 +54,15 @@ class MovingContour {
             std::hypot(ring.semi_x * std::sin(angle), ring.semi_y * std::cos(angle));
         if (uniform() > std::abs(speed) * 10e-6 * length_px * per_px2_) continue;
         const double wall = dy > whole.sides_slope * dx ? wall_px : 0;
-        add({t, std::round(centre.x + dx), std::round(centre.y + dy - ring.rise + wall), speed < 0,
-             true},
-            centre, made);
+        add(event_at(t, centre.x + dx, centre.y + dy - ring.rise + wall, speed < 0), centre, made);
       }
       for (const double side : {-1, 1}) {
         if (wall_px <= 0 || uniform() > std::abs(velocity_.x) * 10e-6 * wall_px * per_px2_)
           continue;
         const double dx = side * whole.drawn_out_semi_x();
-        add({t, std::round(centre.x + dx),
-             std::round(centre.y + whole.sides_slope * dx - ring.rise + uniform() * wall_px),
-             side * velocity_.x < 0, true},
+        add(event_at(t, centre.x + dx,
+                     centre.y + whole.sides_slope * dx - ring.rise + uniform() * wall_px,
+                     side * velocity_.x < 0),
             centre, made);
       }
     }
@@ -70,14 +70,16 @@ class MovingContour {
   }
 
  private:
-  void add(const ContourEvent& event, Pixel centre, std::vector<ContourEvent>& made) const {
+  static TimedEvent event_at(std::int64_t time_us, double x, double y, bool on) {
+    return {time_us, static_cast<float>(std::round(x)), static_cast<float>(std::round(y)), on,
+            true};
+  }
+
+  void add(const TimedEvent& event, Pixel centre, std::vector<TimedEvent>& made) const {
     made.push_back(event);
     if (!has_print) return;
-    ContourEvent print = event;
-    print.x = std::round((centre.x + event.x) / 2);
-    print.y = std::round((centre.y + event.y) / 2);
-    print.on = !event.on;
-    made.push_back(print);
+    made.push_back(
+        event_at(event.time_us, (centre.x + event.x) / 2, (centre.y + event.y) / 2, !event.on));
   }
 
   double uniform() {
@@ -92,5 +94,21 @@ class MovingContour {
   double wall_share_;
   std::uint64_t state_ = 1;
 };
+
+/// What of these events lies on a sensor, as a packet that starts at `start_us`; the events' times
+/// count from `origin_us`.
+inline EventPacket packet_of(const std::vector<TimedEvent>& events, SensorSize sensor,
+                             std::int64_t start_us, std::int64_t origin_us) {
+  EventPacket packet{{start_us}, {}};
+  for (const TimedEvent& event : events) {
+    if (!sensor.contains(static_cast<int>(event.x), static_cast<int>(event.y))) continue;
+    Event made{static_cast<std::uint16_t>(event.x), 0, 0,
+               static_cast<std::uint32_t>(event.time_us - origin_us)};
+    made.y = static_cast<std::uint16_t>(event.y) & 0x7fffu;
+    made.polarity = event.on ? 1 : 0;
+    packet.events.push_back(made);
+  }
+  return packet;
+}
 
 }  // namespace puck::test

@@ -1,4 +1,4 @@
-#include "common/vision/noise_floor.h"
+#include "common/vision/scene/noise_floor.h"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,8 @@ constexpr SensorSize kNoisySensor{320, 240};
 // A sensor all of whose pixels fire at random.
 class Noisy {
  public:
-  // For so long, with so many events a millisecond; whether the tracker wants them all.
-  void run(int milliseconds, int events_a_ms, bool wants_all = true) {
+  // For so long, with so many events a millisecond.
+  void run(int milliseconds, int events_a_ms) {
     for (int i = 0; i < milliseconds; ++i) {
       for (int n = 0; n < events_a_ms; ++n) {
         const auto x = static_cast<int>(random_.below(320));
@@ -23,7 +23,7 @@ class Noisy {
         for (int y = 0; y < 240; ++y) floor.take(column, y);
       }
       time_us_ += 1'000;
-      floor.decide(time_us_, wants_all);
+      floor.decide(time_us_);
     }
   }
   void wait(std::int64_t duration_us) { time_us_ += duration_us; }
@@ -69,19 +69,6 @@ TEST_CASE("More noise is believed in half a second, less in a tenth") {
   CHECK(sensor.hz() < 1.3 * kHz);
 }
 
-TEST_CASE("Nothing is learned of times whose events were not all wanted, nor right after them") {
-  Noisy sensor;
-  sensor.run(500, kEvents_a_ms);
-  const double before = sensor.hz();
-  for (int i = 0; i < 10; ++i) {
-    sensor.run(300, 1, false);
-    // Those that were on their way are still few.
-    sensor.run(9, 1);
-    sensor.run(60, kEvents_a_ms);
-  }
-  CHECK(sensor.hz() == doctest::Approx(before).epsilon(0.15));
-}
-
 TEST_CASE(
     "A sensor that has run for long, or whose packets fail to come for a while, is no quieter") {
   for (const std::int64_t gap_us : {200'000LL, 60'000'000LL}) {
@@ -96,15 +83,6 @@ TEST_CASE(
     interrupted.run(70, kEvents_a_ms);
     CHECK(interrupted.hz() == doctest::Approx(kHz).epsilon(0.2));
   }
-}
-
-TEST_CASE("Of a count, what noise seldom makes is beyond it; of hardly any noise all of it") {
-  CHECK(beyond_noise(5, 0) == 5);
-  CHECK(beyond_noise(5, 1) == 5);
-  // 16, and twice its root, less the 4 that are left in.
-  CHECK(beyond_noise(25, 16) == 5);
-  CHECK(beyond_noise(20, 16) == 0);
-  CHECK(beyond_noise(12, 16) == 0);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 
-#include "common/vision/image.h"
+#include "common/vision/geometry/image.h"
 
 namespace puck::test {
 

@@ -8,9 +8,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "common/io/event_reader.h"
-#include "common/vision/eros_surface.h"
+#include "common/vision/paper/puck_tracker.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_tracker.h"
+#include "common/vision/surface/surface.h"
 #include "tests/support/recordings.h"
 #include "tests/support/sanitizers.h"
 
@@ -32,13 +32,13 @@ PipelineParams reference_of_one_maximum() {
   return params;
 }
 
-void compare_at(ErosSurface& surface, Pixel expected, PuckSize size, Agreement& agreement) {
+void compare_at(Surface& surface, Pixel expected, PuckSize size, Agreement& agreement) {
   const PipelineParams params = reference_of_one_maximum();
   PuckSizeModel model;
   model.width_0 = size.width;
   model.height_0 = size.height;
   const KernelBank bank(params.kernels);
-  PuckTracker tracker(surface.size(), params.tracker, model, params.contour.calibration);
+  PuckTracker tracker(surface.size(), params.tracker, model, params.contour);
   const Region region = tracker.region_around(expected, bank);
   SurfaceSnapshot snapshot;
   surface.snapshot(region, snapshot);
@@ -86,7 +86,7 @@ TEST_CASE("the step finds OpenCV's maximum on random surfaces, except for a rare
   std::mt19937 random(8);
   Agreement agreement;
   for (int round = 0; round < kRounds; ++round) {
-    ErosSurface surface({240, 200}, preset_params(Preset::kReference).eros);
+    Surface surface({240, 200}, preset_params(Preset::kReference).eros);
     for (int i = 0; i < 200 << (round % 8); ++i) {
       surface.update(Event{static_cast<std::uint16_t>(random() % 240),
                            static_cast<std::uint16_t>(random() % 200), 1, 0});
@@ -104,7 +104,7 @@ TEST_CASE("the step finds OpenCV's maximum on surfaces of real recordings") {
   Agreement agreement;
   for (const char* file : {"driving_gen41_1280x720_evt3.raw", "sparklers_gen31_640x480_evt2.raw"}) {
     const auto events = open_event_file(*recordings / file);
-    ErosSurface surface(events->sensor_size(), preset_params(Preset::kReference).eros);
+    Surface surface(events->sensor_size(), preset_params(Preset::kReference).eros);
     EventPacket packet;
     for (int i = 0; i < kPackets && events->read(packet, 50'000); ++i) {
       surface.update(packet);

@@ -1,4 +1,4 @@
-#include "common/vision/peak_refinement.h"
+#include "common/vision/contour/peak_refinement.h"
 
 #include <cmath>
 

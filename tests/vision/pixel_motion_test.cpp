@@ -1,4 +1,4 @@
-#include "common/vision/pixel_motion.h"
+#include "common/vision/paper/pixel_motion.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "common/vision/puck_contour.h"
+#include "common/vision/contour/puck_contour.h"
 
 #include <algorithm>
 #include <array>
@@ -215,22 +215,22 @@ TEST_CASE("A wall visible below the face extends its outline downwards") {
   }
 }
 
-TEST_CASE("An omitted wall has its estimated height, scaled by its place") {
+TEST_CASE("An omitted wall has an ordinary puck's height, scaled by its place") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
-  const PuckSizeModel whole = model;
   model.disc->thickness = 0;
-  PuckContour contour(kOddWidthSensor, model, kExact, true);
-  contour.correct_other_wall_share(-whole.wall_of_width());
-  CHECK(contour.other_wall_share() == -whole.wall_of_width());
-  CHECK(contour.is_other_wall(contour.other_wall_share()));
+  const PuckContour contour(kOddWidthSensor, model, kExact, true);
+  const double share = contour.other_wall_share();
+  CHECK(share == -model.ordinary_wall());
+  CHECK(contour.is_other_wall(share));
   for (const Pixel place : {Pixel{320, 60}, {320, 240}, {320, 420}}) {
     CAPTURE(place.y);
-    const ContourRing ring = contour.ring_at(place, contour.other_wall_share());
-    const PuckSize size = whole.disc->at(place);
-    CHECK(2 * ring.semi_y == doctest::Approx(size.height));
+    const ContourRing ring = contour.ring_at(place, share);
+    const PuckSize size = model.disc->at(place);
+    const double wall = model.ordinary_wall() * model.disc->wall_profile(place);
+    CHECK(2 * ring.semi_y == doctest::Approx(size.height + wall * size.width));
     // The larger the rise, the lower the centre.
-    const Pixel lower = contour.centre_with_wall(place, 0, contour.other_wall_share());
+    const Pixel lower = contour.centre_with_wall(place, 0, share);
     CHECK(place.y - lower.y == doctest::Approx(-ring.rise));
   }
   // A calibrated share applies to the whole image.
@@ -241,21 +241,8 @@ TEST_CASE("An omitted wall has its estimated height, scaled by its place") {
   }
 }
 
-TEST_CASE(
-    "The image's speed under a head turn scales with the lens, estimated from the puck's size") {
-  const PuckContour contour(kOddWidthSensor, kFlat, kExact, true);
-  CHECK(contour.turning_px_s() == doctest::Approx(270));
-  // The same lens with half as many pixels, each twice as large.
-  const PuckContour coarse({321, 240}, {15, 0, 0, 10, 0, 0}, kExact, true);
-  CHECK(coarse.turning_px_s() == doctest::Approx(135));
-  // The size in the image's middle counts: 20 + 0.1 · 239.5.
-  CHECK(PuckContour(kOddWidthSensor, kPlane, kExact, true).turning_px_s() ==
-        doctest::Approx(395.55));
-}
-
 TEST_CASE("A size model without any size still gives a ring") {
   const PuckContour contour(kOddWidthSensor, {-50, 0, 0, -20, 0, 0}, kExact, true);
-  CHECK(contour.turning_px_s() == doctest::Approx(36));
   const ContourRing ring = contour.ring_at({320, 240}, 0);
   CHECK(ring.semi_x >= 1);
   CHECK(ring.semi_y >= 1);

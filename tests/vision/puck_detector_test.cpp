@@ -1,11 +1,12 @@
-#include "common/vision/puck_detector.h"
+#include "common/vision/paper/puck_detector.h"
 
 #include <cmath>
 
 #include <doctest/doctest.h>
 
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
-#include "tests/vision/contour_world.h"
+#include "tests/vision/test_sensor.h"
 
 namespace puck {
 namespace {

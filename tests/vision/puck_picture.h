@@ -6,8 +6,8 @@
 
 #include "common/events/event.h"
 #include "common/events/sensor_size.h"
-#include "common/vision/image.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/image.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck::test {
 

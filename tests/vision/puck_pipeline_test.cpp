@@ -1,4 +1,4 @@
-#include "common/vision/puck_pipeline.h"
+#include "common/vision/paper/puck_pipeline.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -9,8 +9,8 @@
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
 #include "tests/support/sanitizers.h"
-#include "tests/vision/contour_world.h"
 #include "tests/vision/puck_picture.h"
+#include "tests/vision/test_sensor.h"
 
 namespace puck {
 namespace {
@@ -108,7 +108,7 @@ TEST_CASE("the soft ring follows a drawn contour to a tenth of a pixel") {
   PipelineParams params = preset_params(Preset::kCorrelation);
   // Drawn events have no lag, no trail, and lie on the annotated contour.
   params.lead.enabled = false;
-  params.contour.calibration.grow_px = 0;
+  params.contour.grow_px = 0;
   Scene scene(params);
   double mean_px = 0;
   for (int i = 0; i < 300; ++i) {

@@ -1,12 +1,12 @@
-#include "common/vision/puck_search.h"
+#include "common/vision/paper/puck_search.h"
 
 #include <doctest/doctest.h>
 
-#include "common/vision/eros_surface.h"
+#include "common/vision/contour/puck_contour.h"
 #include "common/vision/presets.h"
-#include "common/vision/puck_contour.h"
-#include "tests/vision/contour_world.h"
+#include "common/vision/surface/surface.h"
 #include "tests/vision/puck_picture.h"
+#include "tests/vision/test_sensor.h"
 
 namespace puck {
 namespace {
@@ -21,7 +21,7 @@ PuckSearch search_of(Preset preset) {
 
 SearchResult search_for_puck_at(Pixel truth, const Region& where, Preset preset) {
   const PipelineParams params = preset_params(preset);
-  ErosSurface surface(kSensor, params.eros);
+  Surface surface(kSensor, params.eros);
   surface.update(
       EventPacket{{7000}, test::contour_events(kSensor, truth, kSizeModel.at(truth), 200)});
   PuckSearch search = search_of(preset);
@@ -54,13 +54,13 @@ TEST_CASE("a puck with another side wall than calibrated is found by a search fo
   for (const double calibrated : {0.0, 0.165}) {
     CAPTURE(calibrated);
     PipelineParams params = preset_params(Preset::kDefault);
-    params.contour.calibration.wall_share = calibrated;
-    const PuckContour contour(kSensor, kSizeModel, params.contour.calibration, true);
+    params.contour.wall_share = calibrated;
+    const PuckContour contour(kSensor, kSizeModel, params.contour, true);
     PuckSearch search(kSensor, params, kSizeModel);
     for (const Pixel truth : {Pixel{200, 60}, {320, 190}, {330, 400}}) {
       CAPTURE(truth.x);
       const ContourRing ring = contour.ring_at(truth, contour.other_wall_share());
-      ErosSurface surface(kSensor, params.eros);
+      Surface surface(kSensor, params.eros);
       surface.update(EventPacket{{7000},
                                  test::contour_events(kSensor, {truth.x, truth.y - ring.rise},
                                                       {2 * ring.semi_x, 2 * ring.semi_y}, 200)});
@@ -78,42 +78,6 @@ TEST_CASE("a puck with another side wall than calibrated is found by a search fo
       CHECK(best.score > best_of(false).score);
     }
   }
-}
-
-TEST_CASE("a wall higher than an ordinary puck's is searched for at its estimated height") {
-  PuckSizeModel model = kSizeModel;
-  model.disc = DiscModel{.width_0 = 16,
-                         .width_y = 0.07,
-                         .face_on_px = 60,
-                         .principal_x_px = 320,
-                         .principal_y_px = 240};
-  const PipelineParams params = preset_params(Preset::kDefault);
-  constexpr double kWall = -0.36;
-  PuckContour contour(kSensor, model, params.contour.calibration, true);
-  contour.correct_other_wall_share(kWall);
-  PuckSearch search(kSensor, params, model);
-  const Pixel truth{320, 240};
-  const ContourRing ring = contour.ring_at(truth, kWall);
-  ErosSurface surface(kSensor, params.eros);
-  surface.update(EventPacket{{7000},
-                             test::contour_events(kSensor, {truth.x, truth.y - ring.rise},
-                                                  {2 * ring.semi_x, 2 * ring.semi_y}, 200)});
-  SurfaceSnapshot snapshot;
-  const auto best_of = [&](const SearchRequest& request) {
-    surface.snapshot(search.snapshot_region(request.region), snapshot);
-    const SearchResult result = search.search(snapshot, request);
-    REQUIRE_FALSE(result.candidates.empty());
-    return result.candidates.front();
-  };
-  const Region near = Region::around(truth, 81, 81);
-  const SearchCandidate as_calibrated = best_of({near, true});
-  const SearchCandidate as_found = best_of({near, true, kWall});
-  CHECK(distance_px(as_found.position, truth) < 1);
-  CHECK(as_found.score > as_calibrated.score + 0.05);
-  // The height has an upper bound, and is not kept between searches.
-  CHECK(best_of({near, true, -9}).score < as_found.score);
-  CHECK(best_of({near, true, kWall}).score == as_found.score);
-  CHECK(best_of({near, true}).score == as_calibrated.score);
 }
 
 TEST_CASE("the authors' detection returns the best place only") {

@@ -1,11 +1,11 @@
-#include "common/vision/puck_size_model.h"
+#include "common/vision/geometry/puck_size_model.h"
 
 #include <cmath>
 #include <string>
 
 #include <doctest/doctest.h>
 
-#include "tests/vision/contour_world.h"
+#include "tests/vision/test_sensor.h"
 
 namespace puck {
 namespace {

@@ -1,7 +1,9 @@
-#include "common/vision/region_filter.h"
+#include "common/vision/surface/region_filter.h"
 
 #include <algorithm>
 #include <random>
+#include <span>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -46,16 +48,19 @@ TEST_CASE("every instruction set copies the same events as the plain form") {
   });
 }
 
-TEST_CASE("the events inside a region are kept, in order, for any number") {
+TEST_CASE("the events inside a region are handed over, in order, for any number") {
   const auto events = random_events(5000, 3);
   for (const Region& region : kRegions) {
     std::vector<Event> expected;
     for (const Event& event : events) {
       if (region.contains(event.x, event.y)) expected.push_back(event);
     }
-    std::vector<Event> kept{{1, 1, 1, 1}};
-    keep_inside(events, region, kept);
-    CHECK(kept == expected);
+    std::vector<Event> used;
+    for_inside(events, region, [&](std::span<const Event> inside) {
+      CHECK_FALSE(inside.empty());
+      used.insert(used.end(), inside.begin(), inside.end());
+    });
+    CHECK(used == expected);
     CHECK(any_inside(events, region) == !expected.empty());
   }
   const std::vector<Event> last{{1, 1, 0, 0}, {2, 2, 0, 0}, {9, 9, 1, 5}};

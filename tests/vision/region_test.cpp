@@ -1,4 +1,4 @@
-#include "common/vision/region.h"
+#include "common/vision/geometry/region.h"
 
 #include <doctest/doctest.h>
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "common/vision/image.h"
-#include "common/vision/pixel.h"
+#include "common/vision/geometry/image.h"
+#include "common/vision/geometry/pixel.h"
 
 namespace puck::test {
 
@@ -28,8 +28,8 @@ inline Image<std::uint8_t> draw_ring(int width, int height, const DrawnRing& rin
   for (double turn = from; turn < to; turn += 0.002) {
     const double angle = turn * 2 * std::numbers::pi;
     const double y = ring.semi_y * std::sin(angle);
-    points.push_back({ring.centre.x + ring.semi_x * std::cos(angle) + ring.shear * y,
-                      ring.centre.y + y});
+    points.push_back(
+        {ring.centre.x + ring.semi_x * std::cos(angle) + ring.shear * y, ring.centre.y + y});
   }
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

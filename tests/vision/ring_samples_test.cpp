@@ -1,4 +1,4 @@
-#include "common/vision/ring_samples.h"
+#include "common/vision/contour/ring_samples.h"
 
 #include <cmath>
 #include <numbers>

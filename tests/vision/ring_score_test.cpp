@@ -1,4 +1,4 @@
-#include "common/vision/ring_score.h"
+#include "common/vision/contour/ring_score.h"
 
 #include <doctest/doctest.h>
 

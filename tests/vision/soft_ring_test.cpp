@@ -1,12 +1,12 @@
-#include "common/vision/soft_ring.h"
+#include "common/vision/contour/soft_ring.h"
 
 #include <cmath>
 #include <stdexcept>
 
 #include <doctest/doctest.h>
 
-#include "tests/vision/contour_world.h"
 #include "tests/vision/ring_picture.h"
+#include "tests/vision/test_sensor.h"
 
 namespace puck {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "common/vision/event_pieces.h"
+#include "common/vision/interfaces/event_pieces.h"
 #include "common/vision/presets.h"
 #include "tests/vision/puck_picture.h"
 
@@ -23,20 +23,19 @@ struct Record {
   int steps = 0;
 };
 
-// Requests the events of a region, and a search on demand.
+// Requests single events or a region, and a search on demand.
 class Recorder final : public TrackingPipeline {
  public:
-  Recorder(Record& record, const Region& events, std::int64_t period_us,
-           const SearchRequest& search)
-      : record_(record), events_(events), period_us_(period_us), search_(search) {}
+  Recorder(Record& record, bool needs_events, std::int64_t period_us, const SearchRequest& search)
+      : record_(record), needs_events_(needs_events), period_us_(period_us), search_(search) {}
 
-  Region events_needed() const override { return events_; }
+  bool needs_events() const override { return needs_events_; }
   std::int64_t decision_period_us() const override { return period_us_; }
   void take(Timestamp start, std::span<const Event> events) override {
     std::vector<std::int64_t>& piece = record_.pieces.emplace_back();
     for (const Event& event : events) piece.push_back(start.us + event.offset_us);
   }
-  Region region_needed() const override { return {}; }
+  Region region_needed() const override { return {0, 0, 20, 20}; }
   PuckEstimate step(const SurfaceSnapshot& snapshot) override {
     ++record_.steps;
     PuckEstimate estimate;
@@ -48,12 +47,12 @@ class Recorder final : public TrackingPipeline {
 
  private:
   Record& record_;
-  Region events_;
+  bool needs_events_;
   std::int64_t period_us_;
   SearchRequest search_;
 };
 
-SurfaceTracker tracker_with(Record& record, const Region& events, std::int64_t period_us,
+SurfaceTracker tracker_with(Record& record, bool needs_events, std::int64_t period_us,
                             const SearchRequest& search, bool roi_only = false,
                             std::int64_t search_delay_us = 0) {
   PipelineParams params = preset_params(Preset::kCorrelation);
@@ -61,7 +60,7 @@ SurfaceTracker tracker_with(Record& record, const Region& events, std::int64_t p
   params.search_delay_us = search_delay_us;
   params.follows_contour = true;  // so that recent pixels are recorded
   return SurfaceTracker(kSmallSensor, params, kSmallSizeModel,
-                        std::make_unique<Recorder>(record, events, period_us, search));
+                        std::make_unique<Recorder>(record, needs_events, period_us, search));
 }
 
 using Pieces = std::vector<std::vector<std::int64_t>>;
@@ -85,18 +84,13 @@ TEST_CASE("events are divided at the multiples of the period, which end their pi
   CHECK(pieces_of(0, 0).size() == 1);
 }
 
-TEST_CASE("a pipeline gets the events of its region in pieces, and no empty piece") {
+TEST_CASE("a pipeline gets the events in pieces, and no empty piece") {
   Record record;
-  SurfaceTracker tracker = tracker_with(record, {10, 10, 20, 20}, 100, {});
-  tracker.update({{50},
-                  {{9, 10, 0, 0},
-                   {10, 10, 0, 20},
-                   {29, 29, 1, 50},
-                   {30, 29, 1, 55},
-                   {15, 15, 1, 60},
-                   {15, 15, 1, 151},
-                   {40, 40, 1, 400}}});
-  CHECK(record.pieces == Pieces{{70, 100}, {110}, {201}});
+  SurfaceTracker tracker = tracker_with(record, true, 100, {});
+  tracker.update(
+      {{50},
+       {{10, 10, 0, 20}, {29, 29, 1, 50}, {15, 15, 1, 60}, {15, 15, 1, 151}, {40, 40, 1, 400}}});
+  CHECK(record.pieces == Pieces{{70, 100}, {110}, {201}, {450}});
   CHECK(tracker.estimate().newest_event == Timestamp{450});
   CHECK(record.steps == 1);  // one more only after a search
   CHECK(record.results.empty());
@@ -110,8 +104,7 @@ TEST_CASE("a search is made at once, on the surface of its request") {
     CAPTURE(takes_events);
     Record record;
     const Region all = Region::all_of(kSmallSensor);
-    SurfaceTracker tracker =
-        tracker_with(record, takes_events ? all : Region{}, 1000, {.region = all});
+    SurfaceTracker tracker = tracker_with(record, takes_events, 1000, {.region = all});
     tracker.update({{3000}, ring});
     tracker.update({{3500}, {{1, 1, 0, 0}}});
     tracker.estimate();
@@ -132,7 +125,7 @@ TEST_CASE("a search of recent pixels does not see a puck without events for 40 m
     CAPTURE(fresh_only);
     Record record;
     SurfaceTracker tracker = tracker_with(
-        record, {}, 0, {.region = Region::all_of(kSmallSensor), .fresh_only = fresh_only});
+        record, false, 0, {.region = Region::all_of(kSmallSensor), .fresh_only = fresh_only});
     tracker.update({{0}, test::contour_events(kSmallSensor, puck, kSmallSizeModel.at(puck), 150)});
     tracker.update({{40'000}, {{3, 3, 1, 0}}});
     tracker.estimate();
@@ -147,7 +140,7 @@ TEST_CASE("a search of recent pixels does not see a puck without events for 40 m
 TEST_CASE("with a delay the result of a search comes that much after its snapshot, not earlier") {
   const Region all = Region::all_of(kSmallSensor);
   Record record;
-  SurfaceTracker tracker = tracker_with(record, all, 1000, {.region = all}, false, 5'000);
+  SurfaceTracker tracker = tracker_with(record, true, 1000, {.region = all}, false, 5'000);
   tracker.update({{3000}, {{1, 1, 0, 0}}});
   tracker.update({{7999}, {{1, 1, 0, 0}}});
   tracker.estimate();
@@ -165,7 +158,7 @@ TEST_CASE("a tracker that keeps only its region of the surface finds nothing els
     CAPTURE(roi_only);
     Record record;
     const Region all = Region::all_of(kSmallSensor);
-    SurfaceTracker tracker = tracker_with(record, {0, 0, 20, 20}, 0, {.region = all}, roi_only);
+    SurfaceTracker tracker = tracker_with(record, false, 0, {.region = all}, roi_only);
     tracker.update({{3000}, ring});
     tracker.estimate();
     REQUIRE(record.results.size() == 1);

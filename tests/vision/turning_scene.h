@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "common/vision/background.h"
+#include "common/vision/scene/background.h"
 
 namespace puck::test {
 
@@ -13,6 +13,8 @@ namespace puck::test {
 class TurningScene {
  public:
   static constexpr SensorSize kSensor{640, 480};
+  /// Background's: as the tracker has it.
+  static constexpr int kLeastCells = 24;
 
   /// How far the image has moved to the side, px.
   static double sway_px(std::int64_t time_us) {

@@ -1,4 +1,4 @@
-#include "common/vision/weighted_peak.h"
+#include "common/vision/correlation/weighted_peak.h"
 
 #include <random>
 

@@ -8,12 +8,14 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/calibrate/arm_command.h"
+#include "tools/calibrate/evidence_command.h"
 #include "tools/calibrate/hot_pixels_command.h"
 #include "tools/calibrate/lag_command.h"
 #include "tools/calibrate/motion_command.h"
 #include "tools/calibrate/size_command.h"
 #include "tools/calibrate/table_command.h"
 #include "tools/command_line/event_file_options.h"
+#include "tools/command_line/number_range.h"
 
 namespace puck {
 namespace {
@@ -58,6 +60,37 @@ void add_arm_options(CLI::App& command, ArmCommand& arm) {
   command.add_option("--part", arm.part, "part of the robot to read from the authors' table")
       ->check(CLI::IsMember({"torso", "arm", "head"}))
       ->capture_default_str();
+}
+
+void add_evidence_options(CLI::App& command, EvidenceCommand& evidence) {
+  command
+      .add_option("recordings", evidence.recordings,
+                  "Prophesee RAW (EVT2, EVT3), text or YARP logs of games")
+      ->required();
+  command
+      .add_option("--truth", evidence.truths,
+                  "one for each recording, in their order: CSV: t_us,x,y,width,height[,visible]")
+      ->required();
+  command
+      .add_option("--size-model", evidence.size_models,
+                  "TOML made by puck-calibrate size or lag: one for each recording, or one for all")
+      ->required();
+  constexpr double kLongest_ms = 1e6;
+  command
+      .add_option("--truth-gap-ms", evidence.truth_gaps_ms,
+                  "nothing is learned between rows of the truth that are farther apart: one value "
+                  "for each recording, or one for all")
+      ->check(number_range(0, kLongest_ms))
+      ->capture_default_str();
+  command
+      .add_option("--weight", evidence.weights,
+                  "how much a recording counts: one value for each, or one for all")
+      ->check(number_range(1e-3, 1e3))
+      ->capture_default_str();
+  command.add_option("--lookalikes", evidence.with_lookalikes,
+                     "of the recordings, those with other things that look exactly like the puck, "
+                     "such as round marks on the table: only the puck is learned from them");
+  add_event_file_options(command, evidence.file);
 }
 
 int run(int argc, char** argv) {
@@ -110,6 +143,11 @@ int run(int argc, char** argv) {
       ->required();
   add_event_file_options(*lag_app, lag.file);
 
+  EvidenceCommand evidence;
+  CLI::App* evidence_app = app.add_subcommand(
+      "evidence", "Fits what preset default has learned of pucks to recordings with truth");
+  add_evidence_options(*evidence_app, evidence);
+
   HotPixelsCommand hot;
   CLI::App* hot_app =
       app.add_subcommand("hot-pixels", "Finds hot pixels and writes a mask of them");
@@ -137,7 +175,8 @@ int run(int argc, char** argv) {
       ->required();
   motion_app->add_option("--table", motion.table, "TOML made by puck-calibrate table")->required();
 
-  for (CLI::App* command : {size_app, table_app, lag_app, hot_app, arm_app, motion_app}) {
+  for (CLI::App* command :
+       {size_app, table_app, lag_app, evidence_app, hot_app, arm_app, motion_app}) {
     command->add_option("--output", output, "TOML file to write")->required();
   }
   try {
@@ -150,6 +189,9 @@ int run(int argc, char** argv) {
   try {
     refuse_to_overwrite(input, output);
     if (lag_app->parsed()) refuse_to_overwrite(lag.truth, output);
+    for (const auto* files : {&evidence.recordings, &evidence.truths, &evidence.size_models}) {
+      for (const auto& file : *files) refuse_to_overwrite(file, output);
+    }
     if (size_app->parsed()) {
       size.annotations = input;
       size.output = output;
@@ -158,6 +200,9 @@ int run(int argc, char** argv) {
       lag.recording = input;
       lag.output = output;
       calibrate_lag(lag, typed);
+    } else if (evidence_app->parsed()) {
+      evidence.output = output;
+      calibrate_evidence(evidence, typed);
     } else if (hot_app->parsed()) {
       hot.recording = input;
       hot.output = output;

@@ -68,22 +68,6 @@ Experiment::Experiment(ExperimentSettings settings)
 
 std::string Experiment::program(const std::string& name) const { return settings_.programs / name; }
 
-std::vector<std::string> Experiment::ingredients() {
-  const std::string key = "puck-evaluate --list-ingredients " + evaluate_hash_;
-  auto folder = results_.find("ingredients", key);
-  if (!folder) {
-    folder = results_.make("ingredients", key, [&](const std::filesystem::path& there) {
-      run_or_throw({program("puck-evaluate"), "--list-ingredients"}, there);
-    });
-  }
-  std::vector<std::string> names;
-  std::istringstream lines(read_whole_file(*folder / "output.txt"));
-  for (std::string name; std::getline(lines, name);) {
-    if (!name.empty()) names.push_back(name);
-  }
-  return names;
-}
-
 std::string Experiment::recording_key(const Sequence& sequence) const {
   std::ostringstream key;
   key << "puck-simulate " << simulate_hash_ << " --seed " << sequence.seed << " --seconds "

@@ -48,9 +48,6 @@ class Experiment {
  public:
   explicit Experiment(ExperimentSettings settings);
 
-  /// Features of the preset `default`, from puck-evaluate --list-ingredients.
-  std::vector<std::string> ingredients();
-
   /// Runs everything. The runs of one sequence are made one after the other. Throws the
   /// std::runtime_error of a program that fails.
   ExperimentResults run(const std::vector<Sequence>& sequences);

@@ -29,14 +29,12 @@ void compare(const Options& options) {
   std::filesystem::create_directories(options.experiment.output);
   std::printf("%s\n", seeds_text(options.plan).c_str());
   Experiment experiment(options.experiment);
-  const std::vector<std::string> ingredients =
-      options.plan.only.empty() ? experiment.ingredients() : std::vector<std::string>{};
-  const Comparison comparison(experiment.run(plan_sequences(options.plan, ingredients)));
+  const Comparison comparison(experiment.run(plan_sequences(options.plan)));
   // After all other runs: a run in parallel would add to the latency.
   const Comparison latency(
       experiment.run({latency_sequence(options.plan, kLongestLatencySeconds)}));
 
-  const ComparisonReport report{options.plan, ingredients, comparison, latency};
+  const ComparisonReport report{options.plan, comparison, latency};
   write_report(report, options.experiment.output);
   write_charts(report, options.experiment.output);
   std::printf("\n%s\n", read_whole_file(options.experiment.output / "comparison.txt").c_str());
@@ -64,8 +62,7 @@ int main(int argc, char** argv) {
                  "of each of them; hard ones are a third as long")
       ->check(puck::number_range(1, 600))
       ->capture_default_str();
-  app.add_option("--only", options.plan.only,
-                 "these trackers alone, without the ablation of default")
+  app.add_option("--only", options.plan.only, "these trackers alone")
       ->check(CLI::IsMember(names))
       ->delimiter(',');
   app.add_option("--scoring", options.plan.scoring,

@@ -86,28 +86,6 @@ TextTable hard_table(const ComparisonReport& report) {
   return table;
 }
 
-TextTable ablation_table(const ComparisonReport& report) {
-  std::vector<std::string> header{"mean px / lost %"};
-  std::vector<SequenceSet> sets;
-  for (const SequenceSet& set : sequence_sets()) {
-    if (!set.in_ablation) continue;
-    sets.push_back(set);
-    header.push_back(set.title);
-  }
-  TextTable table("What each feature of the preset default brings", header);
-  const auto add = [&](const std::string& contestant) {
-    std::vector<std::string> row{contestant};
-    for (const SequenceSet& set : sets) {
-      const Summary s = report.comparison.summary(set.name, contestant);
-      row.push_back(slash(s.mean_px, 2, s.lost_percent, 2));
-    }
-    table.add(row);
-  };
-  add("default");
-  for (const std::string& name : report.ingredients) add(default_without(name).name);
-  return table;
-}
-
 TextTable latency_table(const ComparisonReport& report) {
   TextTable table(
       "Latency in real time, from a packet's receipt to the estimate with its last event",
@@ -150,7 +128,6 @@ std::string seeds_text(const PlanOptions& options) {
 std::vector<TextTable> report_tables(const ComparisonReport& report) {
   std::vector<TextTable> tables{goals_table(report.comparison), hard_table(report)};
   for (const SequenceSet& set : sequence_sets()) tables.push_back(set_table(set, report));
-  if (!report.ingredients.empty()) tables.push_back(ablation_table(report));
   tables.push_back(latency_table(report));
   tables.push_back(simulation_table(report));
   return tables;

@@ -14,7 +14,6 @@ namespace puck {
 /// The data of a report.
 struct ComparisonReport {
   PlanOptions options;
-  std::vector<std::string> ingredients;  ///< Features of the preset `default`.
   const Comparison& comparison;
   const Comparison& latency;
 };
@@ -22,7 +21,7 @@ struct ComparisonReport {
 /// The seeds of each set, one line each.
 std::string seeds_text(const PlanOptions& options);
 
-/// Goals; a table for each set; all sets at a glance; ablation; latency; simulation.
+/// Goals; a table for each set; all sets at a glance; latency; simulation.
 std::vector<TextTable> report_tables(const ComparisonReport& report);
 
 /// comparison.txt, comparison.md and comparison.json. Throws std::runtime_error when one cannot be

@@ -92,11 +92,6 @@ Json report_json(const ComparisonReport& report) {
   }
   for (const SequenceSet& set : sequence_sets()) {
     json["sets"][set.name] = set_json(set, report);
-    if (!set.in_ablation) continue;
-    for (const std::string& name : report.ingredients) {
-      json["ablation"][name][set.name] =
-          contestant_json(report, set.name, default_without(name).name);
-    }
   }
   for (const Contestant& contestant : contestants()) {
     json["latency"][contestant.name] = runs_json(report.latency.runs({"latency"}, contestant.name));

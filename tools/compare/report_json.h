@@ -7,7 +7,7 @@
 namespace puck {
 
 /// The whole comparison: options, goals, sets with each contestant's summary and the figures of
-/// each of its sequences, ablation, latency. An unmeasured value is null.
+/// each of its sequences, latency. An unmeasured value is null.
 nlohmann::ordered_json report_json(const ComparisonReport& report);
 
 }  // namespace puck

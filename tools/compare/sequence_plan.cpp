@@ -20,10 +20,6 @@ std::vector<Contestant> contestants() {
           {"default", {"--preset", "default"}}};
 }
 
-Contestant default_without(const std::string& ingredient) {
-  return {"without " + ingredient, {"--preset", "default", "--without", ingredient}};
-}
-
 std::vector<SequenceSet> sequence_sets() {
   std::vector<SequenceSet> sets{
       {.name = "still",
@@ -40,24 +36,20 @@ std::vector<SequenceSet> sequence_sets() {
       {.name = "low-contrast-still",
        .title = "low contrast, 6 m/s, still",
        .scene = "low_contrast_6_m_s.toml",
-       .shown = true,
-       .in_ablation = true},
+       .shown = true},
       {.name = "low-contrast-moving",
        .title = "low contrast, 5 m/s, moving",
        .scene = "low_contrast_5_m_s.toml",
        .moving = true,
-       .shown = true,
-       .in_ablation = true},
+       .shown = true},
       {.name = "logos-moving",
        .title = "round logos, moving",
        .scene = "round_logos.toml",
-       .moving = true,
-       .in_ablation = true},
+       .moving = true},
       {.name = "fast-still",
        .title = "shots to 15 m/s, still",
        .scene = "fast_shots.toml",
-       .shown = true,
-       .in_ablation = true},
+       .shown = true},
       {.name = "fast-moving",
        .title = "shots to 15 m/s, moving",
        .scene = "fast_shots.toml",
@@ -107,8 +99,7 @@ double seconds_of(const SequenceSet& set, const PlanOptions& options) {
   return std::min(std::clamp(std::round(options.seconds / 3), 2.0, 10.0), options.seconds);
 }
 
-std::vector<Sequence> plan_sequences(const PlanOptions& options,
-                                     const std::vector<std::string>& ingredients) {
+std::vector<Sequence> plan_sequences(const PlanOptions& options) {
   std::vector<Sequence> sequences;
   for (const SequenceSet& set : sequence_sets()) {
     for (int i = 0; i < sequences_of(set, options); ++i) {
@@ -120,11 +111,6 @@ std::vector<Sequence> plan_sequences(const PlanOptions& options,
         if (set.is_hard && contestant.name == kParticleFilter) continue;
         if (!options.includes(contestant)) continue;
         sequence.contestants.push_back(contestant);
-      }
-      if (set.in_ablation && options.only.empty()) {
-        for (const std::string& name : ingredients) {
-          sequence.contestants.push_back(default_without(name));
-        }
       }
       sequences.push_back(sequence);
     }

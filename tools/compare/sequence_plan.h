@@ -15,19 +15,16 @@ struct Contestant {
 
 /// The presets and the baselines, worst first.
 std::vector<Contestant> contestants();
-/// The preset `default` with one feature switched off.
-Contestant default_without(const std::string& ingredient);
 
 /// Sequences that differ in their seeds only.
 struct SequenceSet {
   std::string name;
   std::string title;
-  std::string scene;     ///< File in the folder of scenes; empty: the plain scene.
-  bool moving = false;   ///< A moving camera.
-  int first_seed = 0;    ///< The other seeds follow it.
-  bool is_hard = false;  ///< A scene with one difficulty; shorter and fewer sequences.
-  bool shown = false;    ///< Trajectories of its first sequence are plotted.
-  bool in_ablation = false;
+  std::string scene;      ///< File in the folder of scenes; empty: the plain scene.
+  bool moving = false;    ///< A moving camera.
+  int first_seed = 0;     ///< The other seeds follow it.
+  bool is_hard = false;   ///< A scene with one difficulty; shorter and fewer sequences.
+  bool shown = false;     ///< Trajectories of its first sequence are plotted.
   std::string published;  ///< The paper's figures for such sequences; empty: none.
 };
 /// Seeds 1 to 99 are for development: parameters and the puck's size come from them only. These
@@ -42,7 +39,7 @@ struct PlanOptions {
   static constexpr int kMostSequences = 20;
   int sequences = 10;   ///< Of each set that is not hard, 1 to kMostSequences.
   double seconds = 30;  ///< Length of each of these.
-  /// Names of the only contestants, without the ablation; empty: all, with the ablation.
+  /// Names of the only contestants; empty: all.
   std::vector<std::string> only;
 
   /// `ours` or `paper`: puck-evaluate's --scoring.
@@ -65,8 +62,7 @@ struct Sequence {
 };
 /// The longest first, for an even load of the cores. The particle filter skips the hard sets: it
 /// costs as much as all other contestants together.
-std::vector<Sequence> plan_sequences(const PlanOptions& options,
-                                     const std::vector<std::string>& ingredients);
+std::vector<Sequence> plan_sequences(const PlanOptions& options);
 
 /// A still one, seed 1, 10 s, for calibrating the puck's size and the sensor's lag; without runs.
 Sequence calibration_sequence();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/evaluation/accuracy_score.h"
+#include "common/evaluation/truth_track.h"
 #include "common/messaging/conversions.h"
 #include "common/messaging/status_reporter.h"
 
@@ -28,11 +30,11 @@ std::vector<puck_estimate_t> with_news(const std::vector<puck_estimate_t>& estim
   return result;
 }
 
-void score(const GameLog& game, const std::vector<puck_estimate_t>& estimates,
+void score(const TruthTrack& truth, const std::vector<puck_estimate_t>& estimates,
            DemoFigures& figures) {
-  if (game.truth.size() < 2 || estimates.empty()) return;
+  if (estimates.empty()) return;
   const puck_estimate_t& first = estimates.front();
-  AccuracyScore score(TruthTrack(game.truth), {first.image_width, first.image_height});
+  AccuracyScore score(truth, {first.image_width, first.image_height});
   for (const puck_estimate_t& estimate : estimates) {
     score.add({estimate.sensor_us}, from_message(estimate));
   }
@@ -63,8 +65,9 @@ std::optional<Pixel> recorded_at(const std::vector<puck_estimate_t>& recorded,
   return Pixel{a.x_px + f * (after->x_px - a.x_px), a.y_px + f * (after->y_px - a.y_px)};
 }
 
+// Where the puck was out of sight, there is no position to agree on.
 void compare(const std::vector<puck_estimate_t>& recorded, const GameLog& replay,
-             DemoFigures& figures) {
+             const std::optional<TruthTrack>& truth, DemoFigures& figures) {
   const std::vector<puck_estimate_t> replayed = with_news(replay.estimates);
   figures.replay_estimates = static_cast<std::int64_t>(replay.estimates.size());
   double sum = 0;
@@ -72,6 +75,8 @@ void compare(const std::vector<puck_estimate_t>& recorded, const GameLog& replay
   for (const puck_estimate_t& estimate : replayed) {
     const auto there = recorded_at(recorded, estimate.sensor_us);
     if (!there || !has_position(estimate)) continue;
+    const auto row = truth ? truth->at({estimate.sensor_us}) : std::nullopt;
+    if (row && !is_visible(*row)) continue;
     sum += std::hypot(estimate.x_px - there->x, estimate.y_px - there->y);
     ++compared;
   }
@@ -151,7 +156,9 @@ DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
     figures.estimate_rate_hz =
         static_cast<double>(estimates.size() - 1) / (static_cast<double>(span_us) * 1e-6);
   }
-  score(game, estimates, figures);
+  std::optional<TruthTrack> truth;
+  if (game.truth.size() > 1) truth.emplace(game.truth);
+  if (truth) score(*truth, estimates, figures);
   figures.packet_to_estimate = game.latency("puck-tracker", "packet_to_estimate");
   figures.sensor_to_estimate = game.latency("puck-tracker", "sensor_to_estimate");
   figures.estimate_to_command = game.latency("puck-bridge", "estimate_to_command");
@@ -167,7 +174,7 @@ DemoFigures demo_figures(const GameLog& game, const GameLog* replay) {
     figures.believed_saves = game.last_game->saves;
     figures.believed_goals_against = game.last_game->goals_against;
   }
-  if (replay != nullptr) compare(estimates, *replay, figures);
+  if (replay != nullptr) compare(estimates, *replay, truth, figures);
   return figures;
 }
 

@@ -40,6 +40,7 @@ struct DemoFigures {
   std::optional<std::int64_t> saves;
   std::optional<std::int64_t> goals_against;
   std::optional<std::int64_t> replay_estimates;
+  /// Where the truth, if there is one, has the puck in sight.
   std::optional<double> replay_mean_difference_px;
 
   BusFigures bus;

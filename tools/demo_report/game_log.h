@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/vision/truth_row.h"
+#include "common/vision/geometry/truth_row.h"
 #include "puck/game_state_t.hpp"
 #include "puck/ground_truth_t.hpp"
 #include "puck/puck_estimate_t.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/vision/truth_row.h"
+#include "common/vision/geometry/truth_row.h"
 
 namespace puck {
 

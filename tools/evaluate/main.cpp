@@ -13,6 +13,7 @@
 
 #include "common/io/contour_calibration_file.h"
 #include "common/io/event_reader.h"
+#include "common/io/evidence_file.h"
 #include "common/io/masked_reader.h"
 #include "common/io/pixel_mask_file.h"
 #include "common/io/size_model_file.h"
@@ -108,10 +109,11 @@ bool evaluate(const EvaluateOptions& options) {
   TrackerSetup setup;
   setup.algorithm = algorithm_from(options.algorithm).value();
   setup.preset = preset_from(options.preset).value();
+  setup.surface = surface_kind_from(options.surface).value();
   const std::filesystem::path calibration = find_calibration(options.events, options.size_model);
   setup.size_model = read_size_model_file(calibration);
   setup.contour = read_contour_calibration(calibration).value_or(ContourCalibration{});
-  setup.without = options.without;
+  if (!options.evidence.empty()) setup.evidence = read_evidence_file(options.evidence);
   setup.roi_only = options.roi_only;
   setup.search_delay_us = options.search_delay_us;
   if (options.replay && setup.algorithm != Algorithm::kPuck) {

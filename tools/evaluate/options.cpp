@@ -2,10 +2,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
+#include <string>
+#include <vector>
 
 #include "common/messaging/event_packing.h"
-#include "common/vision/contour_params.h"
+#include "common/vision/surface/surface.h"
 #include "tools/command_line/event_file_options.h"
 #include "tools/command_line/number_range.h"
 
@@ -60,22 +61,18 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
       ->check(CLI::IsMember({"puck", "cluster", "particle-filter", "particle-filter-eros"}))
       ->capture_default_str();
   app.add_option("--preset", options.preset)
-      ->check(CLI::IsMember({"default", "evidence", "correlation", "paper", "reference"}))
+      ->check(CLI::IsMember({"default", "correlation", "paper", "reference"}))
+      ->capture_default_str();
+  app.add_option("--surface", options.surface,
+                 "picture that presets correlation, paper and reference track on")
+      ->check(CLI::IsMember(std::vector<std::string>(kSurfaceNames.begin(), kSurfaceNames.end())))
       ->capture_default_str();
   app.add_option("--size-model", options.size_model, "TOML made by puck-calibrate size");
+  app.add_option("--evidence", options.evidence,
+                 "TOML made by puck-calibrate evidence: instead of what preset default has built "
+                 "in");
   app.add_option("--hot-pixel-mask", options.hot_pixel_mask,
                  "TOML made by puck-calibrate hot-pixels: leaves their events out");
-  app.add_option("--without", options.without,
-                 "switch this feature of preset default off; may be repeated");
-  app.add_flag_callback(
-      "--list-ingredients",
-      [] {
-        for (const ContourIngredient& ingredient : kContourIngredients) {
-          std::printf("%s\n", std::string(ingredient.name).c_str());
-        }
-        throw CLI::Success();
-      },
-      "print the features for --without, and stop");
   app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
   app.add_flag("--roi-only", options.roi_only,
                "while there is a track, keep only its region of the surface up to date");

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +18,7 @@ struct EvaluateOptions {
   std::filesystem::path events;
   std::filesystem::path truth;
   std::filesystem::path size_model;
+  std::filesystem::path evidence;
   std::filesystem::path hot_pixel_mask;
   std::filesystem::path json;
   std::filesystem::path csv;
@@ -27,8 +27,8 @@ struct EvaluateOptions {
   std::optional<double> picture_at_s;
   std::string algorithm = "puck";
   std::string preset = "default";
+  std::string surface = "eros";
   std::string detection_region;
-  std::vector<std::string> without;
   bool roi_only = false;
   std::int64_t search_delay_us = 0;
   double rate_hz = 1000;

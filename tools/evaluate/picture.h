@@ -8,8 +8,8 @@
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
-#include "common/vision/puck_estimate.h"
-#include "common/vision/truth_row.h"
+#include "common/vision/geometry/truth_row.h"
+#include "common/vision/interfaces/puck_estimate.h"
 
 namespace puck {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "common/io/event_reader.h"
-#include "common/vision/tracking_algorithm.h"
+#include "common/vision/interfaces/tracking_algorithm.h"
 #include "tools/evaluate/runs.h"
 
 namespace puck {

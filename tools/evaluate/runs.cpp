@@ -164,7 +164,7 @@ RunSummary run_in_real_time(EventReader& events, const TrackerSetup& setup, cons
                           on_tick({newest, tracked.estimate, latency});
                         });
     play(events, span, [&](const EventPacket& packet) {
-      tracker.surface.update(packet, {.received = steady_clock::now()});
+      tracker.update(packet, {.received = steady_clock::now()}, true);
     });
   } else {
     const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(sensor);
@@ -199,7 +199,7 @@ RunSummary run_as_fast_as_possible(EventReader& events, const TrackerSetup& setu
   if (setup.algorithm == Algorithm::kPuck) {
     LiveTracker tracker(sensor, setup.pipeline_params(), setup.size_model, {},
                         [](const TrackedEstimate&) {});
-    feed([&](const EventPacket& p) { tracker.surface.update(p, {}); });
+    feed([&](const EventPacket& p) { tracker.update(p, {}, true); });
   } else {
     const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(sensor);
     feed([&](const EventPacket& p) {

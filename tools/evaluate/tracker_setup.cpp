@@ -1,6 +1,5 @@
 #include "tools/evaluate/tracker_setup.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <stdexcept>
@@ -47,27 +46,24 @@ std::optional<Algorithm> algorithm_from(std::string_view name) {
 PipelineParams TrackerSetup::pipeline_params() const {
   PipelineParams params = preset_params(preset);
   if (detection_region) params.detector.region = *detection_region;
-  params.contour.calibration = contour;
+  params.surface = surface;
+  params.contour = contour;
   params.roi_only = roi_only;
   params.search_delay_us = search_delay_us;
+  if (evidence && (algorithm != Algorithm::kPuck || preset != Preset::kDefault)) {
+    throw std::invalid_argument("--evidence needs preset default, the only one that weighs it");
+  }
+  if (evidence) params.evidence = *evidence;
+  if (surface != SurfaceKind::kEros &&
+      (algorithm != Algorithm::kPuck || preset == Preset::kDefault)) {
+    throw std::invalid_argument(
+        "--surface needs preset correlation, paper or reference: the other trackers need eros");
+  }
   if (roi_only && algorithm != Algorithm::kPuck) {
     throw std::invalid_argument("--roi-only needs algorithm puck: the others have no such region");
   }
   if (search_delay_us > 0 && algorithm != Algorithm::kPuck) {
     throw std::invalid_argument("--search-delay needs algorithm puck: the others make no searches");
-  }
-  if (!without.empty() && (algorithm != Algorithm::kPuck || preset != Preset::kDefault)) {
-    throw std::invalid_argument("--without " + without.front() +
-                                " needs preset default, the only one with such features");
-  }
-  for (const std::string& name : without) {
-    const auto found = std::find_if(kContourIngredients.begin(), kContourIngredients.end(),
-                                    [&](const ContourIngredient& i) { return i.name == name; });
-    if (found == kContourIngredients.end()) {
-      throw std::invalid_argument("there is no feature " + name +
-                                  "; --list-ingredients prints all");
-    }
-    params.contour.ingredients.*found->is_on = false;
   }
   return params;
 }

@@ -6,12 +6,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "common/events/sensor_size.h"
+#include "common/vision/geometry/region.h"
+#include "common/vision/interfaces/tracking_algorithm.h"
 #include "common/vision/presets.h"
-#include "common/vision/region.h"
-#include "common/vision/tracking_algorithm.h"
 
 namespace puck {
 
@@ -25,16 +24,16 @@ std::optional<Algorithm> algorithm_from(std::string_view name);
 struct TrackerSetup {
   Algorithm algorithm = Algorithm::kPuck;
   Preset preset = Preset::kDefault;
+  SurfaceKind surface = SurfaceKind::kEros;
   PuckSizeModel size_model;
   ContourCalibration contour;
+  std::optional<EvidenceParams> evidence;  ///< Instead of what preset default has built in.
   std::optional<Region> detection_region;  ///< Instead of the preset's.
-  /// Features of the preset `default` to switch off, by their names in kContourIngredients.
-  std::vector<std::string> without;
-  bool roi_only = false;             ///< PipelineParams::roi_only.
-  std::int64_t search_delay_us = 0;  ///< PipelineParams::search_delay_us.
+  bool roi_only = false;                   ///< PipelineParams::roi_only.
+  std::int64_t search_delay_us = 0;        ///< PipelineParams::search_delay_us.
 
-  /// The preset's parameters with these changes. Throws std::invalid_argument for an unknown name
-  /// in `without`.
+  /// The preset's parameters with these changes. Throws std::invalid_argument for what the preset
+  /// or the algorithm does not have.
   PipelineParams pipeline_params() const;
   std::unique_ptr<TrackingAlgorithm> make(SensorSize sensor) const;
 };

@@ -5,7 +5,7 @@
 
 #include "common/simulation/simulated_truth.h"
 #include "common/table/homography.h"
-#include "common/vision/puck_estimate.h"
+#include "common/vision/interfaces/puck_estimate.h"
 #include "tools/play/play_setup.h"
 
 namespace puck {

@@ -6,7 +6,7 @@
 
 #include "common/simulation/simulated_truth.h"
 #include "common/table/homography.h"
-#include "common/vision/puck_estimate.h"
+#include "common/vision/interfaces/puck_estimate.h"
 #include "tools/play/estimate_errors.h"
 #include "tools/play/shot_facts.h"
 

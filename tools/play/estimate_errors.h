@@ -6,24 +6,24 @@
 #include "common/events/sensor_size.h"
 #include "common/simulation/random.h"
 #include "common/simulation/simulated_truth.h"
-#include "common/vision/puck_estimate.h"
+#include "common/vision/interfaces/puck_estimate.h"
 
 namespace puck {
 
 /// PUCK's errors on the simulated camera's events, preset `default`, camera at rest, from
 /// `puck-play --fit-estimate-errors --shots 200 --max-speed 15`. A turn is a hit or a bounce.
 struct EstimateErrorParams {
-  double sigma_x_px = 0.071;  ///< Of the drifting error.
-  double sigma_y_px = 0.094;
-  double correlation_us = 9'500;  ///< Until its autocorrelation is 1/e.
-  double bias_x_px = 0.003;
-  double bias_y_px = 0.172;
-  double lag_us = 44;                ///< Behind the puck, at the estimate's time.
-  double reported_sigma_px = 0.178;  ///< From the estimate's covariance.
-  double detection_us = 17'000;      ///< From the puck's entry to its first track.
-  double notice_us = 780;            ///< Time after a turn with a straight prediction …
-  double loss_share = 0;             ///< … or, after this share of the turns, without a track …
-  double loss_us = 0;                ///< … for this time on average.
+  double sigma_x_px = 0.102;  ///< Of the drifting error.
+  double sigma_y_px = 0.109;
+  double correlation_us = 6'900;  ///< Until its autocorrelation is 1/e.
+  double bias_x_px = 0.001;
+  double bias_y_px = 0.160;
+  double lag_us = 33;                ///< Behind the puck, at the estimate's time.
+  double reported_sigma_px = 0.312;  ///< From the estimate's covariance.
+  double detection_us = 9'230;       ///< From the puck's entry to its first track.
+  double notice_us = 735;            ///< Time after a turn with a straight prediction …
+  double loss_share = 0.034;         ///< … or, after this share of the turns, without a track …
+  double loss_us = 5'444;            ///< … for this time on average.
   double strays_per_s = 0;           ///< Rate of outliers anywhere in the image, of 1 ms each.
 };
 

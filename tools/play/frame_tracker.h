@@ -6,7 +6,7 @@
 #include "common/events/sensor_size.h"
 #include "common/simulation/random.h"
 #include "common/simulation/simulated_truth.h"
-#include "common/vision/puck_estimate.h"
+#include "common/vision/interfaces/puck_estimate.h"
 
 namespace puck {
 

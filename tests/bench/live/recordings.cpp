@@ -7,7 +7,7 @@
 
 #include "common/io/event_writer.h"
 #include "common/io/size_model_file.h"
-#include "common/vision/puck_size_model.h"
+#include "common/vision/geometry/puck_size_model.h"
 
 namespace puck {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "common/vision/eros_surface.h"
+#include "common/vision/surface/surface.h"
 #include "tests/bench/eros_plain.h"
 #include "tests/bench/eros_textbook.h"
 
@@ -29,9 +29,9 @@ std::vector<Event> events_anywhere(std::size_t count) {
 }
 
 // The worst that a surface differs from ours after many events, in grey values.
-template <typename Surface>
-double worst_difference(Surface&& surface, std::span<const Event> events, int half_width) {
-  ErosSurface ours(kSensor, {.half_width_px = half_width, .decay = kDecay});
+template <typename AnySurface>
+double worst_difference(AnySurface&& surface, std::span<const Event> events, int half_width) {
+  Surface ours(kSensor, ErosParams{.half_width_px = half_width, .decay = kDecay});
   ours.update(events);
   surface.update(events);
   SurfaceSnapshot snapshot;

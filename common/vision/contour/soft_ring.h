@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/events/sensor_size.h"
+#include "common/vision/contour/peak_refinement.h"
+#include "common/vision/contour/puck_contour.h"
+#include "common/vision/contour/ring_samples.h"
+#include "common/vision/geometry/image.h"
+#include "common/vision/geometry/pixel.h"
+#include "common/vision/geometry/region.h"
+
+namespace puck {
+
+/// The soft ring at the true contour, which finishes what the kernels' hard rings begin.
+struct SoftRingParams {
+  bool enabled = false;
+  /// The ring is sheared as the table's perspective asks, where the size model has a slope.
+  bool sheared = true;
+  PeakRefinementParams refinement;
+};
+
+/// Measures a puck's place to a fraction of a pixel, and how much it looks like a puck.
+class SoftRing {
+ public:
+  struct Fit {
+    Pixel position;
+    RefinedPeak peak;
+    double score = 0;      ///< ring_score there.
+    double spread_px = 0;  ///< ring_spread there.
+  };
+
+  /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
+  SoftRing(SensorSize sensor, const SoftRingParams& params, const PuckSizeModel& size_model,
+           const ContourCalibration& calibration, bool other_wall = false);
+
+  /// Begins at `start`, which should be at most about a pixel off. `place` is where the picture, a
+  /// surface as it was copied, lies in the image.
+  Fit fit(ImageView<const std::uint8_t> picture, const Region& place, Pixel start);
+
+ private:
+  void look(ImageView<const std::uint8_t> picture, const Region& place, Pixel start, Fit& fit);
+
+  PeakRefinementParams refinement_;
+  PuckContour contour_;
+  bool other_wall_;
+  RingSamples samples_;
+};
+
+}  // namespace puck

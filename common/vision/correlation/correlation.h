@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "common/vision/correlation/block_sums.h"
+#include "common/vision/correlation/ellipse_kernel.h"
+#include "common/vision/correlation/gaussian_blur.h"
+#include "common/vision/correlation/kernel_sweep.h"
+#include "common/vision/correlation/row_sums.h"
+#include "common/vision/geometry/image.h"
+#include "common/vision/geometry/region.h"
+
+namespace puck {
+
+/// The response of a kernel at each pixel of `region`.
+struct CorrelationMap {
+  Region region;
+  Image<double> response;
+};
+
+/// Correlates a picture with elliptical kernels (paper, Section III-B, the convolution). Sums are
+/// exact integers: the same as dense correlation. Pixels outside the picture count as dark.
+class Correlation {
+ public:
+  /// Sets the picture; `region` is its place in the image. It must stay unchanged while it is
+  /// correlated.
+  void set_picture(ImageView<const std::uint8_t> picture, const Region& region);
+  /// Sets a surface, of which the needed part is blurred.
+  void set_surface(ImageView<const std::uint8_t> surface, const Region& region);
+
+  /// Prepares the picture for all kernels that reach no farther than `region`. Without it each
+  /// kernel prepares its own part.
+  void cover(const Region& region);
+
+  /// The kernel's response with its anchor on each pixel of `candidates`, also outside the picture.
+  void correlate(const EllipseKernel& kernel, const Region& candidates, CorrelationMap& out);
+
+  /// The lowest response of all candidates, of which there is at least one. `out` holds at least
+  /// the responses in `kept`, which lies inside the candidates.
+  double correlate_lowest(const EllipseKernel& kernel, const Region& candidates, const Region& kept,
+                          CorrelationMap& out);
+
+  /// Lower bound on the weighted response at any candidate, without correlating.
+  double lower_bound(const EllipseKernel& kernel);
+
+  /// Similarity of the place around pixel (x, y) to a puck: EllipseKernel::contrast.
+  double contrast_at(const EllipseKernel& kernel, int x, int y);
+
+ private:
+  void show(ImageView<const std::uint8_t> picture, const Region& region, bool blurs);
+  void cover_reach(const EllipseKernel& kernel, const Region& candidates);
+  // Returns the lowest response, if the kernel's measure is a sum with whole weights.
+  std::optional<double> weigh(const EllipseKernel& kernel, const Region& candidates,
+                              const Region& kept, CorrelationMap& out);
+  // For any measure.
+  void measure(const EllipseKernel& kernel, const Region& candidates, CorrelationMap& out);
+  void sum_shapes(const EllipseKernel& kernel, const Region& candidates);
+
+  ImageView<const std::uint8_t> picture_;
+  Region region_;
+  bool blurs_ = false;
+  bool ready_ = false;
+  bool in_blocks_ = false;
+  BlockSums blocks_;
+  GaussianBlur blur_;
+  RowSums sums_of_rows_;
+  KernelSweep sweep_;
+  KernelSweep::Totals totals_;
+  std::array<KernelSweep::Totals, 3> sums_;
+};
+
+}  // namespace puck

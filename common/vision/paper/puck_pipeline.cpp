@@ -1,0 +1,195 @@
+#include "common/vision/paper/puck_pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "common/vision/geometry/image_bounds.h"
+
+namespace puck {
+namespace {
+
+// A puck slower than this for kRestingAfterUs is at rest.
+constexpr double kRestingPxPerS = 20;
+constexpr std::int64_t kRestingAfterUs = 100'000;
+
+double speed_of(PixelVelocity velocity) { return std::hypot(velocity.x, velocity.y); }
+
+}  // namespace
+
+SurfaceParams PuckPipelineParams::surface_params() const {
+  switch (surface) {
+    case SurfaceKind::kEros:
+      break;
+    case SurfaceKind::kTos:
+      return TosParams{};
+    case SurfaceKind::kSits:
+      return SitsParams{};
+    case SurfaceKind::kSae:
+      return SaeParams{};
+  }
+  return eros;
+}
+
+PuckPipeline::PuckPipeline(SensorSize sensor, const PuckPipelineParams& params,
+                           const PuckSizeModel& size_model)
+    : sensor_(sensor),
+      params_(params),
+      size_model_(size_model),
+      kernels_(params.kernels),
+      tracker_(sensor, params.tracker, size_model, params.contour),
+      motion_(params.motion),
+      trail_(params.trail),
+      detection_region_(detection_region(sensor, params.detector)) {
+  if (params.loss.coast_us < 0 || params.loss.search_period_us < 0) {
+    throw std::invalid_argument(
+        "tracker.coast_us and tracker.search_period_us must not be negative");
+  }
+  make_room();
+}
+
+// Runs one step with the largest puck on an empty surface, so that no later step allocates.
+void PuckPipeline::make_room() {
+  const double right = sensor_.width - 1;
+  const double bottom = sensor_.height - 1;
+  for (const Pixel corner :
+       {Pixel{0, 0}, Pixel{right, 0}, Pixel{0, bottom}, Pixel{right, bottom}}) {
+    const Region region = tracker_.whole_region_around(corner, kernels_);
+    SurfaceSnapshot nothing;
+    nothing.region = with_surroundings(region);
+    nothing.grey.resize(nothing.region.width, nothing.region.height);
+    tracker_.step(nothing, region, corner, kernels_);
+  }
+}
+
+Region PuckPipeline::region_needed() const {
+  if (region_.empty()) return {};
+  return with_surroundings(region_).intersect(Region::all_of(sensor_));
+}
+
+// Adds the reach of kernels on the region's border, and that of the blur.
+Region PuckPipeline::with_surroundings(const Region& region) const {
+  return region.inflated(kernels_.reach_beyond(region, size_model_) + GaussianBlur::kRadius);
+}
+
+PuckEstimate PuckPipeline::step(const SurfaceSnapshot& snapshot) {
+  now_ = snapshot.newest_event;
+  const bool something_new = snapshot.events_applied != events_seen_;
+  events_seen_ = snapshot.events_applied;
+  search_ = {};
+  if (something_new) {
+    looked_at_ = region_;
+    if (state_ == TrackState::kTracking && !snapshot.region.empty()) {
+      track(snapshot);
+    }
+    if (state_ != TrackState::kTracking) plan_search(now_);
+    if (looked_at_.empty()) looked_at_ = search_;
+  }
+  return estimate(snapshot);
+}
+
+SearchRequest PuckPipeline::search_wanted() {
+  if (search_.empty()) return {};
+  if (params_.loss.enabled) next_search_ = now_ + params_.loss.search_period_us;
+  return {.region = std::exchange(search_, {})};
+}
+
+void PuckPipeline::take(const SearchResult& result) {
+  // A recovered track is newer than the search's result.
+  if (result.candidates.empty() || (state_ == TrackState::kTracking && !coasting_)) return;
+  const double score = result.candidates.front().score;
+  if (params_.loss.enabled && score < params_.loss.lowest_start_score) return;
+  begin_track(result.candidates.front(), result.time);
+  looked_at_ = result.request.region;
+}
+
+void PuckPipeline::track(const SurfaceSnapshot& snapshot) {
+  const Timestamp now = snapshot.newest_event;
+  const Pixel expected = params_.predicts ? motion_.expected_at(now) : position_;
+  const PuckTracker::Step found = tracker_.step(snapshot, region_, expected, kernels_);
+  score_ = found.score;
+  motion_.measure(found.position, now, found.variance);
+  position_ = params_.predicts ? motion_.position() : found.position;
+  if (params_.loss.enabled && found.score < params_.loss.lowest_score) {
+    coast(now);
+    return;
+  }
+  coasting_ = false;
+  last_good_ = now;
+  trail_.learn(found.spread_px, speed_of(motion_.velocity()), now);
+  if (speed_of(motion_.velocity()) > kRestingPxPerS) resting_since_ = now;
+  region_ = tracker_.region_around(position_, kernels_);
+  if (region_.empty()) lose(now);
+}
+
+// Follows weak evidence, and searches around it for something better.
+void PuckPipeline::coast(Timestamp now) {
+  coasting_ = true;
+  if (now - last_good_ > params_.loss.coast_us) {
+    lose(now);
+    return;
+  }
+  plan_search(now);
+  region_ = tracker_.region_around(position_, kernels_);
+  if (region_.empty()) lose(now);
+}
+
+void PuckPipeline::begin_track(const SearchCandidate& candidate, Timestamp time) {
+  state_ = TrackState::kTracking;
+  position_ = candidate.position;
+  motion_.start(position_, time);
+  score_ = candidate.score;
+  coasting_ = false;
+  left_image_.reset();
+  last_good_ = time;
+  resting_since_ = time;
+  region_ = tracker_.first_region_at(position_, kernels_);
+  search_ = {};
+}
+
+void PuckPipeline::lose(Timestamp now) {
+  state_ = TrackState::kLost;
+  coasting_ = false;
+  region_ = {};
+  const Pixel inside = nearest_in_image(position_, sensor_);
+  if (!(inside == position_)) left_image_ = inside;
+  position_ = inside;
+  next_search_ = now;
+}
+
+void PuckPipeline::plan_search(Timestamp now) {
+  if (now < next_search_) return;
+  search_ = state_ == TrackState::kSearching ? detection_region_ : search_region(now);
+}
+
+Region PuckPipeline::search_region(Timestamp now) const {
+  const double unseen_s = static_cast<double>(now - last_good_) * 1e-6;
+  const double radius = params_.loss.search_radius_px + params_.loss.search_growth_px_s * unseen_s;
+  const int side = static_cast<int>(std::min(2 * radius, 4.0 * SensorSize::kMax)) | 1;
+  return Region::around(position_, side, side).intersect(Region::all_of(sensor_));
+}
+
+PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
+  PuckEstimate estimate;
+  estimate.state = state_;
+  estimate.newest_event = snapshot.newest_event;
+  estimate.events_applied = snapshot.events_applied;
+  estimate.region = looked_at_;
+  estimate.left_image = left_image_;
+  if (state_ != TrackState::kTracking) return estimate;
+
+  const LedPosition led = lead_forward(position_, motion_.velocity(), motion_.covariance(),
+                                       params_.contour.lag_us, trail_.length(), params_.lead);
+  estimate.position = led.position;
+  estimate.velocity = motion_.velocity();
+  estimate.covariance = led.covariance;
+  estimate.size = size_model_.at(position_);
+  estimate.score = score_;
+  estimate.coasting = coasting_;
+  estimate.resting = snapshot.newest_event - resting_since_ > kRestingAfterUs;
+  return estimate;
+}
+
+}  // namespace puck

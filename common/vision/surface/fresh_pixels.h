@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/events/event.h"
+#include "common/events/sensor_size.h"
+#include "common/events/timestamp.h"
+#include "common/vision/geometry/image.h"
+#include "common/vision/geometry/region.h"
+
+namespace puck {
+
+/// Some rows of FreshPixels, copied for another thread: a bit a pixel.
+struct FreshRows {
+  int stride = 0;                  ///< Bytes from one row to the next, all rows of the sensor.
+  std::vector<std::uint8_t> bits;  ///< Of a row of pixels the first is the lowest bit.
+
+  /// Makes the pixels of `grey` dark that have not fired of late. It shows `part` of the sensor,
+  /// whose rows have been copied.
+  void darken_stale(const Region& part, ImageView<std::uint8_t> grey) const;
+};
+
+/// Remembers which pixels have fired of late, within the last 24 to 32 ms of sensor time. EROS
+/// forgets an edge only when others pass over it, so that where little happens most of it is of
+/// long ago, and much of that looks like a puck; but a search is for what makes events now. One
+/// thread at a time.
+class FreshPixels {
+ public:
+  explicit FreshPixels(SensorSize sensor);
+
+  /// Takes events of a packet that starts at `start`. All lie inside the sensor. In parts or at
+  /// once, it is the same.
+  void take(Timestamp start, std::span<const Event> events);
+
+  /// Copies the rows of `region`, which lies inside the sensor.
+  void copy_rows(const Region& region, FreshRows& out) const;
+
+ private:
+  static constexpr std::size_t kPeriods = 4;
+  static constexpr std::int64_t kPeriod_us = 8'000;
+
+  void turn_over(std::int64_t time_us);
+
+  int stride_;
+  std::array<std::vector<std::uint8_t>, kPeriods> fired_;  // this period first, then those before
+  std::int64_t turn_us_ = 0;                               // when the next period begins
+};
+
+}  // namespace puck
