@@ -45,6 +45,8 @@ struct DecisionParams {
   double mark_odds = 0.003;
   /// … and the increase with each known mark.
   double mark_odds_each = 0.3;
+  /// Odds that something else that looks like the puck comes while the puck rests, unheard.
+  double newcomer_odds = 0.02;
   /// Rate at which a hypothesis slips from the puck to a mark, per second.
   double slip = 0.002;
   /// Where a lost puck may be that has hardly moved: distance from the place where it was last seen

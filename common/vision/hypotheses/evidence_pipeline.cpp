@@ -185,13 +185,20 @@ double EvidencePipeline::mark_prior(Pixel found) const {
   return std::min(seen_mark_ + area / (1.0 * sensor_.width * sensor_.height), 1.0);
 }
 
+// Whether the track has made no events for longer than a packet of evidence lasts.
+bool EvidencePipeline::is_silent() const {
+  return main_ &&
+         static_cast<double>(now_us_ - all_[*main_].heard_us()) * 1e-6 > context_.decision.packet_s;
+}
+
 double EvidencePipeline::odds(const Hypothesis& hypothesis) const {
   const bool is_other = context_.contour.is_other_wall(hypothesis.wall_share());
   const double wall =
       has_wall_ ? 2 * share_of(is_other ? context_.game.other_wall : -context_.game.other_wall) : 1;
   const DecisionParams& params = context_.decision;
   const double mark_odds = params.mark_odds + params.mark_odds_each * context_.game.marks;
-  return wall / (1 / hypothesis.belief().odds() + hypothesis.mark() * mark_odds);
+  const double newcomer_odds = hypothesis.is_newcomer && is_silent() ? params.newcomer_odds : 0;
+  return wall / (1 / hypothesis.belief().odds() + hypothesis.mark() * mark_odds + newcomer_odds);
 }
 
 // There is one puck, or none.
@@ -227,6 +234,7 @@ void EvidencePipeline::choose(std::int64_t time_us) {
   Hypothesis& main = all_[*main_];
   count_marks(time_us);
   main.was_main = true;
+  main.is_newcomer = false;
   if (main.belief().is_covered()) return;
   last_seen_ = main.filter().position();
   seen_mark_ = main.mark();
@@ -253,15 +261,14 @@ void EvidencePipeline::count_marks(std::int64_t time_us) {
   }
 }
 
+// Probability that the puck is the track, visible, and away from a hypothesis.
 double EvidencePipeline::seen_elsewhere(const Hypothesis& hypothesis) const {
-  double seen = 0;
-  for (const Hypothesis& other : all_) {
-    if (distance_px(other.filter().position(), hypothesis.filter().position()) >
-        0.5 * other.width_px()) {
-      seen += (1 - other.own_motion.mark()) * other.posterior * other.belief().seen_share();
-    }
+  const Hypothesis& main = all_[*main_];
+  if (distance_px(main.filter().position(), hypothesis.filter().position()) <=
+      0.5 * main.width_px()) {
+    return 0;
   }
-  return seen;
+  return (1 - main.own_motion.mark()) * seen_at(main);
 }
 
 bool EvidencePipeline::is_sure() const {

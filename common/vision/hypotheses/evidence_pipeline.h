@@ -60,6 +60,7 @@ class EvidencePipeline final : public TrackingPipeline {
   void compare_walls(const Hypothesis& hypothesis);
   std::optional<double> stands_still(const Hypothesis& hypothesis) const;
   double mark_prior(Pixel found) const;
+  bool is_silent() const;
   double odds(const Hypothesis& hypothesis) const;
   void choose(std::int64_t time_us);
   void count_marks(std::int64_t time_us);

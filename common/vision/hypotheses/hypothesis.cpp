@@ -54,6 +54,7 @@ Hypothesis::Hypothesis(Origin origin, const ContourFilter::Start& start, double 
       born_us_(time_us),
       decided_us_(time_us),
       heard_us_(time_us),
+      start_filter_(filter_),
       start_variance_(filter_.place_variances()) {
   follow_contour(context);
 }
@@ -61,6 +62,7 @@ Hypothesis::Hypothesis(Origin origin, const ContourFilter::Start& start, double 
 void Hypothesis::inherit(const Hypothesis& parent) {
   own_motion = parent.own_motion;
   mark_prior = parent.mark_prior;
+  is_newcomer = parent.is_newcomer;
   own_dark_ = parent.own_dark_;
   own_bright_ = parent.own_bright_;
   own_events_ = parent.own_events_;
@@ -72,6 +74,7 @@ void Hypothesis::merge(const Hypothesis& other) {
   if (other.own_motion.mark() < own_motion.mark()) own_motion = other.own_motion;
   posterior += other.posterior;
   was_main |= other.was_main;
+  is_newcomer &= other.is_newcomer;
 }
 
 void Hypothesis::follow_contour(const TrackingContext& context) {
@@ -179,7 +182,9 @@ bool Hypothesis::decide(std::int64_t time_us, const TrackingContext& context) {
       1.0, (open_.inside + open_.outside) / (kBusy_px2 * (areas_.inside + areas_.outside)));
   belief_.pass(open_.seconds, comes, evidence.told, elsewhere, params.rates);
   belief_.take(nats_);
+  if (open_.near() > 0 && evidence.told <= 0) take_back(time_us);
   slow_down(context);
+  start_filter_ = filter_;
   start_variance_ = filter_.place_variances();
   const double keep = std::exp(-open_.seconds / kOwnMemory_s);
   own_dark_ = keep * own_dark_ + open_.dark;
@@ -230,6 +235,12 @@ void Hypothesis::sweep(double seconds, SensorSize sensor, double leading_share) 
     open_.swept_high += area * (speed + error);
   }
   seen_ = std::max(seen, 1) / static_cast<double>(kPoints);
+}
+
+// The sensor's noise explains all events of the packet: they do not move what they are near.
+void Hypothesis::take_back(std::int64_t time_us) {
+  filter_ = start_filter_;
+  filter_.predict(time_us, damping_s());
 }
 
 // Few events are a measurement of the speed: the contour swept little, and is not as far as it was

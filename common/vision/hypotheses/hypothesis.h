@@ -95,11 +95,14 @@ class Hypothesis {
   double elsewhere = 0;
   /// It has been the track.
   bool was_main = false;
+  /// Its object has never been the track.
+  bool is_newcomer = true;
 
  private:
   void follow_contour(const TrackingContext& context);
   void sweep(double seconds, SensorSize sensor, double leading_share);
   void measure_clutter(double seconds);
+  void take_back(std::int64_t time_us);
   void slow_down(const TrackingContext& context);
   double density(const GameTraits& game) const;
 
@@ -128,7 +131,8 @@ class Hypothesis {
   double own_bright_ = 0;
   double own_events_ = 0;
   double own_swept_ = 0;
-  std::array<double, 2> start_variance_;  // of the position, when the packet began
+  ContourFilter start_filter_;            // when the packet began
+  std::array<double, 2> start_variance_;  // of the position, likewise
 };
 
 }  // namespace puck

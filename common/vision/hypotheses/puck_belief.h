@@ -8,13 +8,13 @@ namespace puck {
 
 /// Rates of change of what a hypothesis is, per second.
 struct BeliefRates {
-  double hide = 1;             ///< A visible puck becomes covered, where something is seen to come.
-  double show = 5;             ///< A covered puck shows again.
-  double leave = 0.1;          ///< The puck is elsewhere: a hypothesis with events …
-  double leave_silent = 0.02;  ///< … without …
-  double leave_hidden = 2;     ///< … one of a covered puck …
-  double elsewhere = 20;       ///< … and any while the puck is seen elsewhere.
-  double come = 0.2;           ///< The puck comes to be where the hypothesis is.
+  double hide = 1;     ///< A visible puck becomes covered, where something is seen to come.
+  double show = 5;     ///< A covered puck shows again.
+  double leave = 0.1;  ///< The puck is elsewhere: a hypothesis with events …
+  double leave_silent = 0.002;  ///< … without …
+  double leave_hidden = 2;      ///< … one of a covered puck …
+  double elsewhere = 20;        ///< … and any while the puck is seen elsewhere.
+  double come = 0.2;            ///< The puck comes to be where the hypothesis is.
 };
 
 /// Belief that a hypothesis is the puck and visible, is the puck but covered, or is not the puck: a
