@@ -15,9 +15,9 @@ constexpr double kGateMarginM = 0.03;
 
 PuckTrack at_rest(const PuckTrack& track) {
   const double speed = kRestingSpeedSigma * kRestingSpeedSigma;
-  const Matrix4& p = track.covariance;
-  return {{track.state.position, {}},
-          {p[0], p[1], 0, 0, p[4], p[5], 0, 0, 0, 0, speed, 0, 0, 0, 0, speed}};
+  PuckTrack rest{{track.state.position, {}}, diagonal(0, 0, speed, speed)};
+  rest.covariance.topLeftCorner<2, 2>() = track.covariance.topLeftCorner<2, 2>();
+  return rest;
 }
 
 double distance_m(const TablePoint& a, const TablePoint& b) {
@@ -158,17 +158,15 @@ MeasurementUse MotionFilter::update_tentative(FilterState& filtered, const Table
 PuckTrack MotionFilter::started_track(const TableMeasurement& m, const Matrix2& noise) const {
   const double speed = params_.initial_speed_sigma_m_s * params_.initial_speed_sigma_m_s;
   const Matrix2& v = m.velocity_covariance;
-  const double cross = (v[1] + v[2]) / 2;
-  const PuckTrack track{{m.position, m.velocity},
-                        {noise[0], noise[1], 0, 0, noise[2], noise[3], 0, 0, 0, 0, v[0] + speed,
-                         cross, 0, 0, cross, v[3] + speed}};
+  PuckTrack track{{m.position, m.velocity}, diagonal(0, 0, speed, speed)};
+  track.covariance.topLeftCorner<2, 2>() = noise;
+  track.covariance.bottomRightCorner<2, 2>() += (v + v.transpose()) / 2;
   return m.resting ? at_rest(track) : track;
 }
 
 Matrix2 MotionFilter::noise_of(const TableMeasurement& m, double shared) const {
   const double floor = params_.position_sigma_m * params_.position_sigma_m;
-  const double cross = shared * (m.covariance[1] + m.covariance[2]) / 2;
-  return {shared * m.covariance[0] + floor, cross, cross, shared * m.covariance[3] + floor};
+  return shared * (m.covariance + m.covariance.transpose()) / 2 + floor * Matrix2::Identity();
 }
 
 PuckTrack MotionFilter::predicted(const PuckTrack& track, Timestamp from, Timestamp to) const {
@@ -183,8 +181,7 @@ std::optional<PuckTrack> MotionFilter::at(Timestamp t) const {
   PuckTrack track = predicted(filtered.track, *filtered.newest, t);
   // Systematic error, which does not average out.
   const double floor = params_.position_sigma_m * params_.position_sigma_m;
-  track.covariance[0] += floor;
-  track.covariance[5] += floor;
+  track.covariance += diagonal(floor, floor, 0, 0);
   return track;
 }
 
