@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +29,7 @@ double distance_m(const TablePoint& a, const TablePoint& b) {
 
 MotionFilter::MotionFilter(const PuckMotion& motion, const MotionFilterParams& params)
     : motion_(motion), params_(params) {
+  std::iota(order_.begin(), order_.end(), 0);
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw std::invalid_argument(what);
   };
@@ -61,14 +63,11 @@ void MotionFilter::reset() {
 
 MeasurementUse MotionFilter::update(const TableMeasurement& m) {
   if (!is_usable(m)) return MeasurementUse::kRejected;
-  const auto end = history_.begin() + static_cast<std::ptrdiff_t>(count_);
-  const auto place = std::upper_bound(
-      history_.begin(), end, m.t,
-      [](Timestamp t, const HistoryEntry& entry) { return t < entry.measurement.t; });
-  auto index = static_cast<std::size_t>(place - history_.begin());
-  if (index > 0 && history_[index - 1].measurement.t == m.t) {
+  std::size_t index = count_;
+  while (index > 0 && m.t < entry(index - 1).measurement.t) --index;
+  if (index > 0 && entry(index - 1).measurement.t == m.t) {
     // Sensor time does not advance for a puck at rest, since it causes no events.
-    HistoryEntry& same = history_[index - 1];
+    HistoryEntry& same = entry(index - 1);
     if (!m.resting || index != count_ || !is_good(same.use)) return MeasurementUse::kLate;
     same.measurement.resting = true;
     filter_from(index - 1);
@@ -78,24 +77,23 @@ MeasurementUse MotionFilter::update(const TableMeasurement& m) {
   if (index == 0 && !is_after_dropped) return MeasurementUse::kLate;
   if (count_ == kHistory) {
     if (index == 0) return MeasurementUse::kLate;
-    before_history_ = history_.front().after;
-    std::move(history_.begin() + 1, history_.end(), history_.begin());
+    before_history_ = entry(0).after;
+    std::rotate(order_.begin(), order_.begin() + 1, order_.end());
     --count_;
     --index;
   }
-  std::move_backward(history_.begin() + static_cast<std::ptrdiff_t>(index),
-                     history_.begin() + static_cast<std::ptrdiff_t>(count_),
-                     history_.begin() + static_cast<std::ptrdiff_t>(count_ + 1));
+  const auto free = order_.begin() + static_cast<std::ptrdiff_t>(count_);
+  std::rotate(order_.begin() + static_cast<std::ptrdiff_t>(index), free, free + 1);
   ++count_;
-  history_[index].measurement = m;
+  entry(index).measurement = m;
   filter_from(index);
-  return history_[index].use;
+  return entry(index).use;
 }
 
 void MotionFilter::filter_from(std::size_t index) {
   for (std::size_t i = index; i < count_; ++i) {
-    history_[i].after = i > 0 ? history_[i - 1].after : before_history_;
-    history_[i].use = filter(history_[i].after, history_[i].measurement);
+    entry(i).after = i > 0 ? entry(i - 1).after : before_history_;
+    entry(i).use = filter(entry(i).after, entry(i).measurement);
   }
 }
 
