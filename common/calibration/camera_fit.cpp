@@ -68,9 +68,7 @@ FocalLengthFit fit_focal_length(const Homography& homography, Pixel principal_po
   Eigen::Matrix3d centred = Eigen::Matrix3d::Identity();
   centred(0, 2) = -principal_point.x;
   centred(1, 2) = -principal_point.y;
-  const Eigen::Matrix3d image_from_table =
-      centred * Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
-                    homography.image_from_table().data());
+  const Eigen::Matrix3d image_from_table = centred * homography.image_from_table();
 
   const auto count = static_cast<Eigen::Index>(correspondences.size());
   const auto residuals_of = [&](const Eigen::VectorXd& parameters, Eigen::VectorXd& residuals) {

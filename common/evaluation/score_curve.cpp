@@ -8,20 +8,9 @@ namespace puck {
 void ScoreCurve::add(double score, double error_px) {
   // NaN counts as the lowest score.
   const double clamped = std::isnan(score) ? 0 : std::clamp(score, 0.0, 1.0);
-  add_counts(static_cast<int>(std::floor(clamped * kSteps)), 1, error_px <= kRightPx ? 1 : 0);
-}
-
-void ScoreCurve::add(const ScoreCurve& other) {
-  for (int step = 0; step <= kSteps; ++step) {
-    const auto i = static_cast<std::size_t>(step);
-    add_counts(step, other.ticks_[i], other.right_[i]);
-  }
-}
-
-void ScoreCurve::add_counts(int step, std::int64_t ticks, std::int64_t right) {
-  const auto i = static_cast<std::size_t>(step);
-  ticks_[i] += ticks;
-  right_[i] += right;
+  const auto step = static_cast<std::size_t>(std::floor(clamped * kSteps));
+  ++ticks_[step];
+  if (error_px <= kRightPx) ++right_[step];
 }
 
 double ScoreCurve::Point::f1() const {

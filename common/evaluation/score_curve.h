@@ -18,10 +18,6 @@ class ScoreCurve {
 
   /// Scores below 0 count as 0, above 1 as 1.
   void add(double score, double error_px);
-  /// Adds the ticks of another recording.
-  void add(const ScoreCurve& other);
-  /// Adds ticks whose scores lie from this step's threshold up to the next one's.
-  void add_counts(int step, std::int64_t ticks, std::int64_t right);
 
   struct Point {
     double threshold = 0;

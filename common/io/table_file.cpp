@@ -125,7 +125,7 @@ std::string table_text(const TableCalibration& calibration, std::string_view pro
       toml_comment(provenance) +
       "[table]\n# Homography from the image (px) to the table (m), row by row, of the "
       "plane in which\n# the puck's centre moves.\ntable_from_image = " +
-      toml_list(calibration.table_from_image.table_from_image()) + "\n";
+      toml_list(calibration.table_from_image.coefficients()) + "\n";
   for (const Length& length : kLengths) {
     text += std::string(last_part(length.key)) + " = " +
             toml_number(calibration.geometry.*length.member) + "\n";

@@ -6,30 +6,6 @@
 
 namespace puck {
 
-std::string_view base_name(Channel channel) {
-  switch (channel) {
-    case Channel::kEvents:
-      return "PUCK_EVENTS";
-    case Channel::kEstimate:
-      return "PUCK_ESTIMATE";
-    case Channel::kTrajectory:
-      return "PUCK_TRAJECTORY";
-    case Channel::kArmCommand:
-      return "PUCK_ARM_COMMAND";
-    case Channel::kArmState:
-      return "PUCK_ARM_STATE";
-    case Channel::kGame:
-      return "PUCK_GAME";
-    case Channel::kHead:
-      return "PUCK_HEAD";
-    case Channel::kTruth:
-      return "PUCK_TRUTH";
-    case Channel::kStatus:
-      return "PUCK_STATUS";
-  }
-  return {};
-}
-
 std::string channel_name(Channel channel, std::string_view prefix) {
   std::string name(prefix);
   if (!name.empty()) name += '_';

@@ -1,64 +1,22 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "puck/arm_command_t.hpp"
-#include "puck/arm_state_t.hpp"
-#include "puck/event_packet_t.hpp"
-#include "puck/game_state_t.hpp"
-#include "puck/ground_truth_t.hpp"
-#include "puck/head_state_t.hpp"
-#include "puck/puck_estimate_t.hpp"
-#include "puck/puck_trajectory_t.hpp"
-#include "puck/service_status_t.hpp"
+#include "puck/channels.hpp"
 
 namespace puck {
 
-/// One channel for each message type.
-enum class Channel {
-  kEvents,
-  kEstimate,
-  kTrajectory,
-  kArmCommand,
-  kArmState,
-  kGame,
-  kHead,
-  kTruth,
-  kStatus,
-};
-
-inline constexpr std::array kAllChannels{
-    Channel::kEvents,     Channel::kEstimate, Channel::kTrajectory,
-    Channel::kArmCommand, Channel::kArmState, Channel::kGame,
-    Channel::kHead,       Channel::kTruth,    Channel::kStatus};
-
-/// The channel that carries a message type: `kChannelOf<event_packet_t>`.
-template <typename Message>
-inline constexpr Channel kChannelOf = Message::no_channel_carries_this_type;
-template <>
-inline constexpr Channel kChannelOf<event_packet_t> = Channel::kEvents;
-template <>
-inline constexpr Channel kChannelOf<puck_estimate_t> = Channel::kEstimate;
-template <>
-inline constexpr Channel kChannelOf<puck_trajectory_t> = Channel::kTrajectory;
-template <>
-inline constexpr Channel kChannelOf<arm_command_t> = Channel::kArmCommand;
-template <>
-inline constexpr Channel kChannelOf<arm_state_t> = Channel::kArmState;
-template <>
-inline constexpr Channel kChannelOf<game_state_t> = Channel::kGame;
-template <>
-inline constexpr Channel kChannelOf<head_state_t> = Channel::kHead;
-template <>
-inline constexpr Channel kChannelOf<ground_truth_t> = Channel::kTruth;
-template <>
-inline constexpr Channel kChannelOf<service_status_t> = Channel::kStatus;
+// Generated from lcmtypes/: enum class Channel, one for each message type (Channel::kEvents, …);
+// kAllChannels; kChannelOf<event_packet_t>, the channel that carries a type; with_message_type,
+// which calls use(Message{}) with the type that a channel carries.
 
 /// `PUCK_EVENTS`, …
-std::string_view base_name(Channel channel);
+constexpr std::string_view base_name(Channel channel) {
+  return kBaseNames[static_cast<std::size_t>(channel)];
+}
 
 /// `LEFT_PUCK_EVENTS` with prefix LEFT; `PUCK_EVENTS` with none.
 std::string channel_name(Channel channel, std::string_view prefix);

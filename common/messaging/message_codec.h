@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,11 +17,14 @@ namespace puck {
 /// Sets the count fields from the array sizes: LCM's encoder trusts the counts and would read
 /// beyond an array's end. Arrays with a common count are cut to the shortest.
 template <typename Message>
-void set_counts(Message&) {}
-void set_counts(event_packet_t& message);
-void set_counts(puck_trajectory_t& message);
-void set_counts(arm_state_t& message);
-void set_counts(service_status_t& message);
+void set_counts(Message& message) {
+  with_arrays(message, [](std::int32_t& count, auto&... arrays) {
+    const std::size_t shortest = std::min(
+        {static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()), arrays.size()...});
+    (arrays.resize(shortest), ...);
+    count = static_cast<std::int32_t>(shortest);
+  });
+}
 
 /// Encodes into `buffer`, reusing its memory.
 template <typename Message>

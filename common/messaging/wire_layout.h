@@ -43,8 +43,8 @@ inline constexpr std::size_t kFingerprintBytes = 8;
 /// Index of the field with the length of this one; nothing for a fixed length.
 std::optional<std::size_t> place_of_count(const WireLayout& layout, const WireField& field);
 
-/// Layout of a channel's messages, from which the receiver's checks follow. A new type needs a row
-/// here and nothing else.
+/// Layout of a channel's messages, from which the receiver's checks follow. Generated from
+/// lcmtypes/.
 const WireLayout& wire_layout(Channel channel);
 
 /// Largest encoded size of the channel's type.

@@ -21,12 +21,10 @@ bool has(const puck_estimate_t& estimate, std::int32_t flag) {
 
 // Covariance of (x, y, vx, vy) in the image; nothing if that of the position is invalid.
 std::optional<Matrix4> image_covariance(const puck_estimate_t& estimate, double default_sigma_px) {
-  Matrix4 covariance{};
-  std::copy(std::begin(estimate.covariance), std::end(estimate.covariance), covariance.begin());
-  covariance = symmetric_part(covariance);
-  const double xx = covariance[0];
-  const double xy = covariance[1];
-  const double yy = covariance[5];
+  const Matrix4 covariance = symmetric_part(Matrix4(estimate.covariance));
+  const double xx = covariance(0, 0);
+  const double xy = covariance(0, 1);
+  const double yy = covariance(1, 1);
   if (xx == 0 && xy == 0 && yy == 0) {
     const double variance = default_sigma_px * default_sigma_px;
     return diagonal(variance, variance, 0, 0);
@@ -177,9 +175,9 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
     return EstimateVerdict::kImplausible;
   }
   const Matrix4& p = track->covariance;
-  if (!(p[0] + p[5] <= kMostUnsureM * kMostUnsureM)) return EstimateVerdict::kImplausible;
-  measurement = {{estimate.sensor_us},        position, {p[0], p[1], p[4], p[5]}, velocity, resting,
-                 {p[10], p[11], p[14], p[15]}};
+  if (!(p(0, 0) + p(1, 1) <= kMostUnsureM * kMostUnsureM)) return EstimateVerdict::kImplausible;
+  measurement = {{estimate.sensor_us},       position, p.topLeftCorner<2, 2>(), velocity, resting,
+                 p.bottomRightCorner<2, 2>()};
   return EstimateVerdict::kGood;
 }
 

@@ -53,7 +53,7 @@ GameObserver::Outlook GameObserver::look_ahead(const PuckTrack& track) const {
     if (to_end_s <= leg.duration_s) {
       const PuckTrack end = motion_.glide(at, to_end_s);
       const auto [inside_m, per_m] = beside_posts(end.state.position.y_m, velocity);
-      const double sigma_m = per_m * std::sqrt(std::max(0.0, end.covariance[5]));
+      const double sigma_m = per_m * std::sqrt(std::max(0.0, end.covariance(1, 1)));
       const Goal near = inside_m < -kBesideGoalM ? Goal::kNone
                         : comes                  ? Goal::kRobots
                                                  : Goal::kOpponents;

@@ -47,9 +47,7 @@ std::optional<TableVelocity> HitFinder::change_since(const PuckTrack& track,
     if (off_m < kNearGoalM) return std::nullopt;
     return change;
   }
-  const Matrix4& p = expected.track.covariance;
-  const double variance =
-      std::max(p[10], p[15]) + std::max(track.covariance[10], track.covariance[15]);
+  const double variance = largest_speed_variance(expected.track) + largest_speed_variance(track);
   if (std::hypot(change.x_m_s, change.y_m_s) <= kChangeMS + kSigmas * std::sqrt(variance)) {
     return std::nullopt;
   }

@@ -119,7 +119,7 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
   basis_ =
       Basis{estimate.session, estimate.seq, newest_sensor_,
             newest_sensor_ + (age_is_known && !measurement.resting ? age_us : 0), now.monotonic_us};
-  if (track && std::max(track->covariance[10], track->covariance[15]) < kGameSpeedVariance) {
+  if (track && largest_speed_variance(*track) < kGameSpeedVariance) {
     game_.see(newest_sensor_, *track);
   }
 }
@@ -189,7 +189,7 @@ std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now)
   message.y_m = track->state.position.y_m;
   message.vx_m_s = track->state.velocity.x_m_s;
   message.vy_m_s = track->state.velocity.y_m_s;
-  std::copy(track->covariance.begin(), track->covariance.end(), std::begin(message.covariance));
+  Eigen::Map<Matrix4>{message.covariance} = track->covariance;
   std::optional<TablePoint> mallet;
   if (const arm_state_t* arm = arm_.arm(now)) {
     mallet = TablePoint{table_.robot_line_x_m, arm->position_m};

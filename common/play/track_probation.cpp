@@ -89,7 +89,7 @@ void TrackProbation::follow_velocity(const TableMeasurement& measurement, const 
   const TableVelocity& found = track.state.velocity;
   // Exactly 0 means that the tracker gives no velocity.
   const bool is_said = said.x_m_s != 0 || said.y_m_s != 0;
-  const bool is_found = std::max(track.covariance[10], track.covariance[15]) < kKnownSpeedVariance;
+  const bool is_found = largest_speed_variance(track) < kKnownSpeedVariance;
   const double speed_m_s =
       std::max(std::hypot(said.x_m_s, said.y_m_s), std::hypot(found.x_m_s, found.y_m_s));
   const double error_m_s = std::hypot(said.x_m_s - found.x_m_s, said.y_m_s - found.y_m_s);

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "common/table/matrix3.h"
+#include "common/table/matrix.h"
 #include "common/table/table_point.h"
 #include "common/vision/geometry/pixel.h"
 
@@ -15,7 +15,7 @@ class Homography {
   /// Row-major; table (m) from image (px). The sign of all nine together is free: the table's
   /// origin is assumed to lie in front of the camera. Throws std::invalid_argument when a
   /// coefficient is not finite or the matrix is singular.
-  explicit Homography(const Matrix3& table_from_image);
+  explicit Homography(const std::array<double, 9>& table_from_image);
 
   /// From the projection of (x, y, 1) on the table, with a third coordinate that is positive in
   /// front of the camera: the sign is kept, so that the table's origin may lie behind the camera.
@@ -27,10 +27,12 @@ class Homography {
   /// `std::nullopt` for a point behind the camera.
   std::optional<Pixel> to_image(TablePoint point) const;
 
-  /// d(table)/d(image) at a pixel, row-major, m/px: maps velocities and covariances. `to_table`
-  /// must be defined for the pixel.
-  std::array<double, 4> jacobian_at(Pixel pixel) const;
+  /// d(table)/d(image) at a pixel, m/px: maps velocities and covariances. `to_table` must be
+  /// defined for the pixel.
+  Matrix2 jacobian_at(Pixel pixel) const;
 
+  /// As the constructor takes them.
+  std::array<double, 9> coefficients() const;
   const Matrix3& table_from_image() const { return table_from_image_; }
   const Matrix3& image_from_table() const { return image_from_table_; }
 

@@ -13,14 +13,14 @@ Intercept crossing_of(const PuckTrack& at_line, double in_s, int bounces) {
   const auto& [position, velocity] = at_line.state;
   const Matrix4& p = at_line.covariance;
   const double slope = velocity.y_m_s / velocity.x_m_s;
-  const double variance_y = p[5] - 2 * slope * p[1] + slope * slope * p[0];
+  const double variance_y = p(1, 1) - 2 * slope * p(0, 1) + slope * slope * p(0, 0);
   return {position.x_m,
           position.y_m,
           in_s,
           std::hypot(velocity.x_m_s, velocity.y_m_s),
           bounces,
           std::sqrt(std::max(0.0, variance_y)),
-          std::sqrt(std::max(0.0, p[0])) / std::abs(velocity.x_m_s)};
+          std::sqrt(std::max(0.0, p(0, 0))) / std::abs(velocity.x_m_s)};
 }
 
 }  // namespace

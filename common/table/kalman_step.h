@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "common/events/timestamp.h"
 #include "common/table/puck_track.h"
 
@@ -11,10 +9,11 @@ namespace puck {
 struct TableMeasurement {
   Timestamp t;
   TablePoint position;
-  Matrix2 covariance{};           ///< Covariance of (x, y), m².
-  TableVelocity velocity{};       ///< Used only where a track starts.
-  bool resting = false;           ///< The tracker reports a puck at rest.
-  Matrix2 velocity_covariance{};  ///< Covariance of the velocity, m²/s²; zeros if unknown.
+  Matrix2 covariance = Matrix2::Zero();  ///< Covariance of (x, y), m².
+  TableVelocity velocity{};              ///< Used only where a track starts.
+  bool resting = false;                  ///< The tracker reports a puck at rest.
+  /// Covariance of the velocity, m²/s²; zeros if unknown.
+  Matrix2 velocity_covariance = Matrix2::Zero();
 };
 
 /// Whether all numbers are finite and the covariance is valid.

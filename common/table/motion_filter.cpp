@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -15,9 +16,9 @@ constexpr double kGateMarginM = 0.03;
 
 PuckTrack at_rest(const PuckTrack& track) {
   const double speed = kRestingSpeedSigma * kRestingSpeedSigma;
-  const Matrix4& p = track.covariance;
-  return {{track.state.position, {}},
-          {p[0], p[1], 0, 0, p[4], p[5], 0, 0, 0, 0, speed, 0, 0, 0, 0, speed}};
+  PuckTrack rest{{track.state.position, {}}, diagonal(0, 0, speed, speed)};
+  rest.covariance.topLeftCorner<2, 2>() = track.covariance.topLeftCorner<2, 2>();
+  return rest;
 }
 
 double distance_m(const TablePoint& a, const TablePoint& b) {
@@ -28,6 +29,7 @@ double distance_m(const TablePoint& a, const TablePoint& b) {
 
 MotionFilter::MotionFilter(const PuckMotion& motion, const MotionFilterParams& params)
     : motion_(motion), params_(params) {
+  std::iota(order_.begin(), order_.end(), 0);
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw std::invalid_argument(what);
   };
@@ -61,14 +63,11 @@ void MotionFilter::reset() {
 
 MeasurementUse MotionFilter::update(const TableMeasurement& m) {
   if (!is_usable(m)) return MeasurementUse::kRejected;
-  const auto end = history_.begin() + static_cast<std::ptrdiff_t>(count_);
-  const auto place = std::upper_bound(
-      history_.begin(), end, m.t,
-      [](Timestamp t, const HistoryEntry& entry) { return t < entry.measurement.t; });
-  auto index = static_cast<std::size_t>(place - history_.begin());
-  if (index > 0 && history_[index - 1].measurement.t == m.t) {
+  std::size_t index = count_;
+  while (index > 0 && m.t < entry(index - 1).measurement.t) --index;
+  if (index > 0 && entry(index - 1).measurement.t == m.t) {
     // Sensor time does not advance for a puck at rest, since it causes no events.
-    HistoryEntry& same = history_[index - 1];
+    HistoryEntry& same = entry(index - 1);
     if (!m.resting || index != count_ || !is_good(same.use)) return MeasurementUse::kLate;
     same.measurement.resting = true;
     filter_from(index - 1);
@@ -78,24 +77,23 @@ MeasurementUse MotionFilter::update(const TableMeasurement& m) {
   if (index == 0 && !is_after_dropped) return MeasurementUse::kLate;
   if (count_ == kHistory) {
     if (index == 0) return MeasurementUse::kLate;
-    before_history_ = history_.front().after;
-    std::move(history_.begin() + 1, history_.end(), history_.begin());
+    before_history_ = entry(0).after;
+    std::rotate(order_.begin(), order_.begin() + 1, order_.end());
     --count_;
     --index;
   }
-  std::move_backward(history_.begin() + static_cast<std::ptrdiff_t>(index),
-                     history_.begin() + static_cast<std::ptrdiff_t>(count_),
-                     history_.begin() + static_cast<std::ptrdiff_t>(count_ + 1));
+  const auto free = order_.begin() + static_cast<std::ptrdiff_t>(count_);
+  std::rotate(order_.begin() + static_cast<std::ptrdiff_t>(index), free, free + 1);
   ++count_;
-  history_[index].measurement = m;
+  entry(index).measurement = m;
   filter_from(index);
-  return history_[index].use;
+  return entry(index).use;
 }
 
 void MotionFilter::filter_from(std::size_t index) {
   for (std::size_t i = index; i < count_; ++i) {
-    history_[i].after = i > 0 ? history_[i - 1].after : before_history_;
-    history_[i].use = filter(history_[i].after, history_[i].measurement);
+    entry(i).after = i > 0 ? entry(i - 1).after : before_history_;
+    entry(i).use = filter(entry(i).after, entry(i).measurement);
   }
 }
 
@@ -158,17 +156,15 @@ MeasurementUse MotionFilter::update_tentative(FilterState& filtered, const Table
 PuckTrack MotionFilter::started_track(const TableMeasurement& m, const Matrix2& noise) const {
   const double speed = params_.initial_speed_sigma_m_s * params_.initial_speed_sigma_m_s;
   const Matrix2& v = m.velocity_covariance;
-  const double cross = (v[1] + v[2]) / 2;
-  const PuckTrack track{{m.position, m.velocity},
-                        {noise[0], noise[1], 0, 0, noise[2], noise[3], 0, 0, 0, 0, v[0] + speed,
-                         cross, 0, 0, cross, v[3] + speed}};
+  PuckTrack track{{m.position, m.velocity}, diagonal(0, 0, speed, speed)};
+  track.covariance.topLeftCorner<2, 2>() = noise;
+  track.covariance.bottomRightCorner<2, 2>() += (v + v.transpose()) / 2;
   return m.resting ? at_rest(track) : track;
 }
 
 Matrix2 MotionFilter::noise_of(const TableMeasurement& m, double shared) const {
   const double floor = params_.position_sigma_m * params_.position_sigma_m;
-  const double cross = shared * (m.covariance[1] + m.covariance[2]) / 2;
-  return {shared * m.covariance[0] + floor, cross, cross, shared * m.covariance[3] + floor};
+  return shared * (m.covariance + m.covariance.transpose()) / 2 + floor * Matrix2::Identity();
 }
 
 PuckTrack MotionFilter::predicted(const PuckTrack& track, Timestamp from, Timestamp to) const {
@@ -183,8 +179,7 @@ std::optional<PuckTrack> MotionFilter::at(Timestamp t) const {
   PuckTrack track = predicted(filtered.track, *filtered.newest, t);
   // Systematic error, which does not average out.
   const double floor = params_.position_sigma_m * params_.position_sigma_m;
-  track.covariance[0] += floor;
-  track.covariance[5] += floor;
+  track.covariance += diagonal(floor, floor, 0, 0);
   return track;
 }
 

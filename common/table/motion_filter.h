@@ -98,8 +98,11 @@ class MotionFilter {
     MeasurementUse use = MeasurementUse::kUsed;
   };
 
+  /// The entries in the order of their times, from 0 to `count_`; the rest is free.
+  const HistoryEntry& entry(std::size_t i) const { return entries_[order_[i]]; }
+  HistoryEntry& entry(std::size_t i) { return entries_[order_[i]]; }
   const FilterState& current() const {
-    return count_ > 0 ? history_[count_ - 1].after : before_history_;
+    return count_ > 0 ? entry(count_ - 1).after : before_history_;
   }
   void filter_from(std::size_t index);
   MeasurementUse filter(FilterState& filtered, const TableMeasurement& measurement) const;
@@ -111,7 +114,8 @@ class MotionFilter {
 
   PuckMotion motion_;
   MotionFilterParams params_;
-  std::array<HistoryEntry, kHistory> history_{};  // In the order of their times.
+  std::array<HistoryEntry, kHistory> entries_{};
+  std::array<std::uint8_t, kHistory> order_{};  // Indices of `entries_`.
   std::size_t count_ = 0;
   FilterState before_history_;  // State before the oldest entry.
 };

@@ -78,14 +78,17 @@ PuckTrack PuckMotion::glide(const PuckTrack& start, double dt_s) const {
                         position.y_m + velocity.y_m_s * reach_s};
   end.state.velocity = {velocity.x_m_s * kept, velocity.y_m_s * kept};
 
-  const Matrix4 f{1, 0, reach_s, 0, 0, 1, 0, reach_s, 0, 0, kept, 0, 0, 0, 0, kept};
+  Matrix4 f = diagonal(1, 1, kept, kept);
+  f.topRightCorner<2, 2>().diagonal().setConstant(reach_s);
   // White noise on the acceleration.
   const double q = params_.velocity_noise_m_s * params_.velocity_noise_m_s;
   const double pp = q * dt_s * dt_s * dt_s / 3;
   const double pv = q * dt_s * dt_s / 2;
   const double vv = q * dt_s;
-  const Matrix4 noise{pp, 0, pv, 0, 0, pp, 0, pv, pv, 0, vv, 0, 0, pv, 0, vv};
-  end.covariance = sum(carried(f, start.covariance), noise);
+  Matrix4 noise = diagonal(pp, pp, vv, vv);
+  noise.topRightCorner<2, 2>().diagonal().setConstant(pv);
+  noise.bottomLeftCorner<2, 2>().diagonal().setConstant(pv);
+  end.covariance = carried(f, start.covariance) + noise;
   return end;
 }
 
@@ -129,44 +132,30 @@ PuckTrack PuckMotion::bounced(const PuckTrack& at, double normal_x, double norma
   const double back = -params_.rail_restitution;
   const double along = params_.rail_grip;
   const auto& [position, velocity] = at.state;
-  const double xx = normal_x * normal_x;
-  const double xy = normal_x * normal_y;
-  const double yy = normal_y * normal_y;
+  const Eigen::Vector2d normal(normal_x, normal_y);
+  const Eigen::Vector2d tangent(-normal_y, normal_x);
+  const Matrix2 across = normal * normal.transpose();
+  const Matrix2 beside = tangent * tangent.transpose();
   // The restitution scales the reversed velocity along the normal n, the grip the one along the
   // tangent.
-  const Matrix2 turn{back * xx + along * yy, (back - along) * xy, (back - along) * xy,
-                     back * yy + along * xx};
+  const Matrix2 turn = back * across + along * beside;
+  const Eigen::Vector2d turned = turn * Eigen::Vector2d(velocity.x_m_s, velocity.y_m_s);
   PuckTrack after;
   after.state.position = position;
-  after.state.velocity = {turn[0] * velocity.x_m_s + turn[1] * velocity.y_m_s,
-                          turn[2] * velocity.x_m_s + turn[3] * velocity.y_m_s};
+  after.state.velocity = {turned.x(), turned.y()};
   // To first order the position beyond the contact is the mirror image of the one before it, scaled
   // like the speed. The effect of the bounce's time on the position along the rail is left out: it
   // is small, and grows without bound where the puck grazes the rail.
-  const Matrix4 reflection{back * xx + yy,
-                           (back - 1) * xy,
-                           0,
-                           0,  //
-                           (back - 1) * xy,
-                           back * yy + xx,
-                           0,
-                           0,  //
-                           0,
-                           0,
-                           turn[0],
-                           turn[1],  //
-                           0,
-                           0,
-                           turn[2],
-                           turn[3]};
-  const Matrix4& p = at.covariance;
+  Matrix4 reflection = Matrix4::Zero();
+  reflection.topLeftCorner<2, 2>() = back * across + beside;
+  reflection.bottomRightCorner<2, 2>() = turn;
   const double speed = std::hypot(velocity.x_m_s, velocity.y_m_s);
   const double spread = params_.bounce_spread * speed;
   // At a post the normal depends on where the puck meets it.
-  const double along_variance = yy * p[0] - 2 * xy * p[1] + xx * p[5];
-  const double turned = (1 - back) * speed * curvature_1_m;
-  const double variance = spread * spread + turned * turned * std::max(0.0, along_variance);
-  after.covariance = sum(carried(reflection, p), diagonal(0, 0, variance, variance));
+  const double along_variance = tangent.dot(at.covariance.topLeftCorner<2, 2>() * tangent);
+  const double turn_m_s = (1 - back) * speed * curvature_1_m;
+  const double variance = spread * spread + turn_m_s * turn_m_s * std::max(0.0, along_variance);
+  after.covariance = carried(reflection, at.covariance) + diagonal(0, 0, variance, variance);
   return after;
 }
 

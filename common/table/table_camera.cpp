@@ -4,6 +4,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
 #include "common/table/require.h"
 
 namespace puck {
@@ -25,21 +28,8 @@ const PinholeCamera& checked(const PinholeCamera& camera) {
 }
 
 Matrix3 projection_of(const PinholeCamera& camera) {
-  return {camera.focal_px,
-          0,
-          camera.principal_point.x,
-          0,
-          camera.focal_px,
-          camera.principal_point.y,
-          0,
-          0,
-          1};
-}
-
-Matrix3 ray_of(const PinholeCamera& camera) {
-  const double f = camera.focal_px;
-  return {1 / f, 0, -camera.principal_point.x / f, 0, 1 / f, -camera.principal_point.y / f, 0,
-          0,     1};
+  const Pixel& middle = camera.principal_point;
+  return Matrix3{{camera.focal_px, 0, middle.x}, {0, camera.focal_px, middle.y}, {0, 0, 1}};
 }
 
 // A rotation about one of the camera's axes and its rate per second.
@@ -48,75 +38,58 @@ struct Turn {
   Matrix3 rate;
 };
 
-Turn yaw_of(double deg, double deg_s) {
-  const double c = std::cos(deg * kDegree), s = std::sin(deg * kDegree), w = deg_s * kDegree;
-  return {{c, 0, s, 0, 1, 0, -s, 0, c}, scaled({-s, 0, c, 0, 0, 0, -c, 0, -s}, w)};
-}
-
-Turn pitch_of(double deg, double deg_s) {
-  const double c = std::cos(deg * kDegree), s = std::sin(deg * kDegree), w = deg_s * kDegree;
-  return {{1, 0, 0, 0, c, -s, 0, s, c}, scaled({0, 0, 0, 0, -s, -c, 0, c, -s}, w)};
-}
-
-Turn roll_of(double deg, double deg_s) {
-  const double c = std::cos(deg * kDegree), s = std::sin(deg * kDegree), w = deg_s * kDegree;
-  return {{c, -s, 0, s, c, 0, 0, 0, 1}, scaled({-s, -c, 0, c, -s, 0, 0, 0, 0}, w)};
+Turn turn_about(const Column3& axis, double deg, double deg_s) {
+  const Matrix3 matrix = Eigen::AngleAxisd(deg * kDegree, axis).toRotationMatrix();
+  Matrix3 cross;
+  for (int i = 0; i < 3; ++i) cross.col(i) = axis.cross(Column3::Unit(i));
+  return {matrix, deg_s * kDegree * cross * matrix};
 }
 
 Turn one_after(const Turn& a, const Turn& b) {
-  return {product(a.matrix, b.matrix), sum(product(a.rate, b.matrix), product(a.matrix, b.rate))};
+  return {a.matrix * b.matrix, a.rate * b.matrix + a.matrix * b.rate};
 }
 
 // Adds `vector` to the third column.
 Matrix3 shifted(Matrix3 matrix, const Column3& vector) {
-  matrix[2] += vector[0];
-  matrix[5] += vector[1];
-  matrix[8] += vector[2];
+  matrix.col(2) += vector;
   return matrix;
-}
-
-Column3 times(const std::array<double, 3>& v, double factor) {
-  return {v[0] * factor, v[1] * factor, v[2] * factor};
 }
 
 }  // namespace
 
 TableCamera::TableCamera(const Homography& home, const PinholeCamera& camera)
     : camera_(checked(camera)),
-      camera_from_table_(product(ray_of(camera), home.image_from_table())) {
+      camera_from_table_(projection_of(camera).inverse() * home.image_from_table()) {
   // The first two columns are the table's axes, unit vectors times the scale.
-  const Matrix3& c = camera_from_table_;
-  scale_ = std::sqrt(std::hypot(c[0], c[3], c[6]) * std::hypot(c[1], c[4], c[7]));
+  scale_ = std::sqrt(camera_from_table_.col(0).norm() * camera_from_table_.col(1).norm());
 }
 
 std::optional<TableView> TableCamera::view_at(const HeadPose& pose) const {
-  // Axes of the turned camera in the frame of the home pose. The rotation is intrinsic: each turn
-  // is about an axis of the camera as already turned.
-  const Turn turn = one_after(
-      one_after(yaw_of(pose.yaw_deg, pose.yaw_deg_s), pitch_of(pose.pitch_deg, pose.pitch_deg_s)),
-      roll_of(pose.roll_deg, pose.roll_deg_s));
+  // Axes of the turned camera in the frame of the home pose: x right, y down, z forwards. The
+  // rotation is intrinsic: each turn is about an axis of the camera as already turned.
+  const Turn turn =
+      one_after(one_after(turn_about(Column3::UnitY(), pose.yaw_deg, pose.yaw_deg_s),
+                          turn_about(Column3::UnitX(), pose.pitch_deg, pose.pitch_deg_s)),
+                turn_about(Column3::UnitZ(), pose.roll_deg, pose.roll_deg_s));
   // From the pivot, which stays, to a point of the table: at home, then turned, then from the
   // camera again.
-  const Matrix3 from_pivot = shifted(camera_from_table_, times(camera_.pivot_m, -scale_));
+  const Column3 pivot = scale_ * Column3(camera_.pivot_m.data());
+  const Matrix3 from_pivot = shifted(camera_from_table_, -pivot);
   const Matrix3 projection = projection_of(camera_);
   const std::optional<Homography> homography =
-      Homography::of_view(product(projection, shifted(product(transposed(turn.matrix), from_pivot),
-                                                      times(camera_.pivot_m, scale_))));
+      Homography::of_view(projection * shifted(turn.matrix.transpose() * from_pivot, pivot));
   if (!homography) return std::nullopt;
-  const Matrix3 image_rate = product(projection, product(transposed(turn.rate), from_pivot));
+  const Matrix3 image_rate = projection * turn.rate.transpose() * from_pivot;
   // (G⁻¹)' = −G⁻¹ G' G⁻¹
   const Matrix3& inverse = homography->table_from_image();
-  return TableView{*homography, scaled(product(product(inverse, image_rate), inverse), -1)};
+  return TableView{*homography, -inverse * image_rate * inverse};
 }
 
 Homography TableCamera::raised(double height_m) const {
   // Up is the cross product of the table's axes: x forwards, y to the left.
-  const Matrix3& c = camera_from_table_;
-  const double factor = height_m / scale_;
-  const Column3 up{(c[3] * c[7] - c[6] * c[4]) * factor, (c[6] * c[1] - c[0] * c[7]) * factor,
-                   (c[0] * c[4] - c[3] * c[1]) * factor};
-  const auto homography =
-      Homography::of_view(product(projection_of(camera_), shifted(camera_from_table_, up)));
+  const Column3 up = camera_from_table_.col(0).cross(camera_from_table_.col(1));
+  const auto homography = Homography::of_view(projection_of(camera_) *
+                                              shifted(camera_from_table_, height_m / scale_ * up));
   if (!homography) {
     throw std::invalid_argument("the camera must not lie at the requested height");
   }

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "common/table/homography.h"
-#include "common/table/matrix4.h"
+#include "common/table/matrix.h"
 #include "common/table/puck_track.h"
 #include "common/vision/geometry/pixel.h"
 
@@ -13,8 +13,8 @@ namespace puck {
 struct ImageTrack {
   Pixel position;
   PixelVelocity velocity;
-  /// Covariance of (x, y, vx, vy), row-major; px², px²/s, px²/s².
-  Matrix4 covariance{};
+  /// Covariance of (x, y, vx, vy); px², px²/s, px²/s².
+  Matrix4 covariance = Matrix4::Zero();
 };
 
 /// The table in the image at one moment, and its motion in the image as the camera turns.
@@ -35,7 +35,7 @@ class TableView {
 
  private:
   Homography homography_;
-  Matrix3 rate_{};
+  Matrix3 rate_ = Matrix3::Zero();
 };
 
 }  // namespace puck

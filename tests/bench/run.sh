@@ -73,7 +73,7 @@ seconds "$bin/puck-bench" "${flags[@]}" >"$out/puck-bench.txt" 2>"$out/puck-benc
   exit 1
 }
 tail -n 1 "$out/puck-bench.txt"
-report_flags=(--json "$json" --plots "$out")
+report_flags=(--json "$json")
 echo "measuring the services"
 if seconds "$bin/puck-bench-live" "${live_flags[@]}"; then
   report_flags+=(--live "$out/live.json")
@@ -84,6 +84,7 @@ fi
 
 echo
 "$bin/puck-bench-report" "$out/benchmarks.json" "${report_flags[@]}" || failed=1
+"$bin/charts/bench.py" "$json" "$out" || failed=1
 echo
 echo "figures in $json, charts in $out/"
 exit "$failed"

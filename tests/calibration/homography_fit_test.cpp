@@ -80,7 +80,7 @@ TEST_CASE("The refinement is a minimum: no small change of the fit reduces the r
   const double best = cost(fit.homography);
   for (std::size_t i = 0; i < 9; ++i) {
     for (const double factor : {1 - 1e-4, 1 + 1e-4}) {
-      std::array<double, 9> changed = fit.homography.table_from_image();
+      std::array<double, 9> changed = fit.homography.coefficients();
       changed[i] *= factor;
       CHECK(cost(Homography(changed)) >= best * (1 - 1e-9));
     }

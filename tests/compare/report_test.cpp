@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include "common/evaluation/score_curve.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/compare/program.h"
 #include "tools/compare/report_json.h"
@@ -184,44 +183,6 @@ TEST_CASE("the report has standard errors beside mean and lost") {
   CHECK(markdown.find("| lost % | +- |") != std::string::npos);
   CHECK(markdown.find("| default | 0.500 | 0.250 |") != std::string::npos);
   CHECK(markdown.find("| 2.00 | 1.00 |") != std::string::npos);
-}
-
-TEST_CASE("a score curve is unchanged by its file") {
-  const TemporaryFolder folder;
-  ScoreCurve curve;
-  curve.add(0.9, 1);
-  curve.add(0.6, 1);
-  curve.add(0.6, 50);
-  curve.add(0, 50);
-  std::string rows = "threshold,believed,right,precision,recall\n";
-  for (int step = 0; step <= ScoreCurve::kSteps; ++step) {
-    const auto point = curve.at(step);
-    rows += std::to_string(point.threshold) + "," + std::to_string(point.believed) + "," +
-            std::to_string(point.right) + ",0,0\n";
-  }
-  folder.write("score.csv", rows);
-  folder.write("figures.json", R"({"estimates": 4})");
-  const ScoreCurve read = RunFigures({"still", 1, "default", folder.path()}).score_curve();
-  CHECK(read.ticks() == 4);
-  CHECK(read.at(120).believed == 3);
-  CHECK(read.at(120).right == 2);
-  CHECK(read.average_precision() == doctest::Approx(curve.average_precision()));
-}
-
-TEST_CASE("ticks without a position are gaps in a trajectory") {
-  const TemporaryFolder folder;
-  const auto path = folder.write("ticks.csv",
-                                 "t_us,x,y,width,height,score,state,latency_us\n"
-                                 "1000,10.5,20,30,20,0.9,tracking,\n"
-                                 "2000,,,,,0,lost,\n");
-  const Trajectory trajectory = read_ticks(path);
-  REQUIRE(trajectory.rows.size() == 2);
-  CHECK(trajectory.rows[0].time_s == doctest::Approx(0.001));
-  CHECK(trajectory.rows[0].x == 10.5);
-  CHECK(trajectory.rows[0].y == 20);
-  CHECK(trajectory.rows[1].time_s == doctest::Approx(0.002));
-  CHECK(std::isnan(trajectory.rows[1].x));
-  CHECK_THROWS_AS(read_ticks(folder.write("other.csv", "a,b\n")), std::runtime_error);
 }
 
 TEST_CASE("a table is aligned, and a row of the wrong length is refused") {

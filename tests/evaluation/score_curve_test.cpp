@@ -46,18 +46,6 @@ TEST_CASE("an uninformative score has the area of the correct share") {
   CHECK(curve.average_precision() == doctest::Approx(0.25).epsilon(0.01));
 }
 
-TEST_CASE("curves of several recordings are added tick by tick") {
-  ScoreCurve first;
-  first.add(0.9, 1);
-  ScoreCurve second;
-  second.add(0.4, 50);
-  second.add(0.6, 1);
-  first.add(second);
-  CHECK(first.ticks() == 3);
-  CHECK(first.at(100).believed == 2);
-  CHECK(first.at(0).right == 2);
-}
-
 TEST_CASE("scores out of range are counted at the ends of the range") {
   ScoreCurve curve;
   curve.add(7, 1);

@@ -1,11 +1,11 @@
 #include "common/messaging/wire_layout.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <limits>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -15,104 +15,82 @@
 namespace puck {
 namespace {
 
-std::filesystem::path lcmtypes() { return source_folder() / "lcmtypes"; }
-
-std::string kind_name(WireKind kind) {
-  switch (kind) {
-    case WireKind::kInt8:
-      return "int8_t";
-    case WireKind::kBoolean:
-      return "boolean";
-    case WireKind::kInt32:
-      return "int32_t";
-    case WireKind::kInt64:
-      return "int64_t";
-    case WireKind::kDouble:
-      return "double";
-    case WireKind::kString:
-      return "string";
-    case WireKind::kByte:
-      return "byte";
+const WireField& field(Channel channel, std::string_view name) {
+  for (const WireField& each : wire_layout(channel).fields) {
+    if (each.name == name) return each;
   }
-  return {};
+  throw std::invalid_argument("no such field: " + std::string(name));
 }
 
-/// The field's declaration in an .lcm file: `double covariance[16]`.
-std::string declaration(const WireField& field) {
-  std::string text = kind_name(field.kind) + " " + std::string(field.name);
-  if (!field.count_field.empty()) return text + "[" + std::string(field.count_field) + "]";
-  if (field.fixed_count != 1) return text + "[" + std::to_string(field.fixed_count) + "]";
-  return text;
-}
-
-std::vector<std::string> declarations_in(const std::filesystem::path& file) {
-  std::vector<std::string> found;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    const auto code = line.substr(0, line.find("//"));
-    const auto semicolon = code.find(';');
-    std::istringstream words(code.substr(0, semicolon));
-    std::string kind;
-    std::string name;
-    words >> kind >> name;
-    if (semicolon == std::string::npos || kind == "package" || kind == "const") continue;
-    found.push_back(kind + " " + name);
-  }
-  return found;
-}
-
-/// The field's constants in an .lcm file in their order: `const int8_t STATE_SHOT_AT = 0;` is
-/// "shot at" of field "state".
-std::vector<std::string> meanings_in(const std::filesystem::path& file, std::string field) {
-  std::transform(field.begin(), field.end(), field.begin(), ::toupper);
-  std::vector<std::string> found;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    std::istringstream words(line);
-    std::string keyword, kind, name, equals;
-    std::size_t value = 0;
-    words >> keyword >> kind >> name >> equals >> value;
-    if (keyword != "const" || kind != "int8_t" || !name.starts_with(field + "_")) continue;
-    CHECK(value == found.size());
-    name.erase(0, field.size() + 1);
-    std::transform(name.begin(), name.end(), name.begin(), ::tolower);
-    std::replace(name.begin(), name.end(), '_', ' ');
-    found.push_back(name);
-  }
-  return found;
+std::vector<std::string_view> meanings(Channel channel, std::string_view name) {
+  const auto& values = field(channel, name).meanings;
+  return {values.begin(), values.end()};
 }
 
 }  // namespace
 
-TEST_CASE("every type in lcmtypes has the layout of its declaration") {
+TEST_CASE("every type in lcmtypes has a channel") {
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(lcmtypes())) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "lcmtypes")) {
     if (entry.path().extension() == ".lcm") ++files;
   }
   CHECK(files == kAllChannels.size());
+}
 
-  for (const Channel channel : kAllChannels) {
-    const WireLayout& layout = wire_layout(channel);
-    CAPTURE(layout.type);
-    std::vector<std::string> fields;
-    for (const WireField& field : layout.fields) fields.push_back(declaration(field));
-    CHECK(fields == declarations_in(lcmtypes() / (std::string(layout.type) + ".lcm")));
+TEST_CASE("a field has the range of its declaration, or the usual one of its type") {
+  struct Expected {
+    Channel channel;
+    std::string_view field;
+    std::int64_t min;
+    std::int64_t max;
+  };
+  constexpr std::int64_t kMostInt64 = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t kLeastInt64 = std::numeric_limits<std::int64_t>::min();
+  for (const Expected& expected : std::vector<Expected>{
+           {Channel::kEvents, "utime", 0, kMostOnWire},
+           {Channel::kEvents, "session", 1, kMostInt64},
+           {Channel::kEvents, "width", 1, 2048},
+           {Channel::kEvents, "first_event_us", 0, kMostOnWire - 4095},
+           {Channel::kEvents, "duration_us", 0, 4095},
+           {Channel::kEvents, "recorded", 0, 1},
+           {Channel::kEvents, "encoding", 1, 3},
+           {Channel::kEvents, "count", 0, 16384},
+           {Channel::kEvents, "size", 0, 4 * 16384},
+           {Channel::kEstimate, "events_session", 0, kMostInt64},
+           {Channel::kEstimate, "state", 0, 2},
+           {Channel::kEstimate, "flags", 0, 31},
+           {Channel::kEstimate, "region_x", -2147483647, 2147483647},
+           {Channel::kEstimate, "region_width", 0, 2147483647},
+           {Channel::kEstimate, "image_height", 0, 2048},
+           {Channel::kTrajectory, "path_length", 0, 4096},
+           {Channel::kArmState, "reason", 0, 255},
+           {Channel::kArmState, "joint_count", 0, 64},
+           {Channel::kHead, "sensor_us", -1, kMostOnWire},
+           {Channel::kStatus, "counter_count", 0, 256},
+           {Channel::kStatus, "counter_value", kLeastInt64, kMostInt64},
+           {Channel::kStatus, "latency_max_us", kLeastInt64, kMostInt64},
+           {Channel::kStatus, "latency_samples", 0, kMostOnWire},
+           {Channel::kStatus, "pong_count", 0, 64},
+       }) {
+    CAPTURE(expected.field);
+    CHECK(field(expected.channel, expected.field).min == expected.min);
+    CHECK(field(expected.channel, expected.field).max == expected.max);
   }
 }
 
+TEST_CASE("an array has its length, or the field with its length") {
+  CHECK(field(Channel::kEstimate, "covariance").fixed_count == 16);
+  CHECK(field(Channel::kStatus, "latency_p50_us").count_field == "latency_count");
+  CHECK(field(Channel::kStatus, "pid").count_field.empty());
+}
+
 TEST_CASE("the values of a state, mode or phase have their names of lcmtypes") {
-  int named = 0;
-  for (const Channel channel : kAllChannels) {
-    const WireLayout& layout = wire_layout(channel);
-    CAPTURE(layout.type);
-    for (const WireField& field : layout.fields) {
-      const auto meanings =
-          meanings_in(lcmtypes() / (std::string(layout.type) + ".lcm"), std::string(field.name));
-      CHECK(std::vector<std::string>(field.meanings.begin(), field.meanings.end()) == meanings);
-      if (!meanings.empty()) ++named;
-    }
-  }
-  CHECK(named == 6);
+  using Names = std::vector<std::string_view>;
+  CHECK(meanings(Channel::kEstimate, "state") == Names{"searching", "tracking", "lost"});
+  CHECK(meanings(Channel::kArmCommand, "mode") == Names{"follow", "hold", "stop", "reset"});
+  CHECK(meanings(Channel::kGame, "phase") ==
+        Names{"waiting", "rally", "shot at robot", "goal", "puck stuck", "puck out of view"});
+  CHECK(meanings(Channel::kEstimate, "flags").empty());
 }
 
 TEST_CASE("every channel has the layout of its type") {

@@ -104,12 +104,8 @@ struct PredictionRun {
       if (!on_table) continue;
       const Matrix4& p = on_table->covariance;
       ++result.measurements;
-      switch (tracker.update({t,
-                              on_table->state.position,
-                              {p[0], p[1], p[4], p[5]},
-                              on_table->state.velocity,
-                              false,
-                              {p[10], p[11], p[14], p[15]}})) {
+      switch (tracker.update({t, on_table->state.position, p.topLeftCorner<2, 2>(),
+                              on_table->state.velocity, false, p.bottomRightCorner<2, 2>()})) {
         case MeasurementUse::kStarted:
         case MeasurementUse::kHit:
         case MeasurementUse::kJumped:
@@ -132,8 +128,8 @@ struct PredictionRun {
       sum_position += dx * dx + dy * dy;
       sum_velocity += dvx * dvx + dvy * dvy;
       const Matrix4& c = track->covariance;
-      sum_position_nees += nees(dx, dy, c[0], c[1], c[5]);
-      sum_velocity_nees += nees(dvx, dvy, c[10], c[11], c[15]);
+      sum_position_nees += nees(dx, dy, c(0, 0), c(0, 1), c(1, 1));
+      sum_velocity_nees += nees(dvx, dvy, c(2, 2), c(2, 3), c(3, 3));
       result.worst_position_m = std::max(result.worst_position_m, std::hypot(dx, dy));
     }
     const auto n = static_cast<double>(std::max<std::int64_t>(counted, 1));

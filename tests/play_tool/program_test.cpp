@@ -25,8 +25,8 @@ Finished play(std::vector<std::string> arguments) {
 TEST_CASE("puck-play writes the figures for scripts") {
   const TemporaryFolder folder;
   const std::filesystem::path json = folder / "play.json";
-  const Finished run =
-      play({"--shots", "4", "--max-speed", "8", "--json", json, "--plots", folder / "plots"});
+  const Finished run = play({"--shots", "4", "--max-speed", "8", "--json", json, "--plots",
+                             folder / "plots", "--predictions"});
   REQUIRE_MESSAGE(run.exit_code == 0, run.errors);
   const Json figures = Json::parse(read_text(json));
   for (const std::string& key : kKeys) CHECK_MESSAGE(figures.contains(key), key);
@@ -35,7 +35,8 @@ TEST_CASE("puck-play writes the figures for scripts") {
   CHECK(figures["save_ci_low"] < figures["save_percent"]);
   CHECK(figures["speed_x"] > 0);
   CHECK(run.output.find("shots at the robot's goal") != std::string::npos);
-  CHECK(std::filesystem::file_size(folder / "plots" / "shots.png") > 1000);
+  CHECK(std::filesystem::file_size(folder / "plots" / "shots.png") > 5000);
+  CHECK(std::filesystem::file_size(folder / "plots" / "prediction.png") > 5000);
 }
 
 TEST_CASE("puck-play writes a sweep's points and its plot") {

@@ -86,7 +86,10 @@ TEST_CASE("a simulated recording is calibrated and evaluated, and two runs agree
   CHECK(bench.first_line("first.csv") == "t_us,x,y,width,height,score,state,latency_us");
   CHECK(read_text(bench.folder / "first.csv").size() > 10'000);
   CHECK(read_text(bench.folder / "first.csv") == read_text(bench.folder / "second.csv"));
-  CHECK_FALSE(std::filesystem::is_empty(bench.folder / "plots"));
+  for (const char* chart : {"error.png", "within.png", "score.png"}) {
+    CAPTURE(chart);
+    CHECK(std::filesystem::file_size(bench.folder / "plots" / chart) > 5'000);
+  }
 
   check_all_keys(json);
   CHECK(json["algorithm"] == "puck");
@@ -97,6 +100,33 @@ TEST_CASE("a simulated recording is calibrated and evaluated, and two runs agree
   CHECK(json["lost_percent"] < 5.0);
   CHECK(json["latency_p50_us"].is_null());
   CHECK(json["throughput_mev_s"].is_null());
+}
+
+TEST_CASE("without matplotlib the figures are written, and one line says how to get the charts") {
+  const ToolBench bench;
+  bench.folder.write("matplotlib.py", "raise ImportError\n");
+  const Finished run = run_program(
+      {"env", "PYTHONPATH=" + bench.folder.path().string(), program_path("puck-evaluate"),
+       "game.raw", "--truth", "game.truth.csv", "--json", "game.json", "--plots", "plots"},
+      {.folder = bench.folder.path()});
+  CHECK(run.exit_code == 1);
+  CHECK(
+      run.errors.starts_with("puck-evaluate: charts need matplotlib: apt-get install "
+                             "python3-matplotlib, then run: "));
+  CHECK(std::count(run.errors.begin(), run.errors.end(), '\n') == 1);
+  CHECK(Json::parse(read_text(bench.folder / "game.json"))["mean_px"].is_number());
+  CHECK(std::filesystem::exists(bench.folder / "plots/error.csv"));
+}
+
+TEST_CASE("the simulated sensor's measurements are drawn") {
+  const TemporaryFolder folder;
+  run_tool("puck-simulate", folder, {"--sensor-checks", "sensor"});
+  for (const char* chart :
+       {"step", "contrast", "frequency", "latency", "noise_rate", "noise_balance",
+        "noise_intervals", "thresholds", "refractory", "saturation", "burst", "conservation"}) {
+    CAPTURE(chart);
+    CHECK(std::filesystem::file_size(folder / "sensor" / (std::string(chart) + ".png")) > 5'000);
+  }
 }
 
 TEST_CASE("every preset and every algorithm runs, and every mode measures its own figures" *

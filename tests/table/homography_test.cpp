@@ -39,21 +39,21 @@ TEST_CASE("A pixel above the horizon and a point behind the camera map to nothin
 }
 
 TEST_CASE("The sign of the coefficients does not matter") {
-  std::array<double, 9> negative = test_camera().table_from_image();
+  std::array<double, 9> negative = test_camera().coefficients();
   for (double& coefficient : negative) coefficient = -coefficient;
   CHECK(Homography(negative).to_table({320, 240})->x_m == doctest::Approx(0.43923));
 }
 
 TEST_CASE("The Jacobian is the slope of the map") {
   const Homography camera = test_camera();
-  const std::array<double, 4> jacobian = camera.jacobian_at({200, 300});
+  const Matrix2 jacobian = camera.jacobian_at({200, 300});
   const TablePoint at = *camera.to_table({200, 300});
   const TablePoint right = *camera.to_table({200.001, 300});
   const TablePoint below = *camera.to_table({200, 300.001});
-  CHECK(jacobian[0] == doctest::Approx((right.x_m - at.x_m) / 0.001).epsilon(1e-4));
-  CHECK(jacobian[1] == doctest::Approx((below.x_m - at.x_m) / 0.001).epsilon(1e-4));
-  CHECK(jacobian[2] == doctest::Approx((right.y_m - at.y_m) / 0.001).epsilon(1e-4));
-  CHECK(jacobian[3] == doctest::Approx((below.y_m - at.y_m) / 0.001).epsilon(1e-4));
+  CHECK(jacobian(0, 0) == doctest::Approx((right.x_m - at.x_m) / 0.001).epsilon(1e-4));
+  CHECK(jacobian(0, 1) == doctest::Approx((below.x_m - at.x_m) / 0.001).epsilon(1e-4));
+  CHECK(jacobian(1, 0) == doctest::Approx((right.y_m - at.y_m) / 0.001).epsilon(1e-4));
+  CHECK(jacobian(1, 1) == doctest::Approx((below.y_m - at.y_m) / 0.001).epsilon(1e-4));
 }
 
 TEST_CASE("A homography that is singular or not finite is refused") {

@@ -27,7 +27,7 @@ class Player {
     truth_ = motion_.advance(truth_, 0.001).track;
     t_ = t_ + 1000;
     const double variance = noise_.stddev() * noise_.stddev();
-    TableMeasurement m{t_, truth_.state.position, {variance, 0, 0, variance}};
+    TableMeasurement m{t_, truth_.state.position, variance * Matrix2::Identity()};
     m.position.x_m += noise_(random_);
     m.position.y_m += noise_(random_);
     return filter.update(m);
@@ -68,8 +68,8 @@ TEST_CASE("The filter estimates the velocity from positions alone and smooths th
   REQUIRE(track);
   CHECK(position_error(*track, player.truth()) < 0.002);
   CHECK(velocity_error(*track, player.truth()) < 0.15);
-  CHECK(track->covariance[0] > 0);
-  CHECK(std::sqrt(track->covariance[10]) < 0.3);
+  CHECK(track->covariance(0, 0) > 0);
+  CHECK(std::sqrt(track->covariance(2, 2)) < 0.3);
 }
 
 TEST_CASE("The filter follows the puck through bounces at the rails without losing a measurement") {
@@ -170,7 +170,7 @@ std::pair<MeasurementUse, int> after_straying(const TablePoint& place,
   Timestamp t{1'000'000};
   const auto see = [&](const TablePoint& at, const TableVelocity& moving) {
     t = t + 1000;
-    return filter.update({t, at, {1e-6, 0, 0, 1e-6}, moving});
+    return filter.update({t, at, 1e-6 * Matrix2::Identity(), moving});
   };
   for (int i = 0; i < 100; ++i) see({1.4, -0.2}, {});
   for (int i = 0; i < 16; ++i) see({1.4 + 0.005 * i, -0.2}, {5, 0});
@@ -236,7 +236,7 @@ std::vector<TableMeasurement> eventful_measurements() {
     TableMeasurement m{
         {1'000'000 + 1000 * i},
         {truth.state.position.x_m + noise(random), truth.state.position.y_m + noise(random)},
-        {1e-7, 0, 0, 1e-7},
+        1e-7 * Matrix2::Identity(),
         truth.state.velocity};
     if (i % 37 == 36) m.position.x_m -= 0.2;
     m.resting = i == 390;
@@ -297,7 +297,7 @@ TEST_CASE("Measurements with a common error gain no weight by a higher rate") {
   const auto sigma_at_rate = [&](std::int64_t period_us) {
     MotionFilter filter(motion);
     for (std::int64_t t = 0; t <= 200'000; t += period_us) filter.update({{t}, {1, 0}});
-    return std::sqrt(filter.at({200'000})->covariance[0]);
+    return std::sqrt(filter.at({200'000})->covariance(0, 0));
   };
   CHECK(sigma_at_rate(200) == doctest::Approx(sigma_at_rate(2000)).epsilon(0.25));
 }
@@ -318,8 +318,8 @@ TEST_CASE("Measurements that are not finite, or with an invalid covariance, are 
   MotionFilter filter(motion);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(filter.update({{1}, {nan, 0}}) == MeasurementUse::kRejected);
-  CHECK(filter.update({{1}, {1, 0}, {1, 0, 0, -1}}) == MeasurementUse::kRejected);
-  CHECK(filter.update({{1}, {1, 0}, {1, 2, 2, 1}}) == MeasurementUse::kRejected);
+  CHECK(filter.update({{1}, {1, 0}, Matrix2{{1, 0}, {0, -1}}}) == MeasurementUse::kRejected);
+  CHECK(filter.update({{1}, {1, 0}, Matrix2{{1, 2}, {2, 1}}}) == MeasurementUse::kRejected);
   CHECK_FALSE(filter.at({1}));
 }
 

@@ -61,7 +61,7 @@ TEST_CASE("A step in many pieces ends at the same place as one whole step") {
   CHECK(pieces.state.position.x_m == doctest::Approx(whole.state.position.x_m));
   CHECK(pieces.state.position.y_m == doctest::Approx(whole.state.position.y_m));
   // The noise is integrated as if the damping within one step were small.
-  CHECK(pieces.covariance[5] == doctest::Approx(whole.covariance[5]).epsilon(0.01));
+  CHECK(pieces.covariance(1, 1) == doctest::Approx(whole.covariance(1, 1)).epsilon(0.01));
 }
 
 TEST_CASE("In a corner the puck bounces at both rails and returns the same way") {
@@ -109,8 +109,8 @@ TEST_CASE("The place of contact with a post determines the direction, so the spr
   start.covariance = diagonal(1e-6, 1e-6, 0, 0);
   const Matrix4 p = motion.next_leg(start, 1).track.covariance;
   // By a tenth of the radius in 100: 2 * 1 m/s * 0.001 / 0.1.
-  CHECK(p[10] == doctest::Approx(4e-4));
-  CHECK(p[15] == doctest::Approx(4e-4));
+  CHECK(p(2, 2) == doctest::Approx(4e-4));
+  CHECK(p(3, 3) == doctest::Approx(4e-4));
 }
 
 TEST_CASE("A measured place beyond a rail is moved back to the table") {
@@ -126,9 +126,9 @@ TEST_CASE("The covariance grows with gliding, since the place depends on the vel
   PuckTrack start = track_at(1, 0, 0, 0.1);
   start.covariance = diagonal(0.01, 0.04, 0.25, 1);
   const Matrix4 p = motion.advance(start, 0.5).track.covariance;
-  CHECK(p[0] == doctest::Approx(0.01 + 0.25 * 0.25));
-  CHECK(p[2] == doctest::Approx(0.5 * 0.25));
-  CHECK(p[5] == doctest::Approx(0.04 + 0.25 * 1));
+  CHECK(p(0, 0) == doctest::Approx(0.01 + 0.25 * 0.25));
+  CHECK(p(0, 2) == doctest::Approx(0.5 * 0.25));
+  CHECK(p(1, 1) == doctest::Approx(0.04 + 0.25 * 1));
 }
 
 TEST_CASE("A bounce reflects the covariance and adds the bounce's spread to the velocity's") {
@@ -138,12 +138,12 @@ TEST_CASE("A bounce reflects the covariance and adds the bounce's spread to the 
   const PuckMotion motion(kTable, params);
   PuckTrack start = track_at(1, 0.4, 0, 2);
   start.covariance = diagonal(0.01, 0.04, 0.25, 1);
-  start.covariance[1] = start.covariance[4] = 0.01;
+  start.covariance(0, 1) = start.covariance(1, 0) = 0.01;
   const PuckMotion::Leg leg = motion.next_leg(start, 1);
   CHECK(leg.end == PuckMotion::LegEnd::kBounce);
-  CHECK(leg.track.covariance[5] == doctest::Approx(0.25 * 0.04));
-  CHECK(leg.track.covariance[1] == doctest::Approx(-0.5 * 0.01));
-  CHECK(leg.track.covariance[15] == doctest::Approx(0.25 * 1 + 0.04));
+  CHECK(leg.track.covariance(1, 1) == doctest::Approx(0.25 * 0.04));
+  CHECK(leg.track.covariance(0, 1) == doctest::Approx(-0.5 * 0.01));
+  CHECK(leg.track.covariance(3, 3) == doctest::Approx(0.25 * 1 + 0.04));
 }
 
 TEST_CASE("Values out of range are refused by name") {

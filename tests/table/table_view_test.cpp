@@ -18,7 +18,7 @@ TableView turning_view() {
   return *camera.view_at({3, -1, 0.5, 25, -10, 6});
 }
 
-constexpr ImageTrack kSeen{{210, 180}, {-300, 450}, {}};
+const ImageTrack kSeen{{210, 180}, {-300, 450}, {}};
 
 std::array<double, 4> numbers_of(const PuckTrack& track) {
   const auto& [position, velocity] = track.state;
@@ -40,8 +40,8 @@ TEST_CASE("A still camera transforms velocities by the homography's slope") {
 TEST_CASE("The covariance is transformed by the map's exact slope, velocities included") {
   const TableView view = turning_view();
   const std::array<double, 4> steps{1e-3, 1e-3, 1e-2, 1e-2};
-  Matrix4 slope{};
-  for (std::size_t column = 0; column < 4; ++column) {
+  Matrix4 slope;
+  for (int column = 0; column < 4; ++column) {
     const auto moved = [&](double by) {
       ImageTrack seen = kSeen;
       if (column == 0) seen.position.x += by;
@@ -50,19 +50,21 @@ TEST_CASE("The covariance is transformed by the map's exact slope, velocities in
       if (column == 3) seen.velocity.y += by;
       return numbers_of(*view.to_table(seen));
     };
-    const auto after = moved(steps[column]);
-    const auto before = moved(-steps[column]);
+    const auto after = moved(steps[static_cast<std::size_t>(column)]);
+    const auto before = moved(-steps[static_cast<std::size_t>(column)]);
     for (std::size_t row = 0; row < 4; ++row) {
-      slope[4 * row + column] = (after[row] - before[row]) / (2 * steps[column]);
+      slope(static_cast<int>(row), column) =
+          (after[row] - before[row]) / (2 * steps[static_cast<std::size_t>(column)]);
     }
   }
   ImageTrack seen = kSeen;
-  seen.covariance = {0.04, 0.01, 0.5, 0, 0.01, 0.09, 0, 0.3, 0.5, 0, 900, 50, 0, 0.3, 50, 400};
+  seen.covariance =
+      Matrix4{{0.04, 0.01, 0.5, 0}, {0.01, 0.09, 0, 0.3}, {0.5, 0, 900, 50}, {0, 0.3, 50, 400}};
   const Matrix4 expected = carried(slope, seen.covariance);
   const Matrix4 covariance = view.to_table(seen)->covariance;
-  for (std::size_t i = 0; i < 16; ++i) {
+  for (int i = 0; i < 16; ++i) {
     CAPTURE(i);
-    CHECK(covariance[i] == doctest::Approx(expected[i]).epsilon(1e-5));
+    CHECK(covariance(i) == doctest::Approx(expected(i)).epsilon(1e-5));
   }
 }
 

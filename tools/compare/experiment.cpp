@@ -151,7 +151,7 @@ std::filesystem::path Experiment::evaluate(const Sequence& sequence, const std::
                                                           size_model_,
                                                           "--json",
                                                           there / "figures.json",
-                                                          "--plots",
+                                                          "--curves",
                                                           there};
                          if (sequence.shown)
                            command.insert(command.end(), {"--csv", there / "ticks.csv"});

@@ -23,7 +23,7 @@ struct Result {
   std::string set;
   int seed = 0;
   std::string contestant;
-  /// figures.json, within.csv, score.csv, plots; of a shown sequence ticks.csv as well.
+  /// figures.json, within.csv, score.csv; of a shown sequence ticks.csv as well.
   std::filesystem::path folder;
 };
 /// The kept figures of a deleted recording.

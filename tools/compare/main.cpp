@@ -7,9 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/charts/draw_charts.h"
 #include "tools/command_line/number_range.h"
 #include "tools/command_line/run_tool.h"
-#include "tools/compare/charts.h"
 #include "tools/compare/experiment.h"
 #include "tools/compare/program.h"
 #include "tools/compare/report.h"
@@ -36,8 +36,9 @@ void compare(const Options& options) {
 
   const ComparisonReport report{options.plan, comparison, latency};
   write_report(report, options.experiment.output);
-  write_charts(report, options.experiment.output);
   std::printf("\n%s\n", read_whole_file(options.experiment.output / "comparison.txt").c_str());
+  std::fflush(stdout);
+  draw_charts("compare", {options.experiment.output});
   std::printf("table, JSON and figures: %s\n", options.experiment.output.c_str());
 }
 

@@ -38,7 +38,7 @@ Json summary_json(const Summary& s) {
 Json runs_json(const std::vector<const RunFigures*>& runs) {
   Json json = Json::array();
   for (const RunFigures* run : runs) {
-    Json one{{"seed", run->result().seed}};
+    Json one{{"seed", run->result().seed}, {"folder", run->result().folder.filename()}};
     one.update(run->json());
     json.push_back(one);
   }
@@ -55,9 +55,16 @@ Json contestant_json(const ComparisonReport& report, const std::string& set,
 Json set_json(const SequenceSet& set, const ComparisonReport& report) {
   Json json{{"title", set.title},
             {"moving", set.moving},
+            {"hard", set.is_hard},
             {"first_seed", set.first_seed},
             {"seconds", seconds_of(set, report.options)},
             {"simulation_cpu_s_per_s", or_null(report.comparison.simulation_cost(set.name))}};
+  for (const RecordingResult& recording : report.comparison.recordings()) {
+    if (recording.set != set.name || !recording.shown) continue;
+    json["shown"] = {{"seed", recording.seed},
+                     {"seconds", recording.seconds},
+                     {"folder", recording.folder.filename()}};
+  }
   Json& all = json["contestants"];
   for (const Contestant& contestant : contestants()) {
     if (report.comparison.runs({set.name}, contestant.name).empty()) continue;

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "common/evaluation/score_curve.h"
-#include "common/plot/chart.h"
 #include "tools/compare/experiment.h"
 
 namespace puck {
@@ -25,29 +21,10 @@ class RunFigures {
   std::optional<double> number(const std::string& key) const;
   /// Scored ticks.
   double ticks() const { return number("estimates").value_or(0); }
-  std::optional<Chart::Box> box() const;
-
-  /// (limit in px, percent of the ticks within); empty without scored ticks.
-  std::vector<Chart::Point> within() const;
-  ScoreCurve score_curve() const;
 
  private:
   Result result_;
   nlohmann::ordered_json json_;
 };
-
-/// Estimated or true positions over sensor time, s.
-struct Trajectory {
-  struct Row {
-    double time_s = 0;
-    double x = 0;  ///< NaN without a position.
-    double y = 0;
-  };
-  std::vector<Row> rows;
-};
-/// Reads the file of `puck-evaluate --csv`. Throws std::runtime_error.
-Trajectory read_ticks(const std::filesystem::path& path);
-/// Reads a truth file, only the rows in which the puck is visible.
-Trajectory read_true_trajectory(const std::filesystem::path& path);
 
 }  // namespace puck

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,11 +14,12 @@ struct FirewallDrop {
   std::string accept;  ///< A command that accepts the bus's port before this rule.
 };
 
-/// Such rules for UDP datagrams of `port` to or from this host, in the output of `nft list
-/// ruleset`. Found by keywords, not by a model of the filter: hints for people.
-std::vector<FirewallDrop> find_nft_drops(std::string_view ruleset, int port);
+/// Such rules for UDP datagrams of `port` over IPv4 to or from this host, in the output of `nft -j
+/// list ruleset`. Conditions other than port and protocol count as fulfilled: hints for people.
+/// Nothing if the output is something else.
+std::optional<std::vector<FirewallDrop>> find_nft_drops(std::string_view ruleset, int port);
 
-/// The same in the output of `iptables -S`.
+/// The same in the output of `iptables -S`, which has no JSON. Only read where nft is missing.
 std::vector<FirewallDrop> find_iptables_drops(std::string_view rules, int port);
 
 }  // namespace puck

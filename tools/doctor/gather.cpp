@@ -69,7 +69,7 @@ std::optional<std::string> output_of(const std::string& command) {
 std::optional<std::vector<FirewallDrop>> read_firewall(int port) {
   // Administration tools are often not on a user's PATH.
   const std::string path = "PATH=$PATH:/usr/sbin:/sbin ";
-  if (const auto ruleset = output_of(path + "nft list ruleset")) {
+  if (const auto ruleset = output_of(path + "nft -j list ruleset")) {
     return find_nft_drops(*ruleset, port);
   }
   if (const auto rules = output_of(path + "iptables -S")) return find_iptables_drops(*rules, port);

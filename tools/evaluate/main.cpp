@@ -137,11 +137,16 @@ bool evaluate(const EvaluateOptions& options) {
     }
   }
   Scoring scoring(options, std::move(truth), events->sensor_size());
-  if (!options.plots.empty() && scoring.truth() == nullptr) {
-    throw std::invalid_argument("--plots needs --truth, and ticks: not --as-fast-as-possible");
+  for (const auto& [option, folder] :
+       {std::pair("--plots", options.plots), std::pair("--curves", options.curves)}) {
+    if (folder.empty()) continue;
+    if (scoring.truth() == nullptr) {
+      throw std::invalid_argument(std::string(option) +
+                                  " needs --truth, and ticks: not --as-fast-as-possible");
+    }
+    // Before the run, so that a folder that cannot be made costs no result.
+    make_output_folder(folder);
   }
-  // Before the run, so that a folder that cannot be made costs no result.
-  if (!options.plots.empty()) make_output_folder(options.plots);
   std::optional<TickFile> ticks;
   if (!options.csv.empty()) ticks.emplace(options.csv);
   std::optional<PictureTaker> picture;
@@ -164,11 +169,11 @@ bool evaluate(const EvaluateOptions& options) {
   if (ticks) ticks->close();
   print(report);
   if (!options.json.empty()) write_json(report, options.json);
+  if (picture) draw_picture(picture->moment(*events, report.run, scoring.truth()), picture->path());
   // Without a scored tick there is nothing to plot; a warning was printed.
-  if (!options.plots.empty() && report.errors->estimates > 0) {
-    write_plots(scoring.samples(), options.plots);
-  }
-  if (picture) picture->save(*events, report.run, scoring.truth());
+  const bool has_ticks = report.errors && report.errors->estimates > 0;
+  if (has_ticks && !options.curves.empty()) write_curves(scoring.samples(), options.curves);
+  if (has_ticks && !options.plots.empty()) write_plots(scoring.samples(), options.plots);
   if (scoring.is_of_another_time(report.run)) return false;
   return !report.replay || is_close_enough(*report.replay, options);
 }

@@ -141,7 +141,10 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   add_scoring_options(app, options);
   app.add_option("--json", options.json, "write the figures here");
   app.add_option("--csv", options.csv, "write a row a tick here");
-  app.add_option("--plots", options.plots, "write plots into this folder");
+  app.add_option("--plots", options.plots,
+                 "write charts and their data, as PNG and CSV, into this folder");
+  app.add_option("--curves", options.curves,
+                 "write within.csv and score.csv, data of these charts, into this folder");
   auto* picture =
       app.add_option("--picture", options.picture, "write a picture of the tracked puck here: PNG");
   app.add_option("--picture-at", options.picture_at_s,

@@ -22,6 +22,7 @@ struct EvaluateOptions {
   std::filesystem::path hot_pixel_mask;
   std::filesystem::path json;
   std::filesystem::path csv;
+  std::filesystem::path curves;
   std::filesystem::path plots;
   std::filesystem::path picture;
   std::optional<double> picture_at_s;

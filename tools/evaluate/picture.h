@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <vector>
-
-#include <opencv2/core.hpp>
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
@@ -33,19 +32,12 @@ struct TrackedMoment {
   std::optional<TruthRow> truth;
 };
 
-/// Draws a moment: events by polarity, older ones fainter; the trail; the estimate's ellipse and
-/// velocity; the true ellipse, thin; above them time, state, speed and error, below them a legend.
-/// 8-bit BGR, a whole multiple of the sensor's size and at least kPictureWidthPx wide.
-cv::Mat draw_picture(const TrackedMoment& moment);
+/// Writes what charts/picture.py draws, as JSON. Throws std::runtime_error on failure.
+void write_moment(const TrackedMoment& moment, const std::filesystem::path& path);
 
-inline constexpr int kPictureWidthPx = 1200;
-/// Rows above the sensor's image: sensor position (x, y) is drawn at scale * (x + 0.5, y + 0.5),
-/// this many rows down.
-inline constexpr int kPictureHeaderPx = 48;
-
-/// Canvas pixels per sensor pixel.
-constexpr int picture_scale(SensorSize sensor) {
-  return (kPictureWidthPx + sensor.width - 1) / sensor.width;
-}
+/// Draws a moment as PNG: events by polarity, older ones fainter; the trail; the estimate's ellipse
+/// and velocity; the true ellipse, thin; above them time, state, speed and error, below them a
+/// legend. Throws std::runtime_error on failure; then PATH.json keeps the data.
+void draw_picture(const TrackedMoment& moment, const std::filesystem::path& path);
 
 }  // namespace puck

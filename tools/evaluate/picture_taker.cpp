@@ -2,13 +2,11 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
 
-#include <opencv2/imgcodecs.hpp>
 #include <unistd.h>
 
 namespace puck {
@@ -63,19 +61,6 @@ EventPacket events_until(EventReader& events, Timestamp time) {
   return result;
 }
 
-void write_png(const cv::Mat& picture, const std::filesystem::path& path) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 9});
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (file) return;
-  std::error_code error;
-  if (std::filesystem::is_regular_file(path, error)) std::filesystem::remove(path, error);
-  throw std::runtime_error(path.string() + ": cannot be written");
-}
-
 }  // namespace
 
 PictureTaker::PictureTaker(std::filesystem::path path, std::optional<double> at_s,
@@ -106,7 +91,8 @@ void PictureTaker::add(const EvaluatedTick& tick) {
   moment_->trail = trail_;
 }
 
-void PictureTaker::save(EventReader& events, const RunSummary& run, const TruthTrack* truth) {
+TrackedMoment PictureTaker::moment(EventReader& events, const RunSummary& run,
+                                   const TruthTrack* truth) const {
   // The end in the message is rounded to ms.
   if (at_ && *at_ - run.last > 1000) {
     char end[32];
@@ -119,11 +105,12 @@ void PictureTaker::save(EventReader& events, const RunSummary& run, const TruthT
         at_ ? "--picture-at: there is no estimate yet at that time: give a later one"
             : "--picture: the puck was never tracked: choose a time with --picture-at");
   }
-  moment_->sensor = events.sensor_size();
-  moment_->seconds = static_cast<double>(moment_->time - first_) * 1e-6;
-  moment_->events = events_until(events, moment_->time);
-  if (truth != nullptr) moment_->truth = truth->at(moment_->time);
-  write_png(draw_picture(*moment_), path_);
+  TrackedMoment moment = *moment_;
+  moment.sensor = events.sensor_size();
+  moment.seconds = static_cast<double>(moment.time - first_) * 1e-6;
+  moment.events = events_until(events, moment.time);
+  if (truth != nullptr) moment.truth = truth->at(moment.time);
+  return moment;
 }
 
 }  // namespace puck

@@ -11,7 +11,7 @@
 
 namespace puck {
 
-/// Makes the picture of --picture: collects the ticks of one moment during a run and reads that
+/// Finds the moment of --picture: collects the ticks of one moment during a run and reads that
 /// moment's events afterwards. One thread at a time.
 class PictureTaker {
  public:
@@ -22,10 +22,11 @@ class PictureTaker {
   /// Ticks in order of time.
   void add(const EvaluatedTick& tick);
 
-  /// Reads the events again and writes the file. Throws std::invalid_argument if the moment is
-  /// outside of the recording or the puck was never tracked, std::runtime_error if the file cannot
-  /// be written.
-  void save(EventReader& events, const RunSummary& run, const TruthTrack* truth);
+  /// Reads the events again. Throws std::invalid_argument if the moment is outside of the recording
+  /// or the puck was never tracked.
+  TrackedMoment moment(EventReader& events, const RunSummary& run, const TruthTrack* truth) const;
+
+  const std::filesystem::path& path() const { return path_; }
 
  private:
   bool is_wanted(const EvaluatedTick& tick) const;

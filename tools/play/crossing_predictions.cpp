@@ -1,12 +1,9 @@
 #include "tools/play/crossing_predictions.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
-#include <string>
 
-#include "common/plot/chart.h"
 #include "common/runtime/parallel.h"
 #include "tools/play/closed_loop.h"
 
@@ -46,21 +43,6 @@ void print_bins(const char* name, const std::array<PredictionBin, PredictionRepo
   }
 }
 
-// With fewer, the 90th percentile is not meaningful.
-constexpr std::int64_t kFewest = 20;
-
-using Value = double PredictionBin::*;
-
-std::vector<Chart::Point> curve(const std::array<PredictionBin, PredictionReport::kBins>& bins,
-                                Value value) {
-  std::vector<Chart::Point> points;
-  for (const PredictionBin& bin : bins) {
-    if (bin.predictions >= kFewest)
-      points.push_back({(bin.from_s + bin.to_s) / 2, 1e3 * (bin.*value)});
-  }
-  return points;
-}
-
 }  // namespace
 
 PredictionReport score_predictions(const PlaySetup& setup, const std::vector<ShotFacts>& shots,
@@ -87,26 +69,6 @@ void print(const PredictionReport& report) {
               "p50, ms", "p90, ms", "1s, %", "2s, %");
   print_bins("direct", report.direct);
   print_bins("bounced", report.bounced);
-}
-
-void write_plot(const PredictionReport& report, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  double largest = 0;
-  for (const auto* bins : {&report.direct, &report.bounced}) {
-    for (const PredictionBin& bin : *bins) largest = std::max(largest, 1e3 * bin.p90_m);
-  }
-  Chart chart("error of the predicted crossing",
-              {.label = "time to go, s", .to = PredictionReport::kBins * PredictionReport::kBinS},
-              axis_from_zero("error, mm", largest));
-  const auto draw = [&](const std::string& name, const auto& bins, std::size_t ink) {
-    chart.line(curve(bins, &PredictionBin::median_m), series_ink(ink));
-    chart.legend(name + ", median", series_ink(ink));
-    chart.line(curve(bins, &PredictionBin::p90_m), series_ink(ink), 1);
-    chart.legend("90 % (thin)", series_ink(ink));
-  };
-  draw("direct", report.direct, 0);
-  draw("by a rail", report.bounced, 1);
-  chart.save(folder / "prediction.png");
 }
 
 }  // namespace puck

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "common/evaluation/prediction_score.h"
@@ -15,7 +14,5 @@ PredictionReport score_predictions(const PlaySetup& setup, const std::vector<Sho
 
 /// Prints to stdout, for people.
 void print(const PredictionReport& report);
-/// Writes prediction.png into a folder, created if needed. Throws std::runtime_error on failure.
-void write_plot(const PredictionReport& report, const std::filesystem::path& folder);
 
 }  // namespace puck

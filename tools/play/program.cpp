@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <thread>
 
 #include "tools/command_line/flush_stdout.h"
@@ -53,22 +54,22 @@ void run_sweep(const PlayOptions& options, int jobs) {
   if (!options.plots.empty()) write_plot(sweep, options.plots);
 }
 
-SaveFigures figures_of(const PlayOptions& options, int jobs) {
-  if (!options.log.empty()) return figures_of_log(options.log);
-  const PlaySetup setup = setup_of(options);
-  if (options.shots == 0) {
-    return play_game(setup, options.seed, options.seconds > 0 ? options.seconds : kGameSeconds);
-  }
-  const PlaySetup single = for_single_shots(setup);
-  const auto shots = find_shots(single, options.seed, options.shots, jobs);
-  const ShotSeries series = play_series(single, shots, jobs);
-  if (!options.plots.empty()) write_plot(shots, series.outcomes, options.plots);
-  if (options.predictions) {
-    const PredictionReport report = score_predictions(single, shots, jobs);
-    print(report);
-    if (!options.plots.empty()) write_plot(report, options.plots);
-  }
-  return series.figures;
+void tell(const SaveFigures& figures, const PlayOptions& options) {
+  print(figures);
+  if (!options.json.empty()) write_json(figures, options.json);
+}
+
+void run_shots(const PlayOptions& options, int jobs) {
+  const PlaySetup setup = for_single_shots(setup_of(options));
+  const auto shots = find_shots(setup, options.seed, options.shots, jobs);
+  const ShotSeries series = play_series(setup, shots, jobs);
+  std::optional<PredictionReport> predictions;
+  if (options.predictions) predictions = score_predictions(setup, shots, jobs);
+  if (predictions) print(*predictions);
+  tell(series.figures, options);
+  if (options.plots.empty()) return;
+  write_plot(shots, series.outcomes, options.plots);
+  if (predictions) write_plot(*predictions, options.plots);
 }
 
 }  // namespace
@@ -82,10 +83,14 @@ void run(const PlayOptions& options) {
   } else if (options.fits_errors) {
     print(
         check_error_model(for_single_shots(setup_of(options)), options.seed, options.shots, jobs));
+  } else if (!options.log.empty()) {
+    tell(figures_of_log(options.log), options);
+  } else if (options.shots > 0) {
+    run_shots(options, jobs);
   } else {
-    const SaveFigures figures = figures_of(options, jobs);
-    print(figures);
-    if (!options.json.empty()) write_json(figures, options.json);
+    tell(play_game(setup_of(options), options.seed,
+                   options.seconds > 0 ? options.seconds : kGameSeconds),
+         options);
   }
   flush_stdout();
 }

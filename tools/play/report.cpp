@@ -111,7 +111,11 @@ void write_json(const Sweep& sweep, const std::filesystem::path& path) {
     json.update(to_json(point.figures));
     points.push_back(json);
   }
-  write({{"sweep", sweep.name}, {"axis", sweep.axis}, {"points", points}}, path);
+  write({{"sweep", sweep.name},
+         {"axis", sweep.axis},
+         {"logarithmic", sweep.is_logarithmic},
+         {"points", points}},
+        path);
 }
 
 }  // namespace puck

@@ -83,7 +83,7 @@ Conservation conservation(const SensorBench::Set& set) {
 
   Conservation result;
   result.light.name = "ln(light)";
-  result.sum.name = "signed events x threshold, mean";
+  result.sum.name = "mean of signed events × threshold";
   const double per_event = threshold / bench.pixel_count();
   double sum = 0;
   std::size_t next = 0;

@@ -7,7 +7,6 @@
 
 #include "tests/bench/report/benchmark_output.h"
 #include "tests/bench/report/figures.h"
-#include "tests/bench/report/plots.h"
 
 namespace {
 
@@ -15,7 +14,6 @@ struct Options {
   std::filesystem::path benchmarks;
   std::filesystem::path live;
   std::filesystem::path json;
-  std::filesystem::path plots;
 };
 
 // 0 when everything was measured, whether its bar is met or not; else 1.
@@ -25,7 +23,6 @@ int report(const Options& options) {
   if (!options.live.empty()) puck::add_flat_json(options.live, figures);
   puck::print(figures);
   if (!options.json.empty()) puck::write_json(figures, options.json);
-  if (!options.plots.empty()) puck::write_plots(output, options.plots);
   for (const std::string& failure : output.failures) {
     std::fprintf(stderr, "puck-bench-report: could not run: %s\n", failure.c_str());
   }
@@ -39,14 +36,12 @@ int report(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Makes a table, JSON and plots of what the benchmarks measured.",
-               "puck-bench-report");
+  CLI::App app("Makes a table and JSON of what the benchmarks measured.", "puck-bench-report");
   Options options;
   app.add_option("BENCHMARKS", options.benchmarks, "what puck-bench --benchmark_out wrote")
       ->required();
   app.add_option("--live", options.live, "what puck-bench-live --json wrote");
   app.add_option("--json", options.json, "write the figures here");
-  app.add_option("--plots", options.plots, "write charts into this folder");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

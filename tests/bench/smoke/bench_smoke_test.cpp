@@ -35,8 +35,8 @@ TEST_CASE(
   CAPTURE(bench.errors);
   REQUIRE(bench.exit_code == 0);
 
-  const Finished report = run_program({program("puck-bench-report"), benchmarks.string(), "--json",
-                                       figures.string(), "--plots", folder.path().string()});
+  const Finished report =
+      run_program({program("puck-bench-report"), benchmarks.string(), "--json", figures.string()});
   // The others were not measured: they are null, and that is said.
   CHECK(report.exit_code == 1);
   CHECK(report.errors.find("not measured: eros_k3_ratio") != std::string::npos);
@@ -55,7 +55,14 @@ TEST_CASE(
                  json.at("eros_k3_uniform_opencv_64f_ratio").get<double>()));
   CHECK(!json.at("cpu_model").get<std::string>().empty());
   CHECK(!json.at("highway_target").get<std::string>().empty());
-  CHECK(std::filesystem::exists(folder / "step-against-size.png"));
+
+  // The charts show measured values only.
+  const Finished charts =
+      run_program({program("charts/bench.py"), figures.string(), folder.path().string()});
+  CAPTURE(charts.errors);
+  CHECK(charts.exit_code == 0);
+  CHECK(std::filesystem::file_size(folder / "step-against-size.png") > 1000);
+  CHECK_FALSE(std::filesystem::exists(folder / "surface-against-k.png"));
 }
 
 TEST_CASE("unknown benchmarks are an error") {

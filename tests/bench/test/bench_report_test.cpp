@@ -6,7 +6,6 @@
 #include "tests/bench/report/bars.h"
 #include "tests/bench/report/benchmark_output.h"
 #include "tests/bench/report/figures.h"
-#include "tests/bench/report/plots.h"
 #include "tests/support/temporary_folder.h"
 
 namespace puck {
@@ -171,16 +170,6 @@ TEST_CASE("the JSON holds every key of the goals, null without a measurement") {
   CHECK(json.at("recording") == "a game");
   CHECK(json.at("cpu_model") == "a machine");
   CHECK(missing_keys(figures).size() == bars().size() - 2);
-}
-
-TEST_CASE("a chart shows measured values only") {
-  Output output;
-  output.add("step_size_13/ours", 3);
-  output.add("step_size_91/ours", 30);
-  const TemporaryFolder folder;
-  write_plots(output.read(), folder.path());
-  CHECK(std::filesystem::file_size(folder / "step-against-size.png") > 1000);
-  CHECK(!std::filesystem::exists(folder / "surface-against-k.png"));
 }
 
 }  // namespace puck
