@@ -4,7 +4,9 @@
 #include <array>
 #include <span>
 
+#include "common/io/aedat4_header.h"
 #include "common/io/event_reader.h"
+#include "common/io/hdf5_reader.h"
 #include "common/io/raw_header.h"
 #include "common/io/yarp_packet.h"
 
@@ -12,18 +14,17 @@ namespace puck {
 namespace {
 
 constexpr const char* kExpected =
-    "expected a Prophesee RAW file (EVT2 or EVT3), a text file or a YARP log";
+    "expected a Prophesee RAW file (EVT2 or EVT3), AEDAT4, HDF5, a text file or a YARP log";
 
 struct Signature {
   std::string_view start;
   const char* kind = nullptr;
 };
 
-constexpr std::array<Signature, 12> kForeign{{
+constexpr std::array<Signature, 11> kForeign{{
     {"#!AER-DAT", "an AEDAT file"},
     {"Event Stream", "an Event Stream (.es) file"},
     {"% Data file containing", "a Prophesee DAT file"},
-    {"\x89HDF", "an HDF5 file"},
     {"\x89PNG", "a PNG image"},
     {"\xff\xd8\xff", "a JPEG image"},
     {"#ROSBAG", "a ROS bag"},
@@ -56,6 +57,8 @@ EventFileKind event_file_kind(const std::filesystem::path& path, std::string_vie
                          std::string(from) + "\"");
   }
   if (head.empty()) throw EventFileError(name + ": is empty; " + kExpected);
+  if (head.starts_with(kAedat4Signature)) return EventFileKind::kAedat4;
+  if (head.starts_with(kHdf5Signature)) return EventFileKind::kHdf5;
   for (const Signature& signature : kForeign) {
     if (head.starts_with(signature.start)) {
       throw EventFileError(name + ": is " + signature.kind + "; " + kExpected);

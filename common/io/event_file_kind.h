@@ -8,7 +8,7 @@
 
 namespace puck {
 
-enum class EventFileKind : std::uint8_t { kRaw, kText, kYarpLog };
+enum class EventFileKind : std::uint8_t { kRaw, kText, kYarpLog, kAedat4, kHdf5 };
 
 /// Values of `from`, the format of a file that does not state it: `evt2`, `evt3`, `text`, `yarp`;
 /// empty: unknown.

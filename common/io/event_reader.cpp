@@ -7,7 +7,10 @@
 #include <string_view>
 #include <system_error>
 
+#include "common/io/aedat4_reader.h"
+#include "common/io/byte_source.h"
 #include "common/io/event_file_kind.h"
+#include "common/io/hdf5_reader.h"
 #include "common/io/raw_file_reader.h"
 #include "common/io/text_event_reader.h"
 #include "common/io/yarp_log_reader.h"
@@ -33,6 +36,10 @@ std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
       return std::make_unique<RawFileReader>(path, options);
     case EventFileKind::kYarpLog:
       return std::make_unique<YarpLogReader>(path, options);
+    case EventFileKind::kAedat4:
+      return std::make_unique<Aedat4Reader>(open_bytes(name), options);
+    case EventFileKind::kHdf5:
+      return open_hdf5_reader(open_bytes(name), path, options);
     case EventFileKind::kText:
       break;
   }

@@ -1,0 +1,171 @@
+#include "common/io/aedat4_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "common/io/flat_table.h"
+#include "common/io/reader_warnings.h"
+#include "common/io/word_assembler.h"
+
+namespace puck {
+namespace {
+
+constexpr std::size_t kMostHeaderBytes = std::size_t{16} << 20;
+constexpr std::size_t kRecordBytes = 16;  // i64 t, µs; i16 x; i16 y; u8 polarity; three unused.
+constexpr std::size_t kMostFaultLines = 5;
+// Later times than any clock's, of damaged records: their differences would overflow.
+constexpr std::int64_t kLatestRecord_us = std::int64_t{1} << 61;
+
+}  // namespace
+
+Aedat4Reader::Aedat4Reader(std::unique_ptr<ByteSource> bytes, const EventFileOptions& options)
+    : bytes_(std::move(bytes)) {
+  read_header();
+  find_stream(options);
+  sink_ = EventSink(sensor_);
+}
+
+void Aedat4Reader::read_header() {
+  const auto fail = [this](const std::string& what) {
+    throw EventFileError(bytes_->name() + ": has no AEDAT4 header: " + what);
+  };
+  std::array<std::byte, kAedat4Signature.size() + 4> start{};
+  if (bytes_->read(start) < start.size()) fail("it ends within the first line");
+  const std::size_t size = load_word<std::uint32_t>(start.data() + kAedat4Signature.size());
+  if (size > kMostHeaderBytes) {
+    fail(std::to_string(size) + " bytes long by its own account, expected up to 16 MiB");
+  }
+  std::vector<std::byte> buffer(4 + size);
+  std::copy(start.end() - 4, start.end(), buffer.begin());
+  const std::size_t got = bytes_->read(std::span(buffer).subspan(4));
+  if (got < size) {
+    fail("it ends after " + std::to_string(got) + " of " + std::to_string(size) + " bytes");
+  }
+  position_ = static_cast<std::int64_t>(start.size() + size);
+  try {
+    header_ = parse_aedat4_header(buffer);
+  } catch (const std::invalid_argument& error) {
+    fail(error.what());
+  }
+  if (header_.end_of_packets < position_) header_.end_of_packets = -1;
+  unpacker_ = Aedat4Unpacker(header_.packing);
+}
+
+void Aedat4Reader::find_stream(const EventFileOptions& options) {
+  const std::string& name = bytes_->name();
+  const auto found = std::find_if(header_.streams.begin(), header_.streams.end(),
+                                  [](const Aedat4Stream& one) { return one.type == "EVTS"; });
+  if (found == header_.streams.end()) {
+    throw EventFileError(name + ": describes " + std::to_string(header_.streams.size()) +
+                         " streams, none of events; expected one of type EVTS");
+  }
+  stream_ = *found;
+  const bool is_asked = options.sensor != SensorSize{};
+  const bool is_told = stream_.sensor != SensorSize{};
+  if (is_told && is_asked && stream_.sensor != options.sensor) {
+    throw EventFileError(name +
+                         ": its sizeX and sizeY and the options for width and height disagree");
+  }
+  sensor_ = is_told ? stream_.sensor : options.sensor;
+  if (!is_told && !is_asked) {
+    throw EventFileError(name +
+                         ": does not say how large the sensor is; give width and height (--width "
+                         "and --height, or the keys width and height)");
+  }
+  if (!sensor_.is_valid()) {
+    throw EventFileError(name + ": a sensor must be from 1 x 1 to 2048 x 2048 pixels, got " +
+                         std::to_string(sensor_.width) + " x " + std::to_string(sensor_.height));
+  }
+}
+
+bool Aedat4Reader::read(EventPacket& packet, std::size_t max_events) {
+  packet.events.clear();
+  sink_.begin(packet, max_events);
+  while (sink_.has_room()) {
+    if (records_.empty() && !take_packet()) break;
+    while (sink_.has_room() && !records_.empty()) {
+      const std::byte* record = records_.data();
+      const auto t_us = static_cast<std::int64_t>(load_word<std::uint64_t>(record));
+      const auto x = static_cast<std::int16_t>(load_word<std::uint16_t>(record + 8));
+      const auto y = static_cast<std::int16_t>(load_word<std::uint16_t>(record + 10));
+      const bool brighter = record[12] != std::byte{0};
+      records_ = records_.subspan(kRecordBytes);
+      if (t_us > kLatestRecord_us || t_us < -kLatestRecord_us) {
+        ++sink_.counters().malformed_words;
+      } else {
+        sink_.append({t_us}, x, y, brighter);
+      }
+    }
+  }
+  return !packet.empty();
+}
+
+void Aedat4Reader::rewind() {
+  bytes_->rewind();
+  read_header();
+  sink_ = EventSink(sensor_);
+  records_ = {};
+  is_at_end_ = false;
+  faults_.clear();
+}
+
+std::vector<std::string> Aedat4Reader::warnings() const {
+  std::vector<std::string> lines = reader_warnings(
+      bytes_->name(), counters(), is_at_end_ && records_.empty() && !sink_.has_backlog());
+  for (const std::string& fault : faults_) lines.push_back(one_line(bytes_->name() + ": " + fault));
+  return lines;
+}
+
+// Returns false at the end; true also after a packet without events.
+bool Aedat4Reader::take_packet() {
+  if (is_at_end_) return false;
+  if (header_.end_of_packets >= 0 && position_ >= header_.end_of_packets) return end();
+  std::array<std::byte, 8> start{};
+  const std::size_t got = bytes_->read(start);
+  if (got < start.size()) {
+    sink_.counters().truncated_bytes += static_cast<std::int64_t>(got);
+    return end();
+  }
+  const auto id = static_cast<std::int32_t>(load_word<std::uint32_t>(start.data()));
+  const std::size_t size = load_word<std::uint32_t>(start.data() + 4);
+  if (size > Aedat4Unpacker::kMostBytes) {
+    ++sink_.counters().malformed_words;
+    return end("a packet at byte " + std::to_string(position_) + " claims " + std::to_string(size) +
+               " bytes; expected up to 32 MiB; the rest was left out");
+  }
+  packed_.resize(size);
+  const std::size_t bytes = bytes_->read(packed_);
+  if (bytes < size) {
+    sink_.counters().truncated_bytes += static_cast<std::int64_t>(start.size() + bytes);
+    return end();
+  }
+  position_ += static_cast<std::int64_t>(start.size());
+  if (id == stream_.id) {
+    unpack(size);
+  } else {
+    ++sink_.counters().other_data;
+  }
+  position_ += static_cast<std::int64_t>(size);
+  return true;
+}
+
+void Aedat4Reader::unpack(std::size_t bytes) {
+  try {
+    const auto content = unpacker_.unpack(std::span(packed_).first(bytes));
+    records_ = FlatTable(content, "EVTS").list(0, kRecordBytes);
+  } catch (const std::invalid_argument& error) {
+    ++sink_.counters().malformed_words;
+    if (faults_.size() >= kMostFaultLines) return;
+    faults_.push_back("the packet at byte " + std::to_string(position_) + ": " + error.what());
+  }
+}
+
+bool Aedat4Reader::end(const std::string& fault) {
+  is_at_end_ = true;
+  if (!fault.empty()) faults_.push_back(fault);
+  return false;
+}
+
+}  // namespace puck

@@ -1,0 +1,155 @@
+#include "common/io/hdf5_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "common/io/event_sink.h"
+#include "common/io/hdf5_events.h"
+#include "common/io/reader_warnings.h"
+#include "common/io/temporary_path.h"
+
+namespace puck {
+namespace {
+
+// Later times than any clock's, of damaged records: their differences would overflow.
+constexpr std::int64_t kLatestTime_us = std::int64_t{1} << 61;
+
+bool is_hdf5_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (path == "-" || !std::filesystem::is_regular_file(path, error)) return false;
+  std::array<char, kHdf5Signature.size()> start{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), start.size());
+  return std::string_view(start.data(), start.size()) == kHdf5Signature;
+}
+
+Hdf5Object open_copy(ByteSource& bytes) {
+  const TemporaryPath copy("puck-hdf5-");
+  std::ofstream file(copy.path(), std::ios::binary);
+  std::vector<std::byte> block(std::size_t{1} << 20);
+  while (file) {
+    const std::size_t count = bytes.read(block);
+    if (count == 0) break;
+    file.write(reinterpret_cast<const char*>(block.data()), static_cast<std::streamsize>(count));
+  }
+  file.close();
+  if (!file) {
+    throw EventFileError(bytes.name() + ": HDF5 needs a file, and the copy " +
+                         copy.path().string() + " cannot be written: " + std::strerror(errno));
+  }
+  // The library keeps it open when its name is removed.
+  return open_hdf5_file(copy.path(), bytes.name());
+}
+
+std::unique_ptr<Hdf5Events> open_events(Hdf5Object file, const std::string& name) {
+  if (has_hdf5_object(file, "CD/events")) return open_prophesee_hdf5(std::move(file), name);
+  if (has_hdf5_object(file, "events/x")) return open_dsec_hdf5(std::move(file), name);
+  throw EventFileError(name +
+                       ": is HDF5, but not of events; expected the data set /CD/events (Prophesee) "
+                       "or /events/x, y, t and p (DSEC)");
+}
+
+class Hdf5Reader final : public EventReader {
+ public:
+  Hdf5Reader(std::unique_ptr<Hdf5Events> events, std::string name, SensorSize sensor)
+      : name_(std::move(name)), events_(std::move(events)), sensor_(sensor), sink_(sensor) {}
+
+  SensorSize sensor_size() const override { return sensor_; }
+
+  bool read(EventPacket& packet, std::size_t max_events) override {
+    packet.events.clear();
+    sink_.begin(packet, max_events);
+    while (sink_.has_room()) {
+      if (part_used_ == part_.events.size() && !take_part()) break;
+      const EcfEvent& event = part_.events[part_used_++];
+      if (event.t_us > kLatestTime_us || event.t_us < -kLatestTime_us) {
+        ++sink_.counters().malformed_words;
+        continue;
+      }
+      sink_.append({event.t_us}, event.x, event.y, event.polarity > 0);
+    }
+    return !packet.empty();
+  }
+
+  void rewind() override {
+    events_->rewind();
+    sink_ = EventSink(sensor_);
+    part_.events.clear();
+    part_used_ = 0;
+    is_at_end_ = false;
+    faults_.clear();
+  }
+
+  const EventCounters& counters() const override { return sink_.counters(); }
+
+  std::vector<std::string> warnings() const override {
+    std::vector<std::string> lines =
+        reader_warnings(name_, counters(), is_at_end_ && !sink_.has_backlog());
+    for (const std::string& fault : faults_) lines.push_back(one_line(name_ + ": " + fault));
+    return lines;
+  }
+
+ private:
+  static constexpr std::size_t kMostFaults = 5;
+
+  // False at the end, or after a part without events.
+  bool take_part() {
+    part_used_ = 0;
+    do {
+      if (!events_->next(part_)) {
+        is_at_end_ = true;
+        return false;
+      }
+      if (part_.missing == 0) continue;
+      ++sink_.counters().malformed_words;
+      sink_.counters().missing += static_cast<std::int64_t>(part_.missing);
+      if (faults_.size() < kMostFaults) faults_.push_back(part_.fault);
+    } while (part_.events.empty());
+    return true;
+  }
+
+  std::string name_;
+  std::unique_ptr<Hdf5Events> events_;
+  SensorSize sensor_;
+  EventSink sink_;
+  Hdf5Events::Part part_;
+  std::size_t part_used_ = 0;
+  bool is_at_end_ = false;
+  std::vector<std::string> faults_;
+};
+
+}  // namespace
+
+std::unique_ptr<EventReader> open_hdf5_reader(std::unique_ptr<ByteSource> bytes,
+                                              const std::filesystem::path& path,
+                                              const EventFileOptions& options) {
+  const std::string name = bytes->name();
+  auto events =
+      open_events(is_hdf5_file(path) ? open_hdf5_file(path, name) : open_copy(*bytes), name);
+  const bool is_asked = options.sensor != SensorSize{};
+  const std::optional<SensorSize> said = events->sensor_size();
+  if (!said && !is_asked) {
+    throw EventFileError(name +
+                         ": does not say how large the sensor is; give width and height (--width "
+                         "and --height, or the keys width and height)");
+  }
+  if (said && is_asked && *said != options.sensor) {
+    throw EventFileError(name +
+                         ": attribute geometry and the options for width and height disagree");
+  }
+  try {
+    return std::make_unique<Hdf5Reader>(std::move(events), name, said.value_or(options.sensor));
+  } catch (const std::invalid_argument& error) {
+    throw EventFileError(name + ": " + error.what());
+  }
+}
+
+}  // namespace puck
