@@ -1,19 +1,17 @@
 #include "common/io/evt3_writer.h"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 
 #include "common/io/event_checks.h"
 #include "common/io/event_reader.h"
+#include "common/io/time_words.h"
 
 namespace puck {
 namespace {
 
 constexpr int kLowBits = 12;
-// A quarter of the counter's range: not mistaken for a clock that was set back.
-constexpr std::int64_t kLargestHighStep = 1024;
 
 // Sensors write vectors of 32 pixels that begin at a multiple of 32; one costs four words.
 constexpr int kVectorPixels = 32;
@@ -87,14 +85,9 @@ void Evt3Writer::move_clock_to(Timestamp time) {
       throw std::invalid_argument("EVT3 holds pauses, and a first time, of up to 24 h, got " +
                                   std::to_string((time - newest_) / 1000000) + " s");
     }
-    if (high_ < 0) put(Evt3Type::kTimeHigh, 0);
-    const std::int64_t steps = high - std::max<std::int64_t>(high_, 0);
-    for (std::int64_t passed = kLargestHighStep; passed < steps; passed += kLargestHighStep) {
-      put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high - steps + passed));
-    }
-    put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high));
-    // A repeated time word is not taken for a glitch.
-    if (steps > 1) put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high));
+    count_time_up(high_, high, 12, [this](std::int64_t word) {
+      put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(word));
+    });
     high_ = high;
     low_us_ = -1;
   }
