@@ -69,6 +69,9 @@ class DsecHdf5 final : public Hdf5Events {
   }
 
   void rewind() override { next_ = 0; }
+  double share_read() const override {
+    return x_.elements == 0 ? 1.0 : static_cast<double>(next_) / static_cast<double>(x_.elements);
+  }
   std::string packing() const override { return hdf5_packing(t_); }
 
  private:

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -61,6 +62,9 @@ class EventReader {
 
   /// Counts of read and dropped events so far.
   virtual const EventCounters& counters() const = 0;
+
+  /// Share of the file that was read, 0 to 1; nothing for a stream of unknown length.
+  virtual std::optional<double> share_read() const { return std::nullopt; }
 
   /// Faults of the file, one line each; complete once `read` has returned false.
   virtual std::vector<std::string> warnings() const = 0;

@@ -28,6 +28,8 @@ class Hdf5Events {
   virtual bool next(Part& part) = 0;
   virtual void rewind() = 0;
 
+  virtual double share_read() const = 0;
+
   /// What the file says; nothing where it does not.
   virtual std::optional<SensorSize> sensor_size() const { return std::nullopt; }
   /// "ECF", "gzip" and the like.

@@ -90,6 +90,8 @@ class Hdf5Reader final : public EventReader {
 
   const EventCounters& counters() const override { return sink_.counters(); }
 
+  std::optional<double> share_read() const override { return events_->share_read(); }
+
   std::vector<std::string> warnings() const override {
     std::vector<std::string> lines =
         reader_warnings(name_, counters(), is_at_end_ && !sink_.has_backlog());

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -189,7 +188,7 @@ class Hdf5Writer final : public EventWriter {
     events_.reset();
     indexes_.reset();
     file_ = {};
-    if (copied_) copy_to_stdout();
+    if (copied_) copy_to_stdout(copied_->path());
   }
 
  private:
@@ -241,16 +240,6 @@ class Hdf5Writer final : public EventWriter {
     }
     if (!is_written) fail();
     block_.clear();
-  }
-
-  void copy_to_stdout() {
-    OutputFile out("-");
-    std::ifstream in(copied_->path(), std::ios::binary);
-    std::vector<char> block(65536);
-    while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
-      out.append({block.data(), static_cast<std::size_t>(in.gcount())});
-    }
-    out.flush();
   }
 
   SensorSize sensor_;

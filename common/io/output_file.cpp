@@ -2,6 +2,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -31,6 +33,16 @@ void OutputFile::flush() {
     rest.remove_prefix(static_cast<std::size_t>(count));
   }
   buffer_.clear();
+}
+
+void copy_to_stdout(const std::filesystem::path& path) {
+  OutputFile out("-");
+  std::ifstream in(path, std::ios::binary);
+  std::vector<char> block(65536);
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+    out.append({block.data(), static_cast<std::size_t>(in.gcount())});
+  }
+  out.flush();
 }
 
 }  // namespace puck

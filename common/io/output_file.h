@@ -40,4 +40,7 @@ class OutputFile {
   std::string buffer_;
 };
 
+/// Copies a file to standard output. Throws EventFileError.
+void copy_to_stdout(const std::filesystem::path& path);
+
 }  // namespace puck

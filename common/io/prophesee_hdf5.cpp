@@ -72,6 +72,10 @@ class PropheseeHdf5 final : public Hdf5Events {
   }
 
   void rewind() override { next_ = 0; }
+  double share_read() const override {
+    return list_.elements == 0 ? 1.0
+                               : static_cast<double>(next_) / static_cast<double>(list_.elements);
+  }
   std::optional<SensorSize> sensor_size() const override { return sensor_; }
   std::string packing() const override { return hdf5_packing(list_); }
 
