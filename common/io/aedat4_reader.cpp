@@ -118,6 +118,23 @@ std::vector<std::string> Aedat4Reader::warnings() const {
   return lines;
 }
 
+RecordingFacts Aedat4Reader::facts() const {
+  constexpr std::array<const char*, 5> kPackings{"not packed", "LZ4", "LZ4", "zstd", "zstd"};
+  RecordingFacts facts;
+  facts.encoding =
+      std::string("AEDAT4, ") + kPackings.at(static_cast<std::size_t>(header_.packing));
+  for (const Aedat4Stream& stream : header_.streams) {
+    std::string text = stream.type;
+    if (stream.sensor != SensorSize{}) {
+      text +=
+          " " + std::to_string(stream.sensor.width) + "x" + std::to_string(stream.sensor.height);
+    }
+    if (!stream.source.empty()) text += " " + stream.source;
+    facts.header.emplace_back("stream " + std::to_string(stream.id), text);
+  }
+  return facts;
+}
+
 // Returns false at the end; true also after a packet without events.
 bool Aedat4Reader::take_packet() {
   if (is_at_end_) return false;

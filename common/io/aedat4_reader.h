@@ -25,6 +25,7 @@ class Aedat4Reader final : public EventReader {
   bool read(EventPacket& packet, std::size_t max_events) override;
   void rewind() override;
   const EventCounters& counters() const override { return sink_.counters(); }
+  RecordingFacts facts() const override;
   std::vector<std::string> warnings() const override;
 
  private:

@@ -72,7 +72,9 @@ class DsecHdf5 final : public Hdf5Events {
   double share_read() const override {
     return x_.elements == 0 ? 1.0 : static_cast<double>(next_) / static_cast<double>(x_.elements);
   }
-  std::string packing() const override { return hdf5_packing(t_); }
+  RecordingFacts facts() const override {
+    return {"HDF5 (DSEC), " + hdf5_packing(t_), {{"t_offset", std::to_string(offset_us_)}}};
+  }
 
  private:
   // Numbers that do not fit become the nearest that does: below 0 it is 0, as for polarity −1.

@@ -20,6 +20,7 @@ struct EventCounters {
   std::int64_t other_data = 0;       ///< Skipped: records of other sensors or cameras.
   std::int64_t malformed_words = 0;  ///< Words or lines that are not valid in the format.
   std::int64_t time_glitches = 0;    ///< Ignored time words that contradict their neighbours.
+  std::int64_t time_wraps = 0;       ///< Times that the counter of the file began again from 0.
   std::int64_t truncated_bytes = 0;  ///< Incomplete word or line at the end.
 
   friend bool operator==(const EventCounters&, const EventCounters&) = default;

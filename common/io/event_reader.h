@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/events/event_packet.h"
@@ -41,6 +42,12 @@ struct EventFileOptions {
   std::string yarp_eye = "auto";
 };
 
+/// What a file says of itself.
+struct RecordingFacts {
+  std::string encoding;  ///< "EVT3", "AEDAT4, LZ4", …; empty if the reader does not tell.
+  std::vector<std::pair<std::string, std::string>> header;  ///< Keys and values, in its order.
+};
+
 /// The events of a file in the order of their times, which are the file's, without an offset. One
 /// thread at a time.
 class EventReader {
@@ -62,6 +69,8 @@ class EventReader {
 
   /// Counts of read and dropped events so far.
   virtual const EventCounters& counters() const = 0;
+
+  virtual RecordingFacts facts() const { return {}; }
 
   /// Share of the file that was read, 0 to 1; nothing for a stream of unknown length.
   virtual std::optional<double> share_read() const { return std::nullopt; }

@@ -8,6 +8,7 @@
 
 #include "common/events/sensor_size.h"
 #include "common/io/ecf_codec.h"
+#include "common/io/event_reader.h"
 #include "common/io/hdf5_object.h"
 
 namespace puck {
@@ -32,8 +33,8 @@ class Hdf5Events {
 
   /// What the file says; nothing where it does not.
   virtual std::optional<SensorSize> sensor_size() const { return std::nullopt; }
-  /// "ECF", "gzip" and the like.
-  virtual std::string packing() const = 0;
+  /// The layout and the packing, and the attributes of the file.
+  virtual RecordingFacts facts() const = 0;
 };
 
 /// Prophesee's layout: /CD/events. Throws EventFileError.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <utility>
 
 #include "common/io/event_reader.h"
 
@@ -87,6 +89,23 @@ std::optional<std::string> hdf5_text(const Hdf5Object& object, const std::string
   if (H5Aread(opened.id(), type.id(), text.data()) < 0) return std::nullopt;
   text.resize(std::min(text.find('\0'), text.size()));
   return text;
+}
+
+std::vector<std::pair<std::string, std::string>> hdf5_texts(const Hdf5Object& object) {
+  constexpr hsize_t kMostTexts = 100;
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (hsize_t i = 0; i < kMostTexts; ++i) {
+    const Hdf5Object attribute(
+        H5Aopen_by_idx(object.id(), ".", H5_INDEX_NAME, H5_ITER_INC, i, H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose);
+    if (!attribute.is_open()) break;
+    std::array<char, 256> name{};
+    if (H5Aget_name(attribute.id(), name.size(), name.data()) <= 0) continue;
+    if (auto text = hdf5_text(object, name.data())) {
+      texts.emplace_back(name.data(), std::move(*text));
+    }
+  }
+  return texts;
 }
 
 Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,

@@ -54,6 +54,9 @@ bool has_hdf5_object(const Hdf5Object& file, const std::string& path);
 /// A text of up to 4096 bytes; nothing if there is no such attribute.
 std::optional<std::string> hdf5_text(const Hdf5Object& object, const std::string& attribute);
 
+/// All attributes that are texts, up to 100 of them.
+std::vector<std::pair<std::string, std::string>> hdf5_texts(const Hdf5Object& object);
+
 /// A list of elements in a file.
 struct Hdf5DataSet {
   std::string path;

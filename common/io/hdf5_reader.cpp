@@ -90,6 +90,7 @@ class Hdf5Reader final : public EventReader {
 
   const EventCounters& counters() const override { return sink_.counters(); }
 
+  RecordingFacts facts() const override { return events_->facts(); }
   std::optional<double> share_read() const override { return events_->share_read(); }
 
   std::vector<std::string> warnings() const override {

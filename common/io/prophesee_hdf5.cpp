@@ -77,7 +77,10 @@ class PropheseeHdf5 final : public Hdf5Events {
                                : static_cast<double>(next_) / static_cast<double>(list_.elements);
   }
   std::optional<SensorSize> sensor_size() const override { return sensor_; }
-  std::string packing() const override { return hdf5_packing(list_); }
+  RecordingFacts facts() const override {
+    return {"HDF5 (Prophesee), " + hdf5_packing(list_),
+            hdf5_texts(Hdf5Object(H5Oopen(file_.id(), "/", H5P_DEFAULT), H5Oclose))};
+  }
 
  private:
   void check_members(const std::string& name) const {
