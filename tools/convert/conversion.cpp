@@ -44,6 +44,7 @@ std::string closing_line(const Tally& tally, const LeftOut& left_out,
   return std::to_string(read) + " events read, " + std::to_string(tally.written) +
          " written; left out: " +
          listed({{left_out.before, "before --start"},
+                 {left_out.after, "after --seconds, where reading ended"},
                  {left_out.masked, "of masked pixels"},
                  {left_out.outside_crop, "outside --crop"},
                  {counters.outside_sensor, "outside the sensor"},

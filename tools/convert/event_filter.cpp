@@ -40,6 +40,7 @@ bool EventFilter::apply(EventPacket& packet) {
   };
   const auto part_end = earlier_than(end);
   const bool is_over = part_end != events.end();
+  left_out_.after += events.end() - part_end;
   events.erase(part_end, events.end());
   const auto part_begin = earlier_than(begin);
   left_out_.before += part_begin - events.begin();

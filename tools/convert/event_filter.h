@@ -28,10 +28,11 @@ struct EventFilterParams {
 /// Events that were left out, by reason.
 struct LeftOut {
   std::int64_t before = 0;
+  std::int64_t after = 0;  ///< Only those that were read.
   std::int64_t masked = 0;
   std::int64_t outside_crop = 0;
 
-  std::int64_t sum() const { return before + masked + outside_crop; }
+  std::int64_t sum() const { return before + after + masked + outside_crop; }
 };
 
 /// Takes events out of packets and moves the others.
