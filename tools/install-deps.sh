@@ -15,7 +15,7 @@ packages=(
   doctest-dev libbenchmark-dev libcli11-dev libeigen3-dev libfaketime libhwy-dev liblcm-bin
   liblcm-dev libncurses-dev libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev
   hdf5-filter-plugin-blosc-serial libhdf5-dev liblz4-dev libzstd-dev nlohmann-json3-dev
-  pkg-config zlib1g-dev
+  pkg-config python3-matplotlib zlib1g-dev
 )
 # With Docker, the container tests need Compose.
 if command -v docker >/dev/null && ! command -v docker-compose >/dev/null &&

@@ -41,18 +41,24 @@ Aedat4Unpacker& Aedat4Unpacker::operator=(Aedat4Unpacker&&) noexcept = default;
 
 std::span<const std::byte> Aedat4Unpacker::unpack(std::span<const std::byte> packed) {
   if (packing_ == Aedat4Packing::kNone) return packed;
+  while (true) {
+    if (const auto used = try_to_unpack(packed)) return std::span(content_).first(*used);
+    if (content_.size() == kMostBytes) {
+      throw std::invalid_argument("more than " + std::to_string(kMostBytes >> 20) +
+                                  " MiB when unpacked");
+    }
+    content_.resize(std::min(kMostBytes, std::max(kFirstRoom, 4 * content_.size())));
+  }
+}
+
+// From the beginning each time, because the unpackers look back at what they have written.
+std::optional<std::size_t> Aedat4Unpacker::try_to_unpack(std::span<const std::byte> packed) {
   LZ4F_resetDecompressionContext(contexts_->lz4);
   ZSTD_DCtx_reset(contexts_->zstd, ZSTD_reset_session_only);
   contexts_->is_done = false;
   std::size_t used = 0;
   while (!contexts_->is_done) {
-    if (used == kMostBytes) {
-      throw std::invalid_argument("more than " + std::to_string(kMostBytes >> 20) +
-                                  " MiB when unpacked");
-    }
-    if (used == content_.size()) {
-      content_.resize(std::min(kMostBytes, std::max(kFirstRoom, 2 * content_.size())));
-    }
+    if (used == content_.size()) return std::nullopt;
     const std::size_t before = packed.size();
     const std::size_t given = step(packed, std::span(content_).subspan(used));
     if (given == 0 && packed.size() == before && !contexts_->is_done) {
@@ -60,15 +66,17 @@ std::span<const std::byte> Aedat4Unpacker::unpack(std::span<const std::byte> pac
     }
     used += given;
   }
-  return std::span(content_).first(used);
+  return used;
 }
 
 std::size_t Aedat4Unpacker::step(std::span<const std::byte>& packed, std::span<std::byte> room) {
   if (packing_ == Aedat4Packing::kLz4 || packing_ == Aedat4Packing::kLz4High) {
     std::size_t taken = packed.size();
     std::size_t given = room.size();
+    LZ4F_decompressOptions_t options{};
+    options.stableDst = 1;  // What was written stays where it is: no copy of it is kept.
     const std::size_t more =
-        LZ4F_decompress(contexts_->lz4, room.data(), &given, packed.data(), &taken, nullptr);
+        LZ4F_decompress(contexts_->lz4, room.data(), &given, packed.data(), &taken, &options);
     if (LZ4F_isError(more)) {
       throw std::invalid_argument(std::string("damaged LZ4: ") + LZ4F_getErrorName(more));
     }

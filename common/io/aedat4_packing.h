@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,7 @@ class Aedat4Unpacker {
  private:
   struct Contexts;
 
+  std::optional<std::size_t> try_to_unpack(std::span<const std::byte> packed);
   std::size_t step(std::span<const std::byte>& packed, std::span<std::byte> room);
 
   Aedat4Packing packing_;

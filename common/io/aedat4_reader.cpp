@@ -7,6 +7,7 @@
 
 #include "common/io/flat_table.h"
 #include "common/io/reader_warnings.h"
+#include "common/io/record_run.h"
 #include "common/io/word_assembler.h"
 
 namespace puck {
@@ -17,6 +18,14 @@ constexpr std::size_t kRecordBytes = 16;  // i64 t, µs; i16 x; i16 y; u8 polari
 constexpr std::size_t kMostFaultLines = 5;
 // Later times than any clock's, of damaged records: their differences would overflow.
 constexpr std::int64_t kLatestRecord_us = std::int64_t{1} << 61;
+
+EventRecord record_at(const std::byte* bytes) {
+  const auto signed_word = [](const std::byte* word) {
+    return static_cast<std::uint32_t>(static_cast<std::int16_t>(load_word<std::uint16_t>(word)));
+  };
+  return {static_cast<std::int64_t>(load_word<std::uint64_t>(bytes)), signed_word(bytes + 8),
+          signed_word(bytes + 10), bytes[12] != std::byte{0}};
+}
 
 }  // namespace
 
@@ -85,21 +94,25 @@ bool Aedat4Reader::read(EventPacket& packet, std::size_t max_events) {
   sink_.begin(packet, max_events);
   while (sink_.has_room()) {
     if (records_.empty() && !take_packet()) break;
-    while (sink_.has_room() && !records_.empty()) {
-      const std::byte* record = records_.data();
-      const auto t_us = static_cast<std::int64_t>(load_word<std::uint64_t>(record));
-      const auto x = static_cast<std::int16_t>(load_word<std::uint16_t>(record + 8));
-      const auto y = static_cast<std::int16_t>(load_word<std::uint16_t>(record + 10));
-      const bool brighter = record[12] != std::byte{0};
-      records_ = records_.subspan(kRecordBytes);
-      if (t_us > kLatestRecord_us || t_us < -kLatestRecord_us) {
-        ++sink_.counters().malformed_words;
-      } else {
-        sink_.append({t_us}, x, y, brighter);
-      }
-    }
+    take_records();
   }
   return !packet.empty();
+}
+
+void Aedat4Reader::take_records() {
+  const std::size_t taken = take_record_run(
+      sink_, run_, records_.size() / kRecordBytes,
+      [this](std::size_t i) { return record_at(records_.data() + i * kRecordBytes); });
+  records_ = records_.subspan(taken * kRecordBytes);
+  if (taken > 0 || records_.empty()) return;
+  const EventRecord record = record_at(records_.data());
+  records_ = records_.subspan(kRecordBytes);
+  if (record.t_us > kLatestRecord_us || record.t_us < -kLatestRecord_us) {
+    ++sink_.counters().malformed_words;
+    return;
+  }
+  sink_.append({record.t_us}, static_cast<int>(record.x), static_cast<int>(record.y),
+               record.brighter);
 }
 
 void Aedat4Reader::rewind() {

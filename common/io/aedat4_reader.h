@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -32,6 +33,7 @@ class Aedat4Reader final : public EventReader {
   void read_header();
   void find_stream(const EventFileOptions& options);
   bool take_packet();
+  void take_records();
   void unpack(std::size_t bytes);
   bool end(const std::string& fault = {});
 
@@ -44,6 +46,7 @@ class Aedat4Reader final : public EventReader {
   std::int64_t position_ = 0;  // Bytes read.
   std::vector<std::byte> packed_;
   std::span<const std::byte> records_;  // Of the packet, not yet handed out.
+  std::array<Event, 1024> run_{};
   bool is_at_end_ = false;
   std::vector<std::string> faults_;
 };

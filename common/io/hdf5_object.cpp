@@ -116,7 +116,8 @@ Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,
   if (!has_hdf5_object(file, path)) throw EventFileError(at + " is missing");
   list.object = Hdf5Object(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
   if (!list.object.is_open()) {
-    throw EventFileError(at + " cannot be opened: " + hdf5_cause() + "; expected a list, as HDF5 1.10 writes it");
+    throw EventFileError(at + " cannot be opened: " + hdf5_cause() +
+                         "; expected a list, as HDF5 1.10 writes it");
   }
   const Hdf5Object space(H5Dget_space(list.object.id()), H5Sclose);
   const Hdf5Object creation(H5Dget_create_plist(list.object.id()), H5Pclose);

@@ -14,6 +14,7 @@
 #include "common/io/event_sink.h"
 #include "common/io/hdf5_events.h"
 #include "common/io/reader_warnings.h"
+#include "common/io/record_run.h"
 #include "common/io/temporary_path.h"
 
 namespace puck {
@@ -69,12 +70,7 @@ class Hdf5Reader final : public EventReader {
     sink_.begin(packet, max_events);
     while (sink_.has_room()) {
       if (part_used_ == part_.events.size() && !take_part()) break;
-      const EcfEvent& event = part_.events[part_used_++];
-      if (event.t_us > kLatestTime_us || event.t_us < -kLatestTime_us) {
-        ++sink_.counters().malformed_words;
-        continue;
-      }
-      sink_.append({event.t_us}, event.x, event.y, event.polarity > 0);
+      take_events();
     }
     return !packet.empty();
   }
@@ -103,6 +99,23 @@ class Hdf5Reader final : public EventReader {
  private:
   static constexpr std::size_t kMostFaults = 5;
 
+  void take_events() {
+    const auto rest = std::span<const EcfEvent>(part_.events).subspan(part_used_);
+    const std::size_t taken = take_record_run(sink_, run_, rest.size(), [&](std::size_t i) {
+      const EcfEvent& event = rest[i];
+      return EventRecord{event.t_us, event.x, event.y, event.polarity > 0};
+    });
+    part_used_ += taken;
+    if (taken > 0) return;
+    const EcfEvent& event = rest.front();
+    ++part_used_;
+    if (event.t_us > kLatestTime_us || event.t_us < -kLatestTime_us) {
+      ++sink_.counters().malformed_words;
+      return;
+    }
+    sink_.append({event.t_us}, event.x, event.y, event.polarity > 0);
+  }
+
   // False at the end, or after a part without events.
   bool take_part() {
     part_used_ = 0;
@@ -125,6 +138,7 @@ class Hdf5Reader final : public EventReader {
   EventSink sink_;
   Hdf5Events::Part part_;
   std::size_t part_used_ = 0;
+  std::array<Event, 1024> run_{};
   bool is_at_end_ = false;
   std::vector<std::string> faults_;
 };
