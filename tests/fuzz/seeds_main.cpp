@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/io/ecf_codec.h"
 #include "common/io/event_writer.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/log_file.h"
@@ -175,6 +176,43 @@ void add_recordings(Seeds& seeds) {
   }
 }
 
+void add_containers(Seeds& seeds) {
+  std::vector<EcfEvent> events;
+  for (int i = 0; i < 60; ++i) {
+    events.push_back({static_cast<std::uint16_t>(100 + i % 9), static_cast<std::uint16_t>(i / 9),
+                      static_cast<std::int16_t>(i / 30), 1000 + i / 4 * 9});
+  }
+  std::vector<std::byte> chunk;
+  for (const std::size_t step : {1, 7, 13}) {
+    encode_ecf(events, chunk);
+    const std::string bytes(reinterpret_cast<const char*>(chunk.data()), chunk.size());
+    seeds.add("fuzz_ecf", bytes);
+    seeds.add("fuzz_hdf5", std::string("\7\x3c"
+                                       "640x480\0\0-1000\0\0\0\0",
+                                       20) +
+                               bytes);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      events[i].y = static_cast<std::uint16_t>(i * step % 48);
+    }
+  }
+  const fs::path scratch = seeds.next("fuzz_aedat4");
+  const auto writer = make_event_writer(scratch, "aedat4", {64, 48});
+  EventPacket packet;
+  for (std::uint32_t i = 0; i < 30; ++i) {
+    packet.events.push_back(
+        {.x = static_cast<std::uint16_t>(i), .y = 5, .polarity = 1, .offset_us = 10 * i});
+  }
+  writer->write(packet);
+  writer->close();
+  const std::string bytes = text_of(scratch);
+  fs::remove(scratch);
+  seeds.add("fuzz_event_files", 0, bytes);
+  seeds.add("fuzz_aedat4", std::string(2, '\0') + bytes.substr(14));
+  // Behind the header that the fuzzer makes: LZ4.
+  const std::size_t header = bytes.find("</dv>") + 6;
+  seeds.add("fuzz_aedat4", "\1\1" + bytes.substr(header));
+}
+
 void add_data_files(Seeds& seeds, const fs::path& source) {
   const fs::path calibration = source / "config" / "calibration";
   const std::vector<std::string> kinds{
@@ -208,6 +246,7 @@ int main(int argc, char** argv) {
   puck::add_settings(seeds, argv[1]);
   puck::add_boards(seeds);
   puck::add_recordings(seeds);
+  puck::add_containers(seeds);
   puck::add_data_files(seeds, argv[1]);
   return 0;
 }
