@@ -55,6 +55,7 @@ class DsecHdf5 final : public Hdf5Events {
     columns_.resize(count);
     times_us_.resize(count);
     part.events.resize(count);
+    part.offset_us = offset_us_;
     const bool is_read =
         read_into(part, x_, first, [](EcfEvent& event, std::uint16_t x) { event.x = x; }) &&
         read_into(part, y_, first, [](EcfEvent& event, std::uint16_t y) { event.y = y; }) &&
@@ -92,8 +93,7 @@ class DsecHdf5 final : public Hdf5Events {
       return tell_fault(part, t_, first);
     }
     for (std::size_t i = 0; i < times_us_.size(); ++i) {
-      part.events[i].t_us = static_cast<std::int64_t>(static_cast<std::uint64_t>(times_us_[i]) +
-                                                      static_cast<std::uint64_t>(offset_us_));
+      part.events[i].t_us = times_us_[i];
     }
     return true;
   }

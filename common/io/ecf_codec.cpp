@@ -33,13 +33,17 @@ class EcfInput {
   }
   // Once for many words that `next` takes.
   void require(std::size_t count) const {
-    if (bytes_.size() - used_ < count) fail("ends there");
+    if (bytes_.size() - used_ < count) fail_early();
   }
   template <typename Word>
   Word next() {
     const Word word = load_word<Word>(bytes_.data() + used_);
     used_ += sizeof(Word);
     return word;
+  }
+  [[noreturn, gnu::noinline]] void fail_early() const { fail("ends there"); }
+  [[noreturn, gnu::noinline]] void fail_run(std::size_t run, std::size_t room) const {
+    fail("a run of " + std::to_string(run) + ", expected 1 to " + std::to_string(room));
   }
   [[noreturn]] void fail(const std::string& what) const {
     throw std::invalid_argument("malformed at byte " + std::to_string(used_) + " of " +
@@ -51,10 +55,9 @@ class EcfInput {
   std::size_t used_ = 0;
 };
 
-void check_run(const EcfInput& input, std::size_t run, std::size_t room) {
-  if (run == 0 || run > room) {
-    input.fail("a run of " + std::to_string(run) + ", expected 1 to " + std::to_string(room));
-  }
+// Of 1 to `room` events; a run of 0 would never end.
+inline void check_run(const EcfInput& input, std::size_t run, std::size_t room) {
+  if (run - 1 >= room) input.fail_run(run, room);
 }
 
 void decode_times(EcfInput& input, std::span<EcfEvent> events) {
@@ -84,10 +87,12 @@ void decode_all_packed(EcfInput& input, std::span<EcfEvent> events) {
     const auto c = input.next<std::uint32_t>();
     const std::array<std::uint32_t, 4> packed{a >> 8, (a & 0xffU) | b >> 16 << 8,
                                               (b & 0xffffU) | c >> 24 << 16, c & 0xffffffU};
-    for (std::size_t j = 0; j < 4 && i + j < events.size(); ++j) {
-      events[i + j].y = static_cast<std::uint16_t>(packed[j] >> 12 & 0x7ffU);
-      events[i + j].x = static_cast<std::uint16_t>(packed[j] >> 1 & 0x7ffU);
-      events[i + j].polarity = static_cast<std::int16_t>(packed[j] & 1U);
+    const std::size_t group = std::min<std::size_t>(4, events.size() - i);
+    for (std::size_t j = 0; j < group; ++j) {
+      EcfEvent& event = events[i + j];
+      event.y = static_cast<std::uint16_t>(packed[j] >> 12 & 0x7ffU);
+      event.x = static_cast<std::uint16_t>(packed[j] >> 1 & 0x7ffU);
+      event.polarity = static_cast<std::int16_t>(packed[j] & 1U);
     }
   }
 }

@@ -21,6 +21,7 @@ class Hdf5Events {
   /// A part of the list. Events of a part that cannot be read are missing.
   struct Part {
     std::vector<EcfEvent> events;
+    std::int64_t offset_us = 0;  ///< To add to their times; the sum may overflow.
     std::uint64_t missing = 0;
     std::string fault;  ///< Why they are missing.
   };

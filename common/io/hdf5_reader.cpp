@@ -101,19 +101,25 @@ class Hdf5Reader final : public EventReader {
 
   void take_events() {
     const auto rest = std::span<const EcfEvent>(part_.events).subspan(part_used_);
-    const std::size_t taken = take_record_run(sink_, run_, rest.size(), [&](std::size_t i) {
-      const EcfEvent& event = rest[i];
-      return EventRecord{event.t_us, event.x, event.y, event.polarity > 0};
-    });
+    const std::size_t taken = take_record_run(sink_, run_, rest.size(),
+                                              [&](std::size_t i) { return record_of(rest[i]); });
     part_used_ += taken;
     if (taken > 0) return;
-    const EcfEvent& event = rest.front();
+    const EventRecord record = record_of(rest.front());
     ++part_used_;
-    if (event.t_us > kLatestTime_us || event.t_us < -kLatestTime_us) {
+    if (record.t_us > kLatestTime_us || record.t_us < -kLatestTime_us) {
       ++sink_.counters().malformed_words;
       return;
     }
-    sink_.append({event.t_us}, event.x, event.y, event.polarity > 0);
+    sink_.append({record.t_us}, static_cast<int>(record.x), static_cast<int>(record.y),
+                 record.brighter);
+  }
+
+  // Without the overflow of signed numbers that any bytes may cause.
+  EventRecord record_of(const EcfEvent& event) const {
+    return {static_cast<std::int64_t>(static_cast<std::uint64_t>(event.t_us) +
+                                      static_cast<std::uint64_t>(part_.offset_us)),
+            event.x, event.y, event.polarity > 0};
   }
 
   // False at the end, or after a part without events.

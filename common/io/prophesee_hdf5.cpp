@@ -63,11 +63,7 @@ class PropheseeHdf5 final : public Hdf5Events {
       part.fault =
           "data set /CD/events, events from " + std::to_string(first) + " on: " + error.what();
     }
-    for (EcfEvent& event : part.events) {
-      // Without the overflow of signed numbers that any bytes may cause.
-      event.t_us = static_cast<std::int64_t>(static_cast<std::uint64_t>(event.t_us) -
-                                             static_cast<std::uint64_t>(offset_us_));
-    }
+    part.offset_us = static_cast<std::int64_t>(-static_cast<std::uint64_t>(offset_us_));
     return true;
   }
 
