@@ -14,7 +14,7 @@ packages=(
   nftables ninja-build procps
   doctest-dev libbenchmark-dev libcli11-dev libeigen3-dev libfaketime libhwy-dev liblcm-bin
   liblcm-dev libncurses-dev libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev
-  hdf5-filter-plugin-blosc-serial libhdf5-dev liblz4-dev libzstd-dev nlohmann-json3-dev
+  hdf5-filter-plugin-blosc-serial libdeflate-dev libhdf5-dev liblz4-dev libzstd-dev nlohmann-json3-dev
   pkg-config python3-matplotlib zlib1g-dev
 )
 # With Docker, the container tests need Compose.

@@ -10,6 +10,7 @@
 #include "common/io/ecf_codec.h"
 #include "common/io/event_checks.h"
 #include "common/io/event_reader.h"
+#include "common/io/hdf5_gzip.h"
 #include "common/io/hdf5_object.h"
 #include "common/io/output_file.h"
 #include "common/io/temporary_path.h"
@@ -229,16 +230,14 @@ class Hdf5Writer final : public EventWriter {
   void write_block() {
     if (block_.empty()) return;
     const std::size_t count = block_.size();
-    bool is_written = false;
+    // A chunk is always whole; what is beyond the list's end has no meaning.
+    block_.resize(kChunkElements, block_.back());
     if (packing_ == Hdf5Packing::kEcf) {
-      // A chunk is always whole; what is beyond the list's end has no meaning.
-      block_.resize(kChunkElements, block_.back());
       encode_ecf(block_, packed_);
-      is_written = events_->append_packed(packed_, count);
     } else {
-      is_written = events_->append(block_.data(), count);
+      gzip_.pack(block_, packed_);
     }
-    if (!is_written) fail();
+    if (!events_->append_packed(packed_, count)) fail();
     block_.clear();
   }
 
@@ -255,6 +254,7 @@ class Hdf5Writer final : public EventWriter {
   std::int64_t next_index_us_ = 0;
   std::vector<EcfEvent> block_;
   std::vector<IndexEntry> index_block_;
+  Hdf5Gzip gzip_;
   std::vector<std::byte> packed_;
 };
 

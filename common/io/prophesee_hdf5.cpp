@@ -7,6 +7,7 @@
 
 #include "common/io/event_reader.h"
 #include "common/io/hdf5_events.h"
+#include "common/io/hdf5_gzip.h"
 #include "common/io/parse_number.h"
 
 namespace puck {
@@ -24,16 +25,38 @@ Hdf5Object event_type() {
   return {type, H5Tclose};
 }
 
+/// Who unpacks the chunks.
+enum class Unpacking {
+  kLibrary,
+  kEcf,
+  kGzip,
+  kShuffledGzip,
+};
+
+Unpacking unpacking_of(const Hdf5DataSet& list, hid_t event_type) {
+  using Filters = std::vector<int>;
+  if (list.filters == Filters{kEcfFilter}) return Unpacking::kEcf;
+  // The chunks hold the file's own form of an event.
+  const Hdf5Object type(H5Dget_type(list.object.id()), H5Tclose);
+  if (H5Tequal(type.id(), event_type) <= 0) return Unpacking::kLibrary;
+  if (list.filters == Filters{H5Z_FILTER_DEFLATE}) return Unpacking::kGzip;
+  if (list.filters == Filters{H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE}) {
+    return Unpacking::kShuffledGzip;
+  }
+  return Unpacking::kLibrary;
+}
+
 class PropheseeHdf5 final : public Hdf5Events {
  public:
   PropheseeHdf5(Hdf5Object file, const std::string& name)
       : file_(std::move(file)),
         list_(open_hdf5_list(file_, "CD/events", name)),
         type_(event_type()),
-        is_ecf_(list_.filters == std::vector<int>{kEcfFilter}) {
+        unpacking_(unpacking_of(list_, type_.id())) {
     check_members(name);
-    if (!is_ecf_) check_hdf5_filters(list_, name);
-    if (is_ecf_ && list_.chunk_elements > kMostEcfEvents) {
+    const bool is_ecf = unpacking_ == Unpacking::kEcf;
+    if (!is_ecf) check_hdf5_filters(list_, name);
+    if (is_ecf && list_.chunk_elements > kMostEcfEvents) {
       throw EventFileError(name + ": data set /CD/events has chunks of " +
                            std::to_string(list_.chunk_elements) + " events; ECF holds up to 65535");
     }
@@ -49,14 +72,7 @@ class PropheseeHdf5 final : public Hdf5Events {
     const std::uint64_t count = std::min(most, list_.elements - next_);
     const std::uint64_t first = std::exchange(next_, next_ + count);
     try {
-      if (is_ecf_) {
-        read_ecf(first, count, part.events);
-      } else {
-        part.events.resize(count);
-        if (!read_hdf5_list(list_, first, count, type_.id(), part.events.data())) {
-          throw std::invalid_argument(hdf5_cause());
-        }
-      }
+      read_part(first, count, part.events);
     } catch (const std::invalid_argument& error) {
       part.events.clear();
       part.missing = count;
@@ -89,7 +105,8 @@ class PropheseeHdf5 final : public Hdf5Events {
           index >= 0 && H5Tget_member_class(type.id(), static_cast<unsigned>(index)) == H5T_INTEGER;
     }
     // The format packs its own form of an event only.
-    if (is_expected && is_ecf_) is_expected = H5Tequal(type.id(), type_.id()) > 0;
+    if (is_expected && unpacking_ == Unpacking::kEcf)
+      is_expected = H5Tequal(type.id(), type_.id()) > 0;
     if (!is_expected) {
       throw EventFileError(name +
                            ": data set /CD/events does not hold events; expected records of "
@@ -123,8 +140,30 @@ class PropheseeHdf5 final : public Hdf5Events {
     }
   }
 
-  // Past the library's filters: no plug-in is needed, and no copy of a whole chunk.
-  void read_ecf(std::uint64_t first, std::uint64_t count, std::vector<EcfEvent>& events) {
+  void read_part(std::uint64_t first, std::uint64_t count, std::vector<EcfEvent>& events) {
+    // HDF5 leaves chunks as they are that packing would make larger.
+    if (unpacking_ == Unpacking::kLibrary || !read_packed(first)) {
+      events.resize(count);
+      if (!read_hdf5_list(list_, first, count, type_.id(), events.data())) {
+        throw std::invalid_argument(hdf5_cause());
+      }
+      return;
+    }
+    if (unpacking_ != Unpacking::kEcf) {
+      const bool is_shuffled = unpacking_ == Unpacking::kShuffledGzip;
+      gzip_.unpack(packed_, is_shuffled, list_.chunk_elements, count, events);
+      return;
+    }
+    decode_ecf(packed_, events);
+    if (events.size() < count) {
+      throw std::invalid_argument("a chunk of " + std::to_string(events.size()) +
+                                  " events, expected " + std::to_string(count));
+    }
+    events.resize(count);
+  }
+
+  // Past the library's filters: no plug-in is needed. Returns false for a chunk that is not packed.
+  bool read_packed(std::uint64_t first) {
     const hsize_t start = first;
     hsize_t bytes = 0;
     if (H5Dget_chunk_storage_size(list_.object.id(), &start, &bytes) < 0) {
@@ -139,19 +178,14 @@ class PropheseeHdf5 final : public Hdf5Events {
     if (H5Dread_chunk(list_.object.id(), H5P_DEFAULT, &start, &left_out, packed_.data()) < 0) {
       throw std::invalid_argument(hdf5_cause());
     }
-    if (left_out != 0) throw std::invalid_argument("a chunk that is not packed; expected ECF");
-    decode_ecf(packed_, events);
-    if (events.size() < count) {
-      throw std::invalid_argument("a chunk of " + std::to_string(events.size()) +
-                                  " events, expected " + std::to_string(count));
-    }
-    events.resize(count);
+    return left_out == 0;
   }
 
   Hdf5Object file_;
   Hdf5DataSet list_;
   Hdf5Object type_;
-  bool is_ecf_ = false;
+  Unpacking unpacking_ = Unpacking::kLibrary;
+  Hdf5Gzip gzip_;
   std::int64_t offset_us_ = 0;  // To subtract.
   std::optional<SensorSize> sensor_;
   std::uint64_t next_ = 0;
