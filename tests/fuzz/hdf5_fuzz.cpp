@@ -2,6 +2,8 @@
 // through the library. The library's own parsing is not fuzzed here.
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <hdf5.h>
 
@@ -25,9 +27,12 @@ void set_text(hid_t object, const char* name, std::string text) {
   H5Tclose(type);
 }
 
-void make_file(const std::filesystem::path& path, bool is_ecf, hsize_t elements,
-               const std::string& geometry, const std::string& offset, std::string_view chunk) {
-  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+std::vector<std::uint8_t> made_file(bool is_ecf, hsize_t elements, const std::string& geometry,
+                                    const std::string& offset, std::string_view chunk) {
+  const hid_t in_memory = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_fapl_core(in_memory, 65536, false);
+  const hid_t file = H5Fcreate("fuzz", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory);
+  H5Pclose(in_memory);
   require(file >= 0, "a file can be made");
   set_text(file, "geometry", geometry);
   const hid_t group = H5Gcreate2(file, "CD", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
@@ -59,7 +64,12 @@ void make_file(const std::filesystem::path& path, bool is_ecf, hsize_t elements,
   H5Sclose(space);
   H5Tclose(type);
   H5Gclose(group);
+  H5Fflush(file, H5F_SCOPE_LOCAL);
+  std::vector<std::uint8_t> image(
+      static_cast<std::size_t>(std::max<ssize_t>(0, H5Fget_file_image(file, nullptr, 0))));
+  H5Fget_file_image(file, image.data(), image.size());
   H5Fclose(file);
+  return image;
 }
 
 std::int64_t read_all(EventReader& reader, std::size_t max_events) {
@@ -84,11 +94,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   puck::MemoryFile file;
-  const auto& path = file.write(data, 0);
-  puck::make_file(path, (data[0] & 1) != 0, data[1],
-                  (data[0] & 2) != 0 ? "640x480" : std::string(bytes.substr(2, 9)),
-                  (data[0] & 4) != 0 ? "-1000" : std::string(bytes.substr(11, 9)),
-                  bytes.substr(kHead));
+  const std::vector<std::uint8_t> image = puck::made_file(
+      (data[0] & 1) != 0, data[1], (data[0] & 2) != 0 ? "640x480" : std::string(bytes.substr(2, 9)),
+      (data[0] & 4) != 0 ? "-1000" : std::string(bytes.substr(11, 9)), bytes.substr(kHead));
+  const auto& path = file.write(image.data(), image.size());
   try {
     const auto reader = puck::open_event_file(path);
     const std::int64_t events = puck::read_all(*reader, 7);
