@@ -26,7 +26,7 @@ bool SensorClock::set_high(std::uint32_t raw, EventSink& sink) {
   const bool changed = raw != newest_raw_;
   newest_raw_ = raw;
   const std::int64_t steps = steps_to(raw, high_);
-  if (steps <= 1) {
+  if (steps <= usual_steps_) {
     high_ += steps;
   } else {
     is_doubtful_ = true;

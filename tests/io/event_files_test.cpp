@@ -28,14 +28,15 @@ TEST_CASE("a missing, empty or foreign file and a folder are refused in one line
   CHECK(contains(refusal_of_file(folder.write("empty.raw", "")), "empty.raw: is empty; expected"));
   CHECK(contains(refusal_of_file(folder.write("a.png", "\x89PNG\r\n\x1a\nxxxx")),
                  "a.png: is a PNG image"));
-  CHECK(contains(refusal_of_file(folder.write("a.aedat4", "#!AER-DAT4.0\r\nxx")),
-                 "is an AEDAT file"));
+  CHECK(contains(refusal_of_file(folder.write("a.aedat", "#!AER-DAT3.1\r\nxx")),
+                 "is an AEDAT 3 file"));
+  CHECK(contains(refusal_of_file(folder.write("a.bag", "#ROSBAG V2.0\n")), "is a ROS bag"));
   CHECK(contains(refusal_of_file(folder.write("a.raw", "\x01\x02\x03\x04")),
                  "has no Prophesee RAW header"));
   CHECK(contains(refusal_of_file(folder.write("a.bin", "\x01\x02\x03\x04")),
                  "is of an unknown format"));
   CHECK(contains(refusal_of_file(folder.write("b.raw", kHeader), {.from = "evt9"}),
-                 "must be evt2, evt3, text or yarp, got \"evt9\""));
+                 "must be one of evt2, evt21, evt3, evt4, "));
   for (const char* name : {"empty.raw", "a.png", "a.raw"}) {
     CHECK(refusal_of_file(folder / name).find('\n') == std::string::npos);
   }
