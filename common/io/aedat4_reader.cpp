@@ -6,15 +6,18 @@
 #include <utility>
 
 #include "common/io/flat_table.h"
+#include "common/io/known_sensors.h"
 #include "common/io/reader_warnings.h"
 #include "common/io/record_run.h"
+#include "common/io/sensor_choice.h"
 #include "common/io/word_assembler.h"
 
 namespace puck {
 namespace {
 
 constexpr std::size_t kMostHeaderBytes = std::size_t{16} << 20;
-constexpr std::size_t kRecordBytes = 16;  // i64 t, µs; i16 x; i16 y; u8 polarity; three unused.
+constexpr std::size_t kEventRecordBytes =
+    16;  // i64 t, µs; i16 x; i16 y; u8 polarity; three unused.
 constexpr std::size_t kMostFaultLines = 5;
 // Later times than any clock's, of damaged records: their differences would overflow.
 constexpr std::int64_t kLatestRecord_us = std::int64_t{1} << 61;
@@ -30,10 +33,10 @@ EventRecord record_at(const std::byte* bytes) {
 }  // namespace
 
 Aedat4Reader::Aedat4Reader(std::unique_ptr<ByteSource> bytes, const EventFileOptions& options)
-    : bytes_(std::move(bytes)) {
+    : bytes_(std::move(bytes)), reorder_us_(options.reorder_us) {
   read_header();
   find_stream(options);
-  sink_ = EventSink(sensor_);
+  sink_ = EventSink(sensor_, reorder_us_);
 }
 
 void Aedat4Reader::read_header() {
@@ -71,22 +74,9 @@ void Aedat4Reader::find_stream(const EventFileOptions& options) {
                          " streams, none of events; expected one of type EVTS");
   }
   stream_ = *found;
-  const bool is_asked = options.sensor != SensorSize{};
   const bool is_told = stream_.sensor != SensorSize{};
-  if (is_told && is_asked && stream_.sensor != options.sensor) {
-    throw EventFileError(name +
-                         ": its sizeX and sizeY and the options for width and height disagree");
-  }
-  sensor_ = is_told ? stream_.sensor : options.sensor;
-  if (!is_told && !is_asked) {
-    throw EventFileError(name +
-                         ": does not say how large the sensor is; give width and height (--width "
-                         "and --height, or the keys width and height)");
-  }
-  if (!sensor_.is_valid()) {
-    throw EventFileError(name + ": a sensor must be from 1 x 1 to 2048 x 2048 pixels, got " +
-                         std::to_string(sensor_.width) + " x " + std::to_string(sensor_.height));
-  }
+  sensor_ = choose_sensor(name, is_told ? std::optional(stream_.sensor) : std::nullopt,
+                          sensor_of_camera(stream_.source), options);
 }
 
 bool Aedat4Reader::read(EventPacket& packet, std::size_t max_events) {
@@ -101,12 +91,12 @@ bool Aedat4Reader::read(EventPacket& packet, std::size_t max_events) {
 
 void Aedat4Reader::take_records() {
   const std::size_t taken = take_record_run(
-      sink_, run_, records_.size() / kRecordBytes,
-      [this](std::size_t i) { return record_at(records_.data() + i * kRecordBytes); });
-  records_ = records_.subspan(taken * kRecordBytes);
+      sink_, run_, records_.size() / kEventRecordBytes,
+      [this](std::size_t i) { return record_at(records_.data() + i * kEventRecordBytes); });
+  records_ = records_.subspan(taken * kEventRecordBytes);
   if (taken > 0 || records_.empty()) return;
   const EventRecord record = record_at(records_.data());
-  records_ = records_.subspan(kRecordBytes);
+  records_ = records_.subspan(kEventRecordBytes);
   if (record.t_us > kLatestRecord_us || record.t_us < -kLatestRecord_us) {
     ++sink_.counters().malformed_words;
     return;
@@ -118,7 +108,7 @@ void Aedat4Reader::take_records() {
 void Aedat4Reader::rewind() {
   bytes_->rewind();
   read_header();
-  sink_ = EventSink(sensor_);
+  sink_ = EventSink(sensor_, reorder_us_);
   records_ = {};
   is_at_end_ = false;
   faults_.clear();
@@ -184,7 +174,7 @@ bool Aedat4Reader::take_packet() {
 void Aedat4Reader::unpack(std::size_t bytes) {
   try {
     const auto content = unpacker_.unpack(std::span(packed_).first(bytes));
-    records_ = FlatTable(content, "EVTS").list(0, kRecordBytes);
+    records_ = FlatTable(content, "EVTS").list(0, kEventRecordBytes);
   } catch (const std::invalid_argument& error) {
     ++sink_.counters().malformed_words;
     if (faults_.size() >= kMostFaultLines) return;

@@ -41,6 +41,7 @@ class Aedat4Reader final : public EventReader {
   Aedat4Header header_;
   Aedat4Stream stream_;
   SensorSize sensor_;
+  std::int64_t reorder_us_ = 0;
   EventSink sink_{{1, 1}};
   Aedat4Unpacker unpacker_{Aedat4Packing::kNone};
   std::int64_t position_ = 0;  // Bytes read.

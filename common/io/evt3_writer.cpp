@@ -14,7 +14,7 @@ namespace {
 constexpr int kLowBits = 12;
 
 // Sensors write vectors of 32 pixels that begin at a multiple of 32; one costs four words.
-constexpr int kVectorPixels = 32;
+constexpr int kEvt3VectorPixels = 32;
 constexpr std::size_t kVectorPays = 5;
 
 }  // namespace
@@ -54,7 +54,7 @@ void Evt3Writer::write(const EventPacket& packet) {
     while (end < events.size() && events[end].offset_us == first.offset_us &&
            events[end].y == first.y && events[end].polarity == first.polarity &&
            events[end].x > events[end - 1].x &&
-           events[end].x / kVectorPixels == first.x / kVectorPixels &&
+           events[end].x / kEvt3VectorPixels == first.x / kEvt3VectorPixels &&
            events[end].x < sensor_.width) {
       ++end;
     }
@@ -69,7 +69,7 @@ void Evt3Writer::write_run(std::span<const Event> run) {
     for (const Event& event : run) put(Evt3Type::kColumn, polarity | event.x);
     return;
   }
-  const std::uint32_t base = run.front().x / kVectorPixels * kVectorPixels;
+  const std::uint32_t base = run.front().x / kEvt3VectorPixels * kEvt3VectorPixels;
   std::uint32_t mask = 0;
   for (const Event& event : run) mask |= 1u << (event.x - base);
   put(Evt3Type::kVectorBase, polarity | base);

@@ -15,6 +15,7 @@
 #include "common/io/hdf5_events.h"
 #include "common/io/reader_warnings.h"
 #include "common/io/record_run.h"
+#include "common/io/sensor_choice.h"
 #include "common/io/temporary_path.h"
 
 namespace puck {
@@ -60,8 +61,13 @@ std::unique_ptr<Hdf5Events> open_events(Hdf5Object file, const std::string& name
 
 class Hdf5Reader final : public EventReader {
  public:
-  Hdf5Reader(std::unique_ptr<Hdf5Events> events, std::string name, SensorSize sensor)
-      : name_(std::move(name)), events_(std::move(events)), sensor_(sensor), sink_(sensor) {}
+  Hdf5Reader(std::unique_ptr<Hdf5Events> events, std::string name, SensorSize sensor,
+             std::int64_t reorder_us)
+      : name_(std::move(name)),
+        events_(std::move(events)),
+        sensor_(sensor),
+        reorder_us_(reorder_us),
+        sink_(sensor, reorder_us) {}
 
   SensorSize sensor_size() const override { return sensor_; }
 
@@ -77,7 +83,7 @@ class Hdf5Reader final : public EventReader {
 
   void rewind() override {
     events_->rewind();
-    sink_ = EventSink(sensor_);
+    sink_ = EventSink(sensor_, reorder_us_);
     part_.events.clear();
     part_used_ = 0;
     is_at_end_ = false;
@@ -141,6 +147,7 @@ class Hdf5Reader final : public EventReader {
   std::string name_;
   std::unique_ptr<Hdf5Events> events_;
   SensorSize sensor_;
+  std::int64_t reorder_us_;
   EventSink sink_;
   Hdf5Events::Part part_;
   std::size_t part_used_ = 0;
@@ -157,22 +164,8 @@ std::unique_ptr<EventReader> open_hdf5_reader(std::unique_ptr<ByteSource> bytes,
   const std::string name = bytes->name();
   auto events =
       open_events(is_hdf5_file(path) ? open_hdf5_file(path, name) : open_copy(*bytes), name);
-  const bool is_asked = options.sensor != SensorSize{};
-  const std::optional<SensorSize> said = events->sensor_size();
-  if (!said && !is_asked) {
-    throw EventFileError(name +
-                         ": does not say how large the sensor is; give width and height (--width "
-                         "and --height, or the keys width and height)");
-  }
-  if (said && is_asked && *said != options.sensor) {
-    throw EventFileError(name +
-                         ": attribute geometry and the options for width and height disagree");
-  }
-  try {
-    return std::make_unique<Hdf5Reader>(std::move(events), name, said.value_or(options.sensor));
-  } catch (const std::invalid_argument& error) {
-    throw EventFileError(name + ": " + error.what());
-  }
+  const SensorSize sensor = choose_sensor(name, events->sensor_size(), std::nullopt, options);
+  return std::make_unique<Hdf5Reader>(std::move(events), name, sensor, options.reorder_us);
 }
 
 }  // namespace puck

@@ -15,7 +15,7 @@
 #include <benchmark/benchmark.h>
 
 #include "common/io/evt3_writer.h"
-#include "common/io/raw_event_stream.h"
+#include "common/io/event_stream.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/message_codec.h"
 #include "tests/bench/bench_streams.h"
@@ -71,7 +71,7 @@ void decode_stream(benchmark::State& state, const std::vector<std::byte>& bytes)
   EventPacket packet;
   std::int64_t events = 0;
   for (auto _ : state) {
-    RawEventStream stream("benchmark", {});
+    EventStream stream("benchmark", {});
     std::span<const std::byte> rest = bytes;
     while (!rest.empty() || stream.has_backlog()) {
       packet.events.clear();

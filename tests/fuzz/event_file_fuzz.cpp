@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "common/io/event_file_kind.h"
 #include "common/io/event_reader.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/require.h"
@@ -12,11 +13,10 @@ namespace puck {
 namespace {
 
 EventFileOptions options_of(std::uint8_t choice) {
-  constexpr std::array<const char*, 5> kFormats{"", "evt2", "evt3", "text", "yarp"};
-  constexpr std::array<const char*, 4> kColumns{"t x y p", "x y p t", "t,x,y,p", "p y x t"};
-  constexpr std::array<const char*, 4> kUnits{"auto", "s", "us", "auto"};
+    constexpr std::array<const char*, 4> kColumns{"t x y p", "x y p t", "t,x,y,p", "p y x t"};
+  constexpr std::array<const char*, 4> kUnits{"auto", "s", "us", "ns"};
   EventFileOptions options;
-  options.from = kFormats[choice % kFormats.size()];
+  options.from = kEventFormats[choice % kEventFormats.size()];
   options.text_columns = kColumns[choice >> 2 & 3];
   options.text_unit = kUnits[choice >> 4 & 3];
   if ((choice & 0x40) != 0) options.sensor = {640, 480};

@@ -1,7 +1,7 @@
 // A camera's bytes from stdin or TCP: their division must make no difference.
 #include <fuzzer/FuzzedDataProvider.h>
 
-#include "common/io/raw_event_stream.h"
+#include "common/io/event_stream.h"
 #include "tests/fuzz/require.h"
 
 namespace puck {
@@ -19,7 +19,7 @@ template <typename NextSize>
 Outcome decode_all(std::span<const std::byte> bytes, const EventFileOptions& options,
                    NextSize next_size) {
   Outcome outcome;
-  RawEventStream stream("stream", options);
+  EventStream stream("stream", options);
   EventPacket packet;
   const auto feed = [&](std::span<const std::byte> piece) {
     do {
@@ -54,8 +54,9 @@ Outcome decode_all(std::span<const std::byte> bytes, const EventFileOptions& opt
 
 EventFileOptions options_of(FuzzedDataProvider& input) {
   EventFileOptions options;
-  options.from = input.PickValueInArray({"", "evt2", "evt3"});
+  options.from = input.PickValueInArray({"", "evt2", "evt21", "evt3", "evt4", "text"});
   if (input.ConsumeBool()) options.sensor = {640, 480};
+  if (input.ConsumeBool()) options.reorder_us = 0;
   return options;
 }
 
