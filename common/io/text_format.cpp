@@ -270,13 +270,16 @@ class TextStart {
 class LineCursor {
  public:
   LineCursor(std::string_view line, char separator)
-      : at_(line.data()), end_(line.data() + line.size()), separator_(separator) {}
+      : at_(line.data()), end_(line.data() + line.size()), separator_(separator) {
+    skip_blanks();
+    while (at_ != end_ && (is_blank(end_[-1]) || end_[-1] == '\r')) --end_;
+  }
 
   /// Moves from the end of a field to the next one.
   bool go_on() {
     if (separator_ == '\0') {
       const char* const before = at_;
-      while (at_ != end_ && is_in(*at_, kAnySeparator)) ++at_;
+      while (at_ != end_ && (is_blank(*at_) || *at_ == ',' || *at_ == ';')) ++at_;
       return at_ != before && at_ != end_;
     }
     skip_blanks();
@@ -360,13 +363,15 @@ class LineCursor {
     return powers;
   }();
 
+  static bool is_blank(char character) { return character == ' ' || character == '\t'; }
+
   bool is_at_boundary() const {
-    return at_ == end_ || *at_ == separator_ || *at_ == ' ' || *at_ == '\t' ||
+    return at_ == end_ || *at_ == separator_ || is_blank(*at_) ||
            (separator_ == '\0' && (*at_ == ',' || *at_ == ';'));
   }
 
   void skip_blanks() {
-    while (at_ != end_ && (*at_ == ' ' || *at_ == '\t')) ++at_;
+    while (at_ != end_ && is_blank(*at_)) ++at_;
   }
 
   std::ptrdiff_t read_digits(std::uint64_t& value) {
@@ -420,7 +425,7 @@ int power_of_ten_us(TimeUnit unit) {
 }
 
 bool parse_text_event(std::string_view line, const TextFormat& format, TextEvent& event) {
-  LineCursor cursor(trimmed(line), format.separator);
+  LineCursor cursor(line, format.separator);
   std::size_t found = 0;
   for (std::size_t column = 0; column < format.column_count; ++column) {
     if (column > 0 && !cursor.go_on()) return false;
