@@ -12,7 +12,7 @@
 namespace puck {
 namespace {
 
-// So many bytes decide whether a stream is text.
+// So many bytes without a line's end, or against `from`, are text.
 constexpr std::size_t kTextBytes = 4096;
 
 constexpr const char* kExpected =
@@ -132,7 +132,8 @@ std::optional<EventFileKind> event_file_kind(const std::string& name, std::strin
   if (from == "yarp") return EventFileKind::kYarpLog;
   if (is_text(head)) {
     if (from == "text") return EventFileKind::kText;
-    if (!is_all && head.size() < kTextBytes) return std::nullopt;
+    const bool is_likely = !is_raw_format(from) && head.find('\n') != std::string_view::npos;
+    if (!is_all && !is_likely && head.size() < kTextBytes) return std::nullopt;
     return is_yarp_log(head) ? EventFileKind::kYarpLog : EventFileKind::kText;
   }
   if (is_yarp_log(head)) return EventFileKind::kYarpLog;

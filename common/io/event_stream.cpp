@@ -199,7 +199,10 @@ void EventStream::place(EventPacket& packet) {
   if (!is_shift_known_) {
     is_shift_known_ = true;
     const Timestamp first = packet.time_of(packet.events.front());
-    shift_us_ = newest_ && first <= *newest_ ? *newest_ + 1 - first : 0;
+    // The newest so far may be by `reorder_us` newer than a packet's last, and events of this part
+    // may still come so much late.
+    const std::int64_t gap_us = 2 * options_.reorder_us + 1;
+    shift_us_ = newest_ && first < *newest_ + gap_us ? *newest_ + gap_us - first : 0;
     if (shift_us_ != 0) {
       notes_.push_back("the times of its last part are shifted by " + std::to_string(shift_us_) +
                        " µs, to follow those before");

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 
 #include "common/events/event.h"
@@ -58,37 +57,53 @@ class StampedRecordDecoder final : public EventDecoder {
  private:
   static constexpr std::size_t kRecordBytes = sizeof(std::uint64_t);
   static constexpr std::size_t kRunEvents = 1024;
-  static constexpr std::int64_t kUsualStepUs = 1'000'000;
+  static constexpr std::size_t kAtOnce = 8;
+  static constexpr std::uint32_t kUsualStepUs = 1'000'000;
+  static constexpr std::int64_t kLongestRunUs = std::int64_t{kRunEvents} * kUsualStepUs;
 
   // Decodes records up to the first that needs the checks of `take`. The one that fills the packet
   // is also left to it.
   std::size_t take_run(std::span<const std::byte> bytes) {
     if (bytes.size() < kRecordBytes || !clock_.is_steady()) return 0;
-    const std::size_t room = sink_.room_at(clock_.time_of(0));
+    // So that no event of the run lies too long after the packet's start.
+    const std::size_t room = std::min(sink_.room_at(clock_.time_of(0)),
+                                      sink_.room_at(clock_.time_of(0) + kLongestRunUs));
     const std::size_t most =
         std::min({room - (room > 0 ? 1 : 0), kRunEvents, bytes.size() / kRecordBytes});
     const auto width = static_cast<std::uint32_t>(sink_.sensor().width);
     const auto height = static_cast<std::uint32_t>(sink_.sensor().height);
     const std::uint32_t first_stamp = clock_.raw();
-    const std::int64_t base_us = clock_.time_of(0) - sink_.packet_start();
+    const auto base_us = static_cast<std::uint32_t>(clock_.time_of(0) - sink_.packet_start());
     std::uint32_t newest_stamp = first_stamp;
 
-    std::size_t taken = 0;
-    for (; taken < most; ++taken) {
-      const auto record = load_word<std::uint64_t>(bytes.data() + taken * kRecordBytes);
+    // Whether a record is an ordinary one that follows a `newest` stamp. Writes its event.
+    const auto put = [&](std::size_t i, std::uint32_t newest) {
+      const auto record = load_word<std::uint64_t>(bytes.data() + i * kRecordBytes);
       const std::uint32_t stamp = layout_.stamp(record);
       const std::uint32_t x = layout_.x(record);
       const std::uint32_t y = layout_.y(record);
-      const std::int64_t offset_us = base_us + (stamp - first_stamp);
-      if (!layout_.is_event(record) || x >= width || y >= height || stamp < newest_stamp ||
-          stamp - newest_stamp > kUsualStepUs ||
-          offset_us > std::numeric_limits<std::uint32_t>::max()) {
-        break;
+      run_[i] = std::bit_cast<Event>(
+          event_bits(x, y, layout_.polarity(record), base_us + (stamp - first_stamp)));
+      // A stamp that goes back is far ahead as an unsigned number.
+      return static_cast<unsigned>(layout_.is_event(record)) & static_cast<unsigned>(x < width) &
+             static_cast<unsigned>(y < height) &
+             static_cast<unsigned>(stamp - newest <= kUsualStepUs) &
+             static_cast<unsigned>(stamp >= newest);
+    };
+    const auto stamp_at = [&](std::size_t i) {
+      return layout_.stamp(load_word<std::uint64_t>(bytes.data() + i * kRecordBytes));
+    };
+    // Several at once, without a branch.
+    std::size_t taken = 0;
+    for (; taken + kAtOnce <= most; taken += kAtOnce) {
+      unsigned are_ordinary = put(taken, newest_stamp);
+      for (std::size_t i = 1; i < kAtOnce; ++i) {
+        are_ordinary &= put(taken + i, stamp_at(taken + i - 1));
       }
-      newest_stamp = stamp;
-      run_[taken] = std::bit_cast<Event>(
-          event_bits(x, y, layout_.polarity(record), static_cast<std::uint32_t>(offset_us)));
+      if (are_ordinary == 0) break;
+      newest_stamp = stamp_at(taken + kAtOnce - 1);
     }
+    for (; taken < most && put(taken, newest_stamp) != 0; ++taken) newest_stamp = stamp_at(taken);
     sink_.append_run({run_.data(), taken});
     clock_.advance(newest_stamp - first_stamp);
     return taken * kRecordBytes;

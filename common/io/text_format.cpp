@@ -129,7 +129,7 @@ class TextStart {
         const std::size_t start = std::min(content.find_first_not_of("#% "), content.size());
         take_names(content.substr(start), true);
       } else if (!take_names(content, false)) {
-        guess_order(content);
+        check_event(content, at_ < head_.bytes.size() || head_.text().back() == '\n');
         return true;
       } else {
         if (!format_.repeat.empty()) {
@@ -220,17 +220,27 @@ class TextStart {
     format_.description = text;
   }
 
-  // Without names, the first event decides between the usual orders.
-  void guess_order(std::string_view content) {
-    if (has_names_ || head_.options.text_columns != EventFileOptions{}.text_columns) return;
+  // The first line that should be an event; without names, it decides between the usual orders.
+  void check_event(std::string_view content, bool is_whole) {
     TextEvent event;
-    if (parse_text_event(content, format_, event)) return;
-    TextFormat other = format_;
-    other.columns = {3, 0, 1, 2};
-    if (!parse_text_event(content, other, event)) return;
-    other.description = "x y p t";
-    other.notes.push_back("took the columns as `x y p t`, as the last one holds no polarity");
-    format_ = other;
+    // The smallest unit allows the largest numbers.
+    TextFormat format = format_;
+    format.unit = TimeUnit::kNanoseconds;
+    if (parse_text_event(content, format, event)) return;
+    const bool is_free =
+        !has_names_ && head_.options.text_columns == EventFileOptions{}.text_columns;
+    format.columns = {3, 0, 1, 2};
+    if (is_free && parse_text_event(content, format, event)) {
+      format_.columns = format.columns;
+      format_.description = "x y p t";
+      format_.notes.push_back("took the columns as `x y p t`, as the last one holds no polarity");
+    } else if (is_whole) {
+      throw EventFileError(
+          head_.name + ":" + std::to_string(line_number_) +
+          ": is neither a header of a known format nor text with one event a line: "
+          "expected `" +
+          format_.description + "`, got \"" + std::string(content.substr(0, 60)) + "\"");
+    }
   }
 
   TimeUnit guess_unit() {
@@ -260,13 +270,16 @@ class TextStart {
 class LineCursor {
  public:
   LineCursor(std::string_view line, char separator)
-      : at_(line.data()), end_(line.data() + line.size()), separator_(separator) {}
+      : at_(line.data()), end_(line.data() + line.size()), separator_(separator) {
+    skip_blanks();
+    while (at_ != end_ && (is_blank(end_[-1]) || end_[-1] == '\r')) --end_;
+  }
 
   /// Moves from the end of a field to the next one.
   bool go_on() {
     if (separator_ == '\0') {
       const char* const before = at_;
-      while (at_ != end_ && is_in(*at_, kAnySeparator)) ++at_;
+      while (at_ != end_ && (is_blank(*at_) || *at_ == ',' || *at_ == ';')) ++at_;
       return at_ != before && at_ != end_;
     }
     skip_blanks();
@@ -350,13 +363,15 @@ class LineCursor {
     return powers;
   }();
 
+  static bool is_blank(char character) { return character == ' ' || character == '\t'; }
+
   bool is_at_boundary() const {
-    return at_ == end_ || *at_ == separator_ || *at_ == ' ' || *at_ == '\t' ||
+    return at_ == end_ || *at_ == separator_ || is_blank(*at_) ||
            (separator_ == '\0' && (*at_ == ',' || *at_ == ';'));
   }
 
   void skip_blanks() {
-    while (at_ != end_ && (*at_ == ' ' || *at_ == '\t')) ++at_;
+    while (at_ != end_ && is_blank(*at_)) ++at_;
   }
 
   std::ptrdiff_t read_digits(std::uint64_t& value) {
@@ -410,7 +425,7 @@ int power_of_ten_us(TimeUnit unit) {
 }
 
 bool parse_text_event(std::string_view line, const TextFormat& format, TextEvent& event) {
-  LineCursor cursor(trimmed(line), format.separator);
+  LineCursor cursor(line, format.separator);
   std::size_t found = 0;
   for (std::size_t column = 0; column < format.column_count; ++column) {
     if (column > 0 && !cursor.go_on()) return false;

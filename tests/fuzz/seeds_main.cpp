@@ -139,6 +139,38 @@ void add_boards(Seeds& seeds) {
   add(state_message_without_stamp({1}), false);
 }
 
+// A file or stream of events.
+void add_event_bytes(Seeds& seeds, const std::string& bytes) {
+  seeds.add("fuzz_event_files", 0, bytes);
+  seeds.add("fuzz_event_stream", bytes + std::string(4, '\0'));
+}
+
+// Of each kind that is a stream.
+void add_event_streams(Seeds& seeds, const fs::path& source) {
+  for (const auto& entry : fs::directory_iterator(source / "tests" / "io" / "data")) {
+    add_event_bytes(seeds, text_of(entry.path()).substr(0, 800));
+  }
+  // A time word, and a vector of two events.
+  const std::string time("\0\0\0\0\1\0\0\x80", 8);
+  const std::string vector("\3\0\0\0\5\0\1\x10", 8);
+  add_event_bytes(seeds, "% format EVT21;height=480;width=640;endianness=little\n% end\n" + time +
+                             vector + time);
+  add_event_bytes(seeds, "% format EVT21;height=480;width=640;endianness=legacy\n% end\n" +
+                             time.substr(4) + time.substr(0, 4) + vector.substr(4) +
+                             vector.substr(0, 4));
+  add_event_bytes(seeds, "% evt 4.0\n% geometry 640x480\n% end\n" +
+                             std::string("\1\0\0\xe0\5\x28\x40\xb0\5\x28\x40\xd0\7\0\0\0", 16));
+  for (const char* chip : {"DVS128", "DAVIS240C", "DAVIS346"}) {
+    add_event_bytes(seeds, std::string("#!AER-DAT2.0\r\n# AEChip: ") + chip + "\r\n" +
+                               std::string("\0\0\x20\5\0\0\1\0\0\0\x28\0\0\0\1\5", 16));
+  }
+  const std::string atis =
+      std::string("Event Stream\2\0\0\2\x40\1\xf0\0\x16\1\0\2\0\xff\x15\1\0\2\0", 31);
+  add_event_bytes(seeds, atis);
+  add_event_bytes(seeds, atis + atis);
+  add_event_bytes(seeds, "timestamp;x;y;polarity\n1.5e3;2.0;3;-1\n1600;4;5;true\n");
+}
+
 void add_recordings(Seeds& seeds) {
   EventPacket packet;
   std::mt19937_64 random(3);
@@ -247,6 +279,7 @@ int main(int argc, char** argv) {
   puck::add_boards(seeds);
   puck::add_recordings(seeds);
   puck::add_containers(seeds);
+  puck::add_event_streams(seeds, argv[1]);
   puck::add_data_files(seeds, argv[1]);
   return 0;
 }
