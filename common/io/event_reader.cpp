@@ -19,9 +19,10 @@ namespace {
 
 constexpr std::size_t kFileKindBytes = 4096;
 
-std::unique_ptr<EventReader> open_reader(const std::filesystem::path& path,
+std::unique_ptr<EventReader> open_reader(std::unique_ptr<ByteSource> source,
+                                         const std::filesystem::path& path,
                                          const EventFileOptions& options) {
-  auto bytes = std::make_unique<PeekedBytes>(open_bytes(path.string()), kFileKindBytes);
+  auto bytes = std::make_unique<PeekedBytes>(std::move(source), kFileKindBytes);
   const auto kind = event_file_kind(bytes->name(), bytes->head(), true, options.from);
   switch (*kind) {
     case EventFileKind::kYarpLog:
@@ -41,7 +42,7 @@ std::optional<SensorSize> measured_sensor(const std::filesystem::path& path,
   options.fallback_sensor = {SensorSize::kMax, SensorSize::kMax};
   SensorSize least;
   try {
-    const auto events = open_reader(path, options);
+    const auto events = open_reader(open_bytes(path.string()), path, options);
     EventPacket packet;
     while (events->read(packet, EventReader::kUsualEvents)) {
       for (const Event& event : packet.events) {
@@ -65,16 +66,22 @@ bool can_be_read_twice(const std::filesystem::path& path) {
 
 std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
                                              const EventFileOptions& options) {
+  return open_event_bytes(open_bytes(path.string()), path, options);
+}
+
+std::unique_ptr<EventReader> open_event_bytes(std::unique_ptr<ByteSource> bytes,
+                                              const std::filesystem::path& path,
+                                              const EventFileOptions& options) {
   std::vector<std::string> notes;
   std::unique_ptr<EventReader> events;
   try {
-    events = open_reader(path, options);
+    events = open_reader(std::move(bytes), path, options);
   } catch (const SensorUnknownError&) {
     const auto sensor = can_be_read_twice(path) ? measured_sensor(path, options) : std::nullopt;
     if (!sensor) throw;
     EventFileOptions complete = options;
     complete.fallback_sensor = *sensor;
-    events = open_reader(path, complete);
+    events = open_reader(open_bytes(path.string()), path, complete);
     notes.push_back(path.string() + ": does not say how large the sensor is; took " +
                     std::to_string(sensor->width) + " x " + std::to_string(sensor->height) +
                     ", the next known one that holds all events (--width and --height, or "

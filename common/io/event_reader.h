@@ -12,6 +12,7 @@
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
+#include "common/io/byte_source.h"
 #include "common/io/event_decoder.h"
 #include "common/io/one_line.h"
 
@@ -101,5 +102,10 @@ class EventReader {
 /// SensorUnknownError for a stream without a sensor's size.
 std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
                                              const EventFileOptions& options = {});
+
+/// The same for the bytes of `path`, none of which are read.
+std::unique_ptr<EventReader> open_event_bytes(std::unique_ptr<ByteSource> bytes,
+                                              const std::filesystem::path& path,
+                                              const EventFileOptions& options = {});
 
 }  // namespace puck

@@ -1,13 +1,13 @@
 #include "common/recording/recording.h"
 
-#include <algorithm>
-#include <array>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "common/io/byte_source.h"
+#include "common/io/peeked_bytes.h"
 #include "common/io/temporary_path.h"
 #include "common/messaging/log_file.h"
 #include "common/recording/event_log_reader.h"
@@ -16,22 +16,20 @@
 namespace puck {
 namespace {
 
-bool is_ordinary(const std::filesystem::path& path) {
+constexpr std::string_view kLogStart = "\xed\xa1\xda\x01";
+
+// Not of a pipe, and not within gzip or zstd.
+bool is_plain_log(const std::filesystem::path& path) {
   std::error_code error;
-  return path != "-" && std::filesystem::is_regular_file(path, error);
-}
-
-bool is_log(const std::filesystem::path& path) {
-  constexpr std::array<unsigned char, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
-  std::array<char, 4> first{};
+  if (path == "-" || !std::filesystem::is_regular_file(path, error)) return false;
+  std::string start(kLogStart.size(), '\0');
   std::ifstream file(path, std::ios::binary);
-  if (!file.read(first.data(), first.size())) return false;
-  return std::equal(kSync.begin(), kSync.end(), first.begin(),
-                    [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == kLogStart;
 }
 
-/// A log that was copied from a pipe. The log's reader opens the file for each reading, so the copy
-/// stays.
+/// A log that was copied from other bytes. The log's reader opens the file for each reading, so the
+/// copy stays.
 class CopiedLog final : public EventReader {
  public:
   CopiedLog(ByteSource& bytes, const std::string& prefix) : copy_("puck-log-") {
@@ -64,16 +62,13 @@ std::unique_ptr<EventReader> open_recording(const std::filesystem::path& path,
                                             const EventFileOptions& options,
                                             const std::string& prefix) {
   try {
-    if (is_ordinary(path) && is_log(path)) {
-      return open_event_log(path, prefix, EventLog::Sessions::kJoined);
-    }
-    if (options.from == kLcmLogFormat) {
-      return std::make_unique<CopiedLog>(*open_bytes(path.string()), prefix);
-    }
+    if (is_plain_log(path)) return open_event_log(path, prefix, EventLog::Sessions::kJoined);
+    auto bytes = std::make_unique<PeekedBytes>(open_bytes(path.string()), kLogStart.size());
+    if (bytes->head() == kLogStart) return std::make_unique<CopiedLog>(*bytes, prefix);
+    return open_event_bytes(std::move(bytes), path, options);
   } catch (const LogFileError& error) {
     throw EventFileError(error.what());
   }
-  return open_event_file(path, options);
 }
 
 std::string_view format_of_recording(const std::filesystem::path& path) {

@@ -14,8 +14,8 @@ namespace puck {
 inline constexpr std::string_view kLcmLogFormat = "lcm";
 
 /// Opens any recording: an event file, or an LCM log with all its sessions. `path` "-" is standard
-/// input. A log from a pipe is copied to a temporary file first, and needs `options.from` to be
-/// "lcm". `prefix`: that of a log's channels. Throws EventFileError.
+/// input. A log from a pipe or within gzip or zstd is copied to a temporary file first. `prefix`:
+/// that of a log's channels. Throws EventFileError.
 std::unique_ptr<EventReader> open_recording(const std::filesystem::path& path,
                                             const EventFileOptions& options,
                                             const std::string& prefix);
