@@ -27,6 +27,7 @@ class Aedat4Reader final : public EventReader {
   void rewind() override;
   const EventCounters& counters() const override { return sink_.counters(); }
   RecordingFacts facts() const override;
+  std::optional<double> share_read() const override { return bytes_->share_read(); }
   std::vector<std::string> warnings() const override;
 
  private:

@@ -17,6 +17,7 @@ class CompressedBytes : public ByteSource {
  public:
   const std::string& name() const override { return packed_->name(); }
   std::size_t read(std::span<std::byte> bytes) override;
+  std::optional<double> share_read() const override { return packed_->share_read(); }
   bool can_rewind() const override { return packed_->can_rewind(); }
   void rewind() override;
 

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "common/io/event_reader.h"
@@ -37,6 +38,15 @@ class FileBytes final : public ByteSource {
       filled += static_cast<std::size_t>(count);
     }
     return filled;
+  }
+
+  std::optional<double> share_read() const override {
+    struct stat status {};
+    if (start_ < 0 || fstat(file_.number(), &status) != 0 || status.st_size <= 0) {
+      return std::nullopt;
+    }
+    const off_t place = lseek(file_.number(), 0, SEEK_CUR);
+    return static_cast<double>(place) / static_cast<double>(status.st_size);
   }
 
   bool can_rewind() const override { return start_ >= 0; }

@@ -24,6 +24,7 @@ class PeekedBytes final : public ByteSource {
 
   const std::string& name() const override { return bytes_->name(); }
   std::size_t read(std::span<std::byte> bytes) override;
+  std::optional<double> share_read() const override { return bytes_->share_read(); }
   bool can_rewind() const override { return bytes_->can_rewind(); }
   void rewind() override;
 

@@ -23,6 +23,7 @@ class StreamFileReader final : public EventReader {
   void rewind() override;
   const EventCounters& counters() const override { return stream_->counters(); }
   RecordingFacts facts() const override { return stream_->facts(); }
+  std::optional<double> share_read() const override { return bytes_->share_read(); }
   std::vector<std::string> warnings() const override;
 
  private:

@@ -40,6 +40,10 @@ class YarpLogReader final : public EventReader {
   bool read(EventPacket& packet, std::size_t max_events) override;
   void rewind() override;
   const EventCounters& counters() const override { return sink_.counters(); }
+  RecordingFacts facts() const override {
+    return {has_stamps_ ? "YARP log, a time with each event" : "YARP log, times of packets", {}};
+  }
+  std::optional<double> share_read() const override { return bytes_.share_read(); }
   std::vector<std::string> warnings() const override;
 
  private:

@@ -49,6 +49,7 @@ class CopiedLog final : public EventReader {
   }
   void rewind() override { events_->rewind(); }
   const EventCounters& counters() const override { return events_->counters(); }
+  RecordingFacts facts() const override { return events_->facts(); }
   std::vector<std::string> warnings() const override { return events_->warnings(); }
 
  private:

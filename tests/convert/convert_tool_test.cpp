@@ -1,9 +1,12 @@
 // The real puck-convert.
+#include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include "common/io/event_writer.h"
 #include "common/recording/recording.h"
@@ -11,6 +14,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/contains.h"
 #include "tests/support/environment.h"
+#include "tests/support/wait_until.h"
 
 namespace puck {
 namespace {
@@ -126,6 +130,33 @@ TEST_CASE("a conversion that fails leaves no file, and an older one stays") {
   CHECK(convert({(folder / "none.raw").string(), (folder / "new.raw").string()}).exit_code == 1);
   CHECK(convert({start, (folder / "new.raw").string(), "--to", "evt9"}).exit_code == 2);
   CHECK_FALSE(fs::exists(folder / "new.raw"));
+}
+
+TEST_CASE("an interrupted conversion leaves no file") {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe.raw";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  // More than the reader takes at once.
+  const auto writer = make_event_writer(folder / "start.raw", "evt2", kSensor);
+  for (std::int64_t i = 0; i < 4; ++i) {
+    EventPacket packet = packet_of(many_events());
+    packet.start = packet.start + i * 1'000'000;
+    writer->write(packet);
+  }
+  writer->close();
+  const std::string start = read_text(folder / "start.raw");
+  REQUIRE(start.size() > 600'000);
+  ChildProcess program(
+      {program_path("puck-convert"), pipe.string(), (folder / "out.csv").string()});
+  // The pipe stays open, so the program waits for more.
+  std::ofstream feed(pipe, std::ios::binary);
+  feed << start << std::flush;
+  wait_until([&] { return has_part_left(folder); });
+  CHECK(has_part_left(folder));
+  program.send(SIGTERM);
+  CHECK(program.wait() == -1);
+  CHECK_FALSE(has_part_left(folder));
+  CHECK_FALSE(fs::exists(folder / "out.csv"));
 }
 
 TEST_CASE("a file can be converted onto itself") {
