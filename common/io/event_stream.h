@@ -47,6 +47,8 @@ class EventStream {
   std::vector<std::string> warnings(bool is_complete) const;
 
  private:
+  std::size_t decode_on(std::span<const std::byte> bytes, EventPacket& packet,
+                        std::size_t max_events);
   std::size_t collect(std::span<const std::byte> bytes);
   bool try_start();
   std::size_t take(std::span<const std::byte> bytes, EventPacket& packet, std::size_t max_events);
@@ -54,7 +56,7 @@ class EventStream {
                                    std::size_t max_events);
   std::size_t decode_data(std::span<const std::byte> bytes, EventPacket& packet,
                           std::size_t max_events);
-  void place(EventPacket& packet);
+  void place(EventPacket& packet, std::size_t first_new);
   bool begin_next_part(EventPacket& packet, std::size_t max_events);
   void check_words() const;
   void update_counters();
