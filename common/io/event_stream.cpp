@@ -57,6 +57,7 @@ std::size_t EventStream::decode_on(std::span<const std::byte> bytes, EventPacket
                                    std::size_t max_events) {
   std::size_t used = 0;
   while (true) {
+    if (is_check_due_ && !check_words(packet, max_events)) return used;
     if (is_part_ended_ && !begin_next_part(packet, max_events)) break;
     if (!decoder_) {
       used += collect(bytes.subspan(used));
@@ -67,14 +68,14 @@ std::size_t EventStream::decode_on(std::span<const std::byte> bytes, EventPacket
         is_early ? std::span<const std::byte>(early_).subspan(early_used_) : bytes.subspan(used);
     const std::size_t taken = take(rest, packet, max_events);
     (is_early ? early_used_ : used) += taken;
-    if (taken == 0 && !is_part_ended_) break;
+    if (taken == 0 && !is_part_ended_ && !is_check_due_) break;
   }
   const bool is_all_taken = decoder_ && early_used_ == early_.size() && repeat_matched_ == 0;
   if (is_ending_ && !is_ended_ && is_all_taken && !is_part_ended_) {
     decoder_->finish();
     is_ended_ = true;
-    decode_data({}, packet, max_events);
-    check_words();
+    is_check_due_ = true;
+    check_words(packet, max_events);
   }
   return used;
 }
@@ -86,7 +87,7 @@ void EventStream::finish() {
 }
 
 bool EventStream::has_backlog() const {
-  if (is_ending_ && !is_ended_) return true;
+  if ((is_ending_ && !is_ended_) || is_check_due_) return true;
   return decoder_ && (early_used_ < early_.size() || is_part_ended_ || decoder_->has_backlog());
 }
 
@@ -201,7 +202,7 @@ std::size_t EventStream::decode_data(std::span<const std::byte> bytes, EventPack
   place(packet, events_before);
   bytes_taken_ += static_cast<std::int64_t>(taken);
   data_bytes_ += static_cast<std::int64_t>(taken);
-  if (taken > 0 && data_bytes_ == kCheckBytes) check_words();
+  if (taken > 0 && data_bytes_ == kCheckBytes) is_check_due_ = true;
   return taken;
 }
 
@@ -246,12 +247,16 @@ bool EventStream::begin_next_part(EventPacket& packet, std::size_t max_events) {
   return true;
 }
 
-// Throws where the data cannot be of this encoding.
-void EventStream::check_words() const {
-  if (start_.word_bytes == 0) return;
+// Throws where the data cannot be of this encoding. Returns false while events decoded before wait
+// for space.
+bool EventStream::check_words(EventPacket& packet, std::size_t max_events) {
+  if (decoder_->has_backlog()) decode_data({}, packet, max_events);
+  if (decoder_->has_backlog()) return false;
+  is_check_due_ = false;
+  if (start_.word_bytes == 0) return true;
   const std::int64_t words = data_bytes_ / static_cast<std::int64_t>(start_.word_bytes);
   const std::int64_t unknown = decoder_->counters().malformed_words;
-  if (words < kFewestWords || unknown * kLeastShareOfUnknown < words) return;
+  if (words < kFewestWords || unknown * kLeastShareOfUnknown < words) return true;
   throw EventFileError(name_ + ": " + std::to_string(100 * unknown / words) + " % of " +
                        (is_ended_ ? "its " : "its first ") + std::to_string(words) +
                        " words are of no type that " + start_.encoding +
