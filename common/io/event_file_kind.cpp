@@ -130,13 +130,18 @@ std::optional<EventFileKind> event_file_kind(const std::string& name, std::strin
 
   // Only the caller can tell a log with a damaged beginning, and words without a header.
   if (from == "yarp") return EventFileKind::kYarpLog;
-  if (is_text(head)) {
-    if (from == "text") return EventFileKind::kText;
-    const bool is_likely = !is_raw_format(from) && head.find('\n') != std::string_view::npos;
-    if (!is_all && !is_likely && head.size() < kTextBytes) return std::nullopt;
-    return is_yarp_log(head) ? EventFileKind::kYarpLog : EventFileKind::kText;
+  if (from == "text") return EventFileKind::kText;
+  // What decides must not depend on how much of a stream has come.
+  std::string_view start = head.substr(0, kTextBytes);
+  if (!is_all) {
+    const std::size_t line_end = start.find('\n');
+    const bool has_line = line_end != std::string_view::npos && !is_raw_format(from);
+    if (is_raw_format(from) && !is_text(start)) return EventFileKind::kRaw;
+    if (!has_line && start.size() < kTextBytes) return std::nullopt;
+    if (has_line) start = start.substr(0, line_end + 1);
   }
-  if (is_yarp_log(head)) return EventFileKind::kYarpLog;
+  if (is_yarp_log(start)) return EventFileKind::kYarpLog;
+  if (is_text(start)) return EventFileKind::kText;
   if (is_raw_format(from)) return EventFileKind::kRaw;
   if (!header->fields.empty() || name.ends_with(".raw") || name.find('.') == std::string::npos) {
     throw EventFileError(

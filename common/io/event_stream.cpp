@@ -43,8 +43,21 @@ EventStream::EventStream(std::string name, EventFileOptions options, std::size_t
 
 std::size_t EventStream::decode(std::span<const std::byte> bytes, EventPacket& packet,
                                 std::size_t max_events) {
+  try {
+    const std::size_t used = decode_on(bytes, packet, max_events);
+    update_counters();
+    return used;
+  } catch (const EventFileError&) {
+    update_counters();
+    throw;
+  }
+}
+
+std::size_t EventStream::decode_on(std::span<const std::byte> bytes, EventPacket& packet,
+                                   std::size_t max_events) {
   std::size_t used = 0;
   while (true) {
+    if (is_check_due_ && !check_words(packet, max_events)) return used;
     if (is_part_ended_ && !begin_next_part(packet, max_events)) break;
     if (!decoder_) {
       used += collect(bytes.subspan(used));
@@ -55,17 +68,15 @@ std::size_t EventStream::decode(std::span<const std::byte> bytes, EventPacket& p
         is_early ? std::span<const std::byte>(early_).subspan(early_used_) : bytes.subspan(used);
     const std::size_t taken = take(rest, packet, max_events);
     (is_early ? early_used_ : used) += taken;
-    if (taken == 0 && !is_part_ended_) break;
+    if (taken == 0 && !is_part_ended_ && !is_check_due_) break;
   }
   const bool is_all_taken = decoder_ && early_used_ == early_.size() && repeat_matched_ == 0;
   if (is_ending_ && !is_ended_ && is_all_taken && !is_part_ended_) {
     decoder_->finish();
     is_ended_ = true;
-    decode_data({}, packet, max_events);
-    update_counters();
-    check_words();
+    is_check_due_ = true;
+    check_words(packet, max_events);
   }
-  update_counters();
   return used;
 }
 
@@ -76,7 +87,7 @@ void EventStream::finish() {
 }
 
 bool EventStream::has_backlog() const {
-  if (is_ending_ && !is_ended_) return true;
+  if ((is_ending_ && !is_ended_) || is_check_due_) return true;
   return decoder_ && (early_used_ < early_.size() || is_part_ended_ || decoder_->has_backlog());
 }
 
@@ -126,7 +137,8 @@ bool EventStream::try_start() {
   early_used_ = start_.header_bytes;
   bytes_taken_ += static_cast<std::int64_t>(start_.header_bytes);
   data_bytes_ = 0;
-  clean_bytes_ = 0;
+  // What begins like a header and is none must not be found again.
+  clean_bytes_ = start_.header_bytes == 0 ? start_.repeat.size() : 0;
   return true;
 }
 
@@ -179,29 +191,29 @@ std::size_t EventStream::take_possible_repeat(std::span<const std::byte> bytes, 
 std::size_t EventStream::decode_data(std::span<const std::byte> bytes, EventPacket& packet,
                                      std::size_t max_events) {
   if (!packet.empty()) packet.start = packet.start - shift_us_;
+  const std::size_t events_before = packet.events.size();
   std::size_t taken = 0;
   try {
     taken = decoder_->decode(bytes, packet, max_events);
   } catch (const EventFileError&) {
-    place(packet);
+    place(packet, events_before);
     throw;
   }
-  place(packet);
+  place(packet, events_before);
   bytes_taken_ += static_cast<std::int64_t>(taken);
   data_bytes_ += static_cast<std::int64_t>(taken);
-  if (taken > 0 && data_bytes_ == kCheckBytes) check_words();
+  if (taken > 0 && data_bytes_ == kCheckBytes) is_check_due_ = true;
   return taken;
 }
 
-// Shifts the packet to its place in the time of all parts.
-void EventStream::place(EventPacket& packet) {
+// Shifts the packet to its place in the time of all parts. Its events from this one on are new.
+void EventStream::place(EventPacket& packet, std::size_t first_new) {
   if (packet.empty()) return;
   if (!is_shift_known_) {
     is_shift_known_ = true;
     const Timestamp first = packet.time_of(packet.events.front());
-    // The newest so far may be by `reorder_us` newer than a packet's last, and events of this part
-    // may still come so much late.
-    const std::int64_t gap_us = 2 * options_.reorder_us + 1;
+    // Events of this part may come so much late.
+    const std::int64_t gap_us = options_.reorder_us + 1;
     shift_us_ = newest_ && first < *newest_ + gap_us ? *newest_ + gap_us - first : 0;
     if (shift_us_ != 0) {
       notes_.push_back("the times of its last part are shifted by " + std::to_string(shift_us_) +
@@ -209,7 +221,13 @@ void EventStream::place(EventPacket& packet) {
     }
   }
   packet.start = packet.start + shift_us_;
-  newest_ = newest_ ? std::max(*newest_, packet.newest()) : packet.newest();
+  // Not every packet's last event is its newest.
+  std::uint32_t newest_us = 0;
+  for (std::size_t i = first_new; i < packet.events.size(); ++i) {
+    newest_us = std::max(newest_us, packet.events[i].offset_us);
+  }
+  const Timestamp newest = packet.start + newest_us;
+  newest_ = newest_ ? std::max(*newest_, newest) : newest;
 }
 
 // Returns false while events of the ended part wait for space, or fill the packet.
@@ -229,12 +247,16 @@ bool EventStream::begin_next_part(EventPacket& packet, std::size_t max_events) {
   return true;
 }
 
-// Throws where the data cannot be of this encoding.
-void EventStream::check_words() const {
-  if (start_.word_bytes == 0) return;
+// Throws where the data cannot be of this encoding. Returns false while events decoded before wait
+// for space.
+bool EventStream::check_words(EventPacket& packet, std::size_t max_events) {
+  if (decoder_->has_backlog()) decode_data({}, packet, max_events);
+  if (decoder_->has_backlog()) return false;
+  is_check_due_ = false;
+  if (start_.word_bytes == 0) return true;
   const std::int64_t words = data_bytes_ / static_cast<std::int64_t>(start_.word_bytes);
   const std::int64_t unknown = decoder_->counters().malformed_words;
-  if (words < kFewestWords || unknown * kLeastShareOfUnknown < words) return;
+  if (words < kFewestWords || unknown * kLeastShareOfUnknown < words) return true;
   throw EventFileError(name_ + ": " + std::to_string(100 * unknown / words) + " % of " +
                        (is_ended_ ? "its " : "its first ") + std::to_string(words) +
                        " words are of no type that " + start_.encoding +

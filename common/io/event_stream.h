@@ -48,6 +48,8 @@ class EventStream {
   std::vector<std::string> warnings(bool is_complete) const;
 
  private:
+  std::size_t decode_on(std::span<const std::byte> bytes, EventPacket& packet,
+                        std::size_t max_events);
   std::size_t collect(std::span<const std::byte> bytes);
   bool try_start();
   std::size_t take(std::span<const std::byte> bytes, EventPacket& packet, std::size_t max_events);
@@ -55,9 +57,9 @@ class EventStream {
                                    std::size_t max_events);
   std::size_t decode_data(std::span<const std::byte> bytes, EventPacket& packet,
                           std::size_t max_events);
-  void place(EventPacket& packet);
+  void place(EventPacket& packet, std::size_t first_new);
   bool begin_next_part(EventPacket& packet, std::size_t max_events);
-  void check_words() const;
+  bool check_words(EventPacket& packet, std::size_t max_events);
   void update_counters();
 
   std::string name_;
@@ -77,6 +79,7 @@ class EventStream {
   std::size_t clean_bytes_ = 0;     // So many of the next ones cannot belong to another header.
   std::size_t repeat_matched_ = 0;  // Bytes of the beginning of another header, not decoded yet …
   std::size_t repeat_fed_ = 0;      // … or, as it is none, so many of them decoded.
+  bool is_check_due_ = false;
   bool is_part_ended_ = false;
   bool is_ending_ = false;
   bool is_ended_ = false;

@@ -21,19 +21,22 @@ Outcome decode_all(std::span<const std::byte> bytes, const EventFileOptions& opt
   Outcome outcome;
   EventStream stream("stream", options);
   EventPacket packet;
+  const auto keep = [&] {
+    for (const Event& event : packet.events) {
+      outcome.events.events.push_back(event);
+      outcome.events.events.back().offset_us = 0;
+      outcome.times_us.push_back(packet.time_of(event).us);
+    }
+    packet.events.clear();
+  };
   const auto feed = [&](std::span<const std::byte> piece) {
     do {
-      packet.events.clear();
       const std::size_t used = stream.decode(piece, packet, next_size());
       require(used <= piece.size(), "no more bytes are used than there are");
       require(used > 0 || !packet.empty() || piece.empty() || stream.has_backlog(),
               "decoding goes on");
       piece = piece.subspan(used);
-      for (const Event& event : packet.events) {
-        outcome.events.events.push_back(event);
-        outcome.events.events.back().offset_us = 0;
-        outcome.times_us.push_back(packet.time_of(event).us);
-      }
+      keep();
     } while (!piece.empty() || stream.has_backlog());
   };
   try {
@@ -45,6 +48,7 @@ Outcome decode_all(std::span<const std::byte> bytes, const EventFileOptions& opt
     stream.finish();
     feed({});
   } catch (const EventFileError& error) {
+    keep();
     outcome.refusal = error.what();
     require_one_line(outcome.refusal);
   }
