@@ -14,7 +14,8 @@ packages=(
   nftables ninja-build procps
   doctest-dev libbenchmark-dev libcli11-dev libeigen3-dev libfaketime libhwy-dev liblcm-bin
   liblcm-dev libncurses-dev libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev
-  nlohmann-json3-dev python3 python3-matplotlib
+  hdf5-filter-plugin-blosc-serial libdeflate-dev libhdf5-dev liblz4-dev libzstd-dev
+  nlohmann-json3-dev pkg-config python3 python3-matplotlib zlib1g-dev
 )
 # With Docker, the container tests need Compose.
 if command -v docker >/dev/null && ! command -v docker-compose >/dev/null &&

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -19,6 +20,9 @@ class ByteSource {
   /// Fills `bytes` as far as there are bytes and returns their number: fewer than asked for only at
   /// the end. Throws EventFileError when reading fails.
   virtual std::size_t read(std::span<std::byte> bytes) = 0;
+
+  /// Share of the stored bytes that was read, 0 to 1; nothing for a pipe.
+  virtual std::optional<double> share_read() const { return std::nullopt; }
 
   /// Whether `rewind` works: not for pipes.
   virtual bool can_rewind() const = 0;

@@ -15,15 +15,18 @@ struct EventCounters {
   std::int64_t events = 0;           ///< Returned to the caller.
   std::int64_t before_start = 0;     ///< Dropped: before the first known time or row.
   std::int64_t outside_sensor = 0;   ///< Dropped: no such pixel.
-  std::int64_t backwards = 0;        ///< Dropped: older than an event already returned.
+  std::int64_t backwards = 0;        ///< Dropped: older than the newest, and too late to reorder.
+  std::int64_t reordered = 0;        ///< Put in order, as they were not in the file.
   std::int64_t missing = 0;          ///< Known to be lost before the recording.
   std::int64_t other_data = 0;       ///< Skipped: records of other sensors or cameras.
   std::int64_t malformed_words = 0;  ///< Words or lines that are not valid in the format.
   std::int64_t time_glitches = 0;    ///< Ignored time words that contradict their neighbours.
+  std::int64_t time_wraps = 0;       ///< Times that the counter of the file began again from 0.
   std::int64_t truncated_bytes = 0;  ///< Incomplete word or line at the end.
 
   friend bool operator==(const EventCounters&, const EventCounters&) = default;
 
+  EventCounters& operator+=(const EventCounters& other);
   std::int64_t dropped() const { return before_start + outside_sensor + backwards + missing; }
 };
 
@@ -50,10 +53,12 @@ class EventDecoder {
   virtual const EventCounters& counters() const = 0;
 };
 
-enum class RawEncoding : std::uint8_t { kEvt2, kEvt3 };
+/// Encodings of Prophesee RAW data. EVT 2.1's legacy form has the halves of each word swapped.
+enum class RawEncoding : std::uint8_t { kEvt2, kEvt21, kEvt21Legacy, kEvt3, kEvt4 };
 
-/// Drops and counts events outside `sensor`. Throws std::invalid_argument when `sensor` is not a
-/// valid size.
-std::unique_ptr<EventDecoder> make_event_decoder(RawEncoding encoding, SensorSize sensor);
+/// Drops and counts events outside `sensor`, or more than `reorder_us` older than the newest.
+/// Throws std::invalid_argument when `sensor` is not a valid size.
+std::unique_ptr<EventDecoder> make_event_decoder(RawEncoding encoding, SensorSize sensor,
+                                                 std::int64_t reorder_us = 0);
 
 }  // namespace puck

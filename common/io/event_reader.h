@@ -1,14 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
+#include "common/io/byte_source.h"
 #include "common/io/event_decoder.h"
 #include "common/io/one_line.h"
 
@@ -20,17 +24,29 @@ class EventFileError : public std::runtime_error {
   explicit EventFileError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
-/// Properties of a file that the file itself does not state.
+/// Nothing states the size of a file's sensor.
+class SensorUnknownError final : public EventFileError {
+ public:
+  using EventFileError::EventFileError;
+};
+
+/// Properties of a file that the file itself does not state, and how to read it.
 struct EventFileOptions {
-  /// "evt2", "evt3", "text" or "yarp"; empty: from the file's header, else from its ending.
+  /// One of kEventFormats; matters only where the content does not tell the format.
   std::string from;
   /// For files that do not state their sensor's size; {0, 0}: unknown.
   SensorSize sensor;
+  /// For files of which nothing tells the sensor's size, such as the size model's sensor; {0, 0}:
+  /// unknown.
+  SensorSize fallback_sensor;
+  /// Events up to so many µs out of order are put in order; older ones are dropped and counted.
+  /// From 0 to kMostReorderUs. In a live stream it delays every event.
+  std::int64_t reorder_us = kUsualReorderUs;
 
-  /// Text: the order of time, x, y and polarity, with any of ` ,;` between the letters.
+  /// Text: the order of time, x, y and polarity, with any of ` ,;` between the letters; a line of
+  /// column names in the file overrides it.
   std::string text_columns = "t x y p";
-  /// Text: "s", "us", or "auto": seconds if the first time has a decimal point, else µs; a µs time
-  /// with a fraction is then refused.
+  /// Text: "s", "ms", "us", "ns", or "auto": by the column's name, else by the numbers.
   std::string text_unit = "auto";
   /// Text: separator of the columns; "auto": any run of spaces, tabs, `,` and `;`.
   std::string text_separator = "auto";
@@ -38,6 +54,15 @@ struct EventFileOptions {
   /// YARP log: the eye whose events are read: "left", "right", or "auto": the one with more events
   /// at the beginning.
   std::string yarp_eye = "auto";
+
+  static constexpr std::int64_t kUsualReorderUs = 1000;
+  static constexpr std::int64_t kMostReorderUs = 1'000'000;
+};
+
+/// What a file says of itself.
+struct RecordingFacts {
+  std::string encoding;  ///< "EVT3", "AEDAT4, LZ4", …; empty if the reader does not tell.
+  std::vector<std::pair<std::string, std::string>> header;  ///< Keys and values, in its order.
 };
 
 /// The events of a file in the order of their times, which are the file's, without an offset. One
@@ -62,14 +87,25 @@ class EventReader {
   /// Counts of read and dropped events so far.
   virtual const EventCounters& counters() const = 0;
 
+  virtual RecordingFacts facts() const { return {}; }
+
+  /// Share of the file that was read, 0 to 1; nothing for a stream of unknown length.
+  virtual std::optional<double> share_read() const { return std::nullopt; }
+
   /// Faults of the file, one line each; complete once `read` has returned false.
   virtual std::vector<std::string> warnings() const = 0;
 };
 
-/// Opens Prophesee RAW files (EVT2, EVT3), text files and YARP text logs. Throws EventFileError for
-/// a file that is missing, empty, of another format, or whose sensor size neither it nor `options`
-/// states.
+/// Opens an event file of any format that docs/formats.md lists, plain or within gzip or zstd; "-"
+/// is standard input. Where nothing tells the sensor's size, reads a file once more to take it from
+/// the events. Throws EventFileError for a file that is missing, empty, or of another format, and
+/// SensorUnknownError for a stream without a sensor's size.
 std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
                                              const EventFileOptions& options = {});
+
+/// The same for the bytes of `path`, none of which are read.
+std::unique_ptr<EventReader> open_event_bytes(std::unique_ptr<ByteSource> bytes,
+                                              const std::filesystem::path& path,
+                                              const EventFileOptions& options = {});
 
 }  // namespace puck

@@ -4,7 +4,8 @@
 
 namespace puck {
 
-EventSink::EventSink(SensorSize sensor) : sensor_(checked_sensor(sensor)) {}
+EventSink::EventSink(SensorSize sensor, std::int64_t reorder_us)
+    : sensor_(checked_sensor(sensor)), reorder_us_(reorder_us) {}
 
 void EventSink::begin(EventPacket& packet, std::size_t max_events) {
   packet_ = &packet;

@@ -12,12 +12,13 @@
 
 namespace puck {
 
-/// Collects a reader's events: drops those outside the sensor or out of order, fills the caller's
+/// Collects a reader's events: drops those outside the sensor or too late, fills the caller's
 /// packet, and keeps the rest for the next packet.
 class EventSink {
  public:
-  /// Throws std::invalid_argument when `sensor` is not a valid size.
-  explicit EventSink(SensorSize sensor);
+  /// `reorder_us`: events up to so much older than the newest are passed on, out of order. Throws
+  /// std::invalid_argument when `sensor` is not a valid size.
+  explicit EventSink(SensorSize sensor, std::int64_t reorder_us = 0);
 
   /// Starts to fill `packet` up to `max_events`, first with the backlog. The packet must stay until
   /// the next `begin`.
@@ -28,17 +29,17 @@ class EventSink {
   bool has_backlog() const { return backlog_taken_ < backlog_.size(); }
 
   /// Appends the event to the packet, or to the backlog if the packet is full. Drops and counts an
-  /// event outside the sensor or older than the newest.
+  /// event outside the sensor or too much older than the newest.
   void append(Timestamp time, int x, int y, bool brighter) {
     if (!sensor_.contains(x, y)) {
       ++counters_.outside_sensor;
       return;
     }
-    if (time < newest_) {
+    if (time < newest_ && time < oldest_allowed_) {
       ++counters_.backwards;
       return;
     }
-    newest_ = time;
+    if (time >= newest_) set_newest(time);
     const TimedEvent event{time, static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
                            brighter};
     if (!has_room() || !hand_out(event)) backlog_.push_back(event);
@@ -62,7 +63,7 @@ class EventSink {
   void append_run(std::span<const Event> events) {
     if (events.empty()) return;
     packet_->events.insert(packet_->events.end(), events.begin(), events.end());
-    newest_ = packet_->newest();
+    set_newest(packet_->newest());
     counters_.events += static_cast<std::int64_t>(events.size());
   }
 
@@ -77,7 +78,12 @@ class EventSink {
     bool brighter = false;
   };
 
-  // Returns false when the event lies too long after the packet's start.
+  void set_newest(Timestamp time) {
+    newest_ = time;
+    oldest_allowed_ = {time.us - reorder_us_};
+  }
+
+  // Returns false when the event lies before the packet's start or too long after it.
   bool hand_out(const TimedEvent& event) {
     if (packet_->empty()) packet_->start = event.time;
     const std::int64_t offset_us = event.time - packet_->start;
@@ -95,7 +101,9 @@ class EventSink {
   SensorSize sensor_;
   EventPacket* packet_ = nullptr;
   std::size_t max_events_ = 0;
+  std::int64_t reorder_us_ = 0;
   Timestamp newest_{std::numeric_limits<std::int64_t>::min()};
+  Timestamp oldest_allowed_{std::numeric_limits<std::int64_t>::min()};
   std::vector<TimedEvent> backlog_;
   std::size_t backlog_taken_ = 0;  // Number of backlog events already handed out.
   EventCounters counters_;

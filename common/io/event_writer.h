@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -15,7 +16,7 @@ class EventWriter {
   virtual ~EventWriter() = default;
 
   /// Throws std::invalid_argument for an event outside the sensor or older than the previous one,
-  /// EventFileError when the file cannot be written.
+  /// and for a time that the format cannot hold; EventFileError when the file cannot be written.
   virtual void write(const EventPacket& packet) = 0;
 
   /// Writes the rest. Throws EventFileError when that fails; the destructor also closes, but
@@ -23,8 +24,33 @@ class EventWriter {
   virtual void close() = 0;
 };
 
-/// `format`: "evt3", "text" (`t x y p`, t in µs), or empty: from the path's ending, .raw or
-/// .txt/.csv. Throws EventFileError for another format, an invalid sensor, or a file that cannot be
+/// A format that can be written.
+struct WrittenFormat {
+  std::string_view name;
+  std::string_view
+      ending;  ///< Of the files that are written so unless another format is asked for.
+  std::string_view what;
+};
+
+inline constexpr std::array<WrittenFormat, 10> kWrittenFormats{{
+    {"evt3", ".raw", "Prophesee RAW, EVT3"},
+    {"evt2", "", "Prophesee RAW, EVT2"},
+    {"evt21", "", "Prophesee RAW, EVT2.1, little-endian words"},
+    {"dat", ".dat", "Prophesee DAT, version 2"},
+    {"hdf5", ".hdf5", "HDF5 in Prophesee's layout, gzip"},
+    {"hdf5-ecf", "", "HDF5 in Prophesee's layout, ECF"},
+    {"aedat4", ".aedat4", "AEDAT4, LZ4"},
+    {"es", ".es", "Event Stream of a DVS"},
+    {"csv", ".csv", "text: t,x,y,p, t in µs"},
+    {"text", ".txt", "text: t x y p, t in µs"},
+}};
+
+/// The name of the format that the path's ending means; `.h5` is HDF5, too. Throws EventFileError
+/// for another ending.
+std::string_view format_of_ending(const std::filesystem::path& path);
+
+/// `path` "-" is standard output. `format`: a name of kWrittenFormats, or empty: from the path's
+/// ending. Throws EventFileError for another format, an invalid sensor, or a file that cannot be
 /// written.
 std::unique_ptr<EventWriter> make_event_writer(const std::filesystem::path& path,
                                                std::string_view format, SensorSize sensor);

@@ -21,7 +21,8 @@ namespace puck {
 /// events and counts.
 class Evt3Decoder final : public EventDecoder {
  public:
-  explicit Evt3Decoder(SensorSize sensor) : sink_(sensor) {}
+  explicit Evt3Decoder(SensorSize sensor, std::int64_t reorder_us = 0)
+      : sink_(sensor, reorder_us) {}
 
   std::size_t decode(std::span<const std::byte> bytes, EventPacket& packet,
                      std::size_t max_events) override;

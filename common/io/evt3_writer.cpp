@@ -1,22 +1,20 @@
 #include "common/io/evt3_writer.h"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 
 #include "common/io/event_checks.h"
 #include "common/io/event_reader.h"
+#include "common/io/time_words.h"
 
 namespace puck {
 namespace {
 
 constexpr int kLowBits = 12;
-// A quarter of the counter's range: not mistaken for a clock that was set back.
-constexpr std::int64_t kLargestHighStep = 1024;
 
 // Sensors write vectors of 32 pixels that begin at a multiple of 32; one costs four words.
-constexpr int kVectorPixels = 32;
+constexpr int kEvt3VectorPixels = 32;
 constexpr std::size_t kVectorPays = 5;
 
 }  // namespace
@@ -56,7 +54,7 @@ void Evt3Writer::write(const EventPacket& packet) {
     while (end < events.size() && events[end].offset_us == first.offset_us &&
            events[end].y == first.y && events[end].polarity == first.polarity &&
            events[end].x > events[end - 1].x &&
-           events[end].x / kVectorPixels == first.x / kVectorPixels &&
+           events[end].x / kEvt3VectorPixels == first.x / kEvt3VectorPixels &&
            events[end].x < sensor_.width) {
       ++end;
     }
@@ -71,7 +69,7 @@ void Evt3Writer::write_run(std::span<const Event> run) {
     for (const Event& event : run) put(Evt3Type::kColumn, polarity | event.x);
     return;
   }
-  const std::uint32_t base = run.front().x / kVectorPixels * kVectorPixels;
+  const std::uint32_t base = run.front().x / kEvt3VectorPixels * kEvt3VectorPixels;
   std::uint32_t mask = 0;
   for (const Event& event : run) mask |= 1u << (event.x - base);
   put(Evt3Type::kVectorBase, polarity | base);
@@ -87,14 +85,9 @@ void Evt3Writer::move_clock_to(Timestamp time) {
       throw std::invalid_argument("EVT3 holds pauses, and a first time, of up to 24 h, got " +
                                   std::to_string((time - newest_) / 1000000) + " s");
     }
-    if (high_ < 0) put(Evt3Type::kTimeHigh, 0);
-    const std::int64_t steps = high - std::max<std::int64_t>(high_, 0);
-    for (std::int64_t passed = kLargestHighStep; passed < steps; passed += kLargestHighStep) {
-      put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high - steps + passed));
-    }
-    put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high));
-    // A repeated time word is not taken for a glitch.
-    if (steps > 1) put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(high));
+    count_time_up(high_, high, 12, [this](std::int64_t word) {
+      put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(word));
+    });
     high_ = high;
     low_us_ = -1;
   }

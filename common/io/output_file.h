@@ -1,21 +1,33 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
+
+#include "common/posix/file_descriptor.h"
 
 namespace puck {
 
 /// A buffered file that reports a full disk or a missing folder.
 class OutputFile {
  public:
-  /// Throws EventFileError when it cannot be opened.
+  /// "-" is standard output. Throws EventFileError when it cannot be opened.
   explicit OutputFile(const std::filesystem::path& path);
 
   void append(std::string_view bytes) {
     buffer_.append(bytes);
     if (buffer_.size() >= kFlushBytes) flush();
+  }
+  /// A number, little-endian.
+  template <typename Word>
+  void append_word(Word word) {
+    std::array<char, sizeof(Word)> bytes{};
+    for (std::size_t i = 0; i < sizeof(Word); ++i) {
+      bytes[i] = static_cast<char>(word >> (8 * i) & 0xffU);
+    }
+    append({bytes.data(), bytes.size()});
   }
   /// Throws EventFileError when it cannot be written.
   void flush();
@@ -24,8 +36,11 @@ class OutputFile {
   static constexpr std::size_t kFlushBytes = 65536;
 
   std::string name_;
-  std::ofstream file_;
+  FileDescriptor file_;
   std::string buffer_;
 };
+
+/// Copies a file to standard output. Throws EventFileError.
+void copy_to_stdout(const std::filesystem::path& path);
 
 }  // namespace puck

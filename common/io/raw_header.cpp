@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "common/io/known_sensors.h"
 #include "common/io/parse_number.h"
 
 namespace puck {
@@ -38,52 +39,7 @@ std::optional<std::string_view> option_of(std::string_view format, std::string_v
   }
 }
 
-std::optional<SensorSize> sensor_of_format(std::string_view format) {
-  const auto width = option_of(format, "width");
-  const auto height = option_of(format, "height");
-  if (!width && !height) return std::nullopt;
-  const std::string line = "format " + std::string(format);
-  return SensorSize{parse_size(width.value_or(""), line), parse_size(height.value_or(""), line)};
-}
-
-std::optional<SensorSize> sensor_of_geometry(std::string_view geometry) {
-  if (geometry.empty()) return std::nullopt;
-  const std::string line = "geometry " + std::string(geometry);
-  const std::size_t x = geometry.find('x');
-  if (x == std::string_view::npos) return SensorSize{parse_size("", line), 0};
-  return SensorSize{parse_size(geometry.substr(0, x), line),
-                    parse_size(geometry.substr(x + 1), line)};
-}
-
-}  // namespace
-
-std::string_view RawHeader::value(std::string_view key) const {
-  const auto field = std::find_if(fields.begin(), fields.end(),
-                                  [key](const auto& candidate) { return candidate.first == key; });
-  return field == fields.end() ? std::string_view{} : std::string_view{field->second};
-}
-
-std::string RawHeader::encoding() const {
-  const std::string_view format = value("format");
-  if (!format.empty()) return std::string(format.substr(0, format.find(';')));
-  const std::string_view version = value("evt");
-  if (version == "2.0") return "EVT2";
-  if (version == "2.1") return "EVT21";
-  if (version == "3.0") return "EVT3";
-  return version.empty() ? std::string{} : "EVT " + std::string(version);
-}
-
-std::optional<SensorSize> RawHeader::sensor() const {
-  const auto by_format = sensor_of_format(value("format"));
-  const auto by_geometry = sensor_of_geometry(value("geometry"));
-  if (by_format && by_geometry && *by_format != *by_geometry) {
-    throw std::invalid_argument("the header's lines \"% format\" and \"% geometry\" disagree");
-  }
-  return by_format ? by_format : by_geometry;
-}
-
-std::optional<SensorSize> RawHeader::sensor_of_system() const {
-  const std::string_view text = value("system_ID");
+std::optional<SensorSize> sensor_of_system(std::string_view text) {
   int id = 0;
   if (!parse_number(text, id)) return std::nullopt;
   switch (id) {
@@ -125,6 +81,81 @@ std::optional<SensorSize> RawHeader::sensor_of_system() const {
     default:
       return std::nullopt;
   }
+}
+
+std::optional<SensorSize> sensor_of_format(std::string_view format) {
+  const auto width = option_of(format, "width");
+  const auto height = option_of(format, "height");
+  if (!width && !height) return std::nullopt;
+  const std::string line = "format " + std::string(format);
+  return SensorSize{parse_size(width.value_or(""), line), parse_size(height.value_or(""), line)};
+}
+
+std::optional<SensorSize> sensor_of_geometry(std::string_view geometry) {
+  if (geometry.empty()) return std::nullopt;
+  const std::string line = "geometry " + std::string(geometry);
+  const std::size_t x = geometry.find('x');
+  if (x == std::string_view::npos) return SensorSize{parse_size("", line), 0};
+  return SensorSize{parse_size(geometry.substr(0, x), line),
+                    parse_size(geometry.substr(x + 1), line)};
+}
+
+}  // namespace
+
+std::string_view RawHeader::value(std::string_view key) const {
+  const auto field = std::find_if(fields.begin(), fields.end(),
+                                  [key](const auto& candidate) { return candidate.first == key; });
+  return field == fields.end() ? std::string_view{} : std::string_view{field->second};
+}
+
+std::vector<std::string> RawHeader::repeated_lines() const {
+  std::vector<std::string> warnings;
+  for (auto field = fields.begin(); field != fields.end(); ++field) {
+    const auto first = std::find_if(
+        fields.begin(), field, [&](const auto& earlier) { return earlier.first == field->first; });
+    if (first == field) continue;
+    warnings.push_back("the header's line " + std::to_string(field - fields.begin() + 1) +
+                       " repeats \"% " + field->first + "\" of line " +
+                       std::to_string(first - fields.begin() + 1) +
+                       "; expected it once, and took the first");
+  }
+  return warnings;
+}
+
+std::string_view RawHeader::format_option(std::string_view key) const {
+  return option_of(value("format"), key).value_or("");
+}
+
+std::string RawHeader::encoding() const {
+  const std::string_view format = value("format");
+  if (!format.empty()) return std::string(format.substr(0, format.find(';')));
+  const std::string_view version = value("evt");
+  if (version == "2.0") return "EVT2";
+  if (version == "2.1") return "EVT21";
+  if (version == "3.0") return "EVT3";
+  if (version == "4.0") return "EVT4";
+  return version.empty() ? std::string{} : "EVT " + std::string(version);
+}
+
+std::optional<SensorSize> RawHeader::sensor() const {
+  const auto by_format = sensor_of_format(value("format"));
+  const auto by_geometry = sensor_of_geometry(value("geometry"));
+  if (by_format && by_geometry && *by_format != *by_geometry) {
+    throw std::invalid_argument("the header's lines \"% format\" and \"% geometry\" disagree");
+  }
+  return by_format ? by_format : by_geometry;
+}
+
+std::optional<SensorSize> RawHeader::sensor_of_camera() const {
+  if (const auto sensor = sensor_of_system(value("system_ID"))) return sensor;
+  for (const std::string_view key : {"generation", "sensor_generation"}) {
+    if (value(key).starts_with("3.")) return SensorSize{640, 480};
+    if (value(key).starts_with("4.")) return SensorSize{1280, 720};
+  }
+  for (const std::string_view key : {"sensor_name", "plugin_name"}) {
+    if (const auto sensor = puck::sensor_of_camera(value(key))) return sensor;
+  }
+  return std::nullopt;
 }
 
 std::optional<RawHeader> parse_raw_header(std::span<const std::byte> bytes, bool is_all) {

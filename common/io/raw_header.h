@@ -20,13 +20,20 @@ struct RawHeader {
   /// Empty when there is no such key.
   std::string_view value(std::string_view key) const;
 
-  /// "EVT2", "EVT21", "EVT3" or another name in the header; empty if there is none.
+  /// A warning for each line whose key an earlier one has; the first of them counts.
+  std::vector<std::string> repeated_lines() const;
+
+  /// The value of `key` in a line such as `% format EVT21;endianness=little`; empty without one.
+  std::string_view format_option(std::string_view key) const;
+
+  /// "EVT2", "EVT21", "EVT3", "EVT4" or another name in the header; empty if there is none.
   std::string encoding() const;
   /// Size from `format` or `geometry`. Throws std::invalid_argument when either is malformed or
   /// they disagree.
   std::optional<SensorSize> sensor() const;
-  /// Size of the cameras with this `system_ID`: for old headers without a geometry.
-  std::optional<SensorSize> sensor_of_system() const;
+  /// Size of the cameras with this `system_ID`, generation, or sensor's or driver's name: for old
+  /// headers without a geometry.
+  std::optional<SensorSize> sensor_of_camera() const;
 };
 
 /// `std::nullopt` while more bytes are needed to find the header's end; never with `is_all`. The

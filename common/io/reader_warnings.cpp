@@ -3,18 +3,20 @@
 namespace puck {
 
 std::vector<std::string> reader_warnings(const std::string& name, const EventCounters& counters,
-                                         bool is_complete) {
+                                         bool is_complete, std::optional<std::int64_t> bytes) {
   std::vector<std::string> lines;
   const auto warn = [&](std::int64_t count, const std::string& what) {
     if (count > 0) lines.push_back(name + ": " + std::to_string(count) + " " + what);
   };
   if (counters.truncated_bytes > 0) {
-    lines.push_back(name + ": cut off in the middle of an event or word: the last " +
+    lines.push_back(name + ": cut off in the middle of an event or word" +
+                    (bytes ? " at byte " + std::to_string(*bytes) : "") + ": the last " +
                     std::to_string(counters.truncated_bytes) + " bytes were left out");
   }
   warn(counters.before_start, "events came before their time or row was known; dropped");
   warn(counters.outside_sensor, "events lie outside the sensor; dropped");
-  warn(counters.backwards, "events are older than the ones before them; dropped");
+  warn(counters.backwards,
+       "events are too much older than the ones before them to be put in order; dropped");
   warn(counters.other_data, "records are of other sensors or of the other eye; skipped");
   warn(counters.malformed_words, "words, lines or packets are malformed; skipped");
   warn(counters.time_glitches, "time stamps contradict their neighbours; ignored");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,8 +10,9 @@
 namespace puck {
 
 /// Warnings about a file or stream called `name`, one a line; empty if it had no faults.
-/// `is_complete`: it was read to its end.
+/// `is_complete`: it was read to its end. `bytes`: its length so far, if known.
 std::vector<std::string> reader_warnings(const std::string& name, const EventCounters& counters,
-                                         bool is_complete);
+                                         bool is_complete,
+                                         std::optional<std::int64_t> bytes = std::nullopt);
 
 }  // namespace puck

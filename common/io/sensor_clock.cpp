@@ -26,7 +26,7 @@ bool SensorClock::set_high(std::uint32_t raw, EventSink& sink) {
   const bool changed = raw != newest_raw_;
   newest_raw_ = raw;
   const std::int64_t steps = steps_to(raw, high_);
-  if (steps <= 1) {
+  if (steps <= usual_steps_) {
     high_ += steps;
   } else {
     is_doubtful_ = true;
@@ -36,6 +36,7 @@ bool SensorClock::set_high(std::uint32_t raw, EventSink& sink) {
 
 void SensorClock::finish(EventSink& sink) {
   if (is_doubtful_) settle(unwrapped(newest_raw_), sink);
+  sink.counters().time_wraps = high_ / high_count_;
 }
 
 std::int64_t SensorClock::steps_to(std::uint32_t raw, std::int64_t from) const {

@@ -10,10 +10,10 @@
 
 namespace puck {
 
-TextEventWriter::TextEventWriter(const std::filesystem::path& path, SensorSize sensor)
-    : sensor_(checked_sensor(sensor)), file_(path) {
+TextEventWriter::TextEventWriter(const std::filesystem::path& path, SensorSize sensor, Form form)
+    : sensor_(checked_sensor(sensor)), separator_(form == Form::kCommas ? ',' : ' '), file_(path) {
   file_.append("%geometry:" + std::to_string(sensor.width) + "," + std::to_string(sensor.height) +
-               "\n# t_us x y p\n");
+               (form == Form::kCommas ? "\nt,x,y,p\n" : "\n# t_us x y p\n"));
 }
 
 TextEventWriter::~TextEventWriter() {
@@ -35,7 +35,7 @@ void TextEventWriter::write(const EventPacket& packet) {
     std::array<char, 64> line{};
     char* end = std::to_chars(line.data(), line.data() + 24, time.us).ptr;
     const auto append_column = [&](int value) {
-      *end++ = ' ';
+      *end++ = separator_;
       end = std::to_chars(end, end + 8, value).ptr;
     };
     append_column(event.x);

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "common/io/reader_warnings.h"
+#include "common/io/sensor_choice.h"
 
 namespace puck {
 namespace {
 
 // A longer line is no packet: the largest has some 100,000 events.
 constexpr std::size_t kLongestYarpLine = std::size_t{16} << 20;
-constexpr std::size_t kUsualYarpLine = std::size_t{64} << 10;
 // The encoding is detected from this part of the file.
+constexpr std::size_t kSampleBytes = std::size_t{4} << 20;
 constexpr int kSamplePackets = 200;
 constexpr int kSampleLines = 100'000;
 // Packets without stamps: tolerated overlap with the previous packet, and gap after it.
@@ -107,30 +108,23 @@ class EncodingSample {
 
 }  // namespace
 
-YarpLogReader::YarpLogReader(const std::filesystem::path& path, const EventFileOptions& options)
-    : name_(path.string()),
-      options_(options),
-      file_(path, std::ios::binary),
-      buffer_(kUsualYarpLine),
+YarpLogReader::YarpLogReader(std::unique_ptr<ByteSource> bytes, const EventFileOptions& options)
+    : options_(options),
+      sensor_(choose_sensor(bytes->name(), std::nullopt, std::nullopt, options)),
+      bytes_(std::move(bytes), kSampleBytes),
+      lines_(bytes_, kLongestYarpLine),
       clock_(1),
       sink_({1, 1}) {
-  if (!options_.sensor.is_valid()) {
-    throw EventFileError(
-        name_ +
-        ": a YARP log does not contain the sensor's size; give width and "
-        "height (--width and --height, or camera.width and camera.height), such as "
-        "304 x 240 for an ATIS");
-  }
   find_encoding();
-  rewind();
+  start();
 }
 
 bool YarpLogReader::read(EventPacket& packet, std::size_t max_events) {
   packet.events.clear();
   sink_.begin(packet, max_events);
   while (sink_.has_room() && !is_finished_) {
-    if (next_line()) {
-      take_line();
+    if (const auto line = lines_.next()) {
+      take_line(*line);
     } else {
       finish();
     }
@@ -139,77 +133,56 @@ bool YarpLogReader::read(EventPacket& packet, std::size_t max_events) {
 }
 
 void YarpLogReader::rewind() {
-  file_.clear();
-  file_.seekg(0);
-  is_at_end_ = false;
+  bytes_.rewind();
+  start();
+}
+
+void YarpLogReader::start() {
+  lines_.restart();
   is_finished_ = false;
   clock_ = YarpEventClock(us_per_tick_);
   held_.reset();
   plain_zero_s_.reset();
   newest_plain_us_ = 0;
-  sink_ = EventSink(options_.sensor);
+  sink_ = EventSink(sensor_, options_.reorder_us);
 }
 
 std::vector<std::string> YarpLogReader::warnings() const {
-  return reader_warnings(name_, counters(), is_finished_ && !sink_.has_backlog());
+  return reader_warnings(bytes_.name(), counters(), is_finished_ && !sink_.has_backlog(),
+                         lines_.bytes());
 }
 
 void YarpLogReader::find_encoding() {
-  EncodingSample sample(options_.sensor);
-  for (int i = 0; i < kSampleLines && sample.packets() < kSamplePackets && next_line(); ++i) {
-    if (parse_yarp_packet(line_, packet_)) sample.add(packet_);
+  // With an unknown sensor every address would do.
+  constexpr SensorSize kLikelySensor{640, 480};
+  const bool is_known = sensor_ != SensorSize{SensorSize::kMax, SensorSize::kMax};
+  EncodingSample sample(is_known ? sensor_ : kLikelySensor);
+  std::string_view rest = bytes_.head();
+  for (int i = 0; i < kSampleLines && sample.packets() < kSamplePackets && !rest.empty(); ++i) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    if (parse_yarp_packet(rest.substr(0, end), packet_)) sample.add(packet_);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   has_stamps_ = sample.has_stamps();
   us_per_tick_ = sample.us_per_tick();
   eye_ = options_.yarp_eye == "auto" ? sample.eye() : options_.yarp_eye == "right" ? 1 : 0;
 }
 
-// Moves to the next line that is not too long to be a packet.
-bool YarpLogReader::next_line() {
-  while (!is_at_end_) {
-    std::size_t length = 0;
-    bool is_too_long = false;
-    do {
-      // The buffer is full and the line continues.
-      if (length > 0) buffer_.resize(2 * buffer_.size());
-      file_.clear();
-      file_.getline(buffer_.data() + length, static_cast<std::streamsize>(buffer_.size() - length));
-      if (file_.bad()) throw EventFileError(name_ + ": cannot be read on");
-      length += static_cast<std::size_t>(file_.gcount());
-      is_too_long = length >= kLongestYarpLine;
-    } while (file_.fail() && !file_.eof() && !is_too_long);
-    is_at_end_ = file_.eof();
-    is_line_whole_ = !is_at_end_;
-    if (is_too_long) {
-      ++sink_.counters().malformed_words;
-      if (file_.fail() && !is_at_end_) {
-        file_.clear();
-        file_.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-      }
-      continue;
-    }
-    if (is_at_end_ && length == 0) return false;
-    // The length includes the line end, if there is one.
-    line_ = std::string_view(buffer_.data(), length - (is_line_whole_ ? 1 : 0));
-    return true;
-  }
-  return false;
-}
-
-void YarpLogReader::take_line() {
+void YarpLogReader::take_line(std::string_view line) {
   EventCounters& counters = sink_.counters();
-  if (!parse_yarp_packet(line_, packet_)) {
-    if (!is_line_whole_) {
-      counters.truncated_bytes += static_cast<std::int64_t>(line_.size());
-    } else if (line_.find_first_not_of(" \t\r") != std::string_view::npos) {
+  counters.malformed_words += lines_.take_skipped();
+  if (!parse_yarp_packet(line, packet_)) {
+    if (!lines_.is_whole()) {
+      counters.truncated_bytes += static_cast<std::int64_t>(line.size());
+    } else if (line.find_first_not_of(" \t\r") != std::string_view::npos) {
       ++counters.malformed_words;
     }
     return;
   }
   counters.other_data += packet_.other_records;
   counters.malformed_words += packet_.malformed_values;
-  if (packet_.is_cut && is_line_whole_) ++counters.malformed_words;
-  if (packet_.is_cut && !is_line_whole_) counters.truncated_bytes += packet_.cut_bytes;
+  if (packet_.is_cut && lines_.is_whole()) ++counters.malformed_words;
+  if (packet_.is_cut && !lines_.is_whole()) counters.truncated_bytes += packet_.cut_bytes;
   if (!packet_.is_bytes || has_stamps_) {
     take_stamped();
   } else if (!packet_.words.empty()) {
@@ -218,6 +191,7 @@ void YarpLogReader::take_line() {
 }
 
 void YarpLogReader::finish() {
+  sink_.counters().malformed_words += lines_.take_skipped();
   clock_.finish(placed_);
   append_placed();
   if (held_) {
@@ -237,7 +211,7 @@ void YarpLogReader::take_stamped() {
   }
   append_placed();
   if (packet_.words.size() % 2 == 0) return;
-  if (packet_.is_cut && !is_line_whole_) {
+  if (packet_.is_cut && !lines_.is_whole()) {
     sink_.counters().truncated_bytes += 4;
   } else {
     ++sink_.counters().malformed_words;

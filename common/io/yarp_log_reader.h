@@ -1,8 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +9,8 @@
 
 #include "common/io/event_reader.h"
 #include "common/io/event_sink.h"
+#include "common/io/line_reader.h"
+#include "common/io/peeked_bytes.h"
 #include "common/io/yarp_event_clock.h"
 #include "common/io/yarp_packet.h"
 
@@ -33,18 +34,22 @@ namespace puck {
 class YarpLogReader final : public EventReader {
  public:
   /// Reads the beginning of the file to detect its encoding. Throws EventFileError.
-  YarpLogReader(const std::filesystem::path& path, const EventFileOptions& options);
+  YarpLogReader(std::unique_ptr<ByteSource> bytes, const EventFileOptions& options);
 
-  SensorSize sensor_size() const override { return options_.sensor; }
+  SensorSize sensor_size() const override { return sensor_; }
   bool read(EventPacket& packet, std::size_t max_events) override;
   void rewind() override;
   const EventCounters& counters() const override { return sink_.counters(); }
+  RecordingFacts facts() const override {
+    return {has_stamps_ ? "YARP log, a time with each event" : "YARP log, times of packets", {}};
+  }
+  std::optional<double> share_read() const override { return bytes_.share_read(); }
   std::vector<std::string> warnings() const override;
 
  private:
   void find_encoding();
-  bool next_line();
-  void take_line();
+  void start();
+  void take_line(std::string_view line);
   void take_stamped();
   void take_plain();
   void place_plain(const YarpPacket& packet, double start_us);
@@ -53,13 +58,10 @@ class YarpLogReader final : public EventReader {
   void append_placed();
   void append(Timestamp time, std::uint32_t address);
 
-  std::string name_;
   EventFileOptions options_;
-  std::ifstream file_;
-  std::vector<char> buffer_;
-  std::string_view line_;
-  bool is_line_whole_ = true;  // Ended by a line end, not by the end of the file.
-  bool is_at_end_ = false;
+  SensorSize sensor_;
+  PeekedBytes bytes_;
+  LineReader lines_;
   bool is_finished_ = false;  // At the end, and no record or packet waits.
   YarpPacket packet_;
   bool has_stamps_ = true;  // Before each record.

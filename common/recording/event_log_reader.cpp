@@ -26,6 +26,9 @@ class EventLogReader final : public EventReader {
   }
 
   const EventCounters& counters() const override { return counters_; }
+  RecordingFacts facts() const override {
+    return {"LCM log", {{"session", std::to_string(log_.session())}}};
+  }
   std::vector<std::string> warnings() const override { return log_.problems(); }
 
  private:

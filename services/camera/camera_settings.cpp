@@ -40,8 +40,8 @@ void read_scene(Config& config, SimulationParams& simulation) {
   visit_parameters(reader, simulation);
 }
 
-void read_file_settings(Config& config, FileSourceParams& file) {
-  constexpr std::array<std::string_view, 3> kUnits{"auto", "s", "us"};
+void read_file_settings(Config& config, bool is_live, FileSourceParams& file) {
+  constexpr std::array<std::string_view, 5> kUnits{"auto", "s", "ms", "us", "ns"};
   constexpr std::array<std::string_view, 3> kEyes{"auto", "left", "right"};
   constexpr double kHighestRate = 1000;
   std::string path;
@@ -54,6 +54,13 @@ void read_file_settings(Config& config, FileSourceParams& file) {
   config.read("camera.text_columns", file.options.text_columns);
   config.read_choice("camera.text_unit", file.options.text_unit, kUnits);
   config.read("camera.text_separator", file.options.text_separator);
+  constexpr std::int64_t kAutomatic = -1;
+  std::int64_t reorder_us = kAutomatic;
+  config.read("camera.reorder_us", reorder_us, kAutomatic, EventFileOptions::kMostReorderUs);
+  // In a live stream it would delay every event.
+  file.options.reorder_us = reorder_us != kAutomatic ? reorder_us
+                            : is_live                ? 0
+                                                     : EventFileOptions::kUsualReorderUs;
   config.read("camera.loop", file.loop);
   config.read("camera.rate_mev_s", file.rate_mev_s, 0, kHighestRate);
 }
@@ -66,7 +73,8 @@ CameraSettings read_camera_settings(Config& config) {
   constexpr std::array<std::string_view, 2> kEnds{"exit", "wait"};
   CameraSettings settings;
   config.read_choice("camera.source", settings.source, kSources);
-  read_file_settings(config, settings.file);
+  const bool is_live = settings.source == "stdin" || settings.source == "tcp";
+  read_file_settings(config, is_live, settings.file);
   config.read("camera.log_prefix", settings.log_prefix);
   config.read("camera.tcp_host", settings.tcp_host);
   config.read("camera.tcp_port", settings.tcp_port, 1, 65535);

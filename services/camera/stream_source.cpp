@@ -7,7 +7,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "common/io/reader_warnings.h"
+#include "common/io/event_reader.h"
 
 namespace puck {
 namespace {
@@ -22,18 +22,22 @@ DescriptorEvents::DescriptorEvents(int descriptor, std::string name,
     : descriptor_(descriptor),
       name_(std::move(name)),
       stream_(name_, options),
+      order_(options.reorder_us),
       buffer_(kBufferBytes) {}
 
 DescriptorEvents::Outcome DescriptorEvents::next(EventPacket& packet) {
-  packet.events.clear();
+  if (order_.take(packet, EventSource::kChunkEvents)) return Outcome::kEvents;
   if (used_ == size_ && !stream_.has_backlog() && !is_finished_) {
     const Outcome outcome = read_more();
     if (outcome != Outcome::kEvents) return outcome;
   }
-  used_ += stream_.decode(std::span(buffer_).subspan(used_, size_ - used_), packet,
+  used_ += stream_.decode(std::span(buffer_).subspan(used_, size_ - used_), decoded_,
                           EventSource::kChunkEvents);
-  if (!packet.empty()) return Outcome::kEvents;
-  return is_finished_ && !stream_.has_backlog() ? Outcome::kEnd : Outcome::kNothingYet;
+  order_.add(decoded_);
+  const bool is_end = is_finished_ && used_ == size_ && !stream_.has_backlog();
+  if (is_end) order_.finish();
+  if (order_.take(packet, EventSource::kChunkEvents)) return Outcome::kEvents;
+  return is_end ? Outcome::kEnd : Outcome::kNothingYet;
 }
 
 // Returns kEvents when there are bytes to decode.
@@ -69,8 +73,6 @@ EventSource::Outcome StdinSource::next(Chunk& chunk) {
   return Outcome::kEnd;
 }
 
-std::vector<std::string> StdinSource::warnings() const {
-  return reader_warnings(events_.name(), events_.stream().counters(), true);
-}
+std::vector<std::string> StdinSource::warnings() const { return events_.stream().warnings(true); }
 
 }  // namespace puck

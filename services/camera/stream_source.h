@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "common/io/raw_event_stream.h"
+#include "common/io/event_order.h"
+#include "common/io/event_stream.h"
 #include "services/camera/event_source.h"
 
 namespace puck {
 
-/// Prophesee RAW bytes from a file descriptor, for stdin and TCP.
+/// A stream of events from a file descriptor, for stdin and TCP.
 class DescriptorEvents {
  public:
   enum class Outcome { kEvents, kNothingYet, kEnd };
@@ -18,11 +19,11 @@ class DescriptorEvents {
   /// The descriptor stays the caller's. `name` stands for it in messages.
   DescriptorEvents(int descriptor, std::string name, const EventFileOptions& options);
 
-  /// Waits a few ms for bytes. Throws EventFileError if they are no RAW stream or reading fails.
-  /// descriptor fails.
+  /// Waits a few ms for bytes. Throws EventFileError if they are no stream of events or reading
+  /// fails.
   Outcome next(EventPacket& packet);
 
-  const RawEventStream& stream() const { return stream_; }
+  const EventStream& stream() const { return stream_; }
   const std::string& name() const { return name_; }
 
  private:
@@ -30,7 +31,9 @@ class DescriptorEvents {
 
   int descriptor_;
   std::string name_;
-  RawEventStream stream_;
+  EventStream stream_;
+  EventOrder order_;
+  EventPacket decoded_;
   std::vector<std::byte> buffer_;
   std::size_t used_ = 0;
   std::size_t size_ = 0;

@@ -12,7 +12,7 @@
 
 namespace puck {
 
-/// A server that sends Prophesee RAW bytes over TCP, header first. Connects again one second after
+/// A server that sends a stream of events over TCP, header first. Connects again one second after
 /// a failed connection or invalid data.
 class TcpSource final : public EventSource {
  public:

@@ -14,11 +14,13 @@
 
 #include <benchmark/benchmark.h>
 
+#include "common/io/event_stream.h"
 #include "common/io/evt3_writer.h"
-#include "common/io/raw_event_stream.h"
+#include "common/io/raw_header.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/message_codec.h"
 #include "tests/bench/bench_streams.h"
+#include "tests/bench/encoded_streams.h"
 #include "tests/support/temporary_folder.h"
 
 namespace puck {
@@ -71,7 +73,7 @@ void decode_stream(benchmark::State& state, const std::vector<std::byte>& bytes)
   EventPacket packet;
   std::int64_t events = 0;
   for (auto _ : state) {
-    RawEventStream stream("benchmark", {});
+    EventStream stream("benchmark", {});
     std::span<const std::byte> rest = bytes;
     while (!rest.empty() || stream.has_backlog()) {
       packet.events.clear();
@@ -81,6 +83,12 @@ void decode_stream(benchmark::State& state, const std::vector<std::byte>& bytes)
     events += stream.counters().events;
   }
   state.SetItemsProcessed(events);
+}
+
+/// Made events in a format, as a file of it holds them.
+void made_stream(benchmark::State& state, const char* format) {
+  constexpr SensorSize kDavis346{346, 260};
+  decode_stream(state, encoded_stream(format, moving_outlines(kDavis346, 1'000'000), kDavis346));
 }
 
 void evt3_ours(benchmark::State& state) { decode_stream(state, evt3_bytes(state)); }
@@ -235,6 +243,9 @@ void packet_encode_ours(benchmark::State& state, int packet_bytes) {
   RegisterBenchmark("evt3_decode/ours", evt3_ours);
   RegisterBenchmark("evt3_decode/plain", evt3_plain);
   if (is_there(BenchStream::kSparklers)) RegisterBenchmark("evt2_decode/ours", evt2_ours);
+  for (const char* format : {"evt2", "evt21", "evt4", "dat", "es", "aedat2", "text"}) {
+    RegisterBenchmark((std::string(format) + "_decode/made").c_str(), made_stream, format);
+  }
   RegisterBenchmark("packet_decode/ours", packet_decode_ours, kLarge);
   RegisterBenchmark("packet_decode/plain", packet_decode_plain, kLarge);
   RegisterBenchmark("packet_decode_frame/ours", packet_decode_ours, kFrame);

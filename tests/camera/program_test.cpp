@@ -40,13 +40,13 @@ TEST_CASE("the camera refuses bad input with exit code 1 and a line with the rea
                 "puck-camera: /nowhere.raw: cannot be opened: No such file or directory");
   check_refused(
       {"--set", "camera.source=file", "--set", "camera.file=" + (folder / "a.png").string()},
-      "a.png: is a PNG image; expected a Prophesee RAW file");
+      "a.png: is a PNG image; expected Prophesee RAW");
   check_refused({"--config", folder / "a.toml"},
                 "a.toml:2: unknown key camera.sauce; the nearest known key is camera.source");
   check_refused({"--set", "camera.flush_us=soon"},
                 "--set camera.flush_us=soon: camera.flush_us must be an integer from 50 to 100000, "
                 "got \"soon\"");
-  check_refused({"--set", "camera.source=stdin"}, "stdin: no Prophesee RAW header");
+  check_refused({"--set", "camera.source=stdin"}, "stdin: is empty; expected Prophesee RAW");
   check_refused({"--config", "/nowhere.toml"}, "/nowhere.toml: cannot be opened");
 }
 

@@ -151,7 +151,8 @@ TEST_CASE("a TCP source reconnects after a break, a refusal and garbage, and tim
 
   REQUIRE(server.serve("rubbish, longer than a header line may ever be? no: just not one\n"));
   while (source.disconnections() < 2) source.next(chunk);
-  CHECK(source.waiting_for().find("no Prophesee RAW header") != std::string::npos);
+  CHECK(source.waiting_for().find("neither a header of a known format nor text") !=
+        std::string::npos);
   while (source.waiting_for().find("events from") == std::string::npos) source.next(chunk);
 
   REQUIRE(server.serve(bytes));

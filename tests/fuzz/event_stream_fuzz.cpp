@@ -1,7 +1,7 @@
 // A camera's bytes from stdin or TCP: their division must make no difference.
 #include <fuzzer/FuzzedDataProvider.h>
 
-#include "common/io/raw_event_stream.h"
+#include "common/io/event_stream.h"
 #include "tests/fuzz/require.h"
 
 namespace puck {
@@ -19,21 +19,24 @@ template <typename NextSize>
 Outcome decode_all(std::span<const std::byte> bytes, const EventFileOptions& options,
                    NextSize next_size) {
   Outcome outcome;
-  RawEventStream stream("stream", options);
+  EventStream stream("stream", options);
   EventPacket packet;
+  const auto keep = [&] {
+    for (const Event& event : packet.events) {
+      outcome.events.events.push_back(event);
+      outcome.events.events.back().offset_us = 0;
+      outcome.times_us.push_back(packet.time_of(event).us);
+    }
+    packet.events.clear();
+  };
   const auto feed = [&](std::span<const std::byte> piece) {
     do {
-      packet.events.clear();
       const std::size_t used = stream.decode(piece, packet, next_size());
       require(used <= piece.size(), "no more bytes are used than there are");
       require(used > 0 || !packet.empty() || piece.empty() || stream.has_backlog(),
               "decoding goes on");
       piece = piece.subspan(used);
-      for (const Event& event : packet.events) {
-        outcome.events.events.push_back(event);
-        outcome.events.events.back().offset_us = 0;
-        outcome.times_us.push_back(packet.time_of(event).us);
-      }
+      keep();
     } while (!piece.empty() || stream.has_backlog());
   };
   try {
@@ -45,6 +48,7 @@ Outcome decode_all(std::span<const std::byte> bytes, const EventFileOptions& opt
     stream.finish();
     feed({});
   } catch (const EventFileError& error) {
+    keep();
     outcome.refusal = error.what();
     require_one_line(outcome.refusal);
   }
@@ -54,8 +58,9 @@ Outcome decode_all(std::span<const std::byte> bytes, const EventFileOptions& opt
 
 EventFileOptions options_of(FuzzedDataProvider& input) {
   EventFileOptions options;
-  options.from = input.PickValueInArray({"", "evt2", "evt3"});
+  options.from = input.PickValueInArray({"", "evt2", "evt21", "evt3", "evt4", "text"});
   if (input.ConsumeBool()) options.sensor = {640, 480};
+  if (input.ConsumeBool()) options.reorder_us = 0;
   return options;
 }
 

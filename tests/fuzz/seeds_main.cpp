@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/io/ecf_codec.h"
 #include "common/io/event_writer.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/log_file.h"
@@ -138,6 +139,38 @@ void add_boards(Seeds& seeds) {
   add(state_message_without_stamp({1}), false);
 }
 
+// A file or stream of events.
+void add_event_bytes(Seeds& seeds, const std::string& bytes) {
+  seeds.add("fuzz_event_files", 0, bytes);
+  seeds.add("fuzz_event_stream", bytes + std::string(4, '\0'));
+}
+
+// Of each kind that is a stream.
+void add_event_streams(Seeds& seeds, const fs::path& source) {
+  for (const auto& entry : fs::directory_iterator(source / "tests" / "io" / "data")) {
+    add_event_bytes(seeds, text_of(entry.path()).substr(0, 800));
+  }
+  // A time word, and a vector of two events.
+  const std::string time("\0\0\0\0\1\0\0\x80", 8);
+  const std::string vector("\3\0\0\0\5\0\1\x10", 8);
+  add_event_bytes(seeds, "% format EVT21;height=480;width=640;endianness=little\n% end\n" + time +
+                             vector + time);
+  add_event_bytes(seeds, "% format EVT21;height=480;width=640;endianness=legacy\n% end\n" +
+                             time.substr(4) + time.substr(0, 4) + vector.substr(4) +
+                             vector.substr(0, 4));
+  add_event_bytes(seeds, "% evt 4.0\n% geometry 640x480\n% end\n" +
+                             std::string("\1\0\0\xe0\5\x28\x40\xb0\5\x28\x40\xd0\7\0\0\0", 16));
+  for (const char* chip : {"DVS128", "DAVIS240C", "DAVIS346"}) {
+    add_event_bytes(seeds, std::string("#!AER-DAT2.0\r\n# AEChip: ") + chip + "\r\n" +
+                               std::string("\0\0\x20\5\0\0\1\0\0\0\x28\0\0\0\1\5", 16));
+  }
+  const std::string atis =
+      std::string("Event Stream\2\0\0\2\x40\1\xf0\0\x16\1\0\2\0\xff\x15\1\0\2\0", 31);
+  add_event_bytes(seeds, atis);
+  add_event_bytes(seeds, atis + atis);
+  add_event_bytes(seeds, "timestamp;x;y;polarity\n1.5e3;2.0;3;-1\n1600;4;5;true\n");
+}
+
 void add_recordings(Seeds& seeds) {
   EventPacket packet;
   std::mt19937_64 random(3);
@@ -175,6 +208,43 @@ void add_recordings(Seeds& seeds) {
   }
 }
 
+void add_containers(Seeds& seeds) {
+  std::vector<EcfEvent> events;
+  for (int i = 0; i < 60; ++i) {
+    events.push_back({static_cast<std::uint16_t>(100 + i % 9), static_cast<std::uint16_t>(i / 9),
+                      static_cast<std::int16_t>(i / 30), 1000 + i / 4 * 9});
+  }
+  std::vector<std::byte> chunk;
+  for (const std::size_t step : {1, 7, 13}) {
+    encode_ecf(events, chunk);
+    const std::string bytes(reinterpret_cast<const char*>(chunk.data()), chunk.size());
+    seeds.add("fuzz_ecf", bytes);
+    seeds.add("fuzz_hdf5", std::string("\7\x3c"
+                                       "640x480\0\0-1000\0\0\0\0",
+                                       20) +
+                               bytes);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      events[i].y = static_cast<std::uint16_t>(i * step % 48);
+    }
+  }
+  const fs::path scratch = seeds.next("fuzz_aedat4");
+  const auto writer = make_event_writer(scratch, "aedat4", {64, 48});
+  EventPacket packet;
+  for (std::uint32_t i = 0; i < 30; ++i) {
+    packet.events.push_back(
+        {.x = static_cast<std::uint16_t>(i), .y = 5, .polarity = 1, .offset_us = 10 * i});
+  }
+  writer->write(packet);
+  writer->close();
+  const std::string bytes = text_of(scratch);
+  fs::remove(scratch);
+  seeds.add("fuzz_event_files", 0, bytes);
+  seeds.add("fuzz_aedat4", std::string(2, '\0') + bytes.substr(14));
+  // Behind the header that the fuzzer makes: LZ4.
+  const std::size_t header = bytes.find("</dv>") + 6;
+  seeds.add("fuzz_aedat4", "\1\1" + bytes.substr(header));
+}
+
 void add_data_files(Seeds& seeds, const fs::path& source) {
   const fs::path calibration = source / "config" / "calibration";
   const std::vector<std::string> kinds{
@@ -208,6 +278,8 @@ int main(int argc, char** argv) {
   puck::add_settings(seeds, argv[1]);
   puck::add_boards(seeds);
   puck::add_recordings(seeds);
+  puck::add_containers(seeds);
+  puck::add_event_streams(seeds, argv[1]);
   puck::add_data_files(seeds, argv[1]);
   return 0;
 }

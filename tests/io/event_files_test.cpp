@@ -28,14 +28,15 @@ TEST_CASE("a missing, empty or foreign file and a folder are refused in one line
   CHECK(contains(refusal_of_file(folder.write("empty.raw", "")), "empty.raw: is empty; expected"));
   CHECK(contains(refusal_of_file(folder.write("a.png", "\x89PNG\r\n\x1a\nxxxx")),
                  "a.png: is a PNG image"));
-  CHECK(contains(refusal_of_file(folder.write("a.aedat4", "#!AER-DAT4.0\r\nxx")),
-                 "is an AEDAT file"));
+  CHECK(contains(refusal_of_file(folder.write("a.aedat", "#!AER-DAT3.1\r\nxx")),
+                 "is an AEDAT 3 file"));
+  CHECK(contains(refusal_of_file(folder.write("a.bag", "#ROSBAG V2.0\n")), "is a ROS bag"));
   CHECK(contains(refusal_of_file(folder.write("a.raw", "\x01\x02\x03\x04")),
                  "has no Prophesee RAW header"));
   CHECK(contains(refusal_of_file(folder.write("a.bin", "\x01\x02\x03\x04")),
                  "is of an unknown format"));
   CHECK(contains(refusal_of_file(folder.write("b.raw", kHeader), {.from = "evt9"}),
-                 "must be evt2, evt3, text or yarp, got \"evt9\""));
+                 "must be one of evt2, evt21, evt3, evt4, "));
   for (const char* name : {"empty.raw", "a.png", "a.raw"}) {
     CHECK(refusal_of_file(folder / name).find('\n') == std::string::npos);
   }
@@ -114,7 +115,8 @@ std::vector<PlainEvent> hard_events(SensorSize sensor, std::int64_t start_us) {
 
 TEST_CASE("written events are read back to the bit") {
   const TemporaryFolder folder;
-  for (const char* name : {"round.raw", "round.txt"}) {
+  for (const WrittenFormat& format : kWrittenFormats) {
+    const std::string name(format.name);
     for (const SensorSize sensor :
          {SensorSize{1, 1}, SensorSize{346, 260}, SensorSize{1280, 720}, SensorSize{2048, 2048}}) {
       for (const std::int64_t start_us : {0, 1, 4096, 16777215, 43499029}) {
@@ -122,7 +124,7 @@ TEST_CASE("written events are read back to the bit") {
         CAPTURE(sensor.width);
         CAPTURE(start_us);
         const std::vector<PlainEvent> events = hard_events(sensor, start_us);
-        const auto writer = make_event_writer(folder / name, "", sensor);
+        const auto writer = make_event_writer(folder / name, name, sensor);
         // In packets that divide rows and vectors.
         for (std::size_t i = 0; i < events.size(); i += 13) {
           const auto first = events.begin() + static_cast<std::ptrdiff_t>(i);
@@ -162,11 +164,12 @@ TEST_CASE("a writer refuses invalid events") {
   CHECK(contains(message_of<EventFileError>([&] {
                    make_event_writer(folder / "a.x", "", {1, 1});
                  }),
-                 "expected an ending .raw, .txt or .csv"));
+                 "expected .raw, .dat, .hdf5, .aedat4, .es, .csv, .txt, .h5, or the format as"));
   CHECK(contains(message_of<EventFileError>([&] {
-                   make_event_writer(folder / "a.raw", "evt2", {1, 1});
+                   make_event_writer(folder / "a.raw", "evt9", {1, 1});
                  }),
-                 "must be evt3 or text, got \"evt2\""));
+                 "must be one of evt3, evt2, evt21, dat, hdf5, hdf5-ecf, aedat4, es, csv, text, "
+                 "got \"evt9\""));
   CHECK(contains(message_of<EventFileError>([&] {
                    make_event_writer(folder / "a.raw", "", {0, 1});
                  }),

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "common/io/raw_event_stream.h"
+#include "common/io/event_stream.h"
 #include "tests/io/io_fixtures.h"
 #include "tests/support/contains.h"
 
@@ -39,9 +39,12 @@ TEST_CASE("a RAW header gives encoding and sensor in the new form and the old") 
   const auto by_geometry = parse("% evt 2.0\r\n% geometry 346x260\r\n% system_ID 48\n");
   CHECK(by_geometry->encoding() == "EVT2");
   CHECK(by_geometry->sensor() == SensorSize{346, 260});
-  CHECK(by_geometry->sensor_of_system() == SensorSize{1280, 720});
-  CHECK(parse("% evt 2.0\n% system_ID 21\n")->sensor_of_system() == SensorSize{640, 480});
-  CHECK_FALSE(parse("% evt 2.0\n% system_ID 9999\n")->sensor_of_system());
+  CHECK(by_geometry->sensor_of_camera() == SensorSize{1280, 720});
+  CHECK(parse("% evt 2.0\n% system_ID 21\n")->sensor_of_camera() == SensorSize{640, 480});
+  CHECK_FALSE(parse("% evt 2.0\n% system_ID 9999\n")->sensor_of_camera());
+  CHECK(parse("% evt 2.1\n% generation 4.2\n")->sensor_of_camera() == SensorSize{1280, 720});
+  CHECK(parse("% evt 2.1\n% sensor_name GenX320\n")->sensor_of_camera() == SensorSize{320, 320});
+  CHECK(parse("% format EVT21;endianness=legacy\n")->format_option("endianness") == "legacy");
   CHECK_FALSE(parse("% evt 2.0\n")->sensor());
   CHECK(parse("% made_by hand and foot\n")->value("made_by") == "hand and foot");
 }
@@ -58,7 +61,7 @@ TEST_CASE("a RAW header with a malformed or contradictory geometry is refused") 
 
 std::string refusal_of_stream(std::string_view bytes, EventFileOptions options = {}) {
   return message_of<EventFileError>([&] {
-    RawEventStream stream("stdin", options);
+    EventStream stream("stdin", options);
     EventPacket packet;
     stream.decode(std::as_bytes(std::span(bytes)), packet, 100);
     stream.finish();
@@ -66,11 +69,12 @@ std::string refusal_of_stream(std::string_view bytes, EventFileOptions options =
 }
 
 TEST_CASE("an incomplete description of a stream is refused with the option that completes it") {
-  CHECK(contains(refusal_of_stream("% evt 3.0\nxx"), "stdin: the header does not say how large"));
+  CHECK(contains(refusal_of_stream("% evt 3.0\nxx"), "stdin: does not say how large"));
   CHECK(contains(refusal_of_stream("% evt 3.0\nxx"), "--width"));
-  CHECK(contains(refusal_of_stream("% evt 2.1\nxx"), "EVT21; expected EVT2 or EVT3"));
-  CHECK(contains(refusal_of_stream("hello"), "no Prophesee RAW header"));
-  CHECK(contains(refusal_of_stream(""), "no Prophesee RAW header"));
+  CHECK(
+      contains(refusal_of_stream("% evt 1.0\nxx"), "EVT 1.0; expected EVT2, EVT21, EVT3 or EVT4"));
+  CHECK(contains(refusal_of_stream("\x01\x02"), "no Prophesee RAW header"));
+  CHECK(contains(refusal_of_stream(""), "stdin: is empty"));
   CHECK(contains(refusal_of_stream("% evt 3.0\n% geometry 640x480\nxx", {.sensor = {1280, 720}}),
                  "640x480, the options that it is 1280x720"));
   CHECK(contains(refusal_of_stream("% evt 3.0\nxx", {.sensor = {4000, 1}}),
@@ -79,7 +83,7 @@ TEST_CASE("an incomplete description of a stream is refused with the option that
 
 TEST_CASE("a stream without a header needs the format and the size as options") {
   const auto bytes = bytes_of<std::uint16_t>({0x8000, 0x6001, 0x0002, 0x2803});
-  RawEventStream stream("stdin", {.from = "evt3", .sensor = {640, 480}});
+  EventStream stream("stdin", {.from = "evt3", .sensor = {640, 480}});
   EventPacket packet;
   CHECK(stream.decode(bytes, packet, 100) == bytes.size());
   REQUIRE(packet.events.size() == 1);
@@ -95,7 +99,7 @@ TEST_CASE("a stream may be divided anywhere, even in its header") {
                  [](char c) { return static_cast<std::byte>(c); });
   whole.insert(whole.end(), bytes.begin(), bytes.end());
   for (std::size_t piece = 1; piece <= whole.size(); ++piece) {
-    RawEventStream stream("test", {});
+    EventStream stream("test", {});
     std::vector<PlainEvent> events;
     EventPacket packet;
     for (std::size_t i = 0; i < whole.size();) {

@@ -1,7 +1,6 @@
-#include "common/io/text_event_reader.h"
-
 #include <doctest/doctest.h>
 
+#include "common/io/event_reader.h"
 #include "tests/io/io_fixtures.h"
 #include "tests/support/contains.h"
 
@@ -54,13 +53,10 @@ TEST_CASE("a text file may give its sensor's size") {
   CHECK(contains(message_of<EventFileError>([&] {
                    open_event_file(path, {.sensor = {1, 1}});
                  }),
-                 "disagree"));
+                 "320x200, the options that it is 1x1"));
   CHECK(contains(message_of<EventFileError>(
                      [&] { open_event_file(folder.write("bad.csv", "%geometry:320\n1 2 3 1\n")); }),
                  "bad.csv:1: expected %geometry:WIDTH,HEIGHT"));
-  CHECK(contains(
-      message_of<EventFileError>([&] { open_event_file(folder.write("none.csv", "1 2 3 1\n")); }),
-      "--width"));
 }
 
 TEST_CASE("a bad line is refused with file and line, and the expected form") {
@@ -77,7 +73,8 @@ TEST_CASE("a bad line is refused with file and line, and the expected form") {
 TEST_CASE("malformed text options are refused") {
   CHECK(contains(refusal_of_text("1 2 3 1\n", {.text_columns = "t x y"}), "the columns must be"));
   CHECK(contains(refusal_of_text("1 2 3 1\n", {.text_columns = "t x y y"}), "got \"t x y y\""));
-  CHECK(contains(refusal_of_text("1 2 3 1\n", {.text_unit = "ms"}), "must be auto, s or us"));
+  CHECK(contains(refusal_of_text("1 2 3 1\n", {.text_unit = "min"}),
+                 "must be auto, s, ms, us or ns"));
   CHECK(contains(refusal_of_text("1 2 3 1\n", {.text_separator = "--"}),
                  "must be auto or one character"));
 }
@@ -85,9 +82,11 @@ TEST_CASE("malformed text options are refused") {
 TEST_CASE("text events outside the sensor or back in time are left out and counted") {
   const TemporaryFolder folder;
   const auto reader = open_event_file(
-      folder.write("events.txt", "5 0 0 1\n5 240 0 1\n5 0 180 1\n5 -1 0 1\n4 0 0 1\n6 70000 1 1\n"),
+      folder.write(
+          "events.txt",
+          "5005 0 0 1\n5005 240 0 1\n5005 0 180 1\n5005 -1 0 1\n4004 0 0 1\n5006 70000 1 1\n"),
       {.sensor = kTextSensor});
-  CHECK(read_all(*reader) == std::vector<PlainEvent>{{5, 0, 0, 1}});
+  CHECK(read_all(*reader) == std::vector<PlainEvent>{{5005, 0, 0, 1}});
   CHECK(reader->counters().outside_sensor == 4);
   CHECK(reader->counters().backwards == 1);
   CHECK(reader->warnings().size() == 2);
@@ -110,12 +109,82 @@ TEST_CASE("a byte order mark before the first line is skipped") {
 }
 
 TEST_CASE("times in s are recognised even if the first one is a whole number") {
-  CHECK(contains(refusal_of_text("0 2 3 1\n0.25 2 3 1\n", {.text_unit = "auto"}),
-                 ":2: expected whole µs, because the first time has no decimal point"));
+  CHECK(read_text("0 2 3 1\n0.25 2 3 1\n") ==
+        std::vector<PlainEvent>{{0, 2, 3, 1}, {250000, 2, 3, 1}});
+}
+
+TEST_CASE("a text's columns are taken from their names, wherever they stand") {
+  for (const char* header :
+       {"timestamp,x,y,polarity", "# t x y p", "\"t\" \"x\" \"y\" \"p\"", "T;X;Y;POL"}) {
+    CAPTURE(header);
+    CHECK(read_text(std::string(header) + "\n1500029 61 31 1\n1500038 59 32 0\n") == kTwoEvents);
+  }
+  CHECK(read_text("x y pol ts\n61 31 1 1500029\n59 32 -1 1500038\n") == kTwoEvents);
+  CHECK(read_text("index,y,x,label,p,time[s]\n0,31,61,a,1,1.500029\n1,32,59,b,0,1.500038\n") ==
+        kTwoEvents);
+  CHECK(read_text("t_ns,x,y,on\n1500029000,61,31,true\n1500038000,59,32,False\n") == kTwoEvents);
+  CHECK(read_text("time_ms,x,y,p\n1500.029,61,31,1\n1500.038,59,32,0\n") == kTwoEvents);
+  CHECK(contains(refusal_of_text("t,x,y\n1,2,3\n"), ":1: expected the names of columns"));
   const TemporaryFolder folder;
-  const auto reader = open_event_file(folder.write("a.txt", "0 2 3 1\n0.25 2 3 1\n"),
-                                      {.sensor = kTextSensor, .text_unit = "s"});
-  CHECK(read_all(*reader) == std::vector<PlainEvent>{{0, 2, 3, 1}, {250000, 2, 3, 1}});
+  CHECK(open_event_file(folder.write("size.csv", "t,x@640,y@480,on\n1,2,3,1\n"))->sensor_size() ==
+        SensorSize{640, 480});
+}
+
+TEST_CASE("the order x y p t is recognised without names") {
+  CHECK(read_text("61,31,1,1500029\n59,32,0,1500038\n") == kTwoEvents);
+}
+
+TEST_CASE("pixels and polarities may have decimals, and all numbers an exponent") {
+  CHECK(read_text("1.500029 61.000000 31.0 1.000000\n1.500038 59. 32.0 -1.0\n") == kTwoEvents);
+  CHECK(read_text("1.500029e+00 6.1e+01 3.1e+01 1e+00\n1.500038e+00 5.9e+01 3.2e1 0.0e+00\n") ==
+        kTwoEvents);
+}
+
+// `count` events, 10 µs apart, their times written by `write`.
+template <typename Write>
+std::string many_lines(int count, Write write) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += write(i * 10) + " " + std::to_string(i % 240) + " 3 1\n";
+  return text;
+}
+
+TEST_CASE("the unit of a text's times is inferred where only one is possible") {
+  const auto span_us = [](const std::string& text) {
+    const auto events = read_text(text);
+    return events.back().t_us - events.front().t_us;
+  };
+  const auto in_us = [](int us) { return std::to_string(1'000'000 + us); };
+  CHECK(span_us(many_lines(1001, in_us)) == 10'000);
+  const auto in_s = [](int us) { return "1." + std::to_string(1'000'000 + us).substr(1) + "000"; };
+  CHECK(span_us(many_lines(1001, in_s)) == 10'000);
+  // As µs these would lie beyond any clock.
+  const auto in_ns = [](int us) { return std::to_string(1'700'000'000'000'000 + us) + "000"; };
+  CHECK(span_us(many_lines(1001, in_ns)) == 10'000);
+}
+
+TEST_CASE("a text's unit is asked for where two are possible, with the reasons") {
+  // 3 s of events, whose µs were written as floats.
+  std::string floats;
+  for (int i = 0; i < 300'000; ++i) floats += std::to_string(i * 10) + ".0 5 3 1\n";
+  const std::string refusal = refusal_of_text(floats);
+  CHECK(contains(refusal, "0.1 events a second over 35 days"));
+  CHECK(contains(refusal, "is the unit us?"));
+  CHECK(contains(refusal, "us (100000 events a second over 3 s)"));
+  CHECK(contains(refusal, "--unit"));
+  CHECK(read_text(floats, {.text_unit = "us"}).back().t_us == 2'999'990);
+  // Whole ms in ns, or in µs.
+  const auto in_thousands = [](int us) { return std::to_string(us * 1000); };
+  CHECK(contains(refusal_of_text(many_lines(1000, in_thousands)), "give the unit"));
+}
+
+TEST_CASE("a text that is cut within a number at its end loses that event alone") {
+  const std::string text = "x,y,p,t\n61,31,1,1500029\n59,32,0,1500038";
+  CHECK(read_text(text) == kTwoEvents);
+  for (std::size_t cut = 1; cut < 16; ++cut) {
+    CAPTURE(cut);
+    CHECK(read_text(text.substr(0, text.size() - cut)) ==
+          std::vector<PlainEvent>{kTwoEvents.front()});
+  }
 }
 
 }  // namespace

@@ -206,7 +206,7 @@ TEST_CASE("a late packet is left out, and counted") {
   YarpLogEncoder encoder(YarpEncoding::kList, {0});
   const auto packets = packets_of(events);
   for (const std::size_t i : {0, 1, 3, 2, 4}) encoder.add(packet_of(packets[i]), kPacketUs);
-  const ReadLog late = read_log(encoder.text());
+  const ReadLog late = read_log(encoder.text(), {.sensor = kAtis, .reorder_us = 0});
   CHECK(late.events.size() == 80);
   CHECK(late.counters.backwards == 20);
   CHECK(late.events.back() == packets[4].back());
@@ -333,15 +333,24 @@ TEST_CASE("a line longer than a buffer is read, and one longer than any packet i
   CHECK(log.counters.events + log.counters.backwards == 2 * 10'000);
 }
 
-TEST_CASE("a YARP log needs its sensor's size, and one with a damaged start its format") {
-  const TemporaryFolder folder;
+TEST_CASE("a YARP log with a damaged start needs its format") {
   const std::string text = encoded(random_events(3), YarpEncoding::kStamped);
-  write_text(folder / "data.log", text);
-  CHECK(contains(message_of<EventFileError>([&] { open_event_file(folder / "data.log"); }),
-                 "a YARP log does not contain the sensor's size"));
   CHECK(
       read_log("2 rubbish\n3 more\n4\n" + text, {.from = "yarp", .sensor = kAtis}).events.size() ==
       60);
+}
+
+TEST_CASE("a YARP log's sensor is taken from its events where nothing else tells it") {
+  const TemporaryFolder folder;
+  for (const YarpEncoding encoding :
+       {YarpEncoding::kList, YarpEncoding::kStamped, YarpEncoding::kPlain}) {
+    const std::string text = encoded(random_events(3), encoding);
+    write_text(folder / "data.log", text);
+    const auto reader = open_event_file(folder / "data.log");
+    CHECK(reader->sensor_size() == kAtis);
+    CHECK(read_all(*reader) == read_log(text).events);
+    CHECK(contains(reader->warnings().at(0), "took 304 x 240"));
+  }
 }
 
 TEST_CASE("the real ball's log has the events of its manifest") {

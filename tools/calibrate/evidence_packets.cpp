@@ -101,7 +101,7 @@ class Collector {
 
 EvidencePackets collect_evidence(const EvidenceSource& source, EventFileOptions file) {
   const PuckSizeModel size_model = read_size_model_file(source.size_model);
-  if (file.sensor == SensorSize{}) file.sensor = size_model.sensor;
+  file.fallback_sensor = size_model.sensor;
   PipelineParams params = preset_params(Preset::kDefault);
   params.contour = read_contour_calibration(source.size_model).value_or(ContourCalibration{});
   Collector collector(source, TruthTrack(read_truth_file(source.truth)));

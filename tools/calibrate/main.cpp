@@ -65,7 +65,7 @@ void add_arm_options(CLI::App& command, ArmCommand& arm) {
 void add_evidence_options(CLI::App& command, EvidenceCommand& evidence) {
   command
       .add_option("recordings", evidence.recordings,
-                  "Prophesee RAW (EVT2, EVT3), text or YARP logs of games")
+                  "recordings of games, of any format in docs/formats.md")
       ->required();
   command
       .add_option("--truth", evidence.truths,
@@ -136,7 +136,7 @@ int run(int argc, char** argv) {
   LagCommand lag;
   CLI::App* lag_app = app.add_subcommand(
       "lag", "Fits the sensor's lag and the offset of the event contour from the annotated size");
-  lag_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3), text or YARP log")
+  lag_app->add_option("recording", input, "of any format in docs/formats.md")
       ->required();
   lag_app->add_option("--truth", lag.truth, "CSV: t_us,x,y,width,height[,visible]")->required();
   lag_app->add_option("--size-model", lag.size_model, "TOML made by puck-calibrate size")
@@ -151,7 +151,7 @@ int run(int argc, char** argv) {
   HotPixelsCommand hot;
   CLI::App* hot_app =
       app.add_subcommand("hot-pixels", "Finds hot pixels and writes a mask of them");
-  hot_app->add_option("recording", input, "Prophesee RAW (EVT2, EVT3), text or YARP log")
+  hot_app->add_option("recording", input, "of any format in docs/formats.md")
       ->required();
   add_event_file_options(*hot_app, hot.file);
 

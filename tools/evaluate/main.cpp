@@ -90,8 +90,15 @@ bool evaluate(const EvaluateOptions& options) {
   if (options.replay && !is_log) {
     throw std::invalid_argument("--replay needs a log of LCM, with the estimates to compare with");
   }
+  const std::filesystem::path calibration = find_calibration(options.events, options.size_model);
+  const PuckSizeModel size_model = read_size_model_file(calibration);
+  EventFileOptions file = options.file;
+  // The size model of another recording tells nothing about this one's sensor.
+  if (!options.size_model.empty() || calibration.stem() == options.events.stem()) {
+    file.fallback_sensor = size_model.sensor;
+  }
   auto events = is_log ? open_event_log(options.events, options.prefix, EventLog::Sessions::kFirst)
-                       : open_event_file(options.events, options.file);
+                       : open_event_file(options.events, file);
   std::optional<Timestamp> begin;
   if (!options.part.is_whole()) {
     auto part = std::make_unique<PartReader>(std::move(events), options.part);
@@ -110,8 +117,7 @@ bool evaluate(const EvaluateOptions& options) {
   setup.algorithm = algorithm_from(options.algorithm).value();
   setup.preset = preset_from(options.preset).value();
   setup.surface = surface_kind_from(options.surface).value();
-  const std::filesystem::path calibration = find_calibration(options.events, options.size_model);
-  setup.size_model = read_size_model_file(calibration);
+  setup.size_model = size_model;
   setup.contour = read_contour_calibration(calibration).value_or(ContourCalibration{});
   if (!options.evidence.empty()) setup.evidence = read_evidence_file(options.evidence);
   setup.roi_only = options.roi_only;

@@ -52,7 +52,7 @@ void add_scoring_options(CLI::App& app, EvaluateOptions& options) {
 
 void add_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("EVENTS", options.events,
-                 "recording: Prophesee RAW (EVT2, EVT3), text, YARP log, or LCM log")
+                 "recording of any format in docs/formats.md, or LCM log")
       ->required();
   app.add_option("--truth", options.truth,
                  "true positions: t_us,x,y,width,height[,visible], or boxes as lines `t y0 y1 x0 "

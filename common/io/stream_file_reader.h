@@ -1,40 +1,42 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "common/io/byte_source.h"
 #include "common/io/event_reader.h"
-#include "common/io/raw_event_stream.h"
+#include "common/io/event_stream.h"
 
 namespace puck {
 
-/// Prophesee RAW files.
-class RawFileReader final : public EventReader {
+/// Files whose format is a stream. Memory does not grow with the file.
+class StreamFileReader final : public EventReader {
  public:
   /// Reads the header. Throws EventFileError.
-  RawFileReader(const std::filesystem::path& path, const EventFileOptions& options);
+  StreamFileReader(std::unique_ptr<ByteSource> bytes, const EventFileOptions& options);
 
   SensorSize sensor_size() const override { return *stream_->sensor_size(); }
   bool read(EventPacket& packet, std::size_t max_events) override;
   void rewind() override;
   const EventCounters& counters() const override { return stream_->counters(); }
+  RecordingFacts facts() const override { return stream_->facts(); }
+  std::optional<double> share_read() const override { return bytes_->share_read(); }
   std::vector<std::string> warnings() const override;
 
  private:
+  void start();
   void refill();
 
-  std::string name_;
+  std::unique_ptr<ByteSource> bytes_;
   EventFileOptions options_;
-  std::ifstream file_;
   std::vector<std::byte> block_;
   std::size_t block_used_ = 0;
   std::size_t block_size_ = 0;
   bool is_at_end_ = false;
-  std::optional<RawEventStream> stream_;
+  std::optional<EventStream> stream_;
 };
 
 }  // namespace puck

@@ -1,0 +1,69 @@
+#include "common/io/ordered_reader.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace puck {
+namespace {
+
+EventOrder make_order(std::int64_t reorder_us) {
+  try {
+    return EventOrder(reorder_us);
+  } catch (const std::invalid_argument& error) {
+    throw EventFileError(error.what());
+  }
+}
+
+}  // namespace
+
+OrderedReader::OrderedReader(std::unique_ptr<EventReader> events, std::int64_t reorder_us,
+                             std::vector<std::string> notes)
+    : events_(std::move(events)),
+      reorder_us_(reorder_us),
+      notes_(std::move(notes)),
+      order_(make_order(reorder_us)) {}
+
+bool OrderedReader::read(EventPacket& packet, std::size_t max_events) {
+  while (!order_.take(packet, max_events)) {
+    if (is_finished_) {
+      if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+      return false;
+    }
+    read_on(std::max(max_events, kUsualEvents));
+  }
+  events_returned_ += static_cast<std::int64_t>(packet.events.size());
+  counters_.events = events_returned_;
+  return true;
+}
+
+void OrderedReader::rewind() {
+  events_->rewind();
+  order_ = EventOrder(reorder_us_);
+  is_finished_ = false;
+  error_ = nullptr;
+  events_returned_ = 0;
+  counters_ = {};
+}
+
+std::vector<std::string> OrderedReader::warnings() const {
+  std::vector<std::string> warnings = notes_;
+  for (std::string& warning : events_->warnings()) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
+void OrderedReader::read_on(std::size_t max_events) {
+  try {
+    is_finished_ = !events_->read(next_, max_events);
+  } catch (const EventFileError&) {
+    error_ = std::current_exception();
+    is_finished_ = true;
+  }
+  order_.add(next_);
+  if (is_finished_) order_.finish();
+  counters_ = events_->counters();
+  counters_.events = events_returned_;
+  counters_.reordered = order_.reordered();
+}
+
+}  // namespace puck

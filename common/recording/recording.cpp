@@ -1,0 +1,91 @@
+#include "common/recording/recording.h"
+
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "common/io/byte_source.h"
+#include "common/io/peeked_bytes.h"
+#include "common/io/temporary_path.h"
+#include "common/messaging/log_file.h"
+#include "common/recording/event_log_reader.h"
+#include "common/recording/event_log_writer.h"
+
+namespace puck {
+namespace {
+
+constexpr std::string_view kLogStart = "\xed\xa1\xda\x01";
+
+// Not of a pipe, and not within gzip or zstd.
+bool is_plain_log(const std::filesystem::path& path) {
+  std::error_code error;
+  if (path == "-" || !std::filesystem::is_regular_file(path, error)) return false;
+  std::string start(kLogStart.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == kLogStart;
+}
+
+/// A log that was copied from other bytes. The log's reader opens the file for each reading, so the
+/// copy stays.
+class CopiedLog final : public EventReader {
+ public:
+  CopiedLog(ByteSource& bytes, const std::string& prefix) : copy_("puck-log-") {
+    std::ofstream file(copy_.path(), std::ios::binary);
+    std::vector<std::byte> block(std::size_t{1} << 20);
+    while (const std::size_t count = bytes.read(block)) {
+      file.write(reinterpret_cast<const char*>(block.data()), static_cast<std::streamsize>(count));
+    }
+    file.close();
+    if (!file) throw EventFileError(copy_.path().string() + ": cannot be written");
+    events_ = open_event_log(copy_.path(), prefix, EventLog::Sessions::kJoined);
+  }
+
+  SensorSize sensor_size() const override { return events_->sensor_size(); }
+  bool read(EventPacket& packet, std::size_t max_events) override {
+    return events_->read(packet, max_events);
+  }
+  void rewind() override { events_->rewind(); }
+  const EventCounters& counters() const override { return events_->counters(); }
+  RecordingFacts facts() const override { return events_->facts(); }
+  std::vector<std::string> warnings() const override { return events_->warnings(); }
+
+ private:
+  TemporaryPath copy_;
+  std::unique_ptr<EventReader> events_;
+};
+
+}  // namespace
+
+std::unique_ptr<EventReader> open_recording(const std::filesystem::path& path,
+                                            const EventFileOptions& options,
+                                            const std::string& prefix) {
+  try {
+    if (is_plain_log(path)) return open_event_log(path, prefix, EventLog::Sessions::kJoined);
+    auto bytes = std::make_unique<PeekedBytes>(open_bytes(path.string()), kLogStart.size());
+    if (bytes->head() == kLogStart) return std::make_unique<CopiedLog>(*bytes, prefix);
+    return open_event_bytes(std::move(bytes), path, options);
+  } catch (const LogFileError& error) {
+    throw EventFileError(error.what());
+  }
+}
+
+std::string_view format_of_recording(const std::filesystem::path& path) {
+  return path.extension() == ".lcm" ? kLcmLogFormat : format_of_ending(path);
+}
+
+std::unique_ptr<EventWriter> make_recording_writer(const std::filesystem::path& path,
+                                                   std::string_view format, SensorSize sensor,
+                                                   const std::string& prefix) {
+  const std::string_view wanted = format.empty() ? format_of_recording(path) : format;
+  if (wanted != kLcmLogFormat) return make_event_writer(path, wanted, sensor);
+  try {
+    return make_event_log_writer(path, sensor, prefix);
+  } catch (const std::invalid_argument& error) {
+    throw EventFileError(path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace puck

@@ -1,0 +1,171 @@
+// The real puck-convert.
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include "common/io/event_writer.h"
+#include "common/recording/recording.h"
+#include "tests/io/io_fixtures.h"
+#include "tests/support/child_process.h"
+#include "tests/support/contains.h"
+#include "tests/support/environment.h"
+#include "tests/support/wait_until.h"
+
+namespace puck {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr SensorSize kSensor{64, 48};
+
+Finished convert(std::vector<std::string> arguments, const ChildOptions& options = {}) {
+  arguments.insert(arguments.begin(), program_path("puck-convert"));
+  return run_program(arguments, options);
+}
+
+std::vector<PlainEvent> many_events() {
+  std::vector<PlainEvent> events;
+  for (int i = 0; i < 50000; ++i) {
+    events.push_back({20'000 + i / 2 * 3, i * 7 % 64, i * 5 % 48, i / 3 % 2});
+  }
+  return events;
+}
+
+std::string write_recording(const fs::path& path, const std::vector<PlainEvent>& events) {
+  const auto writer = make_event_writer(path, "", kSensor);
+  // One by one where a packet's offsets might not suffice.
+  if (events.size() < 100) {
+    for (const PlainEvent& event : events) writer->write(packet_of({event}));
+  } else {
+    writer->write(packet_of(events));
+  }
+  writer->close();
+  return path.string();
+}
+
+std::vector<PlainEvent> events_in(const fs::path& path) {
+  return read_all(*open_recording(path, {}, ""));
+}
+
+bool has_part_left(const TemporaryFolder& folder) {
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    if (contains(entry.path().filename().string(), ".part")) return true;
+  }
+  return false;
+}
+
+TEST_CASE("puck-convert goes from each format to the next and loses nothing") {
+  const TemporaryFolder folder;
+  const auto events = many_events();
+  std::string from = write_recording(folder / "start.raw", events);
+  std::vector<std::string> formats{"lcm"};
+  for (const WrittenFormat& format : kWrittenFormats) formats.emplace_back(format.name);
+  for (const std::string& format : formats) {
+    CAPTURE(format);
+    const std::string to = (folder / ("to_" + format)).string();
+    const Finished finished = convert({from, to, "--to", format});
+    CHECK(finished.exit_code == 0);
+    CHECK(contains(finished.output, "50000 events read, 50000 written; left out: none"));
+    CHECK(finished.errors.empty());
+    CHECK(events_in(to) == events);
+    from = to;
+  }
+}
+
+TEST_CASE("puck-convert reads stdin and writes stdout") {
+  const TemporaryFolder folder;
+  const auto events = many_events();
+  const std::string start = write_recording(folder / "start.raw", events);
+  for (const char* format : {"hdf5", "aedat4", "lcm", "csv"}) {
+    CAPTURE(format);
+    const Finished first = convert({"-", "-", "--to", format}, {.input = start});
+    CHECK(first.exit_code == 0);
+    CHECK(contains(first.errors, "50000 written"));
+    write_text(folder / "middle", first.output);
+    const Finished second = convert({"-", "-", "--to", "evt3"}, {.input = folder / "middle"});
+    CHECK(second.exit_code == 0);
+    CHECK(second.output == read_text(start));
+  }
+}
+
+TEST_CASE("puck-convert cuts, crops, turns and masks, and says what it left out") {
+  const TemporaryFolder folder;
+  const std::string start = write_recording(
+      folder / "start.raw", {{100, 0, 0, 1}, {200, 1, 1, 0}, {300, 2, 1, 1}, {400, 9, 9, 1}});
+  folder.write("mask.toml", "[pixel_mask]\nwidth = 64\nheight = 48\npixels = [2, 1]\n");
+  const Finished finished = convert({start, (folder / "part.csv").string(), "--start", "0.0001",
+                                     "--crop", "1,1,4,4", "--rotate-180", "--hot-pixel-mask",
+                                     (folder / "mask.toml").string(), "--start-at-zero"});
+  CHECK(finished.exit_code == 0);
+  CHECK(contains(finished.output,
+                 "4 events read, 1 written; left out: 1 before --start, 1 of masked pixels, 1 "
+                 "outside --crop"));
+  CHECK(read_text(folder / "part.csv") == "%geometry:4,4\nt,x,y,p\n0,3,3,0\n");
+}
+
+TEST_CASE("a conversion that fails leaves no file, and an older one stays") {
+  const TemporaryFolder folder;
+  // Two days between two events.
+  const std::string start =
+      write_recording(folder / "start.csv", {{0, 1, 1, 1}, {172'800'000'000, 1, 1, 1}});
+  folder.write("old.raw", "as it was");
+  const Finished finished = convert({start, (folder / "old.raw").string()});
+  CHECK(finished.exit_code == 1);
+  CHECK(contains(finished.errors, "EVT3 holds pauses"));
+  CHECK(read_text(folder / "old.raw") == "as it was");
+  CHECK_FALSE(has_part_left(folder));
+
+  const Finished none = convert({start, (folder / "new.raw").string(), "--start", "200000"});
+  CHECK(none.exit_code == 1);
+  CHECK(contains(none.errors, "no event is left of 2 in 172800.000 s"));
+  CHECK_FALSE(fs::exists(folder / "new.raw"));
+  CHECK_FALSE(has_part_left(folder));
+
+  CHECK(convert({start, (folder / "new.xyz").string()}).exit_code == 1);
+  CHECK(convert({(folder / "none.raw").string(), (folder / "new.raw").string()}).exit_code == 1);
+  CHECK(convert({start, (folder / "new.raw").string(), "--to", "evt9"}).exit_code == 2);
+  CHECK_FALSE(fs::exists(folder / "new.raw"));
+}
+
+TEST_CASE("an interrupted conversion leaves no file") {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe.raw";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  // More than the reader takes at once.
+  const auto writer = make_event_writer(folder / "start.raw", "evt2", kSensor);
+  for (std::int64_t i = 0; i < 4; ++i) {
+    EventPacket packet = packet_of(many_events());
+    packet.start = packet.start + i * 1'000'000;
+    writer->write(packet);
+  }
+  writer->close();
+  const std::string start = read_text(folder / "start.raw");
+  REQUIRE(start.size() > 600'000);
+  ChildProcess program(
+      {program_path("puck-convert"), pipe.string(), (folder / "out.csv").string()});
+  // The pipe stays open, so the program waits for more.
+  std::ofstream feed(pipe, std::ios::binary);
+  feed << start << std::flush;
+  wait_until([&] { return has_part_left(folder); });
+  CHECK(has_part_left(folder));
+  program.send(SIGTERM);
+  CHECK(program.wait() == -1);
+  CHECK_FALSE(has_part_left(folder));
+  CHECK_FALSE(fs::exists(folder / "out.csv"));
+}
+
+TEST_CASE("a file can be converted onto itself") {
+  const TemporaryFolder folder;
+  const auto events = many_events();
+  const std::string start = write_recording(folder / "start.raw", events);
+  CHECK(convert({start, start, "--to", "evt2"}).exit_code == 0);
+  CHECK(events_in(start) == events);
+}
+
+}  // namespace
+}  // namespace puck

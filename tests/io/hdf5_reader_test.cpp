@@ -1,0 +1,170 @@
+#include "common/io/hdf5_reader.h"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+#include <hdf5.h>
+
+#include "common/io/event_writer.h"
+#include "tests/io/event_data.h"
+#include "tests/support/contains.h"
+
+namespace puck {
+namespace {
+
+std::string hdf5_of(const TemporaryFolder& folder, const std::string& format,
+                    const std::vector<PlainEvent>& events) {
+  const auto writer = make_event_writer(folder / "made.hdf5", format, {64, 48});
+  writer->write(packet_of(events));
+  writer->close();
+  return read_text(folder / "made.hdf5");
+}
+
+/// A file of data sets, each a list of numbers.
+class MadeHdf5 {
+ public:
+  explicit MadeHdf5(const std::filesystem::path& path)
+      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {
+    H5Gclose(H5Gcreate2(file_, "events", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
+  ~MadeHdf5() { H5Fclose(file_); }
+  MadeHdf5(const MadeHdf5&) = delete;
+  MadeHdf5& operator=(const MadeHdf5&) = delete;
+
+  void add(const char* name, hid_t type, const std::vector<std::int64_t>& numbers) const {
+    const hsize_t count = numbers.size();
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t set = H5Dcreate2(file_, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
+    H5Dclose(set);
+    H5Sclose(space);
+  }
+
+ private:
+  hid_t file_;
+};
+
+TEST_CASE("HDF5 of an independent encoder has the simulator's events") {
+  const auto gzip = open_event_file(event_data("simulated_gzip.hdf5"));
+  CHECK(gzip->sensor_size() == SensorSize{320, 240});
+  CHECK(digest_of(*gzip) == kSimulatedDigest);
+  CHECK(gzip->warnings().empty());
+
+  const auto dsec = open_event_file(event_data("simulated_dsec.h5"), {.sensor = {320, 240}});
+  CHECK(digest_of(*dsec) == kSimulatedDigest);
+  CHECK(dsec->warnings().empty());
+  CHECK(dsec->facts().encoding == "HDF5 (DSEC), Blosc");
+  dsec->rewind();
+  CHECK(digest_of(*dsec, 3) == kSimulatedDigest);
+  // The file does not tell the sensor's size, so the events do.
+  const auto measured = open_event_file(event_data("simulated_dsec.h5"));
+  CHECK(measured->sensor_size() == SensorSize{320, 240});
+  CHECK(digest_of(*measured) == kSimulatedDigest);
+}
+
+TEST_CASE("HDF5 that is cut off is refused in one line that says so") {
+  const TemporaryFolder folder;
+  for (const char* format : {"hdf5", "hdf5-ecf"}) {
+    const std::string whole = hdf5_of(folder, format, scattered_events(50));
+    for (std::size_t length = 8; length < whole.size(); length += 61) {
+      const auto path = folder.write("cut.hdf5", whole.substr(0, length));
+      const std::string message = message_of<EventFileError>([&] { open_event_file(path); });
+      CHECK(contains(message, "cut.hdf5: cannot be opened as HDF5: "));
+      CHECK(message.find('\n') == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("HDF5: a damaged chunk costs its own events") {
+  const TemporaryFolder folder;
+  const auto events = scattered_events(40000);
+  for (const char* format : {"hdf5", "hdf5-ecf"}) {
+    CAPTURE(format);
+    std::string bytes = hdf5_of(folder, format, events);
+    // Within the first or the second of three chunks; of ECF, the beginning of the times.
+    const std::size_t first = bytes.find(std::string("\x02\x00\x01\x00", 4));
+    const std::size_t place = format == std::string("hdf5") ? bytes.size() * 3 / 10 : first + 12;
+    bytes.replace(place, 100, std::string(100, '\x10'));
+    const auto reader = open_event_file(folder.write("damaged.hdf5", bytes));
+    const std::size_t left = read_all(*reader).size();
+    CHECK(left == 40000 - 16384);
+    CHECK(reader->counters().malformed_words == 1);
+    CHECK(reader->counters().missing == static_cast<std::int64_t>(40000 - left));
+    CHECK(contains(reader->warnings().back(), "data set /CD/events, events from "));
+  }
+}
+
+TEST_CASE("HDF5 of other content is refused with what was expected") {
+  const TemporaryFolder folder;
+  const auto refusal = [&] {
+    return message_of<EventFileError>([&] {
+      open_event_file(folder / "other.h5", {.sensor = {64, 48}});
+    });
+  };
+  { const MadeHdf5 file(folder / "other.h5"); }
+  CHECK(contains(refusal(), "is HDF5, but not of events; expected the data set /CD/events"));
+  {
+    const MadeHdf5 file(folder / "other.h5");
+    file.add("events/x", H5T_STD_U16LE, {1, 2});
+    file.add("events/y", H5T_STD_U16LE, {1, 2});
+    file.add("events/p", H5T_STD_U8LE, {1, 0});
+  }
+  CHECK(contains(refusal(), "data set /events/t is missing"));
+  {
+    const MadeHdf5 file(folder / "other.h5");
+    file.add("events/x", H5T_STD_U16LE, {1, 2});
+    file.add("events/y", H5T_STD_U16LE, {1, 2});
+    file.add("events/p", H5T_STD_U8LE, {1, 0});
+    file.add("events/t", H5T_STD_I64LE, {1});
+  }
+  CHECK(contains(refusal(), "have 2, 2, 2 and 1 elements; expected the same number"));
+  {
+    const MadeHdf5 file(folder / "other.h5");
+    for (const char* name : {"events/x", "events/y", "events/p"}) {
+      file.add(name, H5T_STD_U16LE, {1, 2});
+    }
+    file.add("events/t", H5T_IEEE_F64LE, {1, 2});
+  }
+  CHECK(contains(refusal(), "data set /events/t does not hold whole numbers"));
+}
+
+TEST_CASE("HDF5 in DSEC's layout: times count from t_offset, and polarity -1 is darker") {
+  const TemporaryFolder folder;
+  {
+    const MadeHdf5 file(folder / "a.h5");
+    file.add("events/x", H5T_STD_U16LE, {1, 2, 63});
+    file.add("events/y", H5T_STD_I32LE, {4, 5, 47});
+    file.add("events/p", H5T_STD_I8LE, {1, -1, 0});
+    file.add("events/t", H5T_STD_U32LE, {0, 10, 4'000'000'000});
+    file.add("t_offset", H5T_STD_I64LE, {5'000'000'000});
+  }
+  const auto reader = open_event_file(folder / "a.h5", {.sensor = {64, 48}});
+  CHECK(read_all(*reader) == std::vector<PlainEvent>{{5'000'000'000, 1, 4, 1},
+                                                     {5'000'000'010, 2, 5, 0},
+                                                     {9'000'000'000, 63, 47, 0}});
+}
+
+TEST_CASE("HDF5 written here has an index of every 2 ms, and times that count from its offset") {
+  const TemporaryFolder folder;
+  hdf5_of(folder, "hdf5", {{7000, 1, 1, 1}, {8999, 1, 1, 1}, {9000, 1, 1, 1}, {13500, 2, 2, 0}});
+  const hid_t file = H5Fopen((folder / "made.hdf5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(file, "CD/indexes", H5P_DEFAULT);
+  struct Entry {
+    std::uint64_t event = 0;
+    std::int64_t t_us = 0;
+  };
+  std::vector<Entry> entries(5);
+  const hid_t type = H5Dget_type(set);
+  CHECK(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, entries.data()) >= 0);
+  const std::vector<std::uint64_t> expected{0, 2, 3, 3, 4};
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    CHECK(entries[i].event == expected[i]);
+    CHECK(entries[i].t_us == static_cast<std::int64_t>(2000 * i));
+  }
+  H5Tclose(type);
+  H5Dclose(set);
+  H5Fclose(file);
+}
+
+}  // namespace
+}  // namespace puck

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "common/io/event_reader.h"
+#include "tools/convert/event_filter.h"
+
+namespace puck {
+
+struct ConvertOptions {
+  std::filesystem::path in;
+  std::filesystem::path out;
+  std::string to;      ///< Format; empty: from the ending of `out`.
+  std::string prefix;  ///< Of the channels of an LCM log.
+  EventFileOptions file;
+  EventFilterParams filter;
+};
+
+/// Converts a recording and prints what was read, written and left out. Throws std::exception with
+/// a one-line message; then there is no output, and an older one stays.
+void convert(const ConvertOptions& options);
+
+}  // namespace puck
