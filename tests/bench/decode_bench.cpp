@@ -16,6 +16,7 @@
 
 #include "common/io/event_stream.h"
 #include "common/io/evt3_writer.h"
+#include "common/io/raw_header.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/message_codec.h"
 #include "tests/bench/bench_streams.h"
