@@ -41,7 +41,7 @@ constexpr std::int64_t kEnoughEvents = 100;
 std::string short_number(double value) {
   std::array<char, 32> text{};
   const int length =
-      std::snprintf(text.data(), text.size(), value >= 1000 ? "%.0f" : "%.2g", value);
+      std::snprintf(text.data(), text.size(), value >= 1000 ? "%.0f" : "%.3g", value);
   return {text.data(), static_cast<std::size_t>(length)};
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <string>
+#include <system_error>
 
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_log.h"
@@ -15,6 +16,9 @@ namespace puck {
 
 bool is_lcm_log(const std::filesystem::path& path) {
   constexpr std::array<unsigned char, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
+  // A log is a file; a pipe can be read only once.
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
   std::array<char, 4> first{};
   std::ifstream file(path, std::ios::binary);
   if (!file.read(first.data(), first.size())) return false;
