@@ -305,7 +305,7 @@ TEST_CASE("puck-calibrate lag adds its result to the size model, or replaces it"
   REQUIRE(tool.run("size game.annotations.csv --output size.toml --width 640 --height 480") == 0);
   std::string noise;
   for (int ms = 0; ms < 2000; ms += 5) {
-    noise += std::to_string(1000 * ms) + " " + std::to_string(ms % 640) + " " +
+    noise += std::to_string(1000 * ms + 7) + " " + std::to_string(ms % 640) + " " +
              std::to_string(ms % 7 * 60) + " 1\n";
   }
   tool.write("noise.txt", noise);
@@ -372,9 +372,9 @@ TEST_CASE("puck-calibrate hot-pixels writes a mask and prints the number of mask
   const Tool tool;
   std::string events;
   for (int ms = 0; ms < 2000; ms += 4) {
-    events += std::to_string(1000 * ms) + " 12 34 1\n";
+    events += std::to_string(1000 * ms + 7) + " 12 34 1\n";
     if (ms % 40 == 0)
-      events += std::to_string(1000 * ms) + " " + std::to_string(ms % 64) + " 5 0\n";
+      events += std::to_string(1000 * ms + 7) + " " + std::to_string(ms % 64) + " 5 0\n";
   }
   tool.write("a.txt", events);
   REQUIRE(tool.run("hot-pixels a.txt --width 64 --height 48 --output mask.toml") == 0);
