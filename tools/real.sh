@@ -146,18 +146,21 @@ done
 
 sizes=("$(size_file puck16 16 12)" "$(size_file puck32 32 24)" "$(size_file puck48 48 36)"
   "$root/config/calibration/simulated_size.toml")
-without_disc() { # TITLE FILE [OPTION of puck-evaluate...]
+without_puck() { # TITLE FILE [OPTION of puck-evaluate...]
   is_there "$2" || return 0
   local size
   for size in "${sizes[@]}"; do
-    add "no disc: $1" "$1-$(basename "$size" .toml)" "$recordings/$2" --no-puck \
+    add "$1" "$(basename "$2")-$(basename "$size" .toml)" "$recordings/$2" --no-puck \
       --size-model "$size" "${@:3}"
   done
 }
-without_disc dynamic_translation dynamic_translation_davis240c_240x180.txt --width 240 --height 180
-without_disc driving driving_gen41_1280x720_evt3.raw
-without_disc sparklers sparklers_gen31_640x480_evt2.raw
-without_disc walking walking_640x480_evt3.extracted.raw --width 640 --height 480
+without_puck "no disc: dynamic_translation" dynamic_translation_davis240c_240x180.txt --width 240 --height 180
+without_puck "no disc: driving" driving_gen41_1280x720_evt3.raw
+without_puck "no disc: sparklers" sparklers_gen31_640x480_evt2.raw
+without_puck "no disc: walking" walking_640x480_evt3.extracted.raw --width 640 --height 480
+without_puck "no disc: plane" plane_320x240.es
+without_puck "no disc: car" ncars_td.dat --width 78 --height 42
+without_puck "no puck, two flickering lamps" lab_lamps_davis346_346x260.aedat4
 
 if [ ${#plan[@]} -eq 0 ]; then refuse "none of the recordings is in $recordings"; fi
 
@@ -273,7 +276,7 @@ print_rows
 
 for file in "${missing[@]}"; do echo "$me: not in $recordings: $file" >&2; done
 while IFS= read -r file; do
-  case " ${used[*]} " in *" $file "*) ;; *) echo "$me: of a format that cannot be read yet: $file" >&2 ;; esac
+  case " ${used[*]} " in *" $file "*) ;; *) echo "$me: in no row: $file" >&2 ;; esac
 done < <(cd "$recordings" && find . -maxdepth 1 -type f ! -name '*.md' ! -name '*.truth.csv' -printf '%P\n' | sort)
 
 if [ -n "$json" ]; then

@@ -123,8 +123,8 @@ TEST_CASE("every program that reads events refuses files without any") {
            {"nowhere.raw: cannot be opened"},
            {"empty.raw: is empty; expected"},
            {"picture.raw: is a PNG image; expected"},
-           {"prose.raw: a text file does not say how large the sensor is"},
-           {"sizeless.raw: the header does not say how large the sensor is"}}) {
+           {"prose.raw:1: is neither a header of a known format nor text"},
+           {"sizeless.raw: does not say how large the sensor is"}}) {
     const std::string file = "FOLDER/" + said.front().substr(0, said.front().find(':'));
     check_refused(
         {"puck-camera",
@@ -136,7 +136,7 @@ TEST_CASE("every program that reads events refuses files without any") {
       {"puck-camera",
        service_arguments({"--set", "camera.source=file", "--set", "camera.file=FOLDER/prose.raw",
                           "--set", "camera.width=640", "--set", "camera.height=480"}),
-       {"FOLDER/prose.raw:1: expected", "hello world"}},
+       {"FOLDER/prose.raw:1: is neither", "hello world"}},
       folder);
 }
 

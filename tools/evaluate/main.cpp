@@ -94,11 +94,12 @@ bool evaluate(const EvaluateOptions& options) {
   const PuckSizeModel size_model = read_size_model_file(calibration);
   EventFileOptions file = options.file;
   // The size model of another recording tells nothing about this one's sensor.
-  if (!options.size_model.empty() || calibration.stem() == options.events.stem()) {
-    file.fallback_sensor = size_model.sensor;
-  }
+  const bool is_of_other =
+      options.size_model.empty() && calibration.stem() != options.events.stem();
+  if (!is_of_other) file.fallback_sensor = size_model.sensor;
   auto events = is_log ? open_event_log(options.events, options.prefix, EventLog::Sessions::kFirst)
                        : open_event_file(options.events, file);
+  if (is_of_other) warn({"the size model is that of " + calibration.string()});
   std::optional<Timestamp> begin;
   if (!options.part.is_whole()) {
     auto part = std::make_unique<PartReader>(std::move(events), options.part);

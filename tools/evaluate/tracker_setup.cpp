@@ -105,10 +105,7 @@ std::filesystem::path find_calibration(const std::filesystem::path& recording,
   beside.replace_extension(".toml");
   const std::filesystem::path fallback = "config/calibration/simulated_size.toml";
   if (holds_size_model(beside)) return beside;
-  if (holds_size_model(fallback)) {
-    std::fprintf(stderr, "puck-evaluate: the size model is that of %s\n", fallback.c_str());
-    return fallback;
-  }
+  if (holds_size_model(fallback)) return fallback;
   throw std::runtime_error("no size model: neither " + beside.string() + " nor " +
                            fallback.string() + " holds one; name one with --size-model");
 }
