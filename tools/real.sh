@@ -3,7 +3,7 @@
 # real scenes without a disc, and another project's simulator.
 #
 #   tools/real.sh [--json FILE] [--only NAME[,NAME...]] [--recordings DIR] [--output DIR] [--jobs J]
-#                 [--programs DIR] [--evidence DIR]
+#                 [--programs DIR] [--evidence DIR] [--scale-decision NAME=FACTOR]
 #
 # --json FILE        every run's figures, by the keys of puck-evaluate and `recording`, `contestant`
 # --only NAMES       these presets and algorithms only
@@ -14,6 +14,8 @@
 # --programs DIR     use these programs and build nothing
 # --evidence DIR     folder of tools/fit_evidence.sh: `default` uses the numbers of without-RECORDING.toml if
 #                    it is there, else of all.toml; says which there are
+# --scale-decision NAME=FACTOR
+#                    `default` with a number of its decisions multiplied, to see what depends on it
 #
 # The puck's size is calibrated as a user would do it: by puck-calibrate on every 97th row of the truth, or on
 # all of fewer than 1,000. The ellipse's size and lean are set by hand; the ball is tracked once more with a
@@ -36,9 +38,10 @@ output=$root/build/real
 jobs=$(nproc)
 programs=
 evidence=
+scale=
 while [ $# -gt 0 ]; do
   case "$1" in
-    --json | --only | --recordings | --output | --jobs | --programs | --evidence)
+    --json | --only | --recordings | --output | --jobs | --programs | --evidence | --scale-decision)
       [ -n "${2-}" ] || refuse "$1 takes a value; --help says which"
       case "$1" in
         --json) json=$(realpath -m "$2") ;;
@@ -48,6 +51,7 @@ while [ $# -gt 0 ]; do
         --jobs) jobs=$2 ;;
         --programs) programs=$(realpath -m "$2") ;;
         --evidence) evidence=$(realpath -m "$2") ;;
+        --scale-decision) scale=$2 ;;
       esac
       shift 2
       ;;
@@ -199,7 +203,7 @@ for speed in 5000 10000 20000; do
 done
 
 # The following also runs in the shells started by xargs.
-export output programs evidence
+export output programs evidence scale
 
 run() { # CONTESTANT LINE-OF-THE-PLAN
   set -euo pipefail
@@ -213,6 +217,7 @@ run() { # CONTESTANT LINE-OF-THE-PLAN
       local fit=$evidence/without-${fields[1]%%-*}.toml
       [ -f "$fit" ] || fit=$evidence/all.toml
       [ -z "$evidence" ] || options+=(--evidence "$fit")
+      [ -z "$scale" ] || options+=(--scale-decision "$scale")
       ;;
     correlation | paper | reference) options=(--preset "$1") ;;
     *) options=(--algorithm "$1") ;;

@@ -18,9 +18,11 @@ std::unique_ptr<TrackingPipeline> make_pipeline(SensorSize sensor, const Pipelin
                                   "correlation, paper and reference also take " +
                                   to_string(params.surface));
     }
-    return std::make_unique<EvidencePipeline>(
-        sensor, EvidencePipelineParams{.calibration = params.contour, .evidence = params.evidence},
-        region, sizes);
+    return std::make_unique<EvidencePipeline>(sensor,
+                                              EvidencePipelineParams{.calibration = params.contour,
+                                                                     .evidence = params.evidence,
+                                                                     .decision = params.decision},
+                                              region, sizes);
   }
   return std::make_unique<PuckPipeline>(sensor, params, sizes);
 }

@@ -4,6 +4,7 @@
 
 #include "common/events/sensor_size.h"
 #include "common/vision/geometry/puck_size_model.h"
+#include "common/vision/hypotheses/decision_params.h"
 #include "common/vision/hypotheses/evidence.h"
 #include "common/vision/interfaces/tracking_pipeline.h"
 #include "common/vision/paper/puck_pipeline.h"
@@ -17,6 +18,7 @@ struct PipelineParams : PuckPipelineParams {
   /// kernels, the detector and the soft ring, and the search's delay, are used then.
   bool follows_contour = false;
   EvidenceParams evidence;
+  DecisionParams decision;
 };
 
 /// Creates the pipeline that the parameters (of a preset) select. Throws std::invalid_argument,

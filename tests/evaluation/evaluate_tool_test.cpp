@@ -226,5 +226,20 @@ TEST_CASE("a detection region is four numbers of at most five digits") {
   CHECK_THROWS_AS(parse_region("60,150,500,80,1"), std::invalid_argument);
 }
 
+TEST_CASE("a decision's number is multiplied, each by its name") {
+  CHECK_FALSE(scaled_decision({}).has_value());
+  const DecisionParams plain;
+  const auto scaled = scaled_decision({"confirm=0.5", "settled_us=2", "hide=3"});
+  REQUIRE(scaled.has_value());
+  CHECK(scaled->confirm == plain.confirm * 0.5);
+  CHECK(scaled->settled_us == plain.settled_us * 2);
+  CHECK(scaled->rates.hide == plain.rates.hide * 3);
+  CHECK(scaled->rates.show == plain.rates.show);
+  for (const char* wrong : {"confirm", "confirm=", "confirm=0", "confirm=x", "firm=2", "=2"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(scaled_decision({wrong}), std::invalid_argument);
+  }
+}
+
 }  // namespace
 }  // namespace puck

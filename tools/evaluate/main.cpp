@@ -121,6 +121,7 @@ bool evaluate(const EvaluateOptions& options) {
   setup.size_model = size_model;
   setup.contour = read_contour_calibration(calibration).value_or(ContourCalibration{});
   if (!options.evidence.empty()) setup.evidence = read_evidence_file(options.evidence);
+  setup.decision = scaled_decision(options.scale_decision);
   setup.roi_only = options.roi_only;
   setup.search_delay_us = options.search_delay_us;
   if (options.replay && setup.algorithm != Algorithm::kPuck) {

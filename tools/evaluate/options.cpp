@@ -51,8 +51,7 @@ void add_scoring_options(CLI::App& app, EvaluateOptions& options) {
 }  // namespace
 
 void add_options(CLI::App& app, EvaluateOptions& options) {
-  app.add_option("EVENTS", options.events,
-                 "recording of any format in docs/formats.md, or LCM log")
+  app.add_option("EVENTS", options.events, "recording of any format in docs/formats.md, or LCM log")
       ->required();
   app.add_option("--truth", options.truth,
                  "true positions: t_us,x,y,width,height[,visible], or boxes as lines `t y0 y1 x0 "
@@ -71,6 +70,10 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--evidence", options.evidence,
                  "TOML made by puck-calibrate evidence: instead of what preset default has built "
                  "in");
+  app.add_option("--scale-decision", options.scale_decision,
+                 "NAME=FACTOR: multiplies a number of preset default's DecisionParams, to see what "
+                 "depends on it")
+      ->expected(1);
   app.add_option("--hot-pixel-mask", options.hot_pixel_mask,
                  "TOML made by puck-calibrate hot-pixels: leaves their events out");
   app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");

@@ -19,6 +19,7 @@ struct EvaluateOptions {
   std::filesystem::path truth;
   std::filesystem::path size_model;
   std::filesystem::path evidence;
+  std::vector<std::string> scale_decision;  // NAME=FACTOR
   std::filesystem::path hot_pixel_mask;
   std::filesystem::path json;
   std::filesystem::path csv;

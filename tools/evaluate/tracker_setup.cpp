@@ -1,5 +1,6 @@
 #include "tools/evaluate/tracker_setup.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <stdexcept>
@@ -8,6 +9,8 @@
 #include "common/baselines/particle_filter.h"
 #include "common/baselines/particle_filter_eros.h"
 #include "common/io/config.h"
+#include "common/io/parse_number.h"
+#include "common/vision/hypotheses/decision_numbers.h"
 #include "common/vision/surface_tracker.h"
 
 namespace puck {
@@ -50,10 +53,12 @@ PipelineParams TrackerSetup::pipeline_params() const {
   params.contour = contour;
   params.roi_only = roi_only;
   params.search_delay_us = search_delay_us;
-  if (evidence && (algorithm != Algorithm::kPuck || preset != Preset::kDefault)) {
-    throw std::invalid_argument("--evidence needs preset default, the only one that weighs it");
+  if ((evidence || decision) && (algorithm != Algorithm::kPuck || preset != Preset::kDefault)) {
+    throw std::invalid_argument(std::string(evidence ? "--evidence" : "--scale-decision") +
+                                " needs preset default, the only one that weighs evidence");
   }
   if (evidence) params.evidence = *evidence;
+  if (decision) params.decision = *decision;
   if (surface != SurfaceKind::kEros &&
       (algorithm != Algorithm::kPuck || preset == Preset::kDefault)) {
     throw std::invalid_argument(
@@ -96,6 +101,30 @@ Region parse_region(const std::string& text) {
                                 text);
   }
   return region;
+}
+
+std::optional<DecisionParams> scaled_decision(const std::vector<std::string>& scales) {
+  if (scales.empty()) return std::nullopt;
+  DecisionParams params;
+  for (const std::string& scale : scales) {
+    const std::size_t equals = std::min(scale.find('='), scale.size());
+    const std::string name = scale.substr(0, equals);
+    double factor = 0;
+    const bool has_factor =
+        equals < scale.size() && parse_number(scale.substr(equals + 1), factor) && factor > 0;
+    const auto* number =
+        std::find_if(kDecisionNumbers.begin(), kDecisionNumbers.end(),
+                     [&](const DecisionNumber& each) { return name == each.name; });
+    if (!has_factor || number == kDecisionNumbers.end()) {
+      std::string names;
+      for (const DecisionNumber& each : kDecisionNumbers) names += std::string(" ") + each.name;
+      throw std::invalid_argument(
+          "--scale-decision: expected NAME=FACTOR with a factor above 0, got " + scale +
+          "; the names are" + names);
+    }
+    number->scale(params, factor);
+  }
+  return params;
 }
 
 std::filesystem::path find_calibration(const std::filesystem::path& recording,

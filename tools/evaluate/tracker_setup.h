@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/events/sensor_size.h"
 #include "common/vision/geometry/region.h"
@@ -28,6 +29,7 @@ struct TrackerSetup {
   PuckSizeModel size_model;
   ContourCalibration contour;
   std::optional<EvidenceParams> evidence;  ///< Instead of what preset default has built in.
+  std::optional<DecisionParams> decision;  ///< Instead of its built-in numbers.
   std::optional<Region> detection_region;  ///< Instead of the preset's.
   bool roi_only = false;                   ///< PipelineParams::roi_only.
   std::int64_t search_delay_us = 0;        ///< PipelineParams::search_delay_us.
@@ -41,8 +43,12 @@ struct TrackerSetup {
 /// Parses `x,y,w,h` in px. Throws std::invalid_argument with the expected format.
 Region parse_region(const std::string& text);
 
+/// DecisionParams with the numbers of each NAME=FACTOR multiplied; nothing for none. Throws
+/// std::invalid_argument.
+std::optional<DecisionParams> scaled_decision(const std::vector<std::string>& scales);
+
 /// The size model's file for a recording: `given` if not empty, else BASE.toml beside the recording
-/// if that has one, else, with a message, config/calibration/simulated_size.toml below the working
+/// if that has one, else config/calibration/simulated_size.toml below the working
 /// folder. Throws std::runtime_error if there is none.
 std::filesystem::path find_calibration(const std::filesystem::path& recording,
                                        const std::filesystem::path& given);

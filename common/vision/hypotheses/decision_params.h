@@ -47,12 +47,20 @@ struct DecisionParams {
   double mark_odds_each = 0.3;
   /// Odds that something else that looks like the puck comes while the puck rests, unheard.
   double newcomer_odds = 0.02;
+  /// The camera turns if so many of 48 cells of the image show a scene that moves as one.
+  int scene_cells = 24;
+  /// A hypothesis as many standard errors from the scene's motion is as likely a mark as not.
+  double still_sigma = 3;
   /// Rate at which a hypothesis slips from the puck to a mark, per second.
   double slip = 0.002;
   /// Where a lost puck may be that has hardly moved: distance from the place where it was last seen
   /// at which its density falls to 1/e, px, and the growth of that, px/s.
   double lost_px = 5;
   double lost_px_s = 100;
+  /// Events farther from a contour than so many standard deviations, or than so many px if that is
+  /// more, do not correct it.
+  double gate_sigma = 3;
+  double gate_px = 2;
   /// Published covariance: standard deviations of the sensor's lag, s, and of a resting puck's
   /// place, px.
   double lag_sigma_s = 50e-6;

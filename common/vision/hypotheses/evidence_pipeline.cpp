@@ -18,9 +18,6 @@ constexpr std::size_t kMostMissed = 16'384;
 constexpr std::size_t kUsualPiece = 16'384;
 constexpr std::int64_t kCoast_us = 50'000;
 
-// What moves with the scene is only less likely, so that it is known sooner.
-constexpr int kSceneCells = 24;
-
 double share_of(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
 
 // Whether a hypothesis is about the same object as `there`.
@@ -48,7 +45,7 @@ EvidencePipeline::EvidencePipeline(SensorSize sensor, const EvidencePipelinePara
                 context_.contour.other_wall_share() != context_.contour.calibrated_wall_share()),
       history_(sensor),
       noise_floor_(sensor),
-      background_(sensor, kSceneCells) {
+      background_(sensor, params.decision.scene_cells) {
   all_.reserve(kMostHypotheses);
   missed_.reserve(kMostMissed);
   piece_.reserve(kUsualPiece);
@@ -155,7 +152,7 @@ std::optional<double> EvidencePipeline::stands_still(const Hypothesis& hypothesi
   constexpr double kTurning_px_s = 15;
   constexpr double kError_px_s = 30;
   constexpr double kErrorShare = 0.25;
-  constexpr double kCertain_sigma = 3;
+  const double sigma = context_.decision.still_sigma;
   const auto scene = background_.still_velocity_at(hypothesis.filter().position());
   if (!scene && !background_.is_calm()) return std::nullopt;
   const PixelVelocity still = scene.value_or(PixelVelocity{});
@@ -166,7 +163,7 @@ std::optional<double> EvidencePipeline::stands_still(const Hypothesis& hypothesi
   const double own = std::hypot(dx, dy) + 1e-9;
   const double variance = std::max(hypothesis.filter().speed_variance(dx / own, dy / own), 0.0) +
                           kError_px_s * kError_px_s + kErrorShare * kErrorShare * turn * turn;
-  const double still_share = share_of(kCertain_sigma * kCertain_sigma - own * own / variance);
+  const double still_share = share_of(sigma * sigma - own * own / variance);
   // Beneath a resting camera, only motion is evidence.
   if (turn < kTurning_px_s) return still_share < 0.5 ? std::optional(still_share) : std::nullopt;
   return still_share;

@@ -17,9 +17,6 @@ constexpr double kTelling_sigma = 1.5;
 // Events with the wrong sign do not correct the contour of a puck whose tone is known so well.
 constexpr double kKnownTone = 0.4;
 constexpr double kToneMass = 5;
-// What lies farther off than this does not correct the contour.
-constexpr double kGate_sigma = 3;
-constexpr double kSmallestGate_px = 2;
 constexpr double kLargestGate_px = 5;
 // Time constants of the speed: of a puck that is seen, and of one that is not.
 constexpr double kSeenDamping_s = 1;
@@ -98,6 +95,7 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
   const double reach_y = ring_.semi_y + areas_.reach_px;
   const double damping = damping_s();
   const GameTraits& game = context.game;
+  const DecisionParams& params = context.decision;
   const double dark = kToneMass * game.dark_share() + own_dark_;
   const double bright = kToneMass * game.bright_share() + own_bright_;
   const double tone = (bright - dark) / (bright + dark + kToneMass);
@@ -142,9 +140,10 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
     }
     counted_ += 1;
     if (tells && (contrast > 0 ? tone : -tone) < -kKnownTone) continue;
-    const double gate = std::clamp(
-        kGate_sigma * std::sqrt(filter_.distance_variance(offset.normal_x, offset.normal_y) + 1),
-        kSmallestGate_px, kLargestGate_px);
+    const double gate =
+        std::clamp(params.gate_sigma *
+                       std::sqrt(filter_.distance_variance(offset.normal_x, offset.normal_y) + 1),
+                   params.gate_px, std::max(params.gate_px, kLargestGate_px));
     if (std::abs(distance) >= gate) continue;
     // Probability that the event is of the contour: as many as its speed, or the error of that,
     // makes there, against all that happens beside it.
