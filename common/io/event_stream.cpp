@@ -94,6 +94,10 @@ bool EventStream::has_backlog() const {
 std::vector<std::string> EventStream::warnings(bool is_complete) const {
   std::vector<std::string> lines;
   for (const std::string& note : notes_) lines.push_back(name_ + ": " + note);
+  if (more_notes_ > 0) {
+    lines.push_back(name_ + ": " + std::to_string(more_notes_) +
+                    " more headers and shifts like these");
+  }
   for (std::string& line : reader_warnings(name_, counters_, is_complete, bytes_taken_)) {
     lines.push_back(std::move(line));
   }
@@ -132,7 +136,7 @@ bool EventStream::try_start() {
                          "; expected one sensor");
   }
   start_ = std::move(*start);
-  for (std::string& note : start_.notes) notes_.push_back(std::move(note));
+  for (std::string& note : start_.notes) add_note(std::move(note));
   decoder_ = start_.make_decoder(*sensor_, options_.reorder_us);
   early_used_ = start_.header_bytes;
   bytes_taken_ += static_cast<std::int64_t>(start_.header_bytes);
@@ -169,8 +173,8 @@ std::size_t EventStream::take_possible_repeat(std::span<const std::byte> bytes, 
   const std::string_view wanted = std::string_view(start_.repeat).substr(repeat_matched_);
   const std::string_view next = text_of_bytes(bytes).substr(0, wanted.size());
   if (repeat_fed_ == 0 && wanted.empty()) {
-    notes_.push_back("another header at byte " + std::to_string(bytes_taken_) +
-                     ", as in joined files; what follows is read as another part");
+    add_note("another header at byte " + std::to_string(bytes_taken_) +
+             ", as in joined files; what follows is read as another part");
     decoder_->finish();
     is_part_ended_ = true;
     return 0;
@@ -216,8 +220,8 @@ void EventStream::place(EventPacket& packet, std::size_t first_new) {
     const std::int64_t gap_us = options_.reorder_us + 1;
     shift_us_ = newest_ && first < *newest_ + gap_us ? *newest_ + gap_us - first : 0;
     if (shift_us_ != 0) {
-      notes_.push_back("the times of its last part are shifted by " + std::to_string(shift_us_) +
-                       " µs, to follow those before");
+      add_note("the times of its last part are shifted by " + std::to_string(shift_us_) +
+               " µs, to follow those before");
     }
   }
   packet.start = packet.start + shift_us_;
@@ -228,6 +232,16 @@ void EventStream::place(EventPacket& packet, std::size_t first_new) {
   }
   const Timestamp newest = packet.start + newest_us;
   newest_ = newest_ ? std::max(*newest_, newest) : newest;
+}
+
+// Of a file with any number of parts, the first notes are enough.
+void EventStream::add_note(std::string note) {
+  constexpr std::size_t kMostNotes = 20;
+  if (notes_.size() < kMostNotes) {
+    notes_.push_back(std::move(note));
+  } else {
+    ++more_notes_;
+  }
 }
 
 // Returns false while events of the ended part wait for space, or fill the packet.

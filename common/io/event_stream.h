@@ -57,6 +57,7 @@ class EventStream {
                                    std::size_t max_events);
   std::size_t decode_data(std::span<const std::byte> bytes, EventPacket& packet,
                           std::size_t max_events);
+  void add_note(std::string note);
   void place(EventPacket& packet, std::size_t first_new);
   bool begin_next_part(EventPacket& packet, std::size_t max_events);
   bool check_words(EventPacket& packet, std::size_t max_events);
@@ -69,6 +70,7 @@ class EventStream {
   StreamStart start_;
   std::unique_ptr<EventDecoder> decoder_;
   std::vector<std::string> notes_;
+  std::int64_t more_notes_ = 0;  // that are not kept
 
   // The header, and from `early_used_` on data that came with it.
   std::vector<std::byte> early_;

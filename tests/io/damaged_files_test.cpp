@@ -143,6 +143,19 @@ TEST_CASE("joined files are read as two parts, and the second header's place is 
   }
 }
 
+TEST_CASE("of a file of very many parts only the first are named") {
+  const TemporaryFolder folder;
+  const std::string content = encoded_content("evt2.raw");
+  std::string joined;
+  constexpr std::size_t kParts = 300;
+  for (std::size_t i = 0; i < kParts; ++i) joined += content;
+  const Outcome outcome = outcome_of(folder, joined);
+  CHECK(outcome.events.size() == kParts * outcome_of(folder, content).events.size());
+  CHECK(contains(outcome.message, "another header at byte " + std::to_string(content.size())));
+  CHECK(contains(outcome.message, "more headers and shifts like these"));
+  CHECK(outcome.message.size() < 10'000);
+}
+
 TEST_CASE("words in the wrong order or from an odd byte on are refused with their share") {
   const TemporaryFolder folder;
   for (const char* file : {"evt2.raw", "evt3.raw"}) {
