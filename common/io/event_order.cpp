@@ -26,7 +26,9 @@ EventOrder::EventOrder(std::int64_t reorder_us) : reorder_us_(reorder_us) {
 }
 
 void EventOrder::add(EventPacket& packet) {
+  drop_late(packet);
   if (packet.empty()) return;
+  held_ += packet.events.size();
   if (is_in_order(packet)) {
     newest_ = packet.newest();
     std::swap(push_empty(), packet);
@@ -40,9 +42,10 @@ bool EventOrder::take(EventPacket& packet, std::size_t max_events) {
   packet.events.clear();
   if (queue_.empty()) return false;
   EventPacket& front = queue_.front();
-  if (!is_finished_ && newest_ - front.newest() < reorder_us_) return false;
+  if (!is_finished_ && held_ <= kMostHeld && newest_ - front.newest() < reorder_us_) return false;
   if (front_taken_ == 0 && front.events.size() <= max_events) {
     std::swap(packet, front);
+    take_note_of(packet);
   } else {
     const auto first = front.events.begin() + static_cast<std::ptrdiff_t>(front_taken_);
     const std::size_t count = std::min(max_events, front.events.size() - front_taken_);
@@ -50,6 +53,7 @@ bool EventOrder::take(EventPacket& packet, std::size_t max_events) {
     packet.events.assign(first, first + static_cast<std::ptrdiff_t>(count));
     const std::uint32_t start_us = packet.events.front().offset_us;
     for (Event& event : packet.events) event.offset_us -= start_us;
+    take_note_of(packet);
     front_taken_ += count;
     if (front_taken_ < front.events.size()) return true;
     front_taken_ = 0;
@@ -57,6 +61,17 @@ bool EventOrder::take(EventPacket& packet, std::size_t max_events) {
   if (spare_.size() < kMostSparePackets) spare_.push_back(std::move(front));
   queue_.pop_front();
   return true;
+}
+
+void EventOrder::take_note_of(const EventPacket& packet) {
+  held_ -= packet.events.size();
+  handed_out_ = packet.newest();
+}
+
+void EventOrder::drop_late(EventPacket& packet) {
+  const auto late = std::erase_if(
+      packet.events, [&](const Event& event) { return packet.time_of(event) < handed_out_; });
+  dropped_ += static_cast<std::int64_t>(late);
 }
 
 bool EventOrder::is_in_order(const EventPacket& packet) const {
@@ -80,6 +95,7 @@ void EventOrder::merge(const EventPacket& packet) {
     }
   }
   queue_.erase(first, queue_.end());
+  const auto queued = static_cast<std::ptrdiff_t>(merged_.size());
   Timestamp newest = queue_.empty() && merged_.empty() ? oldest : newest_;
   for (const Event& event : packet.events) {
     const Timestamp time = packet.time_of(event);
@@ -88,8 +104,9 @@ void EventOrder::merge(const EventPacket& packet) {
     merged_.push_back({time, event});
   }
   newest_ = newest;
-  std::stable_sort(merged_.begin(), merged_.end(),
-                   [](const TimedEvent& a, const TimedEvent& b) { return a.time < b.time; });
+  const auto older = [](const TimedEvent& a, const TimedEvent& b) { return a.time < b.time; };
+  std::stable_sort(merged_.begin() + queued, merged_.end(), older);
+  std::inplace_merge(merged_.begin(), merged_.begin() + queued, merged_.end(), older);
   push_merged();
 }
 

@@ -51,7 +51,8 @@ std::optional<SensorSize> measured_sensor(const std::filesystem::path& path,
       }
     }
   } catch (const EventFileError&) {
-    // The caller meets the same fault.
+    // After events, the caller meets the same fault.
+    if (least == SensorSize{}) throw;
   }
   if (least == SensorSize{}) return std::nullopt;
   return next_known_sensor(least);

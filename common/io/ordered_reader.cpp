@@ -49,6 +49,12 @@ void OrderedReader::rewind() {
 std::vector<std::string> OrderedReader::warnings() const {
   std::vector<std::string> warnings = notes_;
   for (std::string& warning : events_->warnings()) warnings.push_back(std::move(warning));
+  if (order_.dropped() > 0) {
+    warnings.push_back(std::to_string(order_.dropped()) +
+                       " events out of order dropped: more than " +
+                       std::to_string(EventOrder::kMostHeld) + " lie within " +
+                       std::to_string(reorder_us_) + " µs");
+  }
   return warnings;
 }
 
@@ -64,6 +70,7 @@ void OrderedReader::read_on(std::size_t max_events) {
   counters_ = events_->counters();
   counters_.events = events_returned_;
   counters_.reordered = order_.reordered();
+  counters_.backwards += order_.dropped();
 }
 
 }  // namespace puck

@@ -105,17 +105,15 @@ class TextStart {
     const std::string_view rest = head_.text().substr(at_);
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos && (!head_.is_all || rest.empty())) return std::nullopt;
-    std::string_view line = rest.substr(0, end);
+    const std::string_view line = rest.substr(0, end);
     at_ += std::min(line.size() + 1, rest.size());
     ++line_number_;
-    if (line_number_ == 1 && line.starts_with(kByteOrderMark)) {
-      line.remove_prefix(kByteOrderMark.size());
-    }
     return line;
   }
 
   // Stops before the first event. Returns false while it has not come.
   bool read_preamble() {
+    if (head_.text().starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
     while (true) {
       format_.header_bytes = at_;
       format_.header_lines = line_number_;

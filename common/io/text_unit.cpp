@@ -55,6 +55,18 @@ std::string duration(double seconds) {
   return short_number(seconds) + " s";
 }
 
+// Decimals that a number needs, whatever form it was written in.
+int decimals_of(double value) {
+  constexpr int kMost = 9;
+  constexpr double kExact = 1e-6;
+  int decimals = 0;
+  while (decimals < kMost && std::abs(value - std::round(value)) > kExact) {
+    value *= 10;
+    ++decimals;
+  }
+  return decimals;
+}
+
 }  // namespace
 
 void TextTimes::add(std::string_view time) {
@@ -69,7 +81,7 @@ void TextTimes::add(std::string_view time) {
   has_fraction_ = has_fraction_ || value != std::floor(value);
   is_in_thousands_ = is_in_thousands_ && std::fmod(value, 1000) == 0;
   if (exponent != std::string_view::npos) {
-    most_decimals_ = 9;
+    most_decimals_ = std::max(most_decimals_, decimals_of(value));
   } else if (point != std::string_view::npos) {
     const auto last = static_cast<int>(time.find_last_not_of('0'));
     most_decimals_ = std::max(most_decimals_, last - static_cast<int>(point));

@@ -25,6 +25,7 @@ class DescriptorEvents {
 
   const EventStream& stream() const { return stream_; }
   const std::string& name() const { return name_; }
+  std::int64_t dropped() const { return stream_.counters().dropped() + order_.dropped(); }
 
  private:
   Outcome read_more();
@@ -48,7 +49,7 @@ class StdinSource final : public EventSource {
   Outcome next(Chunk& chunk) override;
   std::optional<SensorSize> sensor_size() const override { return events_.stream().sensor_size(); }
   std::string waiting_for() const override { return "events on stdin"; }
-  std::int64_t events_dropped() const override { return events_.stream().counters().dropped(); }
+  std::int64_t events_dropped() const override { return events_.dropped(); }
   std::int64_t malformed_words() const override {
     return events_.stream().counters().malformed_words;
   }

@@ -80,6 +80,36 @@ TEST_CASE("any late events come out sorted, those of one time in the order of th
   }
 }
 
+TEST_CASE("of very many events at one time few are held back, and later older ones are dropped") {
+  constexpr int kPackets = 200;
+  constexpr int kEvents = 4096;
+  EventOrder order(1'000);
+  std::size_t given = 0;
+  std::size_t most_held = 0;
+  Timestamp newest{0};
+  EventPacket out;
+  for (int i = 0; i < kPackets; ++i) {
+    EventPacket packet;
+    packet.start = {500};
+    for (int k = 0; k < kEvents; ++k) {
+      Event event;
+      event.offset_us = k == 0 ? 0 : 500;
+      packet.events.push_back(event);
+    }
+    order.add(packet);
+    while (order.take(out, kEvents)) {
+      CHECK(out.time_of(out.events.front()) >= newest);
+      newest = out.newest();
+      given += out.events.size();
+    }
+    most_held = std::max(most_held, static_cast<std::size_t>(i + 1) * kEvents - given -
+                                        static_cast<std::size_t>(order.dropped()));
+  }
+  CHECK(most_held <= EventOrder::kMostHeld + kEvents);
+  CHECK(order.dropped() > 0);
+  CHECK(order.dropped() < kPackets);
+}
+
 TEST_CASE("without reordering, events are handed on at once") {
   EventOrder order(0);
   EventPacket packet = packet_of({{5, 1, 1, 1}, {6, 2, 2, 0}});

@@ -1,3 +1,6 @@
+#include <array>
+#include <cstdio>
+
 #include <doctest/doctest.h>
 
 #include "common/io/event_reader.h"
@@ -106,6 +109,13 @@ TEST_CASE("a byte order mark before the first line is skipped") {
   const auto reader =
       open_event_file(folder.write("a.txt", "\xef\xbb\xbf%geometry:240,180\n1 2 3 1\n"));
   CHECK(read_all(*reader) == std::vector<PlainEvent>{{1, 2, 3, 1}});
+  const auto plain = open_event_file(folder.write("b.txt",
+                                                  "\xef\xbb\xbf"
+                                                  "1000000 2 3 1\n2000000 4 5 0\n"),
+                                     {.sensor = {240, 180}});
+  EventPacket both;
+  REQUIRE(plain->read(both, 10));
+  CHECK(both.events.size() == 2);
 }
 
 TEST_CASE("times in s are recognised even if the first one is a whole number") {
@@ -172,6 +182,13 @@ TEST_CASE("a text's unit is asked for where two are possible, with the reasons")
   CHECK(contains(refusal, "us (100000 events a second over 3 s)"));
   CHECK(contains(refusal, "--unit"));
   CHECK(read_text(floats, {.text_unit = "us"}).back().t_us == 2'999'990);
+  // ms as numpy.savetxt writes them by default.
+  const auto as_savetxt = [](int us) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.18e", us * 1e-3);
+    return std::string(text.data());
+  };
+  CHECK(contains(refusal_of_text(many_lines(1000, as_savetxt)), "give the unit"));
   // Whole ms in ns, or in µs.
   const auto in_thousands = [](int us) { return std::to_string(us * 1000); };
   CHECK(contains(refusal_of_text(many_lines(1000, in_thousands)), "give the unit"));

@@ -49,7 +49,8 @@ std::string closing_line(const Tally& tally, const LeftOut& left_out,
                  {left_out.outside_crop, "outside --crop"},
                  {counters.outside_sensor, "outside the sensor"},
                  {counters.backwards, "older than the ones before them"},
-                 {counters.before_start, "before the first time"}}) +
+                 {counters.before_start, "before the first time"},
+                 {counters.missing, "missing in the input"}}) +
          "; " + speed;
 }
 

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <string>
 #include <system_error>
-#include <utility>
 
 #include <unistd.h>
 
@@ -23,9 +22,18 @@ void remove_and_die(int signal) {
   raise(signal);
 }
 
+// Of a link, what it names is replaced, not the link.
+std::filesystem::path place_of(const std::filesystem::path& named) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(named, error)) return named;
+  const auto place = std::filesystem::weakly_canonical(named, error);
+  return error ? named : place;
+}
+
 }  // namespace
 
-OutputPlace::OutputPlace(std::filesystem::path final) : final_(std::move(final)), part_(final_) {
+OutputPlace::OutputPlace(const std::filesystem::path& final)
+    : final_(place_of(final)), part_(final_) {
   std::error_code error;
   const auto status = std::filesystem::status(final_, error);
   const bool is_direct = final_ == "-" || (std::filesystem::exists(status) &&
@@ -35,11 +43,16 @@ OutputPlace::OutputPlace(std::filesystem::path final) : final_(std::move(final))
   const std::string name = part_.string();
   if (name.size() >= file_to_remove.size()) return;
   std::memcpy(file_to_remove.data(), name.c_str(), name.size() + 1);
-  for (const int signal : kDeadlySignals) std::signal(signal, remove_and_die);
+  // A signal that is ignored, as under nohup, stays so.
+  for (const int signal : kDeadlySignals) {
+    if (std::signal(signal, remove_and_die) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
 }
 
 OutputPlace::~OutputPlace() {
-  for (const int signal : kDeadlySignals) std::signal(signal, SIG_DFL);
+  for (const int signal : kDeadlySignals) {
+    if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
   if (part_ == final_) return;
   std::error_code ignored;
   std::filesystem::remove(part_, ignored);

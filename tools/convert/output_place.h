@@ -9,7 +9,7 @@ namespace puck {
 class OutputPlace {
  public:
   /// `final`: "-" and what is no ordinary file, as a pipe, are written directly.
-  explicit OutputPlace(std::filesystem::path final);
+  explicit OutputPlace(const std::filesystem::path& final);
   /// Removes a file that was not kept.
   ~OutputPlace();
   OutputPlace(const OutputPlace&) = delete;
