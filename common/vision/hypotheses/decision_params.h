@@ -45,7 +45,8 @@ struct DecisionParams {
   double mark_odds = 0.003;
   /// … and the increase with each known mark.
   double mark_odds_each = 0.3;
-  /// Odds that something else that looks like the puck comes while the puck rests, unheard.
+  /// Odds that something new looks like the puck by chance, while the track makes no events. Chosen
+  /// on the scenarios with a puck at rest in tests/vision.
   double newcomer_odds = 0.02;
   /// The camera turns if so many of 48 cells of the image show a scene that moves as one.
   int scene_cells = 24;
