@@ -56,7 +56,7 @@ std::string plain_name(std::string_view field, int& size) {
 }
 
 std::optional<TextFormat::Value> value_of_name(std::string_view name) {
-  const std::string_view base = name.substr(0, name.find_first_of("_[("));
+  const std::string_view base = name.substr(0, name.find_first_of("_[( "));
   const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), base) != names.end();
   };
@@ -162,12 +162,26 @@ class TextStart {
     format_.sensor = sensor;
   }
 
+  // One that is no blank and stands in the names as in the line behind them: names and columns of
+  // no interest may then contain blanks, or nothing. Else any.
+  char shared_separator(std::string_view names) const {
+    const std::string_view rest = head_.text().substr(at_);
+    const std::string_view next = rest.substr(0, rest.find('\n'));
+    const std::size_t first = names.find_first_of(",;\t");
+    if (first == std::string_view::npos || next.find(names[first]) == std::string_view::npos) {
+      return '\0';
+    }
+    return names[first];
+  }
+
   // A line of column names; in a comment, of those four alone.
   bool take_names(std::string_view content, bool is_comment) {
     std::array<std::optional<std::size_t>, TextFormat::kValues> columns;
     std::optional<TimeUnit> unit;
     SensorSize sensor;
-    const auto fields = split(content, format_.separator);
+    const char separator =
+        format_.separator == '\0' && !is_comment ? shared_separator(content) : format_.separator;
+    const auto fields = split(content, separator);
     for (std::size_t i = 0; i < fields.size(); ++i) {
       int size = 0;
       const std::string name = plain_name(fields[i], size);
@@ -192,6 +206,7 @@ class TextStart {
     }
     for (std::size_t i = 0; i < columns.size(); ++i) format_.columns[i] = *columns[i];
     format_.column_count = fields.size();
+    format_.separator = separator;
     format_.description = content.substr(0, 60);
     has_names_ = true;
     if (unit && head_.options.text_unit == "auto") unit_ = unit;
@@ -294,6 +309,12 @@ class LineCursor {
 
   void skip_field() {
     while (!is_at_boundary()) ++at_;
+  }
+
+  // Of any content.
+  void skip_column() {
+    if (separator_ == '\0') return skip_field();
+    while (at_ != end_ && *at_ != separator_) ++at_;
   }
 
   bool read_time(int power_of_ten, std::int64_t& t_us) {
@@ -436,7 +457,7 @@ bool parse_text_event(std::string_view line, const TextFormat& format, TextEvent
     } else if (column == format.columns[TextFormat::kPolarity]) {
       if (!cursor.read_polarity(event.brighter)) return false;
     } else {
-      cursor.skip_field();
+      cursor.skip_column();
       continue;
     }
     ++found;

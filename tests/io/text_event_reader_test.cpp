@@ -104,6 +104,13 @@ TEST_CASE("a truncated text file gives all whole events and a warning") {
   CHECK(contains(reader->warnings().at(0), "cut.txt: cut off"));
 }
 
+TEST_CASE("names with blanks and columns without a value are read where another separator stands") {
+  const std::vector<PlainEvent> events{{1'000'001, 2, 3, 1}, {1'000'031, 4, 5, 0}};
+  CHECK(read_text("Time (us),X,Y,Polarity\n1000001,2,3,1\n1000031,4,5,0\n") == events);
+  CHECK(read_text("x;y;note;p;t\n2;3;a first one;1;1000001\n4;5;;0;1000031\n") == events);
+  CHECK(read_text("t,x,y,p,\n1000001,2,3,1,\n1000031,4,5,0,\n") == events);
+}
+
 TEST_CASE("a byte order mark before the first line is skipped") {
   const TemporaryFolder folder;
   const auto reader =
