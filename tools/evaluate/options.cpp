@@ -8,6 +8,7 @@
 #include "common/messaging/event_packing.h"
 #include "common/vision/surface/surface.h"
 #include "tools/command_line/event_file_options.h"
+#include "tools/command_line/event_filter_options.h"
 #include "tools/command_line/number_range.h"
 
 namespace puck {
@@ -51,8 +52,7 @@ void add_scoring_options(CLI::App& app, EvaluateOptions& options) {
 }  // namespace
 
 void add_options(CLI::App& app, EvaluateOptions& options) {
-  app.add_option("EVENTS", options.events,
-                 "recording of any format in docs/formats.md, or LCM log")
+  app.add_option("EVENTS", options.events, "recording of any format in docs/formats.md, or LCM log")
       ->required();
   app.add_option("--truth", options.truth,
                  "true positions: t_us,x,y,width,height[,visible], or boxes as lines `t y0 y1 x0 "
@@ -71,8 +71,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--evidence", options.evidence,
                  "TOML made by puck-calibrate evidence: instead of what preset default has built "
                  "in");
-  app.add_option("--hot-pixel-mask", options.hot_pixel_mask,
-                 "TOML made by puck-calibrate hot-pixels: leaves their events out");
+  add_event_filter_options(app, options.filter);
   app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
   app.add_flag("--roi-only", options.roi_only,
                "while there is a track, keep only its region of the surface up to date");
