@@ -227,6 +227,12 @@ void Config::fail(std::string_view key, std::string_view message) const {
                     std::string(message));
 }
 
+void Config::fail_expected(std::string_view key, const std::string& expected) const {
+  const ConfigEntry* entry = find(key);
+  if (!entry) fail(key, "must be " + expected);
+  fail_expected(key, *entry, expected);
+}
+
 void Config::reject_unknown() const {
   for (const auto& [key, entry] : entries_) reject_unless_read(key, entry);
 }

@@ -63,6 +63,8 @@ class Config {
 
   /// Throws ConfigError `where: key message`, for rules other than a range.
   [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+  /// Throws ConfigError `where: key must be EXPECTED, got VALUE` of a key that was set.
+  [[noreturn]] void fail_expected(std::string_view key, const std::string& expected) const;
 
   /// Throws ConfigError when a setting was not read; names its place and the nearest known key.
   void reject_unknown() const;

@@ -57,7 +57,7 @@ CameraService::CameraService(const CameraSettings& settings, ServiceContext& con
   // Unpaced streams must be read in time, whatever else happens, hence on their own thread.
   const bool is_stream = settings.source == "stdin" || settings.source == "tcp";
   if (!is_paced_ && is_stream) source_ = std::make_unique<LiveSource>(std::move(source_));
-  if (const auto sensor = source_->sensor_size()) check_mask(*sensor);
+  if (const auto sensor = source_->sensor_size()) filter_.emplace(settings_.filter, *sensor);
   if (simulated_) listen_to_arm();
 }
 
@@ -78,10 +78,6 @@ std::unique_ptr<EventSource> CameraService::make_source() {
       [this](const SimulatedTruth& truth) { publish_truth(truth); });
   simulated_ = simulated.get();
   return simulated;
-}
-
-void CameraService::check_mask(SensorSize sensor) const {
-  settings_.hot_pixels.check_sensor(sensor, "camera.hot_pixel_mask");
 }
 
 // A stale, foreign or replayed ARM_STATE does not move the mallet.
@@ -105,7 +101,15 @@ void CameraService::run(std::stop_token stop) {
   for (const std::string& warning : source_->warnings()) context_.log.warn(warning);
   context_.log.info(fmt::format("the source has ended after {} events",
                                 packer_ ? packer_->events_packed() : std::int64_t{0}));
+  say_left_out();
   if (settings_.at_end == "wait") wait_at_end(stop);
+}
+
+void CameraService::say_left_out() {
+  if (!filter_) return;
+  for (const auto& [count, reason] : filter_->left_out().reasons()) {
+    if (count > 0) context_.log.info(fmt::format("{} events {} were left out", count, reason));
+  }
 }
 
 // Returns true at the end of the source, false after a stop request.
@@ -140,7 +144,7 @@ bool CameraService::play(std::stop_token stop) {
 // Returns false after a stop request.
 bool CameraService::send_chunk(std::stop_token stop) {
   if (!packer_) prepare(*source_->sensor_size());
-  events_masked_ += settings_.hot_pixels.remove_from(chunk_.packet);
+  filter_->apply(chunk_.packet);
   if (context_.status.state() == ServiceState::kStarting ||
       context_.status.state() == ServiceState::kWaiting) {
     context_.status.set_state(ServiceState::kRunning);
@@ -169,14 +173,14 @@ bool CameraService::send_chunk(std::stop_token stop) {
   return !is_paced_ || wait_until(chunk_.until, stop);
 }
 
-void CameraService::prepare(SensorSize sensor) {
-  check_mask(sensor);
+void CameraService::prepare(SensorSize source_sensor) {
+  if (!filter_) filter_.emplace(settings_.filter, source_sensor);
+  const SensorSize sensor = filter_->sensor();
   const LcmUrl& url = context_.bus.url();
   const bool is_local = url.in_memory || url.ttl == 0;
   const int packet_bytes = settings_.packet_bytes != 0 ? settings_.packet_bytes
                            : is_local                  ? EventPackerParams::kMaxBytes
                                                        : EventPackerParams::kOneFrame;
-  sensor_ = sensor;
   const auto overhead = static_cast<int>(context_.bus.overhead_bytes());
   packer_.emplace(
       EventPackerParams{sensor, std::max(packet_bytes - overhead, EventPackerParams::kMinBytes)});
@@ -266,24 +270,20 @@ void CameraService::note_recovery() {
 }
 
 void CameraService::publish_batch() {
-  const EventPacket* batch = &batcher_->batch();
-  if (settings_.rotate_180) {
-    rotated_ = *batch;
-    for (Event& event : rotated_.events) rotate(event);
-    batch = &rotated_;
-  }
-  packer_->pack(batch->start, batch->events, [this](event_packet_t& packet) {
+  const EventPacket& batch = batcher_->batch();
+  packer_->pack(batch.start, batch.events, [this](event_packet_t& packet) {
     packet.sensor_zero_utime = sensor_zero_utime();
     packet.recorded = settings_.is_recorded() ? 1 : 0;
-    packet.events_dropped = source_->events_dropped() + packer_->events_outside();
+    packet.events_dropped = events_dropped();
     if (context_.bus.publish(packet)) ++packets_sent_;
   });
   batcher_->clear();
 }
 
-void CameraService::rotate(Event& event) const {
-  event.x = static_cast<std::uint16_t>(sensor_.width - 1 - event.x);
-  event.y = static_cast<std::uint16_t>(sensor_.height - 1 - event.y) & 0x7fff;
+// Unusable ones; what the filter leaves out by its settings counts on its own.
+std::int64_t CameraService::events_dropped() const {
+  return source_->events_dropped() + (packer_ ? packer_->events_outside() : 0) +
+         (filter_ ? filter_->left_out().outside_sensor : 0);
 }
 
 std::int64_t CameraService::sensor_zero_utime() const {
@@ -294,10 +294,10 @@ std::int64_t CameraService::sensor_zero_utime() const {
 }
 
 void CameraService::publish_truth(const SimulatedTruth& truth) {
-  ground_truth_t message =
-      to_truth_message(truth, settings_.simulation.sensor_size, settings_.rotate_180);
+  const PictureTurn& turn = settings_.filter.turn;
+  ground_truth_t message = to_truth_message(truth, settings_.simulation.sensor_size, turn);
   context_.bus.publish(message);
-  head_state_t head = to_head_message(truth, settings_.rotate_180);
+  head_state_t head = to_head_message(truth, turn);
   context_.bus.publish(head);
 }
 
@@ -329,14 +329,20 @@ void CameraService::wait_at_end(std::stop_token stop) {
 }
 
 void CameraService::report(StatusReport& report) const {
+  const FilteredEvents left_out = filter_ ? filter_->left_out() : FilteredEvents{};
   report.counters = {
       {"events_sent", packer_ ? packer_->events_packed() : 0},
       {"packets_sent", packets_sent_},
-      {"events_dropped", source_->events_dropped() + (packer_ ? packer_->events_outside() : 0)},
-      {"events_masked", events_masked_},
+      {"events_dropped", events_dropped()},
+      {"events_masked", left_out.masked},
       {"malformed_words", source_->malformed_words()},
       {"late_us", pacer_.slipped_us() + pacer_.lateness_us()},
   };
+  report.add_unless_zero("events_outside_crop", left_out.outside_crop);
+  report.add_unless_zero("events_other_polarity", left_out.other_polarity);
+  report.add_unless_zero("events_refractory", left_out.refractory);
+  report.add_unless_zero("events_background", left_out.background);
+  report.add_unless_zero("events_outside_picture", left_out.outside_picture);
 }
 
 }  // namespace puck

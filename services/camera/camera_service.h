@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <string>
 
+#include "common/io/event_filter.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/single_publisher.h"
 #include "services/camera/camera_settings.h"
@@ -27,8 +28,8 @@ class CameraService final : public Service {
  public:
   static CameraSettings read_params(Config& config) { return read_camera_settings(config); }
 
-  /// Opens the source. Throws EventFileError, std::runtime_error or std::invalid_argument. A mask
-  /// for another sensor is refused when the source reports its sensor's size.
+  /// Opens the source. Throws EventFileError, std::runtime_error or std::invalid_argument. A filter
+  /// that does not fit the sensor is refused when the source reports its sensor's size.
   CameraService(const CameraSettings& settings, ServiceContext& context);
 
   void run(std::stop_token stop) override;
@@ -38,13 +39,13 @@ class CameraService final : public Service {
   using Clock = std::chrono::steady_clock;
 
   std::unique_ptr<EventSource> make_source();
-  void check_mask(SensorSize sensor) const;
   void listen_to_arm();
 
   bool play(std::stop_token stop);
   bool send_chunk(std::stop_token stop);
+  void say_left_out();
   void wait_at_end(std::stop_token stop);
-  void prepare(SensorSize sensor);
+  void prepare(SensorSize source_sensor);
   bool wait_until(Timestamp time, std::stop_token stop);
   bool wait_for_turn(std::stop_token stop);
   void serve_bus();
@@ -53,8 +54,8 @@ class CameraService final : public Service {
   void note_trouble(const std::string& what);
   void note_recovery();
   void publish_batch();
-  void rotate(Event& event) const;
   std::int64_t sensor_zero_utime() const;
+  std::int64_t events_dropped() const;
   void publish_truth(const SimulatedTruth& truth);
   void warn_of_drops();
   void watch_overflow();
@@ -71,18 +72,16 @@ class CameraService final : public Service {
   std::int64_t pacer_zero_utime_ = 0;
 
   // Set when the sensor's size is known.
-  SensorSize sensor_;
+  std::optional<EventFilter> filter_;
   std::optional<EventPacker> packer_;
   std::optional<EventBatcher> batcher_;
 
   EventSource::Chunk chunk_;
-  EventPacket rotated_;
   Clock::time_point batch_began_;
   Clock::time_point bus_due_;
   Clock::time_point last_trouble_;
   Clock::time_point last_events_;
   std::int64_t packets_sent_ = 0;
-  std::int64_t events_masked_ = 0;
   std::int64_t drops_told_ = 0;
   std::int64_t overflow_seen_ = 0;
 };

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "common/io/event_file_kind.h"
-#include "common/io/pixel_mask_file.h"
+#include "common/io/event_filter_config.h"
 #include "common/messaging/event_packing.h"
 #include "common/simulation/visit_parameters.h"
 
@@ -65,6 +65,20 @@ void read_file_settings(Config& config, bool is_live, FileSourceParams& file) {
   config.read("camera.rate_mev_s", file.rate_mev_s, 0, kHighestRate);
 }
 
+void check_simulated(const Config& config, const CameraSettings& settings) {
+  if (settings.pace == "arrival") {
+    config.fail("camera.pace", "cannot be \"arrival\" for the simulated table");
+  }
+  // A quarter turn would swap yaw and pitch, whose order in HEAD is fixed.
+  if (settings.filter.turn.swaps_axes()) {
+    config.fail_expected("camera.rotate_deg", "0 or 180 for the simulated table");
+  }
+  if (settings.filter.lens) {
+    config.fail_expected("camera.undistort",
+                         "\"\" for the simulated table, whose camera has no distortion");
+  }
+}
+
 }  // namespace
 
 CameraSettings read_camera_settings(Config& config) {
@@ -81,10 +95,7 @@ CameraSettings read_camera_settings(Config& config) {
   config.read_choice("camera.pace", settings.pace, kPaces);
   config.read("camera.speed", settings.speed, 0.001, 1000);
   config.read_choice("camera.at_end", settings.at_end, kEnds);
-  std::string hot_pixel_mask;
-  config.read("camera.hot_pixel_mask", hot_pixel_mask);
-  if (!hot_pixel_mask.empty()) settings.hot_pixels = read_pixel_mask_file(hot_pixel_mask);
-  config.read("camera.rotate_180", settings.rotate_180);
+  settings.filter = read_event_filter(config, "camera");
   config.read("camera.packet_bytes", settings.packet_bytes, 0, EventPackerParams::kMaxBytes);
   config.read("camera.arrival_limit_mev_s", settings.arrival_limit_mev_s, 0, 1000);
   config.read("camera.flush_us", settings.flush_us, 50, 100'000);
@@ -100,9 +111,7 @@ CameraSettings read_camera_settings(Config& config) {
     config.fail("camera.file",
                 "must name a recording when camera.source is \"" + settings.source + "\"");
   }
-  if (settings.source == "simulated" && settings.pace == "arrival") {
-    config.fail("camera.pace", "cannot be \"arrival\" for the simulated table");
-  }
+  if (settings.source == "simulated") check_simulated(config, settings);
   return settings;
 }
 

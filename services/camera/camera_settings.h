@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "common/events/pixel_mask.h"
 #include "common/io/config.h"
+#include "common/io/event_filter.h"
 #include "common/simulation/simulation_params.h"
 #include "services/camera/file_source.h"
 
@@ -23,8 +23,7 @@ struct CameraSettings {
   double speed = 1;             ///< Sensor time per host time.
   std::string at_end = "exit";  ///< exit or wait.
 
-  PixelMask hot_pixels;  ///< In sensor coordinates, before any rotation.
-  bool rotate_180 = false;
+  EventFilterParams filter;
   int packet_bytes = 0;             ///< 0: automatic, by the bus.
   double arrival_limit_mev_s = 40;  ///< Limit with pace "arrival"; 0: none.
   int flush_us = 250;               ///< Longest wait of a packet's first event, host time.

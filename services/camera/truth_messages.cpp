@@ -4,11 +4,13 @@
 
 namespace puck {
 
-ground_truth_t to_truth_message(const SimulatedTruth& truth, SensorSize sensor, bool rotated_180) {
+ground_truth_t to_truth_message(const SimulatedTruth& truth, SensorSize sensor,
+                                const PictureTurn& turn) {
   ground_truth_t message{};
   message.sensor_us = truth.time.us;
-  message.x_px = rotated_180 ? sensor.width - 1 - truth.position_px.x : truth.position_px.x;
-  message.y_px = rotated_180 ? sensor.height - 1 - truth.position_px.y : truth.position_px.y;
+  const Pixel position = turn.apply(truth.position_px, sensor);
+  message.x_px = position.x;
+  message.y_px = position.y;
   message.width_px = truth.size_px.width;
   message.height_px = truth.size_px.height;
   message.visible = truth.visible;
@@ -24,14 +26,19 @@ ground_truth_t to_truth_message(const SimulatedTruth& truth, SensorSize sensor, 
   return message;
 }
 
-head_state_t to_head_message(const SimulatedTruth& truth, bool rotated_180) {
+head_state_t to_head_message(const SimulatedTruth& truth, const PictureTurn& turn) {
   HeadPose head = truth.head;
-  if (rotated_180) {
-    // A half turn about the optical axis reverses left and right, up and down.
-    for (double* angle : {&head.yaw_deg, &head.pitch_deg, &head.yaw_deg_s, &head.pitch_deg_s}) {
-      *angle = -*angle;
-    }
-  }
+  const bool is_half_turned = turn.rotate_deg == 180;
+  const auto negate = [](double& angle, double& speed) {
+    angle = -angle;
+    speed = -speed;
+  };
+  const bool mirrors_x = turn.flip_x != is_half_turned;
+  const bool mirrors_y = turn.flip_y != is_half_turned;
+  if (mirrors_x) negate(head.yaw_deg, head.yaw_deg_s);
+  if (mirrors_y) negate(head.pitch_deg, head.pitch_deg_s);
+  // A single mirror also reverses clockwise.
+  if (mirrors_x != mirrors_y) negate(head.roll_deg, head.roll_deg_s);
   return to_message(head, truth.time);
 }
 

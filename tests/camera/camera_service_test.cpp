@@ -1,6 +1,7 @@
 #include "services/camera/camera_service.h"
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <sstream>
@@ -117,6 +118,51 @@ TEST_CASE("events of masked pixels are dropped before any rotation, and counted"
   CHECK(run.events_ == std::vector<SeenEvent>{{1, 5, 6, 0}, {3, 54, 38, 1}});
   CHECK(run.last_counter("events_masked") == 2);
   CHECK(run.last_counter("events_sent") == 2);
+}
+
+TEST_CASE("each filter of the camera counts in STATUS, and the log tells the counts") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", {{0, 5, 6, 1},      // A masked pixel.
+                                     {1, 63, 6, 1},     // Outside the crop.
+                                     {2, 9, 9, 0},      // Of the other polarity.
+                                     {3, 9, 9, 1},      // Without a neighbour.
+                                     {4, 9, 9, 1},      // In the refractory period.
+                                     {5, 10, 9, 1},     // Left.
+                                     {6, 30, 20, 1}});  // Without a neighbour.
+  write_pixel_mask_file(folder / "mask.toml", PixelMask({64, 48}, std::vector<PixelPlace>{{5, 6}}),
+                        "");
+  CameraRun run(file_settings(folder / "a.raw",
+                              "crop = [0, 0, 60, 48]\npolarity = \"on\"\nrefractory_us = 100\n"
+                              "background_activity_us = 50\nflip_x = true\nrotate_deg = 90\n"
+                              "hot_pixel_mask = \"" +
+                                  (folder / "mask.toml").string() + "\"\n"));
+  run.run();
+  CHECK(run.events_ == std::vector<SeenEvent>{{5, 38, 53, 1}});
+  // The size is that of the rotated sensor, not of the crop.
+  CHECK(run.packets_.front().width == 48);
+  CHECK(run.packets_.front().height == 64);
+  CHECK(run.last_counter("events_sent") == 1);
+  CHECK(run.last_counter("events_dropped") == 0);
+  CHECK(run.last_counter("events_masked") == 1);
+  CHECK(run.last_counter("events_outside_crop") == 1);
+  CHECK(run.last_counter("events_other_polarity") == 1);
+  CHECK(run.last_counter("events_refractory") == 1);
+  CHECK(run.last_counter("events_background") == 2);
+  CHECK(contains(run.log_text_.str(), "2 events of background activity were left out"));
+}
+
+TEST_CASE("a lens is undistorted, and what leaves the picture is counted") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", {{0, 0, 0, 1}, {1, 32, 24, 0}, {2, 42, 24, 1}});
+  std::ofstream(folder / "lens.toml")
+      << "[lens]\nwidth = 64\nheight = 48\nfx = 20\nfy = 20\ncx = 32\ncy = 24\n"
+         "model = \"fisheye\"\n";
+  CameraRun run(
+      file_settings(folder / "a.raw", "undistort = \"" + (folder / "lens.toml").string() + "\"\n"));
+  run.run();
+  // 20 tan(0.5) = 10.93.
+  CHECK(run.events_ == std::vector<SeenEvent>{{1, 32, 24, 0}, {2, 43, 24, 1}});
+  CHECK(run.last_counter("events_outside_picture") == 1);
 }
 
 TEST_CASE("a looped recording goes on until it is stopped") {
@@ -251,6 +297,11 @@ TEST_CASE("impossible settings are refused with their key") {
                  "/nowhere.raw: cannot be opened"));
   CHECK(contains(refusal("[camera]\nhot_pixel_mask = \"/nowhere.toml\"\n"),
                  "/nowhere.toml: cannot be opened"));
+  CHECK(refusal("[camera]\ncrop = [600, 0, 100, 100]\n") ==
+        "camera.crop must lie within the sensor of 640 x 480 px, got [600, 0, 100, 100]");
+  CHECK(contains(
+      refusal("[camera]\nrotate_deg = 90\n"),
+      "camera.toml:2: camera.rotate_deg must be 0 or 180 for the simulated table, got 90"));
   const CameraFolder folder;
   write_pixel_mask_file(folder / "mask.toml", PixelMask({64, 48}, {}), "");
   CHECK(

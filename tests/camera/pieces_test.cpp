@@ -161,17 +161,25 @@ TEST_CASE("truth and head of an inverted camera are turned like its events") {
   truth.position_px = {10, 20};
   truth.head = {1, 2, 3, 4, 5, 6};
   truth.counts = {4, 3, 2, 1};
-  const ground_truth_t upright = to_truth_message(truth, {640, 480}, false);
+  const ground_truth_t upright = to_truth_message(truth, {640, 480}, {});
   CHECK(upright.x_px == 10);
   CHECK(upright.shots == 4);
   CHECK(upright.goals_for == 1);
-  const ground_truth_t turned = to_truth_message(truth, {640, 480}, true);
+  const PictureTurn half_turn{.rotate_deg = 180};
+  const ground_truth_t turned = to_truth_message(truth, {640, 480}, half_turn);
   CHECK(turned.x_px == 629);
   CHECK(turned.y_px == 459);
-  const head_state_t head = to_head_message(truth, true);
+  const head_state_t head = to_head_message(truth, half_turn);
   CHECK(head.yaw_deg == -1);
   CHECK(head.pitch_deg == -2);
   CHECK(head.roll_deg == 3);
+  const PictureTurn mirror{.flip_x = true};
+  CHECK(to_truth_message(truth, {640, 480}, mirror).x_px == 629);
+  CHECK(to_truth_message(truth, {640, 480}, mirror).y_px == 20);
+  const head_state_t mirrored = to_head_message(truth, mirror);
+  CHECK(mirrored.yaw_deg == -1);
+  CHECK(mirrored.pitch_deg == 2);
+  CHECK(mirrored.roll_deg == -3);
 }
 
 }  // namespace

@@ -104,8 +104,43 @@ TEST_CASE("puck-convert cuts, crops, turns and masks, and says what it left out"
   CHECK(finished.exit_code == 0);
   CHECK(contains(finished.output,
                  "4 events read, 1 written; left out: 1 before --start, 1 of masked pixels, 1 "
-                 "outside --crop"));
+                 "outside the crop"));
   CHECK(read_text(folder / "part.csv") == "%geometry:4,4\nt,x,y,p\n0,3,3,0\n");
+}
+
+TEST_CASE("puck-convert filters events, and mirrors, rotates and undistorts the picture") {
+  const TemporaryFolder folder;
+  const std::string start = write_recording(folder / "start.raw", {{100, 9, 9, 1},
+                                                                   {200, 1, 2, 1},
+                                                                   {250, 1, 2, 1},
+                                                                   {300, 2, 2, 0},
+                                                                   {350, 2, 2, 1},
+                                                                   {900, 40, 40, 1}});
+  folder.write("lens.toml",
+               "[lens]\nwidth = 48\nheight = 64\nfx = 50\nfy = 50\ncx = 0\ncy = 63\nk1 = 0.5\n");
+  const std::string out = (folder / "part.csv").string();
+  const Finished finished =
+      convert({start, out, "--refractory-us", "100", "--background-activity-us", "500",
+               "--polarity", "on", "--flip-x", "--flip-y", "--rotate", "270"});
+  CHECK(finished.exit_code == 0);
+  CHECK(contains(finished.output,
+                 "6 events read, 1 written; left out: 1 of the other polarity, 1 within the "
+                 "refractory period, 3 of background activity"));
+  CHECK(read_text(out) == "%geometry:48,64\nt,x,y,p\n350,45,2,1\n");
+
+  // After a quarter turn, (1, 2) is at (2, 62), where this lens moves nothing by half a pixel.
+  CHECK(convert({start, out, "--seconds", "0.0001", "--start", "0.0001", "--rotate", "270",
+                 "--undistort", (folder / "lens.toml").string()})
+            .exit_code == 0);
+  CHECK(read_text(out) == "%geometry:48,64\nt,x,y,p\n200,2,62,1\n250,2,62,1\n");
+
+  CHECK(convert({start, out, "--rotate", "45"}).exit_code == 2);
+  CHECK(convert({start, out, "--polarity", "up"}).exit_code == 2);
+  CHECK(convert({start, out, "--refractory-us", "-1"}).exit_code == 2);
+  CHECK(contains(convert({start, out, "--crop", "60,0,5,5"}).errors,
+                 "--crop must lie within the sensor of 64 x 48 px, got [60, 0, 5, 5]"));
+  CHECK(contains(convert({start, out, "--undistort", (folder / "lens.toml").string()}).errors,
+                 "lens.toml is of a picture of 48 x 64 px"));
 }
 
 TEST_CASE("a conversion that fails leaves no file, and an older one stays") {

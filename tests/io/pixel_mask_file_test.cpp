@@ -1,13 +1,11 @@
 #include "common/io/pixel_mask_file.h"
 
-#include <stdexcept>
-#include <utility>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "common/io/config.h"
-#include "common/io/event_writer.h"
-#include "common/io/masked_reader.h"
 #include "tests/io/io_fixtures.h"
 #include "tests/support/contains.h"
 
@@ -40,31 +38,6 @@ TEST_CASE("a pixel mask with a half pair, a fraction, a stray pixel or no sensor
   CHECK(contains(refusal(sensor + "pixels = [1, 2.5]\n"), "must be whole numbers"));
   CHECK(contains(refusal(sensor + "pixels = [1, 48]\n"), "(1, 48) lies outside the sensor"));
   CHECK(contains(refusal("height = 48\npixels = []\n"), "pixel_mask.width is missing"));
-}
-
-TEST_CASE("a masked reader leaves out masked events, counts them, and reads to the end") {
-  const TemporaryFolder folder;
-  std::vector<PlainEvent> events;
-  for (int i = 0; i < 50; ++i) events.push_back({i, i < 40 ? 9 : i, 5, 1});
-  {
-    const auto writer = make_event_writer(folder / "a.raw", "evt3", {64, 48});
-    writer->write(packet_of(events));
-    writer->close();
-  }
-  MaskedReader reader(open_event_file(folder / "a.raw"),
-                      PixelMask({64, 48}, std::vector<PixelPlace>{{9, 5}}), "mask");
-  const std::vector<PlainEvent> rest(events.begin() + 40, events.end());
-  CHECK(read_all(reader, 8) == rest);
-  CHECK(reader.masked_events() == 40);
-  REQUIRE(reader.warnings().size() == 1);
-  CHECK(reader.warnings()[0] == "40 events of 1 masked pixels are left out");
-  reader.rewind();
-  CHECK(read_all(reader, 100) == rest);
-  CHECK(reader.masked_events() == 40);
-  CHECK_THROWS_WITH_AS(
-      MaskedReader(open_event_file(folder / "a.raw"), PixelMask({640, 480}, {}), "m.toml"),
-      "m.toml is of a sensor of 640x480 px, the events are of one of 64x48 px",
-      std::invalid_argument);
 }
 
 }  // namespace

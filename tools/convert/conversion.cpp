@@ -34,36 +34,35 @@ std::string listed(const std::vector<std::pair<std::int64_t, const char*>>& coun
   return text.empty() ? "none" : text;
 }
 
-std::string closing_line(const Tally& tally, const LeftOut& left_out,
+std::string closing_line(const Tally& tally, const ConversionFilter& filter,
                          const EventCounters& counters) {
   const std::int64_t read =
       tally.read + counters.before_start + counters.outside_sensor + counters.backwards;
   char speed[64];
   std::snprintf(speed, sizeof speed, "%.2f s, %.1f Mev/s", tally.seconds,
                 static_cast<double>(tally.read) * 1e-6 / tally.seconds);
+  std::vector<std::pair<std::int64_t, const char*>> left_out{
+      {filter.before(), "before --start"},
+      {filter.after(), "after --seconds, where reading ended"}};
+  for (const auto& reason : filter.filtered().reasons()) left_out.push_back(reason);
+  left_out.insert(left_out.end(), {{counters.outside_sensor, "outside the sensor"},
+                                   {counters.backwards, "older than the ones before them"},
+                                   {counters.before_start, "before the first time"},
+                                   {counters.missing, "missing in the input"}});
   return std::to_string(read) + " events read, " + std::to_string(tally.written) +
-         " written; left out: " +
-         listed({{left_out.before, "before --start"},
-                 {left_out.after, "after --seconds, where reading ended"},
-                 {left_out.masked, "of masked pixels"},
-                 {left_out.outside_crop, "outside --crop"},
-                 {counters.outside_sensor, "outside the sensor"},
-                 {counters.backwards, "older than the ones before them"},
-                 {counters.before_start, "before the first time"},
-                 {counters.missing, "missing in the input"}}) +
-         "; " + speed;
+         " written; left out: " + listed(left_out) + "; " + speed;
 }
 
-void check_result(const Tally& tally, const EventFilter& filter, const std::string& name) {
+void check_result(const Tally& tally, const ConversionFilter& filter, const std::string& name) {
   if (tally.read == 0) throw std::runtime_error(name + ": holds no events; nothing is written");
   if (tally.written > 0) return;
   char span[32];
   std::snprintf(span, sizeof span, "%.3f s", static_cast<double>(filter.span_us()) * 1e-6);
   throw std::runtime_error(name + ": no event is left of " + std::to_string(tally.read) + " in " +
-                           span + "; see --start, --crop and the mask");
+                           span + "; see --start, --crop and the filters");
 }
 
-Tally pump(EventReader& events, EventFilter& filter, EventWriter& writer) {
+Tally pump(EventReader& events, ConversionFilter& filter, EventWriter& writer) {
   Tally tally;
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar;
@@ -88,7 +87,7 @@ Tally pump(EventReader& events, EventFilter& filter, EventWriter& writer) {
 void convert(const ConvertOptions& options) {
   const std::string name = options.in == "-" ? "stdin" : options.in.string();
   const auto events = open_recording(options.in, options.file, options.prefix);
-  EventFilter filter(options.filter, events->sensor_size());
+  ConversionFilter filter(options.filter, events->sensor_size());
   // Before the place, which has another ending.
   const std::string_view format =
       options.to.empty() ? format_of_recording(options.out) : options.to;
@@ -108,7 +107,7 @@ void convert(const ConvertOptions& options) {
     std::fprintf(stderr, "puck-convert: %s\n", warning.c_str());
   }
   std::FILE* const out = options.out == "-" ? stderr : stdout;
-  std::fprintf(out, "%s\n", closing_line(tally, filter.left_out(), events->counters()).c_str());
+  std::fprintf(out, "%s\n", closing_line(tally, filter, events->counters()).c_str());
 }
 
 }  // namespace puck

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/io/event_reader.h"
-#include "tools/convert/event_filter.h"
+#include "tools/convert/conversion_filter.h"
 
 namespace puck {
 
@@ -15,7 +15,7 @@ struct ConvertOptions {
   std::string to;      ///< Format; empty: from the ending of `out`.
   std::string prefix;  ///< Of the channels of an LCM log.
   EventFileOptions file;
-  EventFilterParams filter;
+  ConversionFilterParams filter;
 };
 
 /// Converts a recording and prints what was read, written and left out. Throws std::exception with

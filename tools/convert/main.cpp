@@ -7,9 +7,10 @@
 #include <CLI/CLI.hpp>
 
 #include "common/io/event_writer.h"
-#include "common/io/pixel_mask_file.h"
+#include "common/io/lens_file.h"
 #include "common/recording/recording.h"
 #include "tools/command_line/event_file_options.h"
+#include "tools/command_line/event_filter_options.h"
 #include "tools/command_line/flush_stdout.h"
 #include "tools/command_line/number_range.h"
 #include "tools/command_line/run_tool.h"
@@ -36,8 +37,34 @@ std::string format_list() {
   return text + "  lcm       .lcm     LCM log of PUCK_EVENTS";
 }
 
-void parse_crop(const std::vector<int>& numbers, EventFilterParams& filter) {
-  if (numbers.size() == 4) filter.crop = Region{numbers[0], numbers[1], numbers[2], numbers[3]};
+/// What the picture becomes, as the command line gives it.
+struct PictureOptions {
+  std::vector<int> crop;
+  bool rotate_180 = false;
+  std::filesystem::path lens;
+
+  void apply_to(EventFilterParams& filter) const {
+    filter.crop_name = "--crop";
+    filter.crop_is_sensor = true;
+    if (crop.size() == 4) filter.crop = Region{crop[0], crop[1], crop[2], crop[3]};
+    if (rotate_180) filter.turn.rotate_deg = 180;
+    if (lens.empty()) return;
+    filter.lens_name = lens.string();
+    filter.lens = read_lens_file(lens);
+  }
+};
+
+void add_picture_options(CLI::App& app, PictureOptions& picture, PictureTurn& turn) {
+  app.add_option("--crop", picture.crop, "x,y,width,height, px: becomes the whole picture")
+      ->delimiter(',')
+      ->expected(4);
+  app.add_flag("--flip-x", turn.flip_x, "mirror the picture: left becomes right");
+  app.add_flag("--flip-y", turn.flip_y, "mirror the picture: top becomes bottom");
+  auto* rotate = app.add_option("--rotate", turn.rotate_deg, "then rotate it clockwise, degrees")
+                     ->check(CLI::IsMember({0, 90, 180, 270}));
+  app.add_flag("--rotate-180", picture.rotate_180, "the same as --rotate 180")->excludes(rotate);
+  app.add_option("--undistort", picture.lens,
+                 "TOML of the lens, in OpenCV's model: removes its distortion");
 }
 
 }  // namespace
@@ -46,8 +73,8 @@ void parse_crop(const std::vector<int>& numbers, EventFilterParams& filter) {
 int main(int argc, char** argv) {
   CLI::App app("Converts a recording of events into another format.");
   puck::ConvertOptions options;
-  std::vector<int> crop;
-  std::filesystem::path mask;
+  puck::EventFilterOptions filter;
+  puck::PictureOptions picture;
   app.add_option("IN", options.in, "recording of any format; - is stdin")->required();
   app.add_option("OUT", options.out, "file to write; - is stdout")->required();
   app.add_option("--to", options.to, "format to write; without it, from OUT's ending")
@@ -64,17 +91,14 @@ int main(int argc, char** argv) {
          [&](double seconds) { options.filter.length_us = std::llround(seconds * 1e6); },
          "length from there on, s")
       ->check(puck::number_range(1e-6, kLongest_s));
-  app.add_option("--crop", crop, "x,y,width,height, px: becomes the whole picture")
-      ->delimiter(',')
-      ->expected(4);
-  app.add_flag("--rotate-180", options.filter.rotate_180, "turn the picture upside down");
   app.add_flag("--start-at-zero", options.filter.start_at_zero,
                "count times from the first event that is written");
-  app.add_option("--hot-pixel-mask", mask, "TOML of puck-calibrate hot-pixels");
+  puck::add_event_filter_options(app, filter);
+  puck::add_picture_options(app, picture, filter.params.turn);
   app.footer(puck::format_list());
   return puck::run_tool(app, argc, argv, "puck-convert", [&] {
-    puck::parse_crop(crop, options.filter);
-    if (!mask.empty()) options.filter.mask = puck::read_pixel_mask_file(mask);
+    options.filter.events = filter.with_files();
+    picture.apply_to(options.filter.events);
     puck::convert(options);
     puck::flush_stdout();
     return 0;

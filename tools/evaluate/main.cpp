@@ -14,8 +14,7 @@
 #include "common/io/contour_calibration_file.h"
 #include "common/io/event_reader.h"
 #include "common/io/evidence_file.h"
-#include "common/io/masked_reader.h"
-#include "common/io/pixel_mask_file.h"
+#include "common/io/filtered_reader.h"
 #include "common/io/size_model_file.h"
 #include "common/io/truth_file.h"
 #include "common/recording/event_log_reader.h"
@@ -106,11 +105,7 @@ bool evaluate(const EvaluateOptions& options) {
     begin = part->begin();
     events = std::move(part);
   }
-  if (!options.hot_pixel_mask.empty()) {
-    events = std::make_unique<MaskedReader>(std::move(events),
-                                            read_pixel_mask_file(options.hot_pixel_mask),
-                                            options.hot_pixel_mask.string());
-  }
+  events = std::make_unique<FilteredReader>(std::move(events), options.filter.with_files());
   if (options.drops_packets) {
     events = std::make_unique<LossyReader>(std::move(events), options.loss);
   }

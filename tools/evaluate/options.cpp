@@ -8,6 +8,7 @@
 #include "common/messaging/event_packing.h"
 #include "common/vision/surface/surface.h"
 #include "tools/command_line/event_file_options.h"
+#include "tools/command_line/event_filter_options.h"
 #include "tools/command_line/number_range.h"
 
 namespace puck {
@@ -74,8 +75,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
                  "NAME=FACTOR: multiplies a number of preset default's DecisionParams, to see what "
                  "depends on it")
       ->expected(1);
-  app.add_option("--hot-pixel-mask", options.hot_pixel_mask,
-                 "TOML made by puck-calibrate hot-pixels: leaves their events out");
+  add_event_filter_options(app, options.filter);
   app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
   app.add_flag("--roi-only", options.roi_only,
                "while there is a track, keep only its region of the surface up to date");

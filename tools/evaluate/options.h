@@ -8,6 +8,7 @@
 
 #include "common/evaluation/accuracy_score.h"
 #include "common/io/event_reader.h"
+#include "tools/command_line/event_filter_options.h"
 #include "tools/evaluate/lossy_reader.h"
 #include "tools/evaluate/part_reader.h"
 
@@ -20,7 +21,7 @@ struct EvaluateOptions {
   std::filesystem::path size_model;
   std::filesystem::path evidence;
   std::vector<std::string> scale_decision;  // NAME=FACTOR
-  std::filesystem::path hot_pixel_mask;
+  EventFilterOptions filter;
   std::filesystem::path json;
   std::filesystem::path csv;
   std::filesystem::path curves;
