@@ -9,10 +9,10 @@
 
 #include "common/yarp/binary_carrier.h"
 #include "common/yarp/board_answer.h"
-#include "common/yarp/board_error.h"
-#include "common/yarp/line_reader.h"
 #include "common/yarp/name_server.h"
 #include "common/yarp/state_message.h"
+#include "common/yarp/text_lines.h"
+#include "common/yarp/yarp_error.h"
 #include "tests/fuzz/require.h"
 
 namespace puck {
@@ -21,7 +21,7 @@ namespace {
 void may_refuse(const std::function<void()>& work) {
   try {
     work();
-  } catch (const BoardError& error) {
+  } catch (const YarpError& error) {
     require_one_line(error.what());
   }
 }
@@ -97,7 +97,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto pieces = input.ConsumeBytes<std::uint8_t>(input.ConsumeIntegralInRange(0, 8));
   const auto bytes = input.ConsumeRemainingBytes<std::uint8_t>();
   if (is_text) {
-    for (const auto& line : puck::cut_both_ways<puck::LineReader>(bytes, pieces).parts) {
+    for (const auto& line : puck::cut_both_ways<puck::TextLines>(bytes, pieces).parts) {
       puck::read_line(line);
     }
     return 0;
