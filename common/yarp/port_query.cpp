@@ -55,7 +55,7 @@ PortAddress find_port(TextConnection& name_server, const std::string& name, cons
 bool is_port_name(const std::string& text) {
   constexpr std::size_t kLongest = 64;
   const auto is_fine = [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/';
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/' || c == ':';
   };
   return !text.empty() && text.size() <= kLongest && std::all_of(text.begin(), text.end(), is_fine);
 }

@@ -9,6 +9,7 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
+#include "common/posix/dead_peer.h"
 #include "common/yarp/yarp_error.h"
 
 namespace puck {
@@ -34,6 +35,7 @@ void connect_by(int socket, const PortAddress& to, const Waiter& waiter, Deadlin
   }
   if (!waiter.wait_for(socket, POLLOUT, deadline)) throw YarpError("no answer in time");
   check_connected(socket);
+  notice_dead_peer(socket);
   // Set-points are small: no delay (Nagle), and a small buffer, so that a newer one can replace one
   // not sent yet.
   const int on = 1;
