@@ -57,6 +57,7 @@ class CameraService final : public Service {
   std::int64_t sensor_zero_utime() const;
   void publish_truth(const SimulatedTruth& truth);
   void warn_of_drops();
+  void warn_of_lost_messages();
   void watch_overflow();
 
   CameraSettings settings_;
@@ -84,6 +85,7 @@ class CameraService final : public Service {
   std::int64_t packets_sent_ = 0;
   std::int64_t events_masked_ = 0;
   std::int64_t drops_told_ = 0;
+  std::int64_t messages_told_ = 0;
   std::int64_t overflow_seen_ = 0;
 };
 

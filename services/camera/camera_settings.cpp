@@ -7,6 +7,7 @@
 #include "common/io/pixel_mask_file.h"
 #include "common/messaging/event_packing.h"
 #include "common/simulation/visit_parameters.h"
+#include "common/yarp/port_query.h"
 
 namespace puck {
 namespace {
@@ -65,19 +66,29 @@ void read_file_settings(Config& config, bool is_live, FileSourceParams& file) {
   config.read("camera.rate_mev_s", file.rate_mev_s, 0, kHighestRate);
 }
 
+void read_yarp_settings(Config& config, CameraSettings& settings) {
+  config.read("camera.yarp_port", settings.yarp.port);
+  config.read("camera.yarp_server", settings.yarp.server_host);
+  config.read("camera.yarp_server_port", settings.yarp.server_port, 1, 65535);
+  if (!is_port_name(settings.yarp.port) || settings.yarp.port.front() != '/') {
+    config.fail("camera.yarp_port", "must be the name of a port, such as \"/atis3/AE:o\"");
+  }
+}
+
 }  // namespace
 
 CameraSettings read_camera_settings(Config& config) {
-  constexpr std::array<std::string_view, 5> kSources{"simulated", "file", "log", "stdin", "tcp"};
+  constexpr std::array<std::string_view, 6> kSources{"simulated", "file", "log",
+                                                     "stdin",     "tcp",  "yarp"};
   constexpr std::array<std::string_view, 3> kPaces{"auto", "sensor", "arrival"};
   constexpr std::array<std::string_view, 2> kEnds{"exit", "wait"};
   CameraSettings settings;
   config.read_choice("camera.source", settings.source, kSources);
-  const bool is_live = settings.source == "stdin" || settings.source == "tcp";
-  read_file_settings(config, is_live, settings.file);
+  read_file_settings(config, settings.is_stream(), settings.file);
   config.read("camera.log_prefix", settings.log_prefix);
   config.read("camera.tcp_host", settings.tcp_host);
   config.read("camera.tcp_port", settings.tcp_port, 1, 65535);
+  read_yarp_settings(config, settings);
   config.read_choice("camera.pace", settings.pace, kPaces);
   config.read("camera.speed", settings.speed, 0.001, 1000);
   config.read_choice("camera.at_end", settings.at_end, kEnds);
@@ -102,6 +113,16 @@ CameraSettings read_camera_settings(Config& config) {
   }
   if (settings.source == "simulated" && settings.pace == "arrival") {
     config.fail("camera.pace", "cannot be \"arrival\" for the simulated table");
+  }
+  if (settings.source == "yarp") {
+    if (settings.pace == "sensor") {
+      config.fail("camera.pace", "cannot be \"sensor\" for a camera on a YARP port");
+    }
+    if (settings.file.options.sensor.width == 0 || settings.file.options.sensor.height == 0) {
+      config.fail("camera.width",
+                  "and camera.height must be set when camera.source is \"yarp\": "
+                  "a port does not tell its sensor's size");
+    }
   }
   return settings;
 }

@@ -7,27 +7,16 @@
 
 #include <fcntl.h>
 #include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
+
+#include "common/posix/dead_peer.h"
 
 namespace puck {
 namespace {
 
 constexpr std::chrono::seconds kRetryAfter{1};
 constexpr std::chrono::milliseconds kIdle{2};
-
-/// A server without power does not close the connection; it then fails within 5 s.
-void notice_dead_peer(int socket) {
-  const auto set = [&](int level, int option, int value) {
-    setsockopt(socket, level, option, &value, sizeof value);
-  };
-  set(SOL_SOCKET, SO_KEEPALIVE, 1);
-  set(IPPROTO_TCP, TCP_KEEPIDLE, 2);
-  set(IPPROTO_TCP, TCP_KEEPINTVL, 1);
-  set(IPPROTO_TCP, TCP_KEEPCNT, 3);
-}
 
 }  // namespace
 
@@ -75,11 +64,7 @@ EventSource::Outcome TcpSource::next(Chunk& chunk) {
     disconnect(error.what());
     return Outcome::kNothingYet;
   }
-  const Timestamp newest = chunk.packet.newest();
-  chunk.new_clock = is_new_clock_;
-  is_new_clock_ = false;
-  chunk.packet.start = time_.place(chunk.packet.start);
-  chunk.until = time_.place(newest);
+  place(chunk, time_, is_new_clock_);
   return Outcome::kEvents;
 }
 
