@@ -71,8 +71,10 @@ std::unique_ptr<EventSource> CameraService::make_source() {
   }
   if (settings_.source == "stdin") return std::make_unique<StdinSource>(settings_.file.options);
   if (settings_.source == "tcp") {
-    return std::make_unique<TcpSource>(settings_.tcp_host, settings_.tcp_port,
-                                       settings_.file.options);
+    auto link = settings_.tcp_role == "server"
+                    ? listen_for_clients(settings_.tcp_host, settings_.tcp_port)
+                    : connect_to_server(settings_.tcp_host, settings_.tcp_port);
+    return std::make_unique<TcpSource>(std::move(link), settings_.file.options);
   }
   if (settings_.source == "yarp") {
     return std::make_unique<YarpSource>(settings_.yarp, settings_.file.options);

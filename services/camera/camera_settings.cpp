@@ -81,11 +81,13 @@ CameraSettings read_camera_settings(Config& config) {
   constexpr std::array<std::string_view, 6> kSources{"simulated", "file", "log",
                                                      "stdin",     "tcp",  "yarp"};
   constexpr std::array<std::string_view, 3> kPaces{"auto", "sensor", "arrival"};
+  constexpr std::array<std::string_view, 2> kRoles{"client", "server"};
   constexpr std::array<std::string_view, 2> kEnds{"exit", "wait"};
   CameraSettings settings;
   config.read_choice("camera.source", settings.source, kSources);
   read_file_settings(config, settings.is_stream(), settings.file);
   config.read("camera.log_prefix", settings.log_prefix);
+  config.read_choice("camera.tcp_role", settings.tcp_role, kRoles);
   config.read("camera.tcp_host", settings.tcp_host);
   config.read("camera.tcp_port", settings.tcp_port, 1, 65535);
   read_yarp_settings(config, settings);
