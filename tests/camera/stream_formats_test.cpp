@@ -230,19 +230,48 @@ TEST_CASE("a TCP server's address that is taken or not of this machine is refuse
   CHECK_THROWS_WITH(listen_for_clients("no such host", 1), doctest::Contains("cannot be found"));
 }
 
+namespace {
+
+/// The errors of a camera that reads `bytes` from stdin as they arrive.
+std::string run_on_stdin(const std::string& bytes, std::vector<std::string> settings) {
+  const CameraFolder folder;
+  std::ofstream(folder / "bytes", std::ios::binary) << bytes;
+  std::vector<std::string> arguments{program_path("puck-camera"), "--lcm-url", "memq://"};
+  settings.insert(settings.end(), {"camera.source=stdin", "camera.pace=arrival"});
+  for (const std::string& setting : settings) {
+    arguments.insert(arguments.end(), {"--set", setting});
+  }
+  const Finished finished = run_program(arguments, {.input = folder / "bytes"});
+  CHECK(finished.exit_code == 0);
+  return finished.errors;
+}
+
+}  // namespace
+
 TEST_CASE("the program publishes EVT2.1 and Event Stream from stdin to their end") {
   for (const StreamSample& sample : stream_samples()) {
     if (sample.name != "evt21" && sample.name != "es") continue;
     CAPTURE(sample.name);
-    const CameraFolder folder;
-    std::ofstream(folder / "bytes", std::ios::binary) << sample.bytes;
-    const Finished finished =
-        run_program({program_path("puck-camera"), "--lcm-url", "memq://", "--set",
-                     "camera.source=stdin", "--set", "camera.pace=arrival"},
-                    {.input = folder / "bytes"});
-    CHECK(finished.exit_code == 0);
-    CHECK(contains(finished.errors, "has ended after 3000 events"));
+    CHECK(contains(run_on_stdin(sample.bytes, {}), "has ended after 3000 events"));
   }
+}
+
+TEST_CASE("the output of vendors' tools is read from stdin with the settings of docs/cameras.md") {
+  const auto recorded = [](const char* file) {
+    std::ifstream in(source_folder() / "tests" / "io" / "data" / file, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  };
+  // By faery.
+  CHECK(contains(run_on_stdin(recorded("events.csv"), {"camera.text_unit=us"}),
+                 "has ended after 300 events"));
+  // RAW with its header, as a Metavision recorder writes it.
+  CHECK(contains(run_on_stdin(recorded("evt3.raw"), {}), "has ended after 700 events"));
+  // Words without a header, as of an OpenMV.
+  const StreamSample evt2 = stream_samples().front();
+  const std::string words = evt2.bytes.substr(evt2.bytes.find("% end\n") + 6);
+  CHECK(
+      contains(run_on_stdin(words, {"camera.format=evt2", "camera.width=320", "camera.height=320"}),
+               "has ended after 3000 events"));
 }
 
 }  // namespace puck
