@@ -19,8 +19,8 @@ std::vector<PortAddress> name_server_addresses(const std::string& host, int port
 PortAddress find_port(TextConnection& name_server, const std::string& name, const Waiter& waiter,
                       Deadline deadline);
 
-/// Whether `text` can stand as a name in the name server's lines: letters, digits and any of `_-.:/`,
-/// up to 64.
+/// Whether `text` can stand as a name in the name server's lines: letters, digits and any of
+/// `_-.:/`, up to 64.
 bool is_port_name(const std::string& text);
 
 }  // namespace puck

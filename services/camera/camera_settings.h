@@ -19,6 +19,7 @@ struct CameraSettings {
   bool is_stream() const { return source == "stdin" || source == "tcp" || source == "yarp"; }
   FileSourceParams file;   ///< Its options also hold for streams.
   std::string log_prefix;  ///< Prefix of the channels in a log.
+
   std::string tcp_role = "client";  ///< client or server.
   std::string tcp_host = "localhost";
   int tcp_port = 3333;

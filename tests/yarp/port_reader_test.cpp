@@ -1,6 +1,7 @@
 #include "common/yarp/port_reader.h"
 
 #include <chrono>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
