@@ -18,8 +18,7 @@ PortReader::PortReader(const PortReaderParams& params)
     : params_(params),
       name_servers_(
           name_server_addresses(params.server_host, params.server_port, params.server_key)),
-      pause_(std::chrono::milliseconds(params.retry_ms)),
-      waiting_for_("a connection to " + params.port) {}
+      pause_(std::chrono::milliseconds(params.retry_ms)) {}
 
 std::optional<PortMessage> PortReader::next(std::chrono::milliseconds wait) {
   const Deadline until = SteadyClock::now() + wait;

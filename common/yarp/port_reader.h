@@ -43,7 +43,8 @@ class PortReader {
   std::optional<PortMessage> next(std::chrono::milliseconds wait);
 
   bool is_connected() const { return connection_.has_value(); }
-  /// What it waits for, and the newest error while it is not connected.
+  /// What it waits for, and the newest error while it is not connected. Empty during the first
+  /// attempt.
   const std::string& waiting_for() const { return waiting_for_; }
 
   /// Ends a wait of next(), and all later ones. Safe from any thread.

@@ -235,6 +235,7 @@ void CameraService::serve_bus() {
 }
 
 void CameraService::say_waiting(const std::string& for_what) {
+  if (for_what.empty()) return;
   const std::string text = "for " + for_what;
   if (context_.status.state() == ServiceState::kWaiting && context_.status.state_text() == text) {
     return;

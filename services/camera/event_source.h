@@ -53,7 +53,7 @@ class EventSource {
   /// Whether events come when they happen, so that they need no pacing.
   virtual bool is_live() const { return false; }
 
-  /// What a silent stream waits for, as text for people.
+  /// What a silent stream waits for, as text for people; empty: not known yet.
   virtual std::string waiting_for() const { return {}; }
 
   /// Ends a wait of next() and all later ones. Safe from any thread.

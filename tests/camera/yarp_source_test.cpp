@@ -190,7 +190,7 @@ TEST_CASE("a missing name server is said in one line, and a stop ends the wait f
   CameraRun run("[camera]\nsource = \"yarp\"\nwidth = 304\nheight = 240\nyarp_server_port = " +
                 std::to_string(port) + "\n");
   std::jthread stopper([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
     run.stop_.request_stop();
   });
   run.run();
