@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "common/io/event_reader.h"
-#include "common/io/event_sink.h"
 #include "common/io/line_reader.h"
 #include "common/io/peeked_bytes.h"
-#include "common/io/yarp_event_clock.h"
 #include "common/io/yarp_packet.h"
+#include "common/io/yarp_packet_decoder.h"
+#include "common/io/yarp_record_form.h"
 
 namespace puck {
 
@@ -39,24 +39,17 @@ class YarpLogReader final : public EventReader {
   SensorSize sensor_size() const override { return sensor_; }
   bool read(EventPacket& packet, std::size_t max_events) override;
   void rewind() override;
-  const EventCounters& counters() const override { return sink_.counters(); }
+  const EventCounters& counters() const override { return decoder_.counters(); }
   RecordingFacts facts() const override {
-    return {has_stamps_ ? "YARP log, a time with each event" : "YARP log, times of packets", {}};
+    return {form_.has_stamps ? "YARP log, a time with each event" : "YARP log, times of packets",
+            {}};
   }
   std::optional<double> share_read() const override { return bytes_.share_read(); }
   std::vector<std::string> warnings() const override;
 
  private:
-  void find_encoding();
-  void start();
+  YarpRecordForm find_form();
   void take_line(std::string_view line);
-  void take_stamped();
-  void take_plain();
-  void place_plain(const YarpPacket& packet, double start_us);
-  void finish();
-  bool is_of_this_eye(std::uint32_t address);
-  void append_placed();
-  void append(Timestamp time, std::uint32_t address);
 
   EventFileOptions options_;
   SensorSize sensor_;
@@ -64,15 +57,8 @@ class YarpLogReader final : public EventReader {
   LineReader lines_;
   bool is_finished_ = false;  // At the end, and no record or packet waits.
   YarpPacket packet_;
-  bool has_stamps_ = true;  // Before each record.
-  double us_per_tick_ = 1;
-  std::uint32_t eye_ = 0;  // Whose events are read.
-  YarpEventClock clock_;
-  std::vector<TimedRecord> placed_;
-  std::optional<YarpPacket> held_;      // A packet without stamps whose host time is doubtful.
-  std::optional<double> plain_zero_s_;  // Host time at which the log's first plain packet began.
-  double newest_plain_us_ = 0;          // End of the newest packet without stamps.
-  EventSink sink_;
+  YarpRecordForm form_;
+  YarpPacketDecoder decoder_;
 };
 
 }  // namespace puck

@@ -11,10 +11,7 @@
 namespace puck {
 namespace {
 
-constexpr std::string_view kEventTag = "AE";
 constexpr std::string_view kBlanks = " \t\r";
-// The year 5138, s: a later host time is damaged.
-constexpr double kLatestHostTime_s = 1e11;
 
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
@@ -85,13 +82,13 @@ bool take_envelope(ValueCursor& cursor, double& host_time_s, std::string_view& t
   std::int64_t sequence = 0;
   if (!parse_number(cursor.take_word(), sequence)) return false;
   if (!parse_number(cursor.take_word(), host_time_s) || !(host_time_s >= 0) ||
-      host_time_s > kLatestHostTime_s) {
+      host_time_s > kLatestYarpTime_s) {
     return false;
   }
   tag = cursor.take_word();
   double received_s = 0;
   if (parse_number(tag, received_s)) tag = cursor.take_word();
-  return !tag.empty() && std::all_of(tag.begin(), tag.end(), is_capital);
+  return is_yarp_tag(tag);
 }
 
 // Parses a 32-bit number, signed or unsigned.
@@ -215,6 +212,10 @@ void skip_record(ValueCursor& cursor) {
 
 }  // namespace
 
+bool is_yarp_tag(std::string_view word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), is_capital);
+}
+
 bool is_yarp_log(std::string_view head) {
   // The first lines may be damaged.
   while (!head.empty()) {
@@ -242,7 +243,7 @@ bool parse_yarp_packet(std::string_view line, YarpPacket& packet) {
   if (!take_envelope(cursor, packet.host_time_s, tag)) return false;
   bool has_events = false;
   for (; !tag.empty(); tag = cursor.take_word()) {
-    if (tag != kEventTag || has_events) {
+    if (tag != kYarpEventTag || has_events) {
       ++packet.other_records;
       skip_record(cursor);
       continue;

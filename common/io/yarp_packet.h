@@ -8,7 +8,15 @@
 
 namespace puck {
 
-/// A packet of events of an IIT camera, as a line of a YARP text log holds it.
+/// The tag of events.
+inline constexpr std::string_view kYarpEventTag = "AE";
+/// Tags are words of capital letters.
+bool is_yarp_tag(std::string_view word);
+/// Host times of a later year than 5138 are damaged, s.
+inline constexpr double kLatestYarpTime_s = 1e11;
+
+/// A packet of events of an IIT camera, as a line of a YARP text log or a message of a port holds
+/// it.
 struct YarpPacket {
   double host_time_s = 0;        ///< When it was sent, s, on the sender's clock.
   std::int64_t duration_us = 0;  ///< That it covers; 0 where the line does not say.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/yarp/board_error.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 namespace {
@@ -16,8 +16,8 @@ constexpr std::array<std::uint8_t, kTaggedBytes> kIndex{'Y', 'A', 10, 0, 0, 0, '
 constexpr std::size_t kIndexBytes = 10;
 constexpr std::uint8_t kAnswerBlocks = 1;
 constexpr std::uint8_t kUnused = 0xFF;
-// A vector takes three blocks, an envelope one more.
-constexpr std::size_t kMostBlocks = 16;
+// A vector or a packet of events takes a few blocks, an envelope one more.
+constexpr std::size_t kMostBlocks = 64;
 
 bool is_tagged(std::span<const std::uint8_t> bytes) {
   return bytes[0] == 'Y' && bytes[1] == 'A' && bytes[6] == 'R' && bytes[7] == 'P';
@@ -39,7 +39,7 @@ Bytes hello(std::string_view name) {
 
 void check_hello_answer(std::span<const std::uint8_t, kHelloAnswerBytes> answer) {
   if (!is_tagged(answer) || answer[4] != 0 || answer[5] != 0) {
-    throw BoardError("it does not answer in the binary carrier");
+    throw YarpError("it does not answer in the binary carrier");
   }
 }
 
@@ -67,7 +67,7 @@ void MessageReader::feed(std::span<const std::uint8_t> bytes) {
 std::optional<std::span<const std::uint8_t>> MessageReader::next() {
   const auto whole = std::span<const std::uint8_t>(bytes_).subspan(begin_);
   const auto refuse = [](const char* why) {
-    throw BoardError(std::string("it sent an invalid message: ") + why);
+    throw YarpError(std::string("it sent an invalid message: ") + why);
   };
   if (whole.size() < kTaggedBytes) {
     if (!std::equal(whole.begin(), whole.end(), kIndex.begin())) refuse("wrong header");
@@ -90,8 +90,8 @@ std::optional<std::span<const std::uint8_t>> MessageReader::next() {
   std::size_t size = 0;
   for (std::size_t i = 0; i < blocks; ++i) {
     const std::int32_t block = reader.whole();
-    if (block < 0 || static_cast<std::size_t>(block) > kMostBytes - size) {
-      refuse("larger than any message of a board");
+    if (block < 0 || static_cast<std::size_t>(block) > most_bytes_ - size) {
+      refuse("larger than expected");
     }
     size += static_cast<std::size_t>(block);
   }

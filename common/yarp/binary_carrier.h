@@ -17,7 +17,7 @@ namespace puck {
 Bytes hello(std::string_view name);
 
 inline constexpr std::size_t kHelloAnswerBytes = 8;
-/// Throws BoardError.
+/// Throws YarpError.
 void check_hello_answer(std::span<const std::uint8_t, kHelloAnswerBytes> answer);
 
 /// The port command of a message.
@@ -32,16 +32,20 @@ void append_message(PortCommand command, std::span<const std::uint8_t> payload, 
 /// Extracts messages from a byte stream in pieces of any size.
 class MessageReader {
  public:
-  /// Larger messages are refused: the encoders of 64 joints take 600 bytes.
-  static constexpr std::size_t kMostBytes = 4096;
+  /// Ample for the encoders of 64 joints, which take 600 bytes.
+  static constexpr std::size_t kBoardBytes = 4096;
+
+  /// Refuses messages whose blocks exceed `most_bytes`.
+  explicit MessageReader(std::size_t most_bytes = kBoardBytes) : most_bytes_(most_bytes) {}
 
   void feed(std::span<const std::uint8_t> bytes);
 
   /// The joined blocks of the next message, valid until the next call; `std::nullopt` until it is
-  /// complete. Throws BoardError when the bytes are not a message.
+  /// complete. Throws YarpError when the bytes are not a message.
   std::optional<std::span<const std::uint8_t>> next();
 
  private:
+  std::size_t most_bytes_;
   Bytes bytes_;
   std::size_t begin_ = 0;  // First byte that was not returned yet.
 };

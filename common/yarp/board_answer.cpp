@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "common/yarp/board_error.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 namespace {
@@ -25,7 +25,7 @@ BoardAnswer::BoardAnswer(std::string_view request, std::string_view line)
   if (items_.empty() || !items_.back().is_vocab) refuse();
   const std::string& verdict = items_.back().text;
   if (verdict == "fail" || verdict == "nak") {
-    throw BoardError("it refused " + in_quotes(request_) + " with [" + verdict + "]");
+    throw YarpError("it refused " + in_quotes(request_) + " with [" + verdict + "]");
   }
   if (verdict != "ok") refuse();
 }
@@ -112,7 +112,7 @@ std::vector<std::string> BoardAnswer::vocabs(std::string_view word, std::size_t 
 }
 
 void BoardAnswer::refuse() const {
-  throw BoardError("it answered " + in_quotes(line_) + " to " + in_quotes(request_));
+  throw YarpError("it answered " + in_quotes(line_) + " to " + in_quotes(request_));
 }
 
 }  // namespace puck

@@ -10,10 +10,10 @@ namespace puck {
 /// 1795247365.76 [ok]`.
 class BoardAnswer {
  public:
-  /// Throws BoardError that names the request: `[fail]`, `[nak]`, or not an answer.
+  /// Throws YarpError that names the request: `[fail]`, `[nak]`, or not an answer.
   BoardAnswer(std::string_view request, std::string_view line);
 
-  // The values after `[is] WORD` in the answer to a `get`. Each function throws BoardError that
+  // The values after `[is] WORD` in the answer to a `get`. Each function throws YarpError that
   // names the request when the answer has other contents.
 
   /// A number from 1 to `most`.

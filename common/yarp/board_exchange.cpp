@@ -99,19 +99,19 @@ void BoardExchange::put_encoders(const JointReading& reading) {
   publish();
 }
 
-void BoardExchange::lose_connection(const BoardError& why) {
+void BoardExchange::lose_connection(const YarpError& why) {
   count(counts_.failures);
   state_.reading.reset();
   state_.holds = false;
   state_.why_none = why.what();
   switch (why.kind()) {
-    case BoardError::Kind::kFailed:
+    case YarpError::Kind::kFailed:
       state_.is_fault = state_.connection > 0;
       break;
-    case BoardError::Kind::kNotReady:
+    case YarpError::Kind::kNotReady:
       state_.is_fault = was_held_;
       break;
-    case BoardError::Kind::kNeedsPerson:
+    case YarpError::Kind::kNeedsPerson:
       state_.is_fault = true;
       break;
   }

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "common/control/arm_back_end.h"
-#include "common/yarp/board_error.h"
 #include "common/yarp/newest_value.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 
@@ -56,7 +56,7 @@ class BoardExchange {
 
   void begin_connection(const JointReading& first);
   void put_encoders(const JointReading& reading);
-  void lose_connection(const BoardError& why);
+  void lose_connection(const YarpError& why);
   /// Holds the joints until the connection is lost.
   void put_hold();
   /// The newest set-point that was not taken yet, without taking it; `std::nullopt` if there is

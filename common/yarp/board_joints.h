@@ -15,7 +15,7 @@ struct BoardJoints {
   std::vector<std::string> names;  ///< Of the driven joints: `joint 2 "elbow"`.
 };
 
-/// Requests it from the board. Throws BoardError that needs a person when a driven joint does not
+/// Requests it from the board. Throws YarpError that needs a person when a driven joint does not
 /// exist or our limits are wider than the board's.
 BoardJoints find_joints(const YarpParams& params, BoardRequests& requests);
 

@@ -1,30 +1,9 @@
 #include "common/yarp/board_ports.h"
 
-#include <optional>
-
-#include "common/yarp/text_connection.h"
+#include "common/yarp/port_query.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
-namespace {
-
-PortAddress find_port(TextConnection& name_server, const std::string& name, const Waiter& waiter,
-                      Deadline deadline) {
-  // Other versions may add lines to an answer.
-  constexpr int kMostLines = 8;
-  name_server.send("query " + name, waiter, deadline);
-  std::optional<PortAddress> address;
-  for (int i = 0; i < kMostLines; ++i) {
-    const std::string line = name_server.receive(waiter, deadline);
-    if (line == kEndOfAnswer) {
-      if (!address) throw BoardError("there is no port " + name + ": is the robot running?");
-      return *address;
-    }
-    if (!address) address = parse_registration(line, name);
-  }
-  throw BoardError("its answer to a query for " + name + " has no end");
-}
-
-}  // namespace
 
 BoardPorts find_board_ports(const YarpParams& params, const PortAddress& name_server,
                             const Waiter& waiter) {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-
-#include "common/yarp/board_error.h"
 #include "common/yarp/name_server.h"
 #include "common/yarp/waiter.h"
 #include "common/yarp/yarp_params.h"
@@ -16,18 +13,8 @@ struct BoardPorts {
   PortAddress state;
 };
 
-/// Queries the name server. Throws BoardError.
+/// Queries the name server. Throws YarpError.
 BoardPorts find_board_ports(const YarpParams& params, const PortAddress& name_server,
                             const Waiter& waiter);
-
-/// Adds the port's name to the message of a BoardError from `work`.
-template <typename Work>
-auto at_port(const std::string& name, Work work) {
-  try {
-    return work();
-  } catch (const BoardError& error) {
-    throw BoardError(name + ": " + error.what(), error.kind());
-  }
-}
 
 }  // namespace puck

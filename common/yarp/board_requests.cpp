@@ -1,7 +1,7 @@
 #include "common/yarp/board_requests.h"
 
-#include "common/yarp/board_error.h"
 #include "common/yarp/state_message.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 namespace {
@@ -55,7 +55,7 @@ void BoardRequests::begin(const std::string& request) {
 std::optional<BoardAnswer> BoardRequests::answer_now() {
   const auto line = connection_.receive_now();
   if (!line) return std::nullopt;
-  if (!asked_at_) throw BoardError("it sent " + in_quotes(*line) + " without being asked");
+  if (!asked_at_) throw YarpError("it sent " + in_quotes(*line) + " without being asked");
   note_answer();
   return BoardAnswer(asked_, *line);
 }
@@ -86,10 +86,10 @@ BoardAnswer BoardRequests::ask(const std::string& request, const Waiter& waiter,
     const std::string line = connection_.receive(waiter, deadline);
     note_answer();
     return {request, line};
-  } catch (const BoardError& error) {
+  } catch (const YarpError& error) {
     const std::string what = error.what();
     const bool names_it = what.find(in_quotes(request)) != std::string::npos;
-    throw BoardError(names_it ? what : what + ", asked " + in_quotes(request), error.kind());
+    throw YarpError(names_it ? what : what + ", asked " + in_quotes(request), error.kind());
   }
 }
 

@@ -17,7 +17,7 @@ struct JointRange {
   double highest_deg = 0;
 };
 
-/// Requests on a board's port rpc:i, one at a time. Errors throw BoardError that names the request.
+/// Requests on a board's port rpc:i, one at a time. Errors throw YarpError that names the request.
 class BoardRequests {
  public:
   /// `patience`: timeout of each answer.

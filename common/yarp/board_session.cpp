@@ -5,8 +5,8 @@
 #include <chrono>
 #include <string>
 
-#include "common/yarp/board_error.h"
 #include "common/yarp/set_point_message.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 namespace {
@@ -77,7 +77,7 @@ void BoardSession::wait_for_fresh_encoders() {
   const Deadline deadline = in_ms(params_.answer_timeout_ms);
   while (const auto message = state_.receive_now()) {
     take_state(*message);
-    if (SteadyClock::now() >= deadline) throw BoardError("it sends encoders without a pause");
+    if (SteadyClock::now() >= deadline) throw YarpError("it sends encoders without a pause");
   }
   const double before_s = stamp_->time_s;
   bool is_sending = false;
@@ -89,7 +89,7 @@ void BoardSession::wait_for_fresh_encoders() {
       waiter_.wait_for(state_.descriptor(), POLLIN, deadline);
     }
     if (SteadyClock::now() >= deadline) {
-      throw BoardError(is_sending ? "its stamp stands still" : "no encoders in time");
+      throw YarpError(is_sending ? "its stamp stands still" : "no encoders in time");
     }
   }
 }
@@ -109,9 +109,9 @@ void BoardSession::receive_encoders() {
 JointReading BoardSession::take_state(std::span<const std::uint8_t> message) {
   const StateMessage state = parse_state_message(message);
   if (state.encoders_deg.size() != joints_.axes) {
-    throw BoardError("it sent the encoders of " + std::to_string(state.encoders_deg.size()) +
-                         " joints: there were " + std::to_string(joints_.axes),
-                     BoardError::Kind::kNeedsPerson);
+    throw YarpError("it sent the encoders of " + std::to_string(state.encoders_deg.size()) +
+                        " joints: there were " + std::to_string(joints_.axes),
+                    YarpError::Kind::kNeedsPerson);
   }
   received_at_ = SteadyClock::now();
   // The count advances even while the board reads no new encoders; the time does not.
@@ -130,8 +130,8 @@ void BoardSession::check_silence() const {
   const Deadline now = SteadyClock::now();
   const milliseconds patience(params_.silent_ms);
   const std::string for_ms = " for " + std::to_string(params_.silent_ms) + " ms";
-  if (now - received_at_ > patience) throw BoardError("no encoders" + for_ms);
-  if (now - stamp_moved_at_ > patience) throw BoardError("its stamp stands still" + for_ms);
+  if (now - received_at_ > patience) throw YarpError("no encoders" + for_ms);
+  if (now - stamp_moved_at_ > patience) throw YarpError("its stamp stands still" + for_ms);
 }
 
 // The modes change slowly, with new encoders and set-points meanwhile. The newest set-point must
@@ -149,7 +149,7 @@ void BoardSession::send_set_point() {
   command_.attend();
   if (!command_.is_free()) {
     if (SteadyClock::now() - command_free_at_ <= milliseconds(params_.silent_ms)) return;
-    throw BoardError("it takes no set-points for " + std::to_string(params_.silent_ms) + " ms");
+    throw YarpError("it takes no set-points for " + std::to_string(params_.silent_ms) + " ms");
   }
   command_free_at_ = SteadyClock::now();
   if (hold_.state() == JointHold::State::kNone) begin_to_take();

@@ -20,12 +20,12 @@ namespace puck {
 class BoardSession {
  public:
   /// Connects and checks the joints, their limits and their modes; changes nothing on the board.
-  /// Throws BoardError that names the port.
+  /// Throws YarpError that names the port.
   BoardSession(const YarpParams& params, const PortAddress& name_server, const Waiter& waiter,
                BoardExchange& exchange);
 
   /// Exchanges encoders and set-points until the waiter is stopped. The first set-point takes the
-  /// joints. Throws BoardError as soon as the board is unreliable, or its joints could not be
+  /// joints. Throws YarpError as soon as the board is unreliable, or its joints could not be
   /// taken.
   void run();
 
@@ -55,7 +55,7 @@ class BoardSession {
   BoardJoints joints_;
   JointHold hold_;
   SetPointGate gate_;
-  std::optional<BoardStamp> stamp_;
+  std::optional<PortStamp> stamp_;
   Deadline received_at_;  // Of the newest encoders.
   Deadline stamp_moved_at_;
   Deadline command_free_at_;  // Last time at which no set-point was unsent.

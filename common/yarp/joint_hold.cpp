@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "common/yarp/board_error.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 namespace {
@@ -35,17 +35,17 @@ void JointHold::check_ready(const std::vector<std::string>& modes) const {
     const std::string& mode = modes[static_cast<std::size_t>(params_.joints[i])];
     if (may_be_taken(mode)) continue;
     if (is_hardware_fault(mode)) {
-      throw BoardError(joints_.names[i] + " is in mode " + in_quotes(mode) +
-                           ", a hardware fault: bring it back into mode " + in_quotes(kPosition) +
-                           " with the robot's own tools, then puck-arm --reset",
-                       BoardError::Kind::kNeedsPerson);
+      throw YarpError(joints_.names[i] + " is in mode " + in_quotes(mode) +
+                          ", a hardware fault: bring it back into mode " + in_quotes(kPosition) +
+                          " with the robot's own tools, then puck-arm --reset",
+                      YarpError::Kind::kNeedsPerson);
     }
-    throw BoardError(joints_.names[i] + " is not ready yet: it is in mode " + in_quotes(mode) +
-                         (is_motor_off(mode) ? ", its motor off: the robot's own tools bring it "
-                                               "into mode " +
-                                                   in_quotes(kPosition)
-                                             : std::string{}),
-                     BoardError::Kind::kNotReady);
+    throw YarpError(joints_.names[i] + " is not ready yet: it is in mode " + in_quotes(mode) +
+                        (is_motor_off(mode) ? ", its motor off: the robot's own tools bring it "
+                                              "into mode " +
+                                                  in_quotes(kPosition)
+                                            : std::string{}),
+                    YarpError::Kind::kNotReady);
   }
 }
 
@@ -72,7 +72,7 @@ bool JointHold::attend(bool wants) {
   const Deadline now = SteadyClock::now();
   if (requests_.is_waiting()) {
     if (now <= requests_.late_at()) return false;
-    throw BoardError("no answer in time, asked " + in_quotes(requests_.asked()));
+    throw YarpError("no answer in time, asked " + in_quotes(requests_.asked()));
   }
   // A later request for the joints starts from the beginning.
   if (std::exchange(was_withdrawn_, false) &&
@@ -115,7 +115,7 @@ void JointHold::process_modes(const std::vector<std::string>& modes) {
     if (state_ == State::kTaking) taken_at_ = SteadyClock::now();
     state_ = State::kTaken;
   } else if (state_ == State::kTaken || SteadyClock::now() >= taken_by_) {
-    throw BoardError(wrong);
+    throw YarpError(wrong);
   }
 }
 

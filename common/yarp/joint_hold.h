@@ -16,7 +16,7 @@ namespace puck {
 /// `pos` and `posd` only: a joint in any other mode is being calibrated, driven by another program,
 /// or has its motor off, and is left to the robot's own tools. One thread.
 ///
-/// Errors throw BoardError: a joint in none of these modes is not ready, one in a hardware fault
+/// Errors throw YarpError: a joint in none of these modes is not ready, one in a hardware fault
 /// needs a person.
 class JointHold {
  public:

@@ -19,7 +19,7 @@ struct PortAddress {
 /// unknown.
 inline constexpr std::string_view kEndOfAnswer = "*** end of message";
 
-/// Reads `registration name … ip … port … type tcp`. Throws BoardError when the line is not one, or
+/// Reads `registration name … ip … port … type tcp`. Throws YarpError when the line is not one, or
 /// is for another port than `name`.
 PortAddress parse_registration(std::string_view line, std::string_view name);
 

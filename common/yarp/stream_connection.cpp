@@ -5,13 +5,13 @@
 namespace puck {
 namespace {
 
-constexpr std::size_t kPieceBytes = 4096;
+constexpr std::size_t kPieceBytes = 16384;
 
 }  // namespace
 
 StreamConnection::StreamConnection(const PortAddress& address, std::string_view local_name,
-                                   const Waiter& waiter, Deadline deadline)
-    : socket_(address, waiter, deadline) {
+                                   const Waiter& waiter, Deadline deadline, std::size_t most_bytes)
+    : socket_(address, waiter, deadline), messages_(most_bytes) {
   socket_.send(hello(local_name), waiter, deadline);
   std::array<std::uint8_t, kHelloAnswerBytes> answer{};
   for (std::size_t at = 0; at < answer.size();) {

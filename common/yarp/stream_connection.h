@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -9,12 +10,12 @@
 
 namespace puck {
 
-/// A connection to a board's streaming port in YARP's binary carrier. Errors throw BoardError.
+/// A connection to a streaming port in YARP's binary carrier. Errors throw YarpError.
 class StreamConnection {
  public:
-  /// Connects as `local_name` and waits for the answer.
+  /// Connects as `local_name` and waits for the answer. Received messages have up to `most_bytes`.
   StreamConnection(const PortAddress& address, std::string_view local_name, const Waiter& waiter,
-                   Deadline deadline);
+                   Deadline deadline, std::size_t most_bytes = MessageReader::kBoardBytes);
 
   int descriptor() const { return socket_.descriptor(); }
 

@@ -10,7 +10,7 @@
 
 namespace puck {
 
-/// A TCP connection without unbounded blocking. Errors throw BoardError.
+/// A TCP connection without unbounded blocking. Errors throw YarpError.
 class TcpSocket {
  public:
   TcpSocket(const PortAddress& address, const Waiter& waiter, Deadline deadline);

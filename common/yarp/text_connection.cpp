@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "common/yarp/board_error.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 namespace {
@@ -21,7 +21,7 @@ TextConnection::TextConnection(const PortAddress& address, std::string_view loca
   socket_.send(bytes_of("CONNECT " + std::string(local_name) + "\n"), waiter, deadline);
   const std::string answer = receive(waiter, deadline);
   if (!answer.starts_with("Welcome ")) {
-    throw BoardError("it greets with " + in_quotes(answer) + " instead of Welcome");
+    throw YarpError("it greets with " + in_quotes(answer) + " instead of Welcome");
   }
 }
 

@@ -4,13 +4,13 @@
 #include <string>
 #include <string_view>
 
-#include "common/yarp/line_reader.h"
 #include "common/yarp/tcp_socket.h"
+#include "common/yarp/text_lines.h"
 
 namespace puck {
 
 /// A connection in YARP's text carrier, to the name server or a board's port rpc:i. Errors throw
-/// BoardError.
+/// YarpError.
 class TextConnection {
  public:
   /// Connects as `local_name` and waits for the welcome.
@@ -27,7 +27,7 @@ class TextConnection {
 
  private:
   TcpSocket socket_;
-  LineReader lines_;
+  TextLines lines_;
 };
 
 }  // namespace puck

@@ -10,7 +10,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
-#include "common/yarp/board_error.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 namespace {
@@ -48,7 +48,7 @@ void Waiter::wait(std::span<const pollfd> sockets, Deadline deadline) const {
 
 bool Waiter::wait_for(int socket, short events, Deadline deadline) const {
   while (true) {
-    if (is_stopped()) throw BoardError("stopped");
+    if (is_stopped()) throw YarpError("stopped");
     // Checked before the socket, so that a socket that is always ready cannot extend the wait.
     if (SteadyClock::now() >= deadline) return false;
     pollfd ready{socket, events, 0};

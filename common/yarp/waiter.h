@@ -41,11 +41,11 @@ class Waiter {
   /// Waits until a socket is ready, the deadline has come, or the waker was called.
   void wait(std::span<const pollfd> sockets, Deadline deadline) const;
 
-  /// Waits until the socket is ready for `events`; false: the deadline has come. Throws BoardError
+  /// Waits until the socket is ready for `events`; false: the deadline has come. Throws YarpError
   /// on a stop.
   bool wait_for(int socket, short events, Deadline deadline) const;
 
-  /// Throws BoardError on a stop.
+  /// Throws YarpError on a stop.
   void rest_until(Deadline deadline) const { wait_for(-1, 0, deadline); }
 
  private:

@@ -1,54 +1,25 @@
 #include "common/yarp/yarp_back_end.h"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <stdexcept>
 
-#include <arpa/inet.h>
-#include <netdb.h>
-#include <netinet/in.h>
-
-#include "common/yarp/board_error.h"
 #include "common/yarp/board_session.h"
+#include "common/yarp/port_query.h"
+#include "common/yarp/retry_pause.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 namespace {
-
-constexpr std::chrono::milliseconds kLongestPause{5000};
 
 const YarpParams& checked(const YarpParams& params) {
   check(params);
   return params;
 }
 
-// Only once: a look-up can neither be interrupted nor have a timeout.
-std::vector<PortAddress> look_up(const YarpParams& params) {
-  addrinfo hints{};
-  hints.ai_family = AF_INET;
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  const int error = getaddrinfo(params.host.c_str(), nullptr, &hints, &found);
-  if (error != 0) {
-    throw std::invalid_argument("arm.yarp.host \"" + params.host +
-                                "\" cannot be found: " + gai_strerror(error));
-  }
-  std::vector<PortAddress> addresses;
-  for (const addrinfo* each = found; each != nullptr; each = each->ai_next) {
-    std::array<char, INET_ADDRSTRLEN> dotted{};
-    const auto* address = reinterpret_cast<const sockaddr_in*>(each->ai_addr);
-    inet_ntop(AF_INET, &address->sin_addr, dotted.data(), dotted.size());
-    addresses.push_back({dotted.data(), static_cast<std::uint16_t>(params.port)});
-  }
-  freeaddrinfo(found);
-  return addresses;
-}
-
 }  // namespace
 
 YarpBackEnd::YarpBackEnd(const YarpParams& params)
     : params_(checked(params)),
-      name_servers_(look_up(params)),
+      name_servers_(name_server_addresses(params.host, params.port, "arm.yarp.host")),
       exchange_(std::int64_t{1000} * params.silent_ms),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
@@ -80,34 +51,32 @@ std::vector<std::pair<std::string, std::int64_t>> YarpBackEnd::counters(
 void YarpBackEnd::run(const std::stop_token& stop) {
   const std::stop_callback on_stop(stop, [this] { waker_.wake(); });
   const Waiter waiter(stop, waker_);
-  const std::chrono::milliseconds first_pause(params_.retry_ms);
-  auto pause = first_pause;
+  RetryPause pause{std::chrono::milliseconds(params_.retry_ms)};
   for (std::size_t i = 0; !waiter.is_stopped(); ++i) {
     const std::int64_t connections_before = exchange_.counters(0).connections;
     const auto failure = serve(name_servers_[i % name_servers_.size()], waiter);
     if (!failure || waiter.is_stopped()) return;
     exchange_.lose_connection(*failure);
-    if (exchange_.counters(0).connections > connections_before) pause = first_pause;
-    const Deadline again_at = SteadyClock::now() + pause;
+    if (exchange_.counters(0).connections > connections_before) pause.restart();
+    const Deadline again_at = SteadyClock::now() + pause.take();
     while (!waiter.is_stopped() && SteadyClock::now() < again_at) waiter.wait({}, again_at);
-    pause = std::min(2 * pause, kLongestPause);
   }
 }
 
-std::optional<BoardError> YarpBackEnd::serve(const PortAddress& name_server, const Waiter& waiter) {
+std::optional<YarpError> YarpBackEnd::serve(const PortAddress& name_server, const Waiter& waiter) {
   try {
     BoardSession session(params_, name_server, waiter, exchange_);
     try {
       session.run();
-    } catch (const BoardError&) {
+    } catch (const YarpError&) {
       if (!waiter.is_stopped()) throw;
     }
     session.leave();
     return std::nullopt;
-  } catch (const BoardError& error) {
+  } catch (const YarpError& error) {
     return error;
   } catch (const std::exception& error) {
-    return BoardError(error.what());
+    return YarpError(error.what());
   }
 }
 

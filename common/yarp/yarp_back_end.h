@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "common/control/arm_back_end.h"
-#include "common/yarp/board_error.h"
 #include "common/yarp/board_exchange.h"
 #include "common/yarp/name_server.h"
 #include "common/yarp/waiter.h"
+#include "common/yarp/yarp_error.h"
 #include "common/yarp/yarp_params.h"
 
 namespace puck {
@@ -67,7 +67,7 @@ class YarpBackEnd final : public ArmBackEnd {
  private:
   void run(const std::stop_token& stop);
   /// Returns the error that ended the connection; `std::nullopt` after a stop.
-  std::optional<BoardError> serve(const PortAddress& name_server, const Waiter& waiter);
+  std::optional<YarpError> serve(const PortAddress& name_server, const Waiter& waiter);
 
   YarpParams params_;
   std::vector<PortAddress> name_servers_;  // All addresses of the host, tried in turn.

@@ -1,11 +1,11 @@
 #include "common/yarp/yarp_params.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <stdexcept>
 
 #include "common/control/joint_angles.h"
+#include "common/yarp/port_query.h"
 #include "common/yarp/state_message.h"
 
 namespace puck {
@@ -24,14 +24,6 @@ void require_between(double value, double lowest, double highest, const std::str
   };
   require(value >= lowest && value <= highest, key,
           "must be from " + plain(lowest) + " to " + plain(highest) + ", got " + plain(value));
-}
-
-// Names are words in lines of text.
-bool is_name(const std::string& text) {
-  const auto is_fine = [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/';
-  };
-  return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), is_fine);
 }
 
 void check_joints(const YarpParams& params) {
@@ -61,11 +53,11 @@ void check_joints(const YarpParams& params) {
 void check(const YarpParams& params) {
   require(!params.host.empty(), "host", "must name the machine of the name server");
   require_between(params.port, 1, 65535, "port");
-  require(is_name(params.robot) && params.robot.front() == '/' && params.robot.back() != '/',
+  require(is_port_name(params.robot) && params.robot.front() == '/' && params.robot.back() != '/',
           "robot", "must be the prefix of the robot's port names, such as \"/icub\"");
-  require(is_name(params.part) && params.part.front() != '/' && params.part.back() != '/', "part",
-          "must be a part of the robot, such as \"right_arm\"");
-  require(is_name(params.local_name) && params.local_name.find('/') == std::string::npos,
+  require(is_port_name(params.part) && params.part.front() != '/' && params.part.back() != '/',
+          "part", "must be a part of the robot, such as \"right_arm\"");
+  require(is_port_name(params.local_name) && params.local_name.find('/') == std::string::npos,
           "local_name", "must be a word");
   check_joints(params);
   require_between(params.silent_ms, 40, 1000, "silent_ms");

@@ -14,6 +14,7 @@
 #include "services/camera/stream_source.h"
 #include "services/camera/tcp_source.h"
 #include "services/camera/truth_messages.h"
+#include "services/camera/yarp_source.h"
 
 namespace puck {
 namespace {
@@ -55,8 +56,8 @@ CameraService::CameraService(const CameraSettings& settings, ServiceContext& con
       pacer_(settings.speed),
       limit_(is_paced_ ? kCatchUpMevS : settings.arrival_limit_mev_s) {
   // Unpaced streams must be read in time, whatever else happens, hence on their own thread.
-  const bool is_stream = settings.source == "stdin" || settings.source == "tcp";
-  if (!is_paced_ && is_stream) source_ = std::make_unique<LiveSource>(std::move(source_));
+  if (!is_paced_ && settings.is_stream())
+    source_ = std::make_unique<LiveSource>(std::move(source_));
   if (const auto sensor = source_->sensor_size()) filter_.emplace(settings_.filter, *sensor);
   if (simulated_) listen_to_arm();
 }
@@ -70,8 +71,13 @@ std::unique_ptr<EventSource> CameraService::make_source() {
   }
   if (settings_.source == "stdin") return std::make_unique<StdinSource>(settings_.file.options);
   if (settings_.source == "tcp") {
-    return std::make_unique<TcpSource>(settings_.tcp_host, settings_.tcp_port,
-                                       settings_.file.options);
+    auto link = settings_.tcp_role == "server"
+                    ? listen_for_clients(settings_.tcp_host, settings_.tcp_port)
+                    : connect_to_server(settings_.tcp_host, settings_.tcp_port);
+    return std::make_unique<TcpSource>(std::move(link), settings_.file.options);
+  }
+  if (settings_.source == "yarp") {
+    return std::make_unique<YarpSource>(settings_.yarp, settings_.file.options);
   }
   auto simulated = std::make_unique<SimulatedSource>(
       settings_.simulation, 1'000'000 / settings_.truth_hz,
@@ -118,6 +124,7 @@ bool CameraService::play(std::stop_token stop) {
     serve_bus();
     const EventSource::Outcome outcome = source_->next(chunk_);
     warn_of_drops();
+    warn_of_lost_messages();
     watch_overflow();
     switch (outcome) {
       case EventSource::Outcome::kEvents:
@@ -232,6 +239,7 @@ void CameraService::serve_bus() {
 }
 
 void CameraService::say_waiting(const std::string& for_what) {
+  if (for_what.empty()) return;
   const std::string text = "for " + for_what;
   if (context_.status.state() == ServiceState::kWaiting && context_.status.state_text() == text) {
     return;
@@ -310,6 +318,15 @@ void CameraService::warn_of_drops() {
                    std::to_string(source_->malformed_words()) + " malformed words so far");
 }
 
+void CameraService::warn_of_lost_messages() {
+  const auto port = source_->port_counts();
+  if (!port || port->lost + port->malformed == messages_told_) return;
+  messages_told_ = port->lost + port->malformed;
+  context_.limited_log.warn("port", std::to_string(port->lost) + " messages of " +
+                                        std::to_string(port->messages) + " were lost, " +
+                                        std::to_string(port->malformed) + " held no events");
+}
+
 void CameraService::watch_overflow() {
   if (is_paced_) return;
   const std::int64_t overflowed = source_->events_overflowed();
@@ -343,6 +360,13 @@ void CameraService::report(StatusReport& report) const {
   report.add_unless_zero("events_refractory", left_out.refractory);
   report.add_unless_zero("events_background", left_out.background);
   report.add_unless_zero("events_outside_picture", left_out.outside_picture);
+  if (const auto port = source_->port_counts()) {
+    report.counters.insert(report.counters.end(), {{"port_connections", port->connections},
+                                                   {"port_failures", port->failures},
+                                                   {"port_messages", port->messages},
+                                                   {"port_messages_lost", port->lost},
+                                                   {"port_messages_malformed", port->malformed}});
+  }
 }
 
 }  // namespace puck

@@ -58,6 +58,7 @@ class CameraService final : public Service {
   std::int64_t events_dropped() const;
   void publish_truth(const SimulatedTruth& truth);
   void warn_of_drops();
+  void warn_of_lost_messages();
   void watch_overflow();
 
   CameraSettings settings_;
@@ -83,6 +84,7 @@ class CameraService final : public Service {
   Clock::time_point last_events_;
   std::int64_t packets_sent_ = 0;
   std::int64_t drops_told_ = 0;
+  std::int64_t messages_told_ = 0;
   std::int64_t overflow_seen_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "common/io/event_filter_config.h"
 #include "common/messaging/event_packing.h"
 #include "common/simulation/visit_parameters.h"
+#include "common/yarp/port_query.h"
 
 namespace puck {
 namespace {
@@ -79,19 +80,31 @@ void check_simulated(const Config& config, const CameraSettings& settings) {
   }
 }
 
+void read_yarp_settings(Config& config, CameraSettings& settings) {
+  config.read("camera.yarp_port", settings.yarp.port);
+  config.read("camera.yarp_server", settings.yarp.server_host);
+  config.read("camera.yarp_server_port", settings.yarp.server_port, 1, 65535);
+  if (!is_port_name(settings.yarp.port) || settings.yarp.port.front() != '/') {
+    config.fail("camera.yarp_port", "must be the name of a port, such as \"/atis3/AE:o\"");
+  }
+}
+
 }  // namespace
 
 CameraSettings read_camera_settings(Config& config) {
-  constexpr std::array<std::string_view, 5> kSources{"simulated", "file", "log", "stdin", "tcp"};
+  constexpr std::array<std::string_view, 6> kSources{"simulated", "file", "log",
+                                                     "stdin",     "tcp",  "yarp"};
   constexpr std::array<std::string_view, 3> kPaces{"auto", "sensor", "arrival"};
+  constexpr std::array<std::string_view, 2> kRoles{"client", "server"};
   constexpr std::array<std::string_view, 2> kEnds{"exit", "wait"};
   CameraSettings settings;
   config.read_choice("camera.source", settings.source, kSources);
-  const bool is_live = settings.source == "stdin" || settings.source == "tcp";
-  read_file_settings(config, is_live, settings.file);
+  read_file_settings(config, settings.is_stream(), settings.file);
   config.read("camera.log_prefix", settings.log_prefix);
+  config.read_choice("camera.tcp_role", settings.tcp_role, kRoles);
   config.read("camera.tcp_host", settings.tcp_host);
   config.read("camera.tcp_port", settings.tcp_port, 1, 65535);
+  read_yarp_settings(config, settings);
   config.read_choice("camera.pace", settings.pace, kPaces);
   config.read("camera.speed", settings.speed, 0.001, 1000);
   config.read_choice("camera.at_end", settings.at_end, kEnds);
@@ -112,6 +125,16 @@ CameraSettings read_camera_settings(Config& config) {
                 "must name a recording when camera.source is \"" + settings.source + "\"");
   }
   if (settings.source == "simulated") check_simulated(config, settings);
+  if (settings.source == "yarp") {
+    if (settings.pace == "sensor") {
+      config.fail("camera.pace", "cannot be \"sensor\" for a camera on a YARP port");
+    }
+    if (settings.file.options.sensor.width == 0 || settings.file.options.sensor.height == 0) {
+      config.fail("camera.width",
+                  "and camera.height must be set when camera.source is \"yarp\": "
+                  "a port does not tell its sensor's size");
+    }
+  }
   return settings;
 }
 

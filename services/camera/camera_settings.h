@@ -5,19 +5,26 @@
 #include "common/io/config.h"
 #include "common/io/event_filter.h"
 #include "common/simulation/simulation_params.h"
+#include "common/yarp/port_reader.h"
 #include "services/camera/file_source.h"
 
 namespace puck {
 
 /// Settings of puck-camera, as in config/camera.toml.
 struct CameraSettings {
-  std::string source = "simulated";  ///< simulated, file, log, stdin or tcp.
+  std::string source = "simulated";  ///< simulated, file, log, stdin, tcp or yarp.
   /// Whether the events were recorded before, at any playing speed.
   bool is_recorded() const { return source == "file" || source == "log"; }
-  FileSourceParams file;   ///< Its options also hold for stdin and tcp.
+  /// Whether the events come when they happen, from another program.
+  bool is_stream() const { return source == "stdin" || source == "tcp" || source == "yarp"; }
+  FileSourceParams file;   ///< Its options also hold for streams.
   std::string log_prefix;  ///< Prefix of the channels in a log.
+
+  std::string tcp_role = "client";  ///< client or server.
   std::string tcp_host = "localhost";
   int tcp_port = 3333;
+  PortReaderParams yarp{
+      .port = "/atis3/AE:o", .server_key = "camera.yarp_server", .local_name = "puck-camera"};
 
   std::string pace = "auto";    ///< auto, sensor or arrival.
   double speed = 1;             ///< Sensor time per host time.

@@ -28,6 +28,14 @@ class EventSource {
     /// Receipt of a live source's events, CLOCK_REALTIME, µs; 0: just now.
     std::int64_t came_utime = 0;
   };
+  /// Of a source that receives messages.
+  struct PortCounts {
+    std::int64_t connections = 0;
+    std::int64_t failures = 0;  ///< Of connections and attempts to connect.
+    std::int64_t messages = 0;
+    std::int64_t lost = 0;       ///< Messages that their sequence numbers show as lost.
+    std::int64_t malformed = 0;  ///< Messages without a camera's events.
+  };
 
   /// Number of events of a full chunk. Smaller chunks of a live source are joined, so that they do
   /// not fill the queue.
@@ -45,8 +53,11 @@ class EventSource {
   /// Whether events come when they happen, so that they need no pacing.
   virtual bool is_live() const { return false; }
 
-  /// What a silent stream waits for, as text for people.
+  /// What a silent stream waits for, as text for people; empty: not known yet.
   virtual std::string waiting_for() const { return {}; }
+
+  /// Ends a wait of next() and all later ones. Safe from any thread.
+  virtual void interrupt() {}
 
   /// Number of unusable events in the input, overflowed ones included.
   virtual std::int64_t events_dropped() const { return 0; }
@@ -54,6 +65,8 @@ class EventSource {
   virtual std::int64_t events_overflowed() const { return 0; }
   /// Number of malformed words in the input.
   virtual std::int64_t malformed_words() const { return 0; }
+  /// Nothing for a source without messages.
+  virtual std::optional<PortCounts> port_counts() const { return std::nullopt; }
   /// Messages for the user about an input that has ended.
   virtual std::vector<std::string> warnings() const { return {}; }
 };

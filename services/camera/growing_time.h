@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "common/events/timestamp.h"
+#include "services/camera/event_source.h"
 
 namespace puck {
 
@@ -39,5 +41,14 @@ class GrowingTime {
   std::int64_t shift_us_ = 0;
   Timestamp newest_;
 };
+
+/// Places the events of a connection's chunk in the growing time. `is_new_clock`: it is the
+/// connection's first one; becomes false.
+inline void place(EventSource::Chunk& chunk, GrowingTime& time, bool& is_new_clock) {
+  const Timestamp newest = chunk.packet.newest();
+  chunk.new_clock = std::exchange(is_new_clock, false);
+  chunk.packet.start = time.place(chunk.packet.start);
+  chunk.until = time.place(newest);
+}
 
 }  // namespace puck

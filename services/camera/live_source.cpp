@@ -28,7 +28,10 @@ LiveSource::LiveSource(std::unique_ptr<EventSource> source, std::size_t most_chu
   thread_ = std::jthread([this](std::stop_token stop) { read(std::move(stop)); });
 }
 
-LiveSource::~LiveSource() = default;
+LiveSource::~LiveSource() {
+  thread_.request_stop();
+  source_->interrupt();
+}
 
 EventSource::Outcome LiveSource::next(Chunk& chunk) {
   std::unique_lock lock(mutex_);
@@ -78,6 +81,7 @@ void LiveSource::read(std::stop_token stop) {
     told.waiting_for = source_->waiting_for();
     told.dropped = source_->events_dropped();
     told.malformed_words = source_->malformed_words();
+    told.port = source_->port_counts();
     chunk.came_utime = host_utime();
 
     const std::lock_guard lock(mutex_);

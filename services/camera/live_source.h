@@ -39,6 +39,7 @@ class LiveSource final : public EventSource {
   std::int64_t events_dropped() const override;
   std::int64_t events_overflowed() const override;
   std::int64_t malformed_words() const override { return told().malformed_words; }
+  std::optional<PortCounts> port_counts() const override { return told().port; }
   std::vector<std::string> warnings() const override { return told().warnings; }
 
  private:
@@ -48,6 +49,7 @@ class LiveSource final : public EventSource {
     std::string waiting_for;
     std::int64_t dropped = 0;
     std::int64_t malformed_words = 0;
+    std::optional<PortCounts> port;
     std::vector<std::string> warnings;
   };
 

@@ -132,7 +132,7 @@ TEST_CASE("a TCP source reconnects after a break, a refusal and garbage, and tim
   const std::string bytes = content_of(folder / "a.raw");
 
   const TcpServer server;
-  TcpSource source("127.0.0.1", server.port(), {});
+  TcpSource source(connect_to_server("127.0.0.1", server.port()), {});
   CHECK(source.is_live());
   EventSource::Chunk chunk;
   CHECK(source.next(chunk) == EventSource::Outcome::kNothingYet);
@@ -167,7 +167,7 @@ TEST_CASE("a later connection's clock is reported as new with its first events o
   write_recording(folder / "a.raw", even_events(20000, 1000, 10));
   const std::string bytes = content_of(folder / "a.raw");
   const TcpServer server;
-  TcpSource source("127.0.0.1", server.port(), {});
+  TcpSource source(connect_to_server("127.0.0.1", server.port()), {});
   EventSource::Chunk chunk;
   for (int connection = 0; connection < 2; ++connection) {
     while (source.waiting_for().find("events from") == std::string::npos) source.next(chunk);
@@ -181,7 +181,7 @@ TEST_CASE("a later connection's clock is reported as new with its first events o
 }
 
 TEST_CASE("an unknown host is refused at the start") {
-  CHECK_THROWS_WITH(TcpSource("no such host", 1, {}),
+  CHECK_THROWS_WITH(connect_to_server("no such host", 1),
                     doctest::Contains("camera.tcp_host \"no such host\" cannot be found"));
 }
 

@@ -15,6 +15,7 @@
 #include "common/messaging/message_codec.h"
 #include "tests/support/random_message.h"
 #include "tests/support/test_board_bytes.h"
+#include "tests/support/yarp_bottle_encoder.h"
 #include "tests/support/yarp_log_encoder.h"
 
 namespace puck {
@@ -137,6 +138,12 @@ void add_boards(Seeds& seeds) {
       true);
   add(state_message(12, 1795247365.76, {1, -2.5, 3}), false);
   add(state_message_without_stamp({1}), false);
+  for (const char* line :
+       {"7 1569859363.5 AE (100 4097 112 8195)", "8 1569859364.5 AE 1000 \"abcdefgh\""}) {
+    const WireBottle bottle = wire_bottle::of_log_line(line);
+    add(bottle.bytes, false);
+    add(carrier_message({stamp_block(bottle.count, bottle.time_s), bottle.bytes}), false);
+  }
 }
 
 // A file or stream of events.

@@ -1,18 +1,21 @@
-// Data of a control board and a name server: lines of text, messages and their content. The
-// division of the bytes must make no difference.
+// Data of a control board, a camera's port and a name server: lines of text, messages and their
+// content. The division of the bytes must make no difference.
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include <fuzzer/FuzzedDataProvider.h>
 
+#include "common/io/yarp_stream.h"
 #include "common/yarp/binary_carrier.h"
 #include "common/yarp/board_answer.h"
-#include "common/yarp/board_error.h"
-#include "common/yarp/line_reader.h"
 #include "common/yarp/name_server.h"
+#include "common/yarp/port_message.h"
 #include "common/yarp/state_message.h"
+#include "common/yarp/text_lines.h"
+#include "common/yarp/yarp_error.h"
 #include "tests/fuzz/require.h"
 
 namespace puck {
@@ -21,7 +24,7 @@ namespace {
 void may_refuse(const std::function<void()>& work) {
   try {
     work();
-  } catch (const BoardError& error) {
+  } catch (const YarpError& error) {
     require_one_line(error.what());
   }
 }
@@ -72,6 +75,50 @@ void read_state(const std::string& message) {
   });
 }
 
+// Events of a camera's port.
+class CameraMessages {
+ public:
+  CameraMessages() : stream_("/eye", {.sensor = kSensor}) {}
+
+  void add(const std::string& text) {
+    may_refuse([&] {
+      const PortMessage message =
+          parse_port_message({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+      add_bottle(message.content, message.stamp ? message.stamp->time_s : 1);
+    });
+  }
+  void add_bottle(std::span<const std::uint8_t> bottle, double sent_s) {
+    stream_.add(bottle, sent_s);
+    take();
+  }
+  void finish() {
+    stream_.finish();
+    take();
+    require(events_ == stream_.counters().events, "every event is counted once");
+  }
+
+ private:
+  static constexpr SensorSize kSensor{304, 240};
+
+  void take() {
+    EventPacket packet;
+    while (stream_.take(packet, 64)) {
+      require(!packet.empty() && packet.events.size() <= 64, "a packet holds events");
+      for (const Event& event : packet.events) {
+        require(kSensor.contains(event.x, event.y), "events are in the sensor");
+        require(packet.time_of(event) >= newest_, "times do not go back");
+        newest_ = packet.time_of(event);
+        ++events_;
+      }
+    }
+  }
+
+  YarpStream stream_;
+  // A record a little before the first one has a time below 0.
+  Timestamp newest_{std::numeric_limits<std::int64_t>::min()};
+  std::int64_t events_ = 0;
+};
+
 void read_line(const std::string& line) {
   may_refuse([&] {
     const PortAddress address = parse_registration(line, "/icub/right_arm/rpc:i");
@@ -97,14 +144,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto pieces = input.ConsumeBytes<std::uint8_t>(input.ConsumeIntegralInRange(0, 8));
   const auto bytes = input.ConsumeRemainingBytes<std::uint8_t>();
   if (is_text) {
-    for (const auto& line : puck::cut_both_ways<puck::LineReader>(bytes, pieces).parts) {
+    for (const auto& line : puck::cut_both_ways<puck::TextLines>(bytes, pieces).parts) {
       puck::read_line(line);
     }
     return 0;
   }
   puck::read_state({bytes.begin(), bytes.end()});
+  puck::CameraMessages camera;
+  camera.add_bottle(bytes, 0);
   for (const auto& message : puck::cut_both_ways<puck::MessageReader>(bytes, pieces).parts) {
     puck::read_state(message);
+    camera.add(message);
   }
+  camera.finish();
   return 0;
 }

@@ -31,14 +31,6 @@ void expect(bool holds, const char* what) {
   if (!holds) refuse(what);
 }
 
-std::string message(const std::vector<std::string>& blocks) {
-  std::string bytes = kIndex + static_cast<char>(blocks.size()) + '\1' + std::string(8, '\xFF');
-  for (const std::string& block : blocks) bytes += bytes_of(static_cast<int>(block.size()));
-  bytes += bytes_of(0);
-  for (const std::string& block : blocks) bytes += block;
-  return bytes;
-}
-
 std::string real_block(const std::vector<double>& deg) {
   return {reinterpret_cast<const char*>(deg.data()), deg.size() * sizeof(double)};
 }
@@ -48,6 +40,14 @@ std::string list_block(const std::vector<double>& deg) {
 }
 
 }  // namespace
+
+std::string carrier_message(const std::vector<std::string>& blocks) {
+  std::string bytes = kIndex + static_cast<char>(blocks.size()) + '\1' + std::string(8, '\xFF');
+  for (const std::string& block : blocks) bytes += bytes_of(static_cast<int>(block.size()));
+  bytes += bytes_of(0);
+  for (const std::string& block : blocks) bytes += block;
+  return bytes;
+}
 
 std::optional<std::string> take_bytes(std::string& input, std::size_t size) {
   if (input.size() < size) return std::nullopt;
@@ -125,14 +125,19 @@ SetPointMessage read_set_points(const std::vector<std::string>& blocks) {
 }
 
 std::string state_message(long long count, double time_s, const std::vector<double>& deg) {
-  std::array<char, 64> text{};
-  const int length = std::snprintf(text.data(), text.size(), "D %lld %.6f", count, time_s) + 1;
-  const std::string envelope = bytes_of(length) + "~\0\0\1"s + std::string(text.data()) + '\0';
-  return message({envelope, list_block(deg), real_block(deg)});
+  return carrier_message({stamp_block(count, time_s), list_block(deg), real_block(deg)});
 }
 
+std::string stamp_block(long long count, double time_s) {
+  std::array<char, 64> text{};
+  const int length = std::snprintf(text.data(), text.size(), "D %lld %.6f", count, time_s) + 1;
+  return bytes_of(length) + "~\0\0\1"s + std::string(text.data()) + '\0';
+}
+
+std::string block_without_stamp() { return "\0\0\0\0~D\0\1"s; }
+
 std::string state_message_without_stamp(const std::vector<double>& deg) {
-  return message({"\0\0\0\0~D\0\1"s, list_block(deg), real_block(deg)});
+  return carrier_message({block_without_stamp(), list_block(deg), real_block(deg)});
 }
 
 }  // namespace puck

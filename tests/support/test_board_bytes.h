@@ -18,6 +18,11 @@ std::optional<std::string> take_hello(std::string& input);
 /// The blocks of a message; throws std::runtime_error.
 std::optional<std::vector<std::string>> take_message(std::string& input);
 
+/// A message of these blocks; the first one of a port's message is one of the two below.
+std::string carrier_message(const std::vector<std::string>& blocks);
+std::string stamp_block(long long count, double time_s);
+std::string block_without_stamp();
+
 /// Content of a message to command:i; decoding throws std::runtime_error.
 struct SetPointMessage {
   std::string kind;                 // dpos, dpog

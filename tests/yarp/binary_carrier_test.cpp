@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "common/yarp/board_error.h"
+#include "common/yarp/yarp_error.h"
 #include "tests/yarp/wire_bytes.h"
 
 namespace puck {
@@ -50,7 +50,7 @@ TEST_CASE("any tagged number is an answer to a greeting, and nothing else") {
   CHECK_NOTHROW(answer("YA\x1A\x27\0\0RP"sv));
   for (const auto wrong :
        {"HTTP/1.1"sv, "YA\x1A\x27\0\0RQ"sv, "YA\x1A\x27\1\0RP"sv, "\0\0\0\0\0\0\0\0"sv}) {
-    CHECK_THROWS_AS(answer(wrong), BoardError);
+    CHECK_THROWS_AS(answer(wrong), YarpError);
   }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("an invalid message is refused at its first wrong byte, and sizes are 
       while (reader.next()) {
       }
       return false;
-    } catch (const BoardError&) {
+    } catch (const YarpError&) {
       return true;
     }
   };

@@ -33,7 +33,7 @@ TEST_CASE("a set-point is dropped until the loop has read the encoders of this c
   CHECK(exchange.give_set_point(at(1), 1000));
 
   // After an interruption of any length.
-  exchange.lose_connection(BoardError("it broke"));
+  exchange.lose_connection(YarpError("it broke"));
   exchange.begin_connection({at(5), 2000});
   CHECK(!exchange.take_set_point(1000));
   CHECK(!exchange.give_set_point(at(1), 1000));
@@ -49,13 +49,13 @@ TEST_CASE("an absent board is no fault, and one that disconnects is") {
   BoardExchange exchange(kSilentUs);
   CHECK(!exchange.reading());
   CHECK(exchange.fault(0).empty());
-  exchange.lose_connection(BoardError("not there yet"));
+  exchange.lose_connection(YarpError("not there yet"));
   CHECK(exchange.fault(0).empty());
   CHECK(exchange.awaited() == "not there yet");
   CHECK(!exchange.reading());
   exchange.begin_connection({at(1), 1000});
   CHECK(exchange.awaited().empty());
-  exchange.lose_connection(BoardError("nobody there"));
+  exchange.lose_connection(YarpError("nobody there"));
   CHECK(exchange.awaited().empty());
   CHECK(exchange.fault(0) == "nobody there");
   CHECK(exchange.fault(0) == "nobody there");
@@ -83,11 +83,11 @@ TEST_CASE("a refused set-point is a fault, once") {
 
 TEST_CASE("a permanent error before the first connection is a fault, until it is repaired") {
   BoardExchange exchange(kSilentUs);
-  exchange.lose_connection(BoardError("it does not fit", BoardError::Kind::kNeedsPerson));
+  exchange.lose_connection(YarpError("it does not fit", YarpError::Kind::kNeedsPerson));
   CHECK(exchange.fault(0) == "it does not fit");
   CHECK(exchange.fault(0) == "it does not fit");
   CHECK(exchange.awaited().empty());
-  exchange.lose_connection(BoardError("it is off"));
+  exchange.lose_connection(YarpError("it is off"));
   CHECK(exchange.fault(0).empty());
   CHECK(exchange.awaited() == "it is off");
   exchange.begin_connection({at(1), 1000});
@@ -95,7 +95,7 @@ TEST_CASE("a permanent error before the first connection is a fault, until it is
 }
 
 TEST_CASE("unready joints are waited for before the arm takes them, and a fault afterwards") {
-  const BoardError not_ready("it is being calibrated", BoardError::Kind::kNotReady);
+  const YarpError not_ready("it is being calibrated", YarpError::Kind::kNotReady);
   BoardExchange exchange(kSilentUs);
   exchange.begin_connection({at(1), 1000});
   CHECK(!exchange.holds());

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "common/yarp/board_error.h"
+#include "common/yarp/yarp_error.h"
 #include "tests/yarp/wire_bytes.h"
 
 namespace puck {
@@ -55,15 +55,15 @@ TEST_CASE("any other message of state:o is refused") {
   REQUIRE_NOTHROW(parse(good));
   for (std::size_t size = 0; size < good.size(); ++size) {
     CAPTURE(size);
-    CHECK_THROWS_AS(parse(good.substr(0, size)), BoardError);
+    CHECK_THROWS_AS(parse(good.substr(0, size)), YarpError);
   }
-  CHECK_THROWS_AS(parse(good + "x"), BoardError);
-  CHECK_THROWS_AS(parse(kStamp + encoders({})), BoardError);
+  CHECK_THROWS_AS(parse(good + "x"), YarpError);
+  CHECK_THROWS_AS(parse(kStamp + encoders({})), YarpError);
   for (const std::string& text :
        {"D 12\0"s, "D\0"s, "D x 1\0"s, "D 12 1 2\0"s, "D 12 nan\0"s, "D 12 inf\0"s, "E 1 2\0"s,
         "D 1\0 2\0"s, "\0"s, "D 99999999999999999999 1\0"s, std::string(300, '1') + "\0"s}) {
     CAPTURE(text);
-    CHECK_THROWS_AS(parse(envelope(text) + encoders({1})), BoardError);
+    CHECK_THROWS_AS(parse(envelope(text) + encoders({1})), YarpError);
   }
   for (const double wrong :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
@@ -71,9 +71,9 @@ TEST_CASE("any other message of state:o is refused") {
                       "the encoder of joint 1 is not a finite number");
   }
   // A list with a count of -1, of 2^31 - 1, and of 65 with as many encoders.
-  CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\xFF\xFF\xFF\xFF"s), BoardError);
-  CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\xFF\xFF\xFF\x7F"s), BoardError);
-  CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\x41\0\0\0"s + std::string(65 * 8, '\0')), BoardError);
+  CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\xFF\xFF\xFF\xFF"s), YarpError);
+  CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\xFF\xFF\xFF\x7F"s), YarpError);
+  CHECK_THROWS_AS(parse(kStamp + "\x0A\1\0\0\x41\0\0\0"s + std::string(65 * 8, '\0')), YarpError);
 }
 
 TEST_CASE("a board that disconnects, or sends no stamp, is recognised") {

@@ -4,9 +4,9 @@
 #include <doctest/doctest.h>
 
 #include "common/yarp/board_answer.h"
-#include "common/yarp/board_error.h"
-#include "common/yarp/line_reader.h"
 #include "common/yarp/name_server.h"
+#include "common/yarp/text_lines.h"
+#include "common/yarp/yarp_error.h"
 #include "tests/yarp/wire_bytes.h"
 
 namespace puck {
@@ -21,7 +21,7 @@ BoardAnswer answer(const std::string& line) { return {"get it", line}; }
 TEST_CASE("lines are extracted from bytes in any division") {
   const std::string text = "Welcome puck\r\n[ok]\n\r\nrest";
   for (const std::size_t piece : {1, 3, 100}) {
-    LineReader reader;
+    TextLines reader;
     std::vector<std::string> lines;
     for (std::size_t at = 0; at < text.size(); at += piece) {
       reader.feed(wire(text.substr(at, piece)));
@@ -32,16 +32,16 @@ TEST_CASE("lines are extracted from bytes in any division") {
 }
 
 TEST_CASE("a line without an end, or with bytes that are not text, is refused early") {
-  LineReader reader;
-  reader.feed(wire(std::string(LineReader::kMostBytes, 'x')));
+  TextLines reader;
+  reader.feed(wire(std::string(TextLines::kMostBytes, 'x')));
   CHECK(!reader.next());
   reader.feed(wire("x"));
-  CHECK_THROWS_WITH_AS(reader.next(), "it sent a line without an end", BoardError);
+  CHECK_THROWS_WITH_AS(reader.next(), "it sent a line without an end", YarpError);
   for (const std::string& text :
        {std::string("a\0b", 3), std::string("\x1b[31m"), std::string("YA\x1")}) {
-    LineReader other;
+    TextLines other;
     other.feed(wire(text));
-    CHECK_THROWS_AS(other.next(), BoardError);
+    CHECK_THROWS_AS(other.next(), YarpError);
   }
 }
 
@@ -59,9 +59,9 @@ TEST_CASE("answers of a real board are parsed") {
 
 TEST_CASE("a refusal names the request") {
   CHECK_THROWS_WITH_AS(BoardAnswer("get llim 9", "[fail]"), "it refused \"get llim 9\" with [fail]",
-                       BoardError);
+                       YarpError);
   CHECK_THROWS_WITH_AS(BoardAnswer("get llim 9", "[is] llim [tsta] 0 0 [nak]"),
-                       "it refused \"get llim 9\" with [nak]", BoardError);
+                       "it refused \"get llim 9\" with [nak]", YarpError);
 }
 
 TEST_CASE("an invalid answer, or one to another question, is refused") {
@@ -71,22 +71,20 @@ TEST_CASE("an invalid answer, or one to another question, is refused") {
         std::string(") [ok]"), std::string("[ok"), std::string("\"x [ok]"),
         std::string("] [ok]")}) {
     CAPTURE(line);
-    CHECK_THROWS_AS(answer(line), BoardError);
+    CHECK_THROWS_AS(answer(line), YarpError);
   }
   CHECK_THROWS_WITH_AS(answer("[is] axs 7" + kEnd).count("axes", 64),
-                       ("it answered \"[is] axs 7" + kEnd + "\" to \"get it\"").c_str(),
-                       BoardError);
+                       ("it answered \"[is] axs 7" + kEnd + "\" to \"get it\"").c_str(), YarpError);
   for (const char* value : {"0", "-1", "65", "7.5", "x", "7 8", "", "99999999999", "()", "(7 8)"}) {
     CAPTURE(value);
-    CHECK_THROWS_AS(answer("[is] axes " + std::string(value) + kEnd).count("axes", 64), BoardError);
+    CHECK_THROWS_AS(answer("[is] axes " + std::string(value) + kEnd).count("axes", 64), YarpError);
   }
   for (const char* value : {"1", "1 2 3", "1 nan", "inf 2", "1 x", "(1 [x])"}) {
     CAPTURE(value);
-    CHECK_THROWS_AS(answer("[is] llim " + std::string(value) + kEnd).numbers("llim", 2),
-                    BoardError);
+    CHECK_THROWS_AS(answer("[is] llim " + std::string(value) + kEnd).numbers("llim", 2), YarpError);
   }
-  CHECK_THROWS_AS(answer("[is] [cmds] ([pos])" + kEnd).vocabs("cmds", 2), BoardError);
-  CHECK_THROWS_AS(answer("[is] [cmds] (pos pos)" + kEnd).vocabs("cmds", 2), BoardError);
+  CHECK_THROWS_AS(answer("[is] [cmds] ([pos])" + kEnd).vocabs("cmds", 2), YarpError);
+  CHECK_THROWS_AS(answer("[is] [cmds] (pos pos)" + kEnd).vocabs("cmds", 2), YarpError);
 }
 
 TEST_CASE("the name server's registration of a port is parsed") {
@@ -109,7 +107,7 @@ TEST_CASE("a registration of another port or without an address is refused") {
         "registration name /a ip 1.2.3.4 port 5 type udp",
         "registration name /a port 5 ip 1.2.3.4 type tcp", "*** end of message"}) {
     CAPTURE(line);
-    CHECK_THROWS_AS(parse_registration(line, "/a"), BoardError);
+    CHECK_THROWS_AS(parse_registration(line, "/a"), YarpError);
   }
 }
 

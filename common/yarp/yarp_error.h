@@ -7,9 +7,9 @@
 
 namespace puck {
 
-/// A fault of a control board or the name server, in one line that names the request. Quotes what
+/// A fault of a port's owner or the name server, in one line that names the request. Quotes what
 /// they sent, with `?` for control characters.
-class BoardError : public std::runtime_error {
+class YarpError : public std::runtime_error {
  public:
   enum class Kind : std::uint8_t {
     kFailed,       ///< Missing, or not as expected: may recover by itself.
@@ -18,7 +18,7 @@ class BoardError : public std::runtime_error {
                    ///< has a fault.
   };
 
-  explicit BoardError(const std::string& what, Kind kind = Kind::kFailed)
+  explicit YarpError(const std::string& what, Kind kind = Kind::kFailed)
       : std::runtime_error(what), kind_(kind) {}
 
   Kind kind() const { return kind_; }
@@ -29,5 +29,15 @@ class BoardError : public std::runtime_error {
 
 /// In double quotes, without control characters, shortened if long.
 std::string in_quotes(std::string_view text);
+
+/// Adds the port's name to the message of a YarpError from `work`.
+template <typename Work>
+auto at_port(const std::string& name, Work work) {
+  try {
+    return work();
+  } catch (const YarpError& error) {
+    throw YarpError(name + ": " + error.what(), error.kind());
+  }
+}
 
 }  // namespace puck

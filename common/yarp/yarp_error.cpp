@@ -1,4 +1,4 @@
-#include "common/yarp/board_error.h"
+#include "common/yarp/yarp_error.h"
 
 namespace puck {
 

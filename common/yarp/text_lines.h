@@ -9,7 +9,7 @@
 namespace puck {
 
 /// Extracts lines from a byte stream in pieces of any size.
-class LineReader {
+class TextLines {
  public:
   /// Longer lines are refused: the modes of 64 joints take 500 bytes.
   static constexpr std::size_t kMostBytes = 4096;
@@ -18,7 +18,7 @@ class LineReader {
 
   /// The next complete line without its `
   /// ` or `\r
-  /// `. Throws BoardError when it is too long or not text.
+  /// `. Throws YarpError when it is too long or not text.
   std::optional<std::string> next();
 
   /// Whether no line, or part of one, is left.
