@@ -81,26 +81,27 @@ class DsecHdf5 final : public Hdf5Events {
   // Numbers that do not fit become the nearest that does: below 0 it is 0, as for polarity −1.
   template <typename Set>
   bool read_into(Part& part, const Hdf5DataSet& list, std::uint64_t first, Set set) {
-    if (!read_hdf5_list(list, first, columns_.size(), H5T_NATIVE_UINT16, columns_.data())) {
-      return tell_fault(part, list, first);
-    }
+    const std::string cause =
+        read_hdf5_list(list, first, columns_.size(), H5T_NATIVE_UINT16, columns_.data());
+    if (!cause.empty()) return tell_fault(part, list, first, cause);
     for (std::size_t i = 0; i < columns_.size(); ++i) set(part.events[i], columns_[i]);
     return true;
   }
 
   bool read_times(Part& part, std::uint64_t first) {
-    if (!read_hdf5_list(t_, first, times_us_.size(), H5T_NATIVE_INT64, times_us_.data())) {
-      return tell_fault(part, t_, first);
-    }
+    const std::string cause =
+        read_hdf5_list(t_, first, times_us_.size(), H5T_NATIVE_INT64, times_us_.data());
+    if (!cause.empty()) return tell_fault(part, t_, first, cause);
     for (std::size_t i = 0; i < times_us_.size(); ++i) {
       part.events[i].t_us = times_us_[i];
     }
     return true;
   }
 
-  static bool tell_fault(Part& part, const Hdf5DataSet& list, std::uint64_t first) {
-    part.fault = "data set /" + list.path + ", elements from " + std::to_string(first) +
-                 " on: " + hdf5_cause();
+  static bool tell_fault(Part& part, const Hdf5DataSet& list, std::uint64_t first,
+                         const std::string& cause) {
+    part.fault =
+        "data set /" + list.path + ", elements from " + std::to_string(first) + " on: " + cause;
     return false;
   }
 

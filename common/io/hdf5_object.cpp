@@ -167,14 +167,18 @@ void check_hdf5_filters(const Hdf5DataSet& list, const std::string& name) {
   }
 }
 
-bool read_hdf5_list(const Hdf5DataSet& list, std::uint64_t first, std::uint64_t count,
-                    hid_t memory_type, void* room) {
+std::string read_hdf5_list(const Hdf5DataSet& list, std::uint64_t first, std::uint64_t count,
+                           hid_t memory_type, void* room) {
   const hsize_t start = first;
   const hsize_t length = count;
   const Hdf5Object part(H5Dget_space(list.object.id()), H5Sclose);
   const Hdf5Object memory(H5Screate_simple(1, &length, nullptr), H5Sclose);
-  return H5Sselect_hyperslab(part.id(), H5S_SELECT_SET, &start, nullptr, &length, nullptr) >= 0 &&
-         H5Dread(list.object.id(), memory_type, memory.id(), part.id(), H5P_DEFAULT, room) >= 0;
+  if (H5Sselect_hyperslab(part.id(), H5S_SELECT_SET, &start, nullptr, &length, nullptr) >= 0 &&
+      H5Dread(list.object.id(), memory_type, memory.id(), part.id(), H5P_DEFAULT, room) >= 0) {
+    return {};
+  }
+  // Closing the spaces forgets the cause.
+  return hdf5_cause();
 }
 
 }  // namespace puck

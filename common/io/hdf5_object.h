@@ -39,7 +39,8 @@ class Hdf5Object {
   Close close_ = nullptr;
 };
 
-/// Stops the library from printing its errors, in this thread.
+/// Stops the library from printing its errors, in this thread: each thread that calls the library
+/// needs it.
 void silence_hdf5();
 
 /// The library's own words on its last failure in this thread.
@@ -74,8 +75,8 @@ Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,
 /// Throws EventFileError if the library cannot undo one of the filters.
 void check_hdf5_filters(const Hdf5DataSet& list, const std::string& name);
 
-/// Reads elements as `memory_type` into `room`. Returns false on failure: hdf5_cause() says why.
-bool read_hdf5_list(const Hdf5DataSet& list, std::uint64_t first, std::uint64_t count,
-                    hid_t memory_type, void* room);
+/// Reads elements as `memory_type` into `room`. Returns why it failed; empty if it did not.
+std::string read_hdf5_list(const Hdf5DataSet& list, std::uint64_t first, std::uint64_t count,
+                           hid_t memory_type, void* room);
 
 }  // namespace puck

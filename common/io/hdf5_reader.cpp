@@ -92,7 +92,10 @@ class Hdf5Reader final : public EventReader {
 
   const EventCounters& counters() const override { return sink_.counters(); }
 
-  RecordingFacts facts() const override { return events_->facts(); }
+  RecordingFacts facts() const override {
+    silence_hdf5();
+    return events_->facts();
+  }
   std::optional<double> share_read() const override { return events_->share_read(); }
 
   std::vector<std::string> warnings() const override {
@@ -131,6 +134,8 @@ class Hdf5Reader final : public EventReader {
   // False at the end, or after a part without events.
   bool take_part() {
     part_used_ = 0;
+    // Another thread than the one that opened the file may read it.
+    silence_hdf5();
     do {
       if (!events_->next(part_)) {
         is_at_end_ = true;

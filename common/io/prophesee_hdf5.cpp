@@ -144,9 +144,8 @@ class PropheseeHdf5 final : public Hdf5Events {
     // HDF5 leaves chunks as they are that packing would make larger.
     if (unpacking_ == Unpacking::kLibrary || !read_packed(first)) {
       events.resize(count);
-      if (!read_hdf5_list(list_, first, count, type_.id(), events.data())) {
-        throw std::invalid_argument(hdf5_cause());
-      }
+      const std::string cause = read_hdf5_list(list_, first, count, type_.id(), events.data());
+      if (!cause.empty()) throw std::invalid_argument(cause);
       return;
     }
     if (unpacking_ != Unpacking::kEcf) {

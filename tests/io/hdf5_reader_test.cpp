@@ -1,9 +1,12 @@
 #include "common/io/hdf5_reader.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <thread>
 
 #include <doctest/doctest.h>
 #include <hdf5.h>
+#include <unistd.h>
 
 #include "common/io/event_writer.h"
 #include "tests/io/event_data.h"
@@ -37,6 +40,21 @@ class MadeHdf5 {
     const hid_t set = H5Dcreate2(file_, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     H5Dwrite(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
     H5Dclose(set);
+    H5Sclose(space);
+  }
+
+  /// Times in one chunk of gzip.
+  void add_packed(const char* name, const std::vector<std::int64_t>& numbers) const {
+    const hsize_t count = numbers.size();
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(creation, 1, &count);
+    H5Pset_deflate(creation, 1);
+    const hid_t set =
+        H5Dcreate2(file_, name, H5T_STD_I64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    H5Dwrite(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
+    H5Dclose(set);
+    H5Pclose(creation);
     H5Sclose(space);
   }
 
@@ -92,6 +110,36 @@ TEST_CASE("HDF5: a damaged chunk costs its own events") {
     CHECK(reader->counters().missing == static_cast<std::int64_t>(40000 - left));
     CHECK(contains(reader->warnings().back(), "data set /CD/events, events from "));
   }
+}
+
+TEST_CASE("HDF5: a damaged chunk read in another thread is told by its cause, not by the library") {
+  const TemporaryFolder folder;
+  {
+    const MadeHdf5 file(folder / "damaged.h5");
+    for (const char* name : {"events/x", "events/y", "events/p"}) {
+      file.add(name, H5T_STD_U16LE, std::vector<std::int64_t>(5000, 1));
+    }
+    file.add_packed("events/t", std::vector<std::int64_t>(5000, 7));
+  }
+  std::string bytes = read_text(folder / "damaged.h5");
+  // The times are the last that were written; zlib's chunks begin with these bytes.
+  const std::size_t chunk = bytes.rfind("\x78\x01");
+  REQUIRE(chunk != std::string::npos);
+  bytes.replace(chunk, 2, "\xff\xff");
+  const auto reader = open_event_file(folder.write("damaged.h5", bytes), {.sensor = {64, 48}});
+  const int kept = dup(STDERR_FILENO);
+  REQUIRE(freopen((folder / "stderr").c_str(), "w", stderr) != nullptr);
+  std::size_t count = 1;
+  std::thread([&] { count = read_all(*reader).size(); }).join();
+  fflush(stderr);
+  dup2(kept, STDERR_FILENO);
+  close(kept);
+  CHECK(count == 0);
+  CHECK(read_text(folder / "stderr").empty());
+  CHECK(reader->counters().missing == 5000);
+  const auto warnings = reader->warnings();
+  CAPTURE(warnings.back());
+  CHECK(contains(warnings.back(), "data set /events/t, elements from 0 on: inflate() failed"));
 }
 
 TEST_CASE("HDF5 of other content is refused with what was expected") {
