@@ -5,6 +5,7 @@
 
 #include "common/io/event_reader.h"
 #include "common/io/hdf5_events.h"
+#include "common/io/hdf5_gaps.h"
 
 namespace puck {
 namespace {
@@ -37,6 +38,7 @@ class DsecHdf5 final : public Hdf5Events {
                            std::to_string(p_.elements) + " and " + std::to_string(t_.elements) +
                            " elements; expected the same number");
     }
+    for (const Hdf5DataSet* list : {&x_, &y_, &p_, &t_}) gaps_.add(*list);
     if (!has_hdf5_object(file_, "t_offset")) return;
     const Hdf5Object offset(H5Dopen2(file_.id(), "t_offset", H5P_DEFAULT), H5Dclose);
     const Hdf5Object space(H5Dget_space(offset.id()), H5Sclose);
@@ -50,7 +52,15 @@ class DsecHdf5 final : public Hdf5Events {
     part.missing = 0;
     part.events.clear();
     if (next_ >= x_.elements) return false;
-    const std::uint64_t count = std::min(kDsecPartEvents, x_.elements - next_);
+    const Hdf5Gaps::Run run = gaps_.run_from(next_, x_.elements);
+    if (run.is_missing) {
+      part.missing = run.end - next_;
+      part.fault = "data sets /events/x, y, p and t, elements from " + std::to_string(next_) +
+                   " on: " + std::to_string(part.missing) + " were never written to the file";
+      next_ = run.end;
+      return true;
+    }
+    const std::uint64_t count = std::min(kDsecPartEvents, run.end - next_);
     const std::uint64_t first = std::exchange(next_, next_ + count);
     columns_.resize(count);
     times_us_.resize(count);
@@ -110,6 +120,7 @@ class DsecHdf5 final : public Hdf5Events {
   Hdf5DataSet y_;
   Hdf5DataSet p_;
   Hdf5DataSet t_;
+  Hdf5Gaps gaps_;
   std::int64_t offset_us_ = 0;  // To add.
   std::uint64_t next_ = 0;
   std::vector<std::uint16_t> columns_;

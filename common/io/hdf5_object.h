@@ -49,6 +49,9 @@ std::string hdf5_cause();
 /// Opens a file for reading, without a lock. Throws EventFileError, with `name` for the file.
 Hdf5Object open_hdf5_file(const std::filesystem::path& path, const std::string& name);
 
+/// Number of bytes that follow the end of the file by its own account.
+std::uint64_t bytes_behind_hdf5(const Hdf5Object& file);
+
 /// Whether the file has an object of this path, "group/name".
 bool has_hdf5_object(const Hdf5Object& file, const std::string& path);
 
@@ -67,8 +70,8 @@ struct Hdf5DataSet {
   std::vector<int> filters;          ///< Numbers of the filters that the chunks went through.
 };
 
-/// Opens the data set `path` and checks that it is a list whose chunks are of up to 16 MiB. Throws
-/// EventFileError, with `name` for the file.
+/// Opens the data set `path` and checks that it is a list of up to 2^48 elements, whose chunks are
+/// of up to 16 MiB. Throws EventFileError, with `name` for the file.
 Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,
                            const std::string& name);
 

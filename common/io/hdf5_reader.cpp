@@ -62,8 +62,9 @@ std::unique_ptr<Hdf5Events> open_events(Hdf5Object file, const std::string& name
 class Hdf5Reader final : public EventReader {
  public:
   Hdf5Reader(std::unique_ptr<Hdf5Events> events, std::string name, SensorSize sensor,
-             std::int64_t reorder_us)
+             std::int64_t reorder_us, std::uint64_t bytes_behind)
       : name_(std::move(name)),
+        bytes_behind_(bytes_behind),
         events_(std::move(events)),
         sensor_(sensor),
         reorder_us_(reorder_us),
@@ -101,6 +102,11 @@ class Hdf5Reader final : public EventReader {
   std::vector<std::string> warnings() const override {
     std::vector<std::string> lines =
         reader_warnings(name_, counters(), is_at_end_ && !sink_.has_backlog());
+    if (bytes_behind_ > 0) {
+      lines.push_back(name_ + ": its last " + std::to_string(bytes_behind_) +
+                      " bytes follow the end of the HDF5 file, as in joined files; they were left "
+                      "out");
+    }
     for (const std::string& fault : faults_) lines.push_back(one_line(name_ + ": " + fault));
     return lines;
   }
@@ -150,6 +156,7 @@ class Hdf5Reader final : public EventReader {
   }
 
   std::string name_;
+  std::uint64_t bytes_behind_ = 0;
   std::unique_ptr<Hdf5Events> events_;
   SensorSize sensor_;
   std::int64_t reorder_us_;
@@ -167,10 +174,12 @@ std::unique_ptr<EventReader> open_hdf5_reader(std::unique_ptr<ByteSource> bytes,
                                               const std::filesystem::path& path,
                                               const EventFileOptions& options) {
   const std::string name = bytes->name();
-  auto events =
-      open_events(is_hdf5_file(path) ? open_hdf5_file(path, name) : open_copy(*bytes), name);
+  Hdf5Object file = is_hdf5_file(path) ? open_hdf5_file(path, name) : open_copy(*bytes);
+  const std::uint64_t bytes_behind = bytes_behind_hdf5(file);
+  auto events = open_events(std::move(file), name);
   const SensorSize sensor = choose_sensor(name, events->sensor_size(), std::nullopt, options);
-  return std::make_unique<Hdf5Reader>(std::move(events), name, sensor, options.reorder_us);
+  return std::make_unique<Hdf5Reader>(std::move(events), name, sensor, options.reorder_us,
+                                      bytes_behind);
 }
 
 }  // namespace puck
