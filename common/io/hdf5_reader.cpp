@@ -5,18 +5,20 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <limits>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include <unistd.h>
 
 #include "common/io/event_sink.h"
 #include "common/io/hdf5_events.h"
 #include "common/io/reader_warnings.h"
 #include "common/io/record_run.h"
 #include "common/io/sensor_choice.h"
-#include "common/io/temporary_path.h"
+#include "common/io/unnamed_file.h"
 
 namespace puck {
 namespace {
@@ -33,22 +35,28 @@ bool is_hdf5_file(const std::filesystem::path& path) {
   return std::string_view(start.data(), start.size()) == kHdf5Signature;
 }
 
-Hdf5Object open_copy(ByteSource& bytes) {
-  const TemporaryPath copy("puck-hdf5-");
-  std::ofstream file(copy.path(), std::ios::binary);
-  std::vector<std::byte> block(std::size_t{1} << 20);
-  while (file) {
-    const std::size_t count = bytes.read(block);
-    if (count == 0) break;
-    file.write(reinterpret_cast<const char*>(block.data()), static_cast<std::streamsize>(count));
+void write_all(int file, std::span<const std::byte> bytes, const std::string& name) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      throw EventFileError(name + ": HDF5 needs a file, and a copy in the folder " +
+                           std::filesystem::temp_directory_path().string() +
+                           " cannot be written: " + std::strerror(errno) +
+                           "; set TMPDIR to a folder with more space");
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
   }
-  file.close();
-  if (!file) {
-    throw EventFileError(bytes.name() + ": HDF5 needs a file, and the copy " +
-                         copy.path().string() + " cannot be written: " + std::strerror(errno));
+}
+
+Hdf5Object open_copy(ByteSource& bytes) {
+  UnnamedFile copy("puck-hdf5-");
+  std::vector<std::byte> block(std::size_t{1} << 20);
+  while (const std::size_t count = bytes.read(block)) {
+    write_all(copy.number(), std::span(block).first(count), bytes.name());
   }
   // The library keeps it open when its name is removed.
-  return open_hdf5_file(copy.path(), bytes.name());
+  return open_hdf5_file(copy.give_name(), bytes.name());
 }
 
 std::unique_ptr<Hdf5Events> open_events(Hdf5Object file, const std::string& name) {

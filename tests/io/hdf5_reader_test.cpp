@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
 #include <thread>
 
 #include <doctest/doctest.h>
 #include <hdf5.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "common/io/event_writer.h"
@@ -23,6 +29,27 @@ std::string hdf5_of(const TemporaryFolder& folder, const std::string& format,
   writer->close();
   return read_text(folder / "made.hdf5");
 }
+
+/// The folder for temporary files, as long as this lives.
+class CopiesFolder {
+ public:
+  explicit CopiesFolder(const std::filesystem::path& folder) {
+    if (const char* before = std::getenv("TMPDIR")) before_ = before;
+    setenv("TMPDIR", folder.c_str(), 1);
+  }
+  ~CopiesFolder() {
+    if (before_) {
+      setenv("TMPDIR", before_->c_str(), 1);
+    } else {
+      unsetenv("TMPDIR");
+    }
+  }
+  CopiesFolder(const CopiesFolder&) = delete;
+  CopiesFolder& operator=(const CopiesFolder&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
 
 /// A file of data sets, each a list of numbers.
 class MadeHdf5 {
@@ -216,8 +243,7 @@ TEST_CASE("HDF5: one chunk of thousands that was never written costs its own eve
       file.add_sparse(name, hsize_t{1} << 50, 1 << 20, {});
     }
   }
-  const std::string message =
-      message_of<EventFileError>([&] { open_event_file(folder / "b.h5"); });
+  const std::string message = message_of<EventFileError>([&] { open_event_file(folder / "b.h5"); });
   CAPTURE(message);
   CHECK(contains(message, "has 1125899906842624 elements; expected up to 281474976710656"));
 }
@@ -237,6 +263,31 @@ TEST_CASE("HDF5: bytes behind the file's end are left out with a word on their n
                                                 " bytes follow the end of the HDF5 file"));
     }
   }
+}
+
+TEST_CASE("HDF5 from a pipe is copied to a file without a name, also while it is copied") {
+  const TemporaryFolder folder;
+  const TemporaryFolder copies;
+  const std::string whole = hdf5_of(folder, "hdf5", scattered_events(300000));
+  // More than a pipe holds, so that the reader has begun when all but the end is written.
+  REQUIRE(whole.size() > 200'000);
+  const std::string pipe = (folder / "pipe").string();
+  REQUIRE(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR) == 0);
+  const CopiesFolder variable(copies.path());
+  std::unique_ptr<EventReader> reader;
+  std::string message;
+  std::thread opening(
+      [&] { message = message_of<EventFileError>([&] { reader = open_event_file(pipe); }); });
+  {
+    std::ofstream out(pipe, std::ios::binary);
+    out << whole.substr(0, whole.size() - 1) << std::flush;
+    CHECK(std::filesystem::is_empty(copies.path()));
+    out << whole.back();
+  }
+  opening.join();
+  REQUIRE(message == "");
+  CHECK(std::filesystem::is_empty(copies.path()));
+  CHECK(read_all(*reader) == scattered_events(300000));
 }
 
 TEST_CASE("HDF5 of other content is refused with what was expected") {
