@@ -6,9 +6,6 @@
 namespace puck {
 namespace {
 
-// The library counts up to a chunk's number from the first one on: quick for so many only.
-constexpr hsize_t kMostByNumber = 1000;
-
 bool is_stored(const Hdf5DataSet& list, hsize_t first) {
   unsigned left_out = 0;
   haddr_t address = HADDR_UNDEF;
@@ -21,7 +18,9 @@ bool is_stored(const Hdf5DataSet& list, hsize_t first) {
 std::vector<std::uint64_t> stored_chunks(const Hdf5DataSet& list, const Hdf5Object& space,
                                          hsize_t count) {
   std::vector<std::uint64_t> chunks;
-  if (count <= kMostByNumber) {
+  // For the chunk i, the library visits all up to it: slow for many, but not for a few of millions.
+  const std::uint64_t places = (list.elements - 1) / list.chunk_elements + 1;
+  if (count < places / std::max<hsize_t>(count, 1)) {
     for (hsize_t i = 0; i < count; ++i) {
       hsize_t first = 0;
       unsigned left_out = 0;
