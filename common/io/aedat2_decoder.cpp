@@ -56,18 +56,39 @@ struct DavisLayout : Aedat2Layout {
   std::uint32_t last_y = 0;
 };
 
-// Length of the lines that begin with `#`; `std::nullopt` while the last one is incomplete.
+// Whether a line, or as much of it as there is, can be of the header: data may begin with `#` too.
+bool is_header_text(std::string_view line) {
+  if (line.ends_with('\n')) line.remove_suffix(1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  // Names of people and folders may hold other letters than ASCII's.
+  const bool may_be_beyond_ascii = line.starts_with("# ");
+  return std::all_of(line.begin(), line.end(), [&](char character) {
+    const auto byte = static_cast<unsigned char>(character);
+    return byte == '\t' || (byte >= 0x20 && byte < 0x7f) || (byte >= 0x80 && may_be_beyond_ascii);
+  });
+}
+
+bool is_last_line(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of("# "), line.size()));
+  return line.starts_with("End Of ASCII Header");
+}
+
+// Length of the lines of text that begin with `#`, up to the one that ends the header, if there is
+// one; `std::nullopt` while the last one is incomplete.
 std::optional<std::size_t> header_length(const StreamHead& head) {
   const std::string_view text = head.text();
   std::size_t length = 0;
   while (length < text.size() && text[length] == '#') {
     const std::size_t end = text.find('\n', length);
+    const std::string_view line = text.substr(length, end - length + (end != text.npos ? 1 : 0));
+    if (!is_header_text(line)) return length;
     if (end == std::string_view::npos) {
       if (!head.is_all) return std::nullopt;
       throw EventFileError(head.name + ": ends within its AEDAT header, at byte " +
                            std::to_string(text.size()));
     }
     length = end + 1;
+    if (is_last_line(line)) return length;
   }
   if (length == text.size() && !head.is_all) return std::nullopt;
   return length;

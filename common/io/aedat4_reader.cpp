@@ -19,6 +19,7 @@ constexpr std::size_t kMostHeaderBytes = std::size_t{16} << 20;
 constexpr std::size_t kEventRecordBytes =
     16;  // i64 t, µs; i16 x; i16 y; u8 polarity; three unused.
 constexpr std::size_t kMostFaultLines = 5;
+constexpr std::size_t kRestBlockBytes = 65536;
 // Later times than any clock's, of damaged records: their differences would overflow.
 constexpr std::int64_t kLatestRecord_us = std::int64_t{1} << 61;
 
@@ -151,9 +152,12 @@ bool Aedat4Reader::take_packet() {
   const auto id = static_cast<std::int32_t>(load_word<std::uint32_t>(start.data()));
   const std::size_t size = load_word<std::uint32_t>(start.data() + 4);
   if (size > Aedat4Unpacker::kMostBytes) {
+    const std::string rest(reinterpret_cast<const char*>(start.data()), start.size());
+    if (kAedat4Signature.starts_with(rest)) return end({}, rest);
     ++sink_.counters().malformed_words;
     return end("a packet at byte " + std::to_string(position_) + " claims " + std::to_string(size) +
-               " bytes; expected up to 32 MiB; the rest was left out");
+                   " bytes; expected up to 32 MiB; the rest was left out",
+               rest);
   }
   packed_.resize(size);
   const std::size_t bytes = bytes_->read(packed_);
@@ -182,10 +186,33 @@ void Aedat4Reader::unpack(std::size_t bytes) {
   }
 }
 
-bool Aedat4Reader::end(const std::string& fault) {
+// `rest`: bytes from `position_` on that are read already. Throws EventFileError.
+bool Aedat4Reader::end(const std::string& fault, std::string rest) {
   is_at_end_ = true;
   if (!fault.empty()) faults_.push_back(fault);
+  read_rest(std::move(rest));
   return false;
+}
+
+void Aedat4Reader::read_rest(std::string rest) {
+  bool is_found = false;
+  while (true) {
+    const std::size_t at = is_found ? std::string::npos : rest.find(kAedat4Signature);
+    if (at != std::string::npos) {
+      is_found = true;
+      faults_.push_back("another AEDAT4 header at byte " +
+                        std::to_string(position_ + static_cast<std::int64_t>(at)) +
+                        ", as in joined files; what follows was left out: split them first");
+    }
+    // The signature may be cut by the end of the block.
+    const std::size_t kept = std::min(rest.size(), kAedat4Signature.size() - 1);
+    position_ += static_cast<std::int64_t>(rest.size() - kept);
+    rest.erase(0, rest.size() - kept);
+    rest.resize(kept + kRestBlockBytes);
+    const std::size_t got = bytes_->read(std::as_writable_bytes(std::span(rest)).subspan(kept));
+    if (got == 0) return;
+    rest.resize(kept + got);
+  }
 }
 
 }  // namespace puck

@@ -16,7 +16,8 @@
 namespace puck {
 
 /// AEDAT4 files and streams: the first stream of events. Packets of other streams count as other
-/// data.
+/// data. What follows the packets is read too, for its faults: damage at the end of a compressed
+/// file, or another AEDAT4 file, which is left out with a warning.
 class Aedat4Reader final : public EventReader {
  public:
   /// Reads the header of `bytes`, none of which are read. Throws EventFileError.
@@ -36,7 +37,8 @@ class Aedat4Reader final : public EventReader {
   bool take_packet();
   void take_records();
   void unpack(std::size_t bytes);
-  bool end(const std::string& fault = {});
+  bool end(const std::string& fault = {}, std::string rest = {});
+  void read_rest(std::string rest);
 
   std::unique_ptr<ByteSource> bytes_;
   Aedat4Header header_;

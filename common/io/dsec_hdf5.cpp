@@ -5,6 +5,7 @@
 
 #include "common/io/event_reader.h"
 #include "common/io/hdf5_events.h"
+#include "common/io/hdf5_gaps.h"
 
 namespace puck {
 namespace {
@@ -37,6 +38,7 @@ class DsecHdf5 final : public Hdf5Events {
                            std::to_string(p_.elements) + " and " + std::to_string(t_.elements) +
                            " elements; expected the same number");
     }
+    for (const Hdf5DataSet* list : {&x_, &y_, &p_, &t_}) gaps_.add(*list);
     if (!has_hdf5_object(file_, "t_offset")) return;
     const Hdf5Object offset(H5Dopen2(file_.id(), "t_offset", H5P_DEFAULT), H5Dclose);
     const Hdf5Object space(H5Dget_space(offset.id()), H5Sclose);
@@ -50,7 +52,15 @@ class DsecHdf5 final : public Hdf5Events {
     part.missing = 0;
     part.events.clear();
     if (next_ >= x_.elements) return false;
-    const std::uint64_t count = std::min(kDsecPartEvents, x_.elements - next_);
+    const Hdf5Gaps::Run run = gaps_.run_from(next_, x_.elements);
+    if (run.is_missing) {
+      part.missing = run.end - next_;
+      part.fault = "data sets /events/x, y, p and t, elements from " + std::to_string(next_) +
+                   " on: " + std::to_string(part.missing) + " were never written to the file";
+      next_ = run.end;
+      return true;
+    }
+    const std::uint64_t count = std::min(kDsecPartEvents, run.end - next_);
     const std::uint64_t first = std::exchange(next_, next_ + count);
     columns_.resize(count);
     times_us_.resize(count);
@@ -81,26 +91,27 @@ class DsecHdf5 final : public Hdf5Events {
   // Numbers that do not fit become the nearest that does: below 0 it is 0, as for polarity −1.
   template <typename Set>
   bool read_into(Part& part, const Hdf5DataSet& list, std::uint64_t first, Set set) {
-    if (!read_hdf5_list(list, first, columns_.size(), H5T_NATIVE_UINT16, columns_.data())) {
-      return tell_fault(part, list, first);
-    }
+    const std::string cause =
+        read_hdf5_list(list, first, columns_.size(), H5T_NATIVE_UINT16, columns_.data());
+    if (!cause.empty()) return tell_fault(part, list, first, cause);
     for (std::size_t i = 0; i < columns_.size(); ++i) set(part.events[i], columns_[i]);
     return true;
   }
 
   bool read_times(Part& part, std::uint64_t first) {
-    if (!read_hdf5_list(t_, first, times_us_.size(), H5T_NATIVE_INT64, times_us_.data())) {
-      return tell_fault(part, t_, first);
-    }
+    const std::string cause =
+        read_hdf5_list(t_, first, times_us_.size(), H5T_NATIVE_INT64, times_us_.data());
+    if (!cause.empty()) return tell_fault(part, t_, first, cause);
     for (std::size_t i = 0; i < times_us_.size(); ++i) {
       part.events[i].t_us = times_us_[i];
     }
     return true;
   }
 
-  static bool tell_fault(Part& part, const Hdf5DataSet& list, std::uint64_t first) {
-    part.fault = "data set /" + list.path + ", elements from " + std::to_string(first) +
-                 " on: " + hdf5_cause();
+  static bool tell_fault(Part& part, const Hdf5DataSet& list, std::uint64_t first,
+                         const std::string& cause) {
+    part.fault =
+        "data set /" + list.path + ", elements from " + std::to_string(first) + " on: " + cause;
     return false;
   }
 
@@ -109,6 +120,7 @@ class DsecHdf5 final : public Hdf5Events {
   Hdf5DataSet y_;
   Hdf5DataSet p_;
   Hdf5DataSet t_;
+  Hdf5Gaps gaps_;
   std::int64_t offset_us_ = 0;  // To add.
   std::uint64_t next_ = 0;
   std::vector<std::uint16_t> columns_;

@@ -11,6 +11,7 @@ namespace puck {
 namespace {
 
 constexpr std::size_t kMostChunkBytes = std::size_t{16} << 20;
+constexpr hsize_t kMostElements = hsize_t{1} << 48;
 constexpr std::size_t kLongestText = 4096;
 constexpr int kBlosc = 32001;
 
@@ -52,6 +53,13 @@ Hdf5Object open_hdf5_file(const std::filesystem::path& path, const std::string& 
                          "; expected a whole HDF5 file");
   }
   return file;
+}
+
+std::uint64_t bytes_behind_hdf5(const Hdf5Object& file) {
+  hsize_t size = 0;
+  haddr_t end = 0;
+  if (H5Fget_filesize(file.id(), &size) < 0 || H5Fget_eoa(file.id(), &end) < 0) return 0;
+  return size - std::min<hsize_t>(size, end);
 }
 
 bool has_hdf5_object(const Hdf5Object& file, const std::string& path) {
@@ -127,6 +135,10 @@ Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,
       H5Sget_simple_extent_dims(space.id(), &elements, nullptr) != 1) {
     throw EventFileError(at + " has not one dimension; expected a list");
   }
+  if (elements > kMostElements) {
+    throw EventFileError(at + " has " + std::to_string(elements) + " elements; expected up to " +
+                         std::to_string(kMostElements));
+  }
   list.elements = elements;
   const H5D_layout_t layout = H5Pget_layout(creation.id());
   if (layout == H5D_CHUNKED) {
@@ -167,14 +179,18 @@ void check_hdf5_filters(const Hdf5DataSet& list, const std::string& name) {
   }
 }
 
-bool read_hdf5_list(const Hdf5DataSet& list, std::uint64_t first, std::uint64_t count,
-                    hid_t memory_type, void* room) {
+std::string read_hdf5_list(const Hdf5DataSet& list, std::uint64_t first, std::uint64_t count,
+                           hid_t memory_type, void* room) {
   const hsize_t start = first;
   const hsize_t length = count;
   const Hdf5Object part(H5Dget_space(list.object.id()), H5Sclose);
   const Hdf5Object memory(H5Screate_simple(1, &length, nullptr), H5Sclose);
-  return H5Sselect_hyperslab(part.id(), H5S_SELECT_SET, &start, nullptr, &length, nullptr) >= 0 &&
-         H5Dread(list.object.id(), memory_type, memory.id(), part.id(), H5P_DEFAULT, room) >= 0;
+  if (H5Sselect_hyperslab(part.id(), H5S_SELECT_SET, &start, nullptr, &length, nullptr) >= 0 &&
+      H5Dread(list.object.id(), memory_type, memory.id(), part.id(), H5P_DEFAULT, room) >= 0) {
+    return {};
+  }
+  // Closing the spaces forgets the cause.
+  return hdf5_cause();
 }
 
 }  // namespace puck

@@ -39,7 +39,8 @@ class Hdf5Object {
   Close close_ = nullptr;
 };
 
-/// Stops the library from printing its errors, in this thread.
+/// Stops the library from printing its errors, in this thread: each thread that calls the library
+/// needs it.
 void silence_hdf5();
 
 /// The library's own words on its last failure in this thread.
@@ -47,6 +48,9 @@ std::string hdf5_cause();
 
 /// Opens a file for reading, without a lock. Throws EventFileError, with `name` for the file.
 Hdf5Object open_hdf5_file(const std::filesystem::path& path, const std::string& name);
+
+/// Number of bytes that follow the end of the file by its own account.
+std::uint64_t bytes_behind_hdf5(const Hdf5Object& file);
 
 /// Whether the file has an object of this path, "group/name".
 bool has_hdf5_object(const Hdf5Object& file, const std::string& path);
@@ -66,16 +70,16 @@ struct Hdf5DataSet {
   std::vector<int> filters;          ///< Numbers of the filters that the chunks went through.
 };
 
-/// Opens the data set `path` and checks that it is a list whose chunks are of up to 16 MiB. Throws
-/// EventFileError, with `name` for the file.
+/// Opens the data set `path` and checks that it is a list of up to 2^48 elements, whose chunks are
+/// of up to 16 MiB. Throws EventFileError, with `name` for the file.
 Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,
                            const std::string& name);
 
 /// Throws EventFileError if the library cannot undo one of the filters.
 void check_hdf5_filters(const Hdf5DataSet& list, const std::string& name);
 
-/// Reads elements as `memory_type` into `room`. Returns false on failure: hdf5_cause() says why.
-bool read_hdf5_list(const Hdf5DataSet& list, std::uint64_t first, std::uint64_t count,
-                    hid_t memory_type, void* room);
+/// Reads elements as `memory_type` into `room`. Returns why it failed; empty if it did not.
+std::string read_hdf5_list(const Hdf5DataSet& list, std::uint64_t first, std::uint64_t count,
+                           hid_t memory_type, void* room);
 
 }  // namespace puck

@@ -5,18 +5,20 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <limits>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include <unistd.h>
 
 #include "common/io/event_sink.h"
 #include "common/io/hdf5_events.h"
 #include "common/io/reader_warnings.h"
 #include "common/io/record_run.h"
 #include "common/io/sensor_choice.h"
-#include "common/io/temporary_path.h"
+#include "common/io/unnamed_file.h"
 
 namespace puck {
 namespace {
@@ -33,22 +35,28 @@ bool is_hdf5_file(const std::filesystem::path& path) {
   return std::string_view(start.data(), start.size()) == kHdf5Signature;
 }
 
-Hdf5Object open_copy(ByteSource& bytes) {
-  const TemporaryPath copy("puck-hdf5-");
-  std::ofstream file(copy.path(), std::ios::binary);
-  std::vector<std::byte> block(std::size_t{1} << 20);
-  while (file) {
-    const std::size_t count = bytes.read(block);
-    if (count == 0) break;
-    file.write(reinterpret_cast<const char*>(block.data()), static_cast<std::streamsize>(count));
+void write_all(int file, std::span<const std::byte> bytes, const std::string& name) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      throw EventFileError(name + ": HDF5 needs a file, and a copy in the folder " +
+                           std::filesystem::temp_directory_path().string() +
+                           " cannot be written: " + std::strerror(errno) +
+                           "; set TMPDIR to a folder with more space");
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
   }
-  file.close();
-  if (!file) {
-    throw EventFileError(bytes.name() + ": HDF5 needs a file, and the copy " +
-                         copy.path().string() + " cannot be written: " + std::strerror(errno));
+}
+
+Hdf5Object open_copy(ByteSource& bytes) {
+  UnnamedFile copy("puck-hdf5-");
+  std::vector<std::byte> block(std::size_t{1} << 20);
+  while (const std::size_t count = bytes.read(block)) {
+    write_all(copy.number(), std::span(block).first(count), bytes.name());
   }
   // The library keeps it open when its name is removed.
-  return open_hdf5_file(copy.path(), bytes.name());
+  return open_hdf5_file(copy.give_name(), bytes.name());
 }
 
 std::unique_ptr<Hdf5Events> open_events(Hdf5Object file, const std::string& name) {
@@ -62,8 +70,9 @@ std::unique_ptr<Hdf5Events> open_events(Hdf5Object file, const std::string& name
 class Hdf5Reader final : public EventReader {
  public:
   Hdf5Reader(std::unique_ptr<Hdf5Events> events, std::string name, SensorSize sensor,
-             std::int64_t reorder_us)
+             std::int64_t reorder_us, std::uint64_t bytes_behind)
       : name_(std::move(name)),
+        bytes_behind_(bytes_behind),
         events_(std::move(events)),
         sensor_(sensor),
         reorder_us_(reorder_us),
@@ -92,12 +101,20 @@ class Hdf5Reader final : public EventReader {
 
   const EventCounters& counters() const override { return sink_.counters(); }
 
-  RecordingFacts facts() const override { return events_->facts(); }
+  RecordingFacts facts() const override {
+    silence_hdf5();
+    return events_->facts();
+  }
   std::optional<double> share_read() const override { return events_->share_read(); }
 
   std::vector<std::string> warnings() const override {
     std::vector<std::string> lines =
         reader_warnings(name_, counters(), is_at_end_ && !sink_.has_backlog());
+    if (bytes_behind_ > 0) {
+      lines.push_back(name_ + ": its last " + std::to_string(bytes_behind_) +
+                      " bytes follow the end of the HDF5 file, as in joined files; they were left "
+                      "out");
+    }
     for (const std::string& fault : faults_) lines.push_back(one_line(name_ + ": " + fault));
     return lines;
   }
@@ -131,6 +148,8 @@ class Hdf5Reader final : public EventReader {
   // False at the end, or after a part without events.
   bool take_part() {
     part_used_ = 0;
+    // Another thread than the one that opened the file may read it.
+    silence_hdf5();
     do {
       if (!events_->next(part_)) {
         is_at_end_ = true;
@@ -145,6 +164,7 @@ class Hdf5Reader final : public EventReader {
   }
 
   std::string name_;
+  std::uint64_t bytes_behind_ = 0;
   std::unique_ptr<Hdf5Events> events_;
   SensorSize sensor_;
   std::int64_t reorder_us_;
@@ -162,10 +182,12 @@ std::unique_ptr<EventReader> open_hdf5_reader(std::unique_ptr<ByteSource> bytes,
                                               const std::filesystem::path& path,
                                               const EventFileOptions& options) {
   const std::string name = bytes->name();
-  auto events =
-      open_events(is_hdf5_file(path) ? open_hdf5_file(path, name) : open_copy(*bytes), name);
+  Hdf5Object file = is_hdf5_file(path) ? open_hdf5_file(path, name) : open_copy(*bytes);
+  const std::uint64_t bytes_behind = bytes_behind_hdf5(file);
+  auto events = open_events(std::move(file), name);
   const SensorSize sensor = choose_sensor(name, events->sensor_size(), std::nullopt, options);
-  return std::make_unique<Hdf5Reader>(std::move(events), name, sensor, options.reorder_us);
+  return std::make_unique<Hdf5Reader>(std::move(events), name, sensor, options.reorder_us,
+                                      bytes_behind);
 }
 
 }  // namespace puck

@@ -13,7 +13,7 @@
 #include "common/io/hdf5_gzip.h"
 #include "common/io/hdf5_object.h"
 #include "common/io/output_file.h"
-#include "common/io/temporary_path.h"
+#include "common/io/unnamed_file.h"
 
 namespace puck {
 namespace {
@@ -131,11 +131,13 @@ class Hdf5Writer final : public EventWriter {
         packing_(packing) {
     silence_hdf5();
     if (path == "-") copied_.emplace("puck-hdf5-");
-    const std::filesystem::path& target = copied_ ? copied_->path() : path;
+    const std::filesystem::path& target = copied_ ? copied_->give_name() : path;
     // Opened as a plain file first, for the system's words on what is wrong.
     OutputFile(target).flush();
     file_ =
         Hdf5Object(H5Fcreate(target.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+    // The library keeps it open.
+    if (copied_) copied_->drop_name();
     if (!file_.is_open()) fail();
     set_text(file_.id(), "version", "1.0");
     set_text(file_.id(), "format", packing == Hdf5Packing::kEcf ? "ECF" : "HDF5");
@@ -189,7 +191,7 @@ class Hdf5Writer final : public EventWriter {
     events_.reset();
     indexes_.reset();
     file_ = {};
-    if (copied_) copy_to_stdout(copied_->path());
+    if (copied_) copy_to_stdout("/proc/self/fd/" + std::to_string(copied_->number()));
   }
 
  private:
@@ -244,7 +246,7 @@ class Hdf5Writer final : public EventWriter {
   SensorSize sensor_;
   std::string name_;
   Hdf5Packing packing_;
-  std::optional<TemporaryPath> copied_;
+  std::optional<UnnamedFile> copied_;
   Hdf5Object file_;
   std::optional<GrowingList> events_;
   std::optional<GrowingList> indexes_;

@@ -7,6 +7,7 @@
 
 #include "common/io/event_reader.h"
 #include "common/io/hdf5_events.h"
+#include "common/io/hdf5_gaps.h"
 #include "common/io/hdf5_gzip.h"
 #include "common/io/parse_number.h"
 
@@ -60,6 +61,7 @@ class PropheseeHdf5 final : public Hdf5Events {
       throw EventFileError(name + ": data set /CD/events has chunks of " +
                            std::to_string(list_.chunk_elements) + " events; ECF holds up to 65535");
     }
+    gaps_.add(list_);
     find_offset(name);
     find_sensor(name);
   }
@@ -68,8 +70,13 @@ class PropheseeHdf5 final : public Hdf5Events {
     part.missing = 0;
     part.events.clear();
     if (next_ >= list_.elements) return false;
+    const Hdf5Gaps::Run run = gaps_.run_from(next_, list_.elements);
+    if (run.is_missing) {
+      take_gap(run.end, part);
+      return true;
+    }
     const std::uint64_t most = list_.chunk_elements > 0 ? list_.chunk_elements : kPlainPartEvents;
-    const std::uint64_t count = std::min(most, list_.elements - next_);
+    const std::uint64_t count = std::min(most, run.end - next_);
     const std::uint64_t first = std::exchange(next_, next_ + count);
     try {
       read_part(first, count, part.events);
@@ -140,13 +147,19 @@ class PropheseeHdf5 final : public Hdf5Events {
     }
   }
 
+  void take_gap(std::uint64_t end, Part& part) {
+    part.missing = end - next_;
+    part.fault = "data set /CD/events, events from " + std::to_string(next_) +
+                 " on: " + std::to_string(part.missing) + " were never written to the file";
+    next_ = end;
+  }
+
   void read_part(std::uint64_t first, std::uint64_t count, std::vector<EcfEvent>& events) {
     // HDF5 leaves chunks as they are that packing would make larger.
     if (unpacking_ == Unpacking::kLibrary || !read_packed(first)) {
       events.resize(count);
-      if (!read_hdf5_list(list_, first, count, type_.id(), events.data())) {
-        throw std::invalid_argument(hdf5_cause());
-      }
+      const std::string cause = read_hdf5_list(list_, first, count, type_.id(), events.data());
+      if (!cause.empty()) throw std::invalid_argument(cause);
       return;
     }
     if (unpacking_ != Unpacking::kEcf) {
@@ -183,6 +196,7 @@ class PropheseeHdf5 final : public Hdf5Events {
 
   Hdf5Object file_;
   Hdf5DataSet list_;
+  Hdf5Gaps gaps_;
   Hdf5Object type_;
   Unpacking unpacking_ = Unpacking::kLibrary;
   Hdf5Gzip gzip_;

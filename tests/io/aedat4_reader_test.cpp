@@ -6,6 +6,7 @@
 
 #include "common/io/event_writer.h"
 #include "tests/io/event_data.h"
+#include "tests/io/gzip_text.h"
 #include "tests/support/contains.h"
 
 namespace puck {
@@ -111,6 +112,56 @@ TEST_CASE("AEDAT4: a packet of an absurd size ends the reading with a word on it
   const auto reader = open_event_file(folder.write("long.aedat4", bytes));
   CHECK(read_all(*reader).size() == 10);
   CHECK(contains(reader->warnings().back(), "claims 4294967295 bytes"));
+}
+
+TEST_CASE("AEDAT4: a second file behind the first is left out with a word on where it begins") {
+  const TemporaryFolder folder;
+  // Of our writer: packets to the end; of another, with an index behind the packets.
+  const std::string plain = aedat4_of(folder, scattered_events(10));
+  const std::string indexed = read_text(event_data("simulated_lz4.aedat4"));
+  for (const auto& [first, between] :
+       {std::pair(plain, std::string()), std::pair(indexed, std::string()),
+        std::pair(indexed, std::string(65500, '#'))}) {
+    const auto alone = open_event_file(folder.write("alone.aedat4", first));
+    const std::size_t count = read_all(*alone).size();
+    CHECK(alone->warnings().empty());
+    const auto joined = open_event_file(folder.write("joined.aedat4", first + between + plain));
+    CHECK(read_all(*joined).size() == count);
+    REQUIRE(joined->warnings().size() == 1);
+    CHECK(contains(joined->warnings()[0], "another AEDAT4 header at byte " +
+                                              std::to_string(first.size() + between.size()) + ","));
+    joined->rewind();
+    CHECK(read_all(*joined).size() == count);
+    CHECK(joined->warnings().size() == 1);
+  }
+}
+
+TEST_CASE("AEDAT4 in gzip: damage behind the last packet is told, after all events") {
+  const TemporaryFolder folder;
+  const std::string plain = aedat4_of(folder, scattered_events(10));
+  const std::string indexed = read_text(event_data("simulated_lz4.aedat4"));
+  for (const auto& [bytes, count] : {std::pair(plain, 10), std::pair(indexed, 200)}) {
+    const std::string packed = gzip(bytes);
+    const auto read_packed = [&, events = count](const std::string& content) {
+      const auto reader = open_event_file(folder.write("a.aedat4.gz", content));
+      std::vector<PlainEvent> all;
+      EventPacket packet;
+      const std::string message = message_of<EventFileError>([&] {
+        while (reader->read(packet, 1000)) append_plain(packet, all);
+      });
+      CHECK(all.size() == static_cast<std::size_t>(events));
+      return message;
+    };
+    CHECK(read_packed(packed).empty());
+    // The checksum, the length, and nothing of both.
+    std::string damaged = packed;
+    damaged[packed.size() - 8] ^= 1;
+    CHECK(contains(read_packed(damaged), "no valid gzip data (incorrect data check)"));
+    damaged = packed;
+    damaged[packed.size() - 1] ^= 1;
+    CHECK(contains(read_packed(damaged), "no valid gzip data (incorrect length check)"));
+    CHECK(contains(read_packed(packed.substr(0, packed.size() - 8)), "end too early"));
+  }
 }
 
 }  // namespace

@@ -1,12 +1,22 @@
 #include "common/io/hdf5_reader.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <thread>
 
 #include <doctest/doctest.h>
 #include <hdf5.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "common/io/event_writer.h"
 #include "tests/io/event_data.h"
+#include "tests/io/gzip_text.h"
 #include "tests/support/contains.h"
 
 namespace puck {
@@ -19,6 +29,27 @@ std::string hdf5_of(const TemporaryFolder& folder, const std::string& format,
   writer->close();
   return read_text(folder / "made.hdf5");
 }
+
+/// The folder for temporary files, as long as this lives.
+class CopiesFolder {
+ public:
+  explicit CopiesFolder(const std::filesystem::path& folder) {
+    if (const char* before = std::getenv("TMPDIR")) before_ = before;
+    setenv("TMPDIR", folder.c_str(), 1);
+  }
+  ~CopiesFolder() {
+    if (before_) {
+      setenv("TMPDIR", before_->c_str(), 1);
+    } else {
+      unsetenv("TMPDIR");
+    }
+  }
+  CopiesFolder(const CopiesFolder&) = delete;
+  CopiesFolder& operator=(const CopiesFolder&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
 
 /// A file of data sets, each a list of numbers.
 class MadeHdf5 {
@@ -37,6 +68,41 @@ class MadeHdf5 {
     const hid_t set = H5Dcreate2(file_, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     H5Dwrite(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
     H5Dclose(set);
+    H5Sclose(space);
+  }
+
+  /// Times in one chunk of gzip.
+  void add_packed(const char* name, const std::vector<std::int64_t>& numbers) const {
+    const hsize_t count = numbers.size();
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(creation, 1, &count);
+    H5Pset_deflate(creation, 1);
+    const hid_t set =
+        H5Dcreate2(file_, name, H5T_STD_I64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    H5Dwrite(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
+    H5Dclose(set);
+    H5Pclose(creation);
+    H5Sclose(space);
+  }
+
+  /// A list of ones in chunks, of which only those from these elements on are written.
+  void add_sparse(const char* name, hsize_t elements, hsize_t chunk,
+                  const std::vector<hsize_t>& chunks) const {
+    const hid_t space = H5Screate_simple(1, &elements, nullptr);
+    const hid_t memory = H5Screate_simple(1, &chunk, nullptr);
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(creation, 1, &chunk);
+    const hid_t set =
+        H5Dcreate2(file_, name, H5T_STD_U16LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    const std::vector<std::int64_t> ones(chunk, 1);
+    for (const hsize_t first : chunks) {
+      H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, nullptr, &chunk, nullptr);
+      H5Dwrite(set, H5T_NATIVE_INT64, memory, space, H5P_DEFAULT, ones.data());
+    }
+    H5Dclose(set);
+    H5Pclose(creation);
+    H5Sclose(memory);
     H5Sclose(space);
   }
 
@@ -92,6 +158,136 @@ TEST_CASE("HDF5: a damaged chunk costs its own events") {
     CHECK(reader->counters().missing == static_cast<std::int64_t>(40000 - left));
     CHECK(contains(reader->warnings().back(), "data set /CD/events, events from "));
   }
+}
+
+TEST_CASE("HDF5: a damaged chunk read in another thread is told by its cause, not by the library") {
+  const TemporaryFolder folder;
+  {
+    const MadeHdf5 file(folder / "damaged.h5");
+    for (const char* name : {"events/x", "events/y", "events/p"}) {
+      file.add(name, H5T_STD_U16LE, std::vector<std::int64_t>(5000, 1));
+    }
+    file.add_packed("events/t", std::vector<std::int64_t>(5000, 7));
+  }
+  std::string bytes = read_text(folder / "damaged.h5");
+  // The times are the last that were written; zlib's chunks begin with these bytes.
+  const std::size_t chunk = bytes.rfind("\x78\x01");
+  REQUIRE(chunk != std::string::npos);
+  bytes.replace(chunk, 2, "\xff\xff");
+  const auto reader = open_event_file(folder.write("damaged.h5", bytes), {.sensor = {64, 48}});
+  const int kept = dup(STDERR_FILENO);
+  REQUIRE(freopen((folder / "stderr").c_str(), "w", stderr) != nullptr);
+  std::size_t count = 1;
+  std::thread([&] { count = read_all(*reader).size(); }).join();
+  fflush(stderr);
+  dup2(kept, STDERR_FILENO);
+  close(kept);
+  CHECK(count == 0);
+  CHECK(read_text(folder / "stderr").empty());
+  CHECK(reader->counters().missing == 5000);
+  const auto warnings = reader->warnings();
+  CAPTURE(warnings.back());
+  CHECK(contains(warnings.back(), "data set /events/t, elements from 0 on: inflate() failed"));
+}
+
+TEST_CASE("HDF5: events that were never written are missing, not events at (0, 0)") {
+  constexpr hsize_t kMany = 100'000'000'000;
+  const TemporaryFolder folder;
+  {
+    const MadeHdf5 file(folder / "a.h5");
+    for (const char* name : {"events/x", "events/p", "events/t"}) {
+      file.add_sparse(name, kMany, 1000, {0, 1000, 5000, kMany - 1000});
+    }
+    file.add_sparse("events/y", kMany, 500, {0, 500, 1000, 5000, 5500, 7000, kMany - 500});
+  }
+  const auto reader = open_event_file(folder / "a.h5", {.sensor = {64, 48}});
+  // Whole: 0 to 1499, 5000 to 5999, and the last 500.
+  CHECK(read_all(*reader).size() == 3000);
+  CHECK(reader->counters().missing == static_cast<std::int64_t>(kMany - 3000));
+  CHECK(contains(reader->warnings().back(),
+                 "elements from 6000 on: 99999993500 were never written to the file"));
+  reader->rewind();
+  CHECK(read_all(*reader) == std::vector<PlainEvent>(3000, {1, 1, 1, 1}));
+
+  hdf5_of(folder, "hdf5", scattered_events(20000));
+  const hid_t file = H5Fopen((folder / "made.hdf5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(file, "CD/events", H5P_DEFAULT);
+  CHECK(H5Dset_extent(set, &kMany) >= 0);
+  H5Dclose(set);
+  H5Fclose(file);
+  const auto extended = open_event_file(folder / "made.hdf5");
+  // The list was extended within its second chunk of 16384.
+  CHECK(extended->counters().missing == 0);
+  CHECK(read_all(*extended).size() <= 32768);
+  CHECK(extended->counters().missing == static_cast<std::int64_t>(kMany - 32768));
+}
+
+TEST_CASE("HDF5: one chunk of thousands that was never written costs its own events") {
+  const TemporaryFolder folder;
+  {
+    const MadeHdf5 file(folder / "a.h5");
+    std::vector<hsize_t> chunks;
+    for (hsize_t first = 0; first < 6000; first += 2) {
+      if (first != 3000) chunks.push_back(first);
+    }
+    for (const char* name : {"events/x", "events/y", "events/p", "events/t"}) {
+      file.add_sparse(name, 6000, 2, chunks);
+    }
+  }
+  const auto reader = open_event_file(folder / "a.h5", {.sensor = {64, 48}});
+  CHECK(read_all(*reader) == std::vector<PlainEvent>(5998, {1, 1, 1, 1}));
+  CHECK(reader->counters().missing == 2);
+  {
+    const MadeHdf5 file(folder / "b.h5");
+    for (const char* name : {"events/x", "events/y", "events/p", "events/t"}) {
+      file.add_sparse(name, hsize_t{1} << 50, 1 << 20, {});
+    }
+  }
+  const std::string message = message_of<EventFileError>([&] { open_event_file(folder / "b.h5"); });
+  CAPTURE(message);
+  CHECK(contains(message, "has 1125899906842624 elements; expected up to 281474976710656"));
+}
+
+TEST_CASE("HDF5: bytes behind the file's end are left out with a word on their number") {
+  const TemporaryFolder folder;
+  for (const char* format : {"hdf5", "hdf5-ecf"}) {
+    const std::string whole = hdf5_of(folder, format, scattered_events(50));
+    const auto alone = open_event_file(folder.write("alone.hdf5", whole));
+    CHECK(read_all(*alone).size() == 50);
+    CHECK(alone->warnings().empty());
+    for (const std::string& content : {whole + whole, gzip(whole + whole)}) {
+      const auto joined = open_event_file(folder.write("joined.hdf5", content));
+      CHECK(read_all(*joined).size() == 50);
+      REQUIRE(joined->warnings().size() == 1);
+      CHECK(contains(joined->warnings()[0], "its last " + std::to_string(whole.size()) +
+                                                " bytes follow the end of the HDF5 file"));
+    }
+  }
+}
+
+TEST_CASE("HDF5 from a pipe is copied to a file without a name, also while it is copied") {
+  const TemporaryFolder folder;
+  const TemporaryFolder copies;
+  const std::string whole = hdf5_of(folder, "hdf5", scattered_events(300000));
+  // More than a pipe holds, so that the reader has begun when all but the end is written.
+  REQUIRE(whole.size() > 200'000);
+  const std::string pipe = (folder / "pipe").string();
+  REQUIRE(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR) == 0);
+  const CopiesFolder variable(copies.path());
+  std::unique_ptr<EventReader> reader;
+  std::string message;
+  std::thread opening(
+      [&] { message = message_of<EventFileError>([&] { reader = open_event_file(pipe); }); });
+  {
+    std::ofstream out(pipe, std::ios::binary);
+    out << whole.substr(0, whole.size() - 1) << std::flush;
+    CHECK(std::filesystem::is_empty(copies.path()));
+    out << whole.back();
+  }
+  opening.join();
+  REQUIRE(message == "");
+  CHECK(std::filesystem::is_empty(copies.path()));
+  CHECK(read_all(*reader) == scattered_events(300000));
 }
 
 TEST_CASE("HDF5 of other content is refused with what was expected") {

@@ -147,6 +147,32 @@ TEST_CASE("AEDAT 2.0 records of a DVS128 and a DAVIS become events") {
   CHECK(contains(unnamed.warnings.at(0), "look like a DVS128's"));
 }
 
+TEST_CASE("AEDAT 2.0 data whose first byte is that of # are no header") {
+  const std::string header = "#!AER-DAT2.0\r\n# AEChip: eu.seebetter.ini.chips.davis.DAVIS240C\r\n";
+  const auto record = [](std::uint32_t address, std::uint32_t stamp) {
+    return text_of_numbers({address, stamp}, true);
+  };
+  // 0x23 is #; times with and without bytes of 0, and with the byte of a line's end.
+  for (const std::uint32_t start : {100U, 0x0a0a0a0aU, 0x21222324U}) {
+    CAPTURE(start);
+    std::string data;
+    for (std::uint32_t i = 0; i < 40; ++i) data += record(0x23000800U | i << 12, start + i);
+    for (const char* last : {"", "#End Of ASCII Header\r\n", "# End Of ASCII Header\n"}) {
+      const auto file = read_content(header + last + data);
+      REQUIRE(file.events.size() == 40);
+      CHECK(file.events[0] == PlainEvent{start, 239, 179 - 0x8c, 1});
+      CHECK(file.events[39] == PlainEvent{start + 39, 239 - 39, 179 - 0x8c, 1});
+      CHECK(file.warnings.empty());
+    }
+  }
+  // All of it is printable, up to the byte of a line's end: only the last line can tell.
+  const std::string text = record(0x234e2828, 0x2020200a) + record(0x234e2828, 0x2020200b);
+  CHECK(read_content(header + "#End Of ASCII Header\r\n" + text).events.size() == 2);
+  // Letters beyond ASCII.
+  CHECK(read_content(header + "# by Zo\xc3\xab in C:\\\t\r\n#\r\n" + record(0x23000800, 5))
+            .events.size() == 1);
+}
+
 TEST_CASE("AEDAT 2.0 times wrap after 31 bits or 32") {
   const auto last_us = [](std::uint32_t before, std::uint32_t behind) {
     return read_content("#!AER-DAT2.0\r\n# AEChip: DVS128\r\n" +
