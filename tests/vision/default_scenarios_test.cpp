@@ -85,8 +85,9 @@ TEST_CASE("a puck that stops keeps its place without events") {
 }
 
 // As many for each px² as of 12,000 events a second in an image of 640 by 480.
+// It drifts too far after some ten seconds.
 TEST_CASE("a puck that rests in noise keeps its place for half a minute, and is followed on" *
-          kNotYet) {
+          doctest::should_fail(!kIsSanitized)) {
   constexpr int kSeconds = kIsSanitized ? 8 : 30;
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     CAPTURE(seed);
