@@ -1,6 +1,5 @@
 #include "common/io/dat_writer.h"
 
-#include <exception>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -10,22 +9,12 @@
 namespace puck {
 
 DatWriter::DatWriter(const std::filesystem::path& path, SensorSize sensor)
-    : sensor_(checked_sensor(sensor)), file_(path) {
+    : FileEventWriter(path, sensor) {
   file_.append("% Data file containing CD events.\n% Version 2\n% Width " +
                std::to_string(sensor.width) + "\n% Height " + std::to_string(sensor.height) + "\n");
   // The type of the events, and the bytes of each.
   file_.append("\x0c\x08");
 }
-
-DatWriter::~DatWriter() {
-  try {
-    close();
-  } catch (const std::exception&) {
-    // A caller that needs the error calls close() first.
-  }
-}
-
-void DatWriter::close() { file_.flush(); }
 
 void DatWriter::write(const EventPacket& packet) {
   for (const Event& event : packet.events) {

@@ -1,29 +1,23 @@
 #pragma once
 
-#include "common/io/event_writer.h"
-#include "common/io/output_file.h"
+#include "common/io/file_event_writer.h"
 
 namespace puck {
 
 /// Prophesee DAT, version 2. Its time is 32 bits wide (71.6 min) and wraps.
-class DatWriter final : public EventWriter {
+class DatWriter final : public FileEventWriter {
  public:
   /// A longer pause could be half a wrap or more, which no reader can tell.
   static constexpr std::int64_t kLongestPauseUs = (std::int64_t{1} << 31) - 1;
 
   /// Writes the header. Throws EventFileError, std::invalid_argument for an invalid sensor.
   DatWriter(const std::filesystem::path& path, SensorSize sensor);
-  ~DatWriter() override;
 
   /// Throws std::invalid_argument also for a first time that needs more than 32 bits and for a
   /// pause of more than kLongestPauseUs.
   void write(const EventPacket& packet) override;
-  void close() override;
 
  private:
-  SensorSize sensor_;
-  OutputFile file_;
-  Timestamp newest_{0};
   bool is_first_ = true;
 };
 

@@ -1,6 +1,5 @@
 #include "common/io/es_writer.h"
 
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,21 +16,11 @@ constexpr std::string_view kEsStart("Event Stream\2\0\0\1", 16);
 }  // namespace
 
 EsWriter::EsWriter(const std::filesystem::path& path, SensorSize sensor)
-    : sensor_(checked_sensor(sensor)), file_(path) {
+    : FileEventWriter(path, sensor) {
   file_.append(kEsStart);
   file_.append_word(static_cast<std::uint16_t>(sensor.width));
   file_.append_word(static_cast<std::uint16_t>(sensor.height));
 }
-
-EsWriter::~EsWriter() {
-  try {
-    close();
-  } catch (const std::exception&) {
-    // A caller that needs the error calls close() first.
-  }
-}
-
-void EsWriter::close() { file_.flush(); }
 
 void EsWriter::write(const EventPacket& packet) {
   for (const Event& event : packet.events) {

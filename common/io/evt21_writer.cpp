@@ -1,8 +1,6 @@
 #include "common/io/evt21_writer.h"
 
-#include <exception>
 #include <span>
-#include <string>
 
 #include "common/io/event_checks.h"
 #include "common/io/time_words.h"
@@ -26,22 +24,9 @@ bool continues(const Event& before, const Event& event) {
 }  // namespace
 
 Evt21Writer::Evt21Writer(const std::filesystem::path& path, SensorSize sensor)
-    : sensor_(checked_sensor(sensor)), file_(path) {
-  const std::string width = std::to_string(sensor.width);
-  const std::string height = std::to_string(sensor.height);
-  file_.append("% evt 2.1\n% format EVT21;height=" + height + ";width=" + width +
-               ";endianness=little\n% geometry " + width + "x" + height + "\n% end\n");
+    : FileEventWriter(path, sensor) {
+  write_raw_header("2.1", "EVT21", ";endianness=little");
 }
-
-Evt21Writer::~Evt21Writer() {
-  try {
-    close();
-  } catch (const std::exception&) {
-    // A caller that needs the error calls close() first.
-  }
-}
-
-void Evt21Writer::close() { file_.flush(); }
 
 void Evt21Writer::write(const EventPacket& packet) {
   const std::span<const Event> events = packet.events;

@@ -2,26 +2,20 @@
 
 #include <cstdint>
 
-#include "common/io/event_writer.h"
-#include "common/io/output_file.h"
+#include "common/io/file_event_writer.h"
 
 namespace puck {
 
 /// Prophesee RAW, EVT 2.1, in words of 64 bits, little-endian, of up to 32 pixels of a row. Its
 /// time is 34 bits wide; later first times and longer pauses are counted through.
-class Evt21Writer final : public EventWriter {
+class Evt21Writer final : public FileEventWriter {
  public:
   /// Writes the header. Throws EventFileError, std::invalid_argument for an invalid sensor.
   Evt21Writer(const std::filesystem::path& path, SensorSize sensor);
-  ~Evt21Writer() override;
 
   void write(const EventPacket& packet) override;
-  void close() override;
 
  private:
-  SensorSize sensor_;
-  OutputFile file_;
-  Timestamp newest_{0};
   std::int64_t high_ = -1;  // Unwrapped; −1: no time word yet.
 };
 

@@ -1,8 +1,5 @@
 #include "common/io/evt2_writer.h"
 
-#include <exception>
-#include <string>
-
 #include "common/io/event_checks.h"
 #include "common/io/time_words.h"
 
@@ -16,22 +13,9 @@ constexpr int kEvt2LowBits = 6;
 }  // namespace
 
 Evt2Writer::Evt2Writer(const std::filesystem::path& path, SensorSize sensor)
-    : sensor_(checked_sensor(sensor)), file_(path) {
-  const std::string width = std::to_string(sensor.width);
-  const std::string height = std::to_string(sensor.height);
-  file_.append("% evt 2.0\n% format EVT2;height=" + height + ";width=" + width + "\n% geometry " +
-               width + "x" + height + "\n% end\n");
+    : FileEventWriter(path, sensor) {
+  write_raw_header("2.0", "EVT2");
 }
-
-Evt2Writer::~Evt2Writer() {
-  try {
-    close();
-  } catch (const std::exception&) {
-    // A caller that needs the error calls close() first.
-  }
-}
-
-void Evt2Writer::close() { file_.flush(); }
 
 void Evt2Writer::write(const EventPacket& packet) {
   for (const Event& event : packet.events) {

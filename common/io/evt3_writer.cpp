@@ -1,6 +1,5 @@
 #include "common/io/evt3_writer.h"
 
-#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -20,22 +19,9 @@ constexpr std::size_t kVectorPays = 5;
 }  // namespace
 
 Evt3Writer::Evt3Writer(const std::filesystem::path& path, SensorSize sensor)
-    : sensor_(checked_sensor(sensor)), file_(path) {
-  const std::string width = std::to_string(sensor.width);
-  const std::string height = std::to_string(sensor.height);
-  file_.append("% evt 3.0\n% format EVT3;height=" + height + ";width=" + width + "\n% geometry " +
-               width + "x" + height + "\n% end\n");
+    : FileEventWriter(path, sensor) {
+  write_raw_header("3.0", "EVT3");
 }
-
-Evt3Writer::~Evt3Writer() {
-  try {
-    close();
-  } catch (const std::exception&) {
-    // A caller that needs the error calls close() first.
-  }
-}
-
-void Evt3Writer::close() { file_.flush(); }
 
 void Evt3Writer::write(const EventPacket& packet) {
   const std::span<const Event> events = packet.events;
@@ -99,9 +85,8 @@ void Evt3Writer::move_clock_to(Timestamp time) {
 }
 
 void Evt3Writer::put(Evt3Type type, std::uint32_t payload) {
-  const std::uint32_t word = (static_cast<std::uint32_t>(type) << 12) | (payload & 0xfffu);
-  const std::array<char, 2> bytes{static_cast<char>(word & 0xffu), static_cast<char>(word >> 8)};
-  file_.append({bytes.data(), bytes.size()});
+  file_.append_word(
+      static_cast<std::uint16_t>(static_cast<std::uint32_t>(type) << 12 | (payload & 0xfffu)));
 }
 
 }  // namespace puck

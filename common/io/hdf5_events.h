@@ -38,6 +38,9 @@ class Hdf5Events {
   virtual RecordingFacts facts() const = 0;
 };
 
+/// An element of Prophesee's /CD/events, as EcfEvent holds it in memory.
+Hdf5Object prophesee_event_type();
+
 /// Prophesee's layout: /CD/events. Throws EventFileError.
 std::unique_ptr<Hdf5Events> open_prophesee_hdf5(Hdf5Object file, const std::string& name);
 

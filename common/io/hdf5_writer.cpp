@@ -10,8 +10,8 @@
 #include "common/io/ecf_codec.h"
 #include "common/io/event_checks.h"
 #include "common/io/event_reader.h"
+#include "common/io/hdf5_events.h"
 #include "common/io/hdf5_gzip.h"
-#include "common/io/hdf5_object.h"
 #include "common/io/output_file.h"
 #include "common/io/unnamed_file.h"
 
@@ -33,15 +33,6 @@ struct Trigger {
   std::int64_t t_us = 0;
   std::int16_t id = 0;
 };
-
-Hdf5Object stored_event_type() {
-  const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(EcfEvent));
-  H5Tinsert(type, "x", offsetof(EcfEvent, x), H5T_NATIVE_UINT16);
-  H5Tinsert(type, "y", offsetof(EcfEvent, y), H5T_NATIVE_UINT16);
-  H5Tinsert(type, "p", offsetof(EcfEvent, polarity), H5T_NATIVE_INT16);
-  H5Tinsert(type, "t", offsetof(EcfEvent, t_us), H5T_NATIVE_INT64);
-  return {type, H5Tclose};
-}
 
 Hdf5Object index_type() {
   const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(IndexEntry));
@@ -144,7 +135,7 @@ class Hdf5Writer final : public EventWriter {
     set_text(file_.id(), "geometry",
              std::to_string(sensor.width) + "x" + std::to_string(sensor.height));
     const Hdf5Object cd = new_group("CD");
-    events_.emplace(cd.id(), "events", stored_event_type(), packing);
+    events_.emplace(cd.id(), "events", prophesee_event_type(), packing);
     indexes_.emplace(cd.id(), "indexes", index_type(), Hdf5Packing::kGzip);
     const Hdf5Object triggers = new_group("EXT_TRIGGER");
     const GrowingList no_triggers(triggers.id(), "events", trigger_type(), Hdf5Packing::kGzip);

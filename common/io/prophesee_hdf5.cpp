@@ -17,15 +17,6 @@ namespace {
 constexpr std::uint64_t kPlainPartEvents = 16384;  // Where the list is not in chunks.
 constexpr hsize_t kMostPackedBytes = hsize_t{16} << 20;
 
-Hdf5Object event_type() {
-  const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(EcfEvent));
-  H5Tinsert(type, "x", offsetof(EcfEvent, x), H5T_NATIVE_UINT16);
-  H5Tinsert(type, "y", offsetof(EcfEvent, y), H5T_NATIVE_UINT16);
-  H5Tinsert(type, "p", offsetof(EcfEvent, polarity), H5T_NATIVE_INT16);
-  H5Tinsert(type, "t", offsetof(EcfEvent, t_us), H5T_NATIVE_INT64);
-  return {type, H5Tclose};
-}
-
 /// Who unpacks the chunks.
 enum class Unpacking {
   kLibrary,
@@ -52,7 +43,7 @@ class PropheseeHdf5 final : public Hdf5Events {
   PropheseeHdf5(Hdf5Object file, const std::string& name)
       : file_(std::move(file)),
         list_(open_hdf5_list(file_, "CD/events", name)),
-        type_(event_type()),
+        type_(prophesee_event_type()),
         unpacking_(unpacking_of(list_, type_.id())) {
     check_members(name);
     const bool is_ecf = unpacking_ == Unpacking::kEcf;
@@ -207,6 +198,15 @@ class PropheseeHdf5 final : public Hdf5Events {
 };
 
 }  // namespace
+
+Hdf5Object prophesee_event_type() {
+  const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(EcfEvent));
+  H5Tinsert(type, "x", offsetof(EcfEvent, x), H5T_NATIVE_UINT16);
+  H5Tinsert(type, "y", offsetof(EcfEvent, y), H5T_NATIVE_UINT16);
+  H5Tinsert(type, "p", offsetof(EcfEvent, polarity), H5T_NATIVE_INT16);
+  H5Tinsert(type, "t", offsetof(EcfEvent, t_us), H5T_NATIVE_INT64);
+  return {type, H5Tclose};
+}
 
 std::unique_ptr<Hdf5Events> open_prophesee_hdf5(Hdf5Object file, const std::string& name) {
   return std::make_unique<PropheseeHdf5>(std::move(file), name);

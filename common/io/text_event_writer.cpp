@@ -2,7 +2,6 @@
 
 #include <array>
 #include <charconv>
-#include <exception>
 #include <string>
 #include <string_view>
 
@@ -11,20 +10,10 @@
 namespace puck {
 
 TextEventWriter::TextEventWriter(const std::filesystem::path& path, SensorSize sensor, Form form)
-    : sensor_(checked_sensor(sensor)), separator_(form == Form::kCommas ? ',' : ' '), file_(path) {
+    : FileEventWriter(path, sensor), separator_(form == Form::kCommas ? ',' : ' ') {
   file_.append("%geometry:" + std::to_string(sensor.width) + "," + std::to_string(sensor.height) +
                (form == Form::kCommas ? "\nt,x,y,p\n" : "\n# t_us x y p\n"));
 }
-
-TextEventWriter::~TextEventWriter() {
-  try {
-    close();
-  } catch (const std::exception&) {
-    // A caller that needs the error calls close() first.
-  }
-}
-
-void TextEventWriter::close() { file_.flush(); }
 
 void TextEventWriter::write(const EventPacket& packet) {
   for (const Event& event : packet.events) {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "common/io/event_writer.h"
-#include "common/io/output_file.h"
+#include "common/io/file_event_writer.h"
 
 namespace puck {
 
 /// One event a line, t in µs, after a line `%geometry:WIDTH,HEIGHT` and one of the columns' names.
-class TextEventWriter final : public EventWriter {
+class TextEventWriter final : public FileEventWriter {
  public:
   enum class Form {
     kBlanks,  ///< `t x y p`.
@@ -15,16 +14,11 @@ class TextEventWriter final : public EventWriter {
 
   /// Writes the header. Throws EventFileError, std::invalid_argument for an invalid sensor.
   TextEventWriter(const std::filesystem::path& path, SensorSize sensor, Form form);
-  ~TextEventWriter() override;
 
   void write(const EventPacket& packet) override;
-  void close() override;
 
  private:
-  SensorSize sensor_;
   char separator_;
-  OutputFile file_;
-  Timestamp newest_{0};
 };
 
 }  // namespace puck
