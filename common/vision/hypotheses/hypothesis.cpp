@@ -51,8 +51,7 @@ Hypothesis::Hypothesis(Origin origin, const ContourFilter::Start& start, double 
       born_us_(time_us),
       decided_us_(time_us),
       heard_us_(time_us),
-      start_filter_(filter_),
-      start_variance_(filter_.place_variances()) {
+      start_filter_(filter_) {
   follow_contour(context);
 }
 
@@ -184,7 +183,6 @@ bool Hypothesis::decide(std::int64_t time_us, const TrackingContext& context) {
   if (open_.near() > 0 && evidence.told <= 0) take_back(time_us);
   slow_down(context);
   start_filter_ = filter_;
-  start_variance_ = filter_.place_variances();
   const double keep = std::exp(-open_.seconds / kOwnMemory_s);
   own_dark_ = keep * own_dark_ + open_.dark;
   own_bright_ = keep * own_bright_ + open_.bright;
@@ -251,7 +249,7 @@ void Hypothesis::slow_down(const TrackingContext& context) {
   if (own >= context.decision.packet_events) return;
   const double most = 2 * (own + 2 * std::sqrt(open_.ring) + 2) / context.game.density();
   if (open_.swept_high <= most) return;
-  filter_.slow_down(most / open_.swept_high, open_.seconds, start_variance_);
+  filter_.slow_down(most / open_.swept_high, open_.seconds, start_filter_.place_variances());
 }
 
 }  // namespace puck

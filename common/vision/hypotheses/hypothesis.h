@@ -131,8 +131,7 @@ class Hypothesis {
   double own_bright_ = 0;
   double own_events_ = 0;
   double own_swept_ = 0;
-  ContourFilter start_filter_;            // when the packet began
-  std::array<double, 2> start_variance_;  // of the position, likewise
+  ContourFilter start_filter_;  // when the packet began
 };
 
 }  // namespace puck
