@@ -20,8 +20,6 @@ constexpr std::size_t kEventRecordBytes =
     16;  // i64 t, µs; i16 x; i16 y; u8 polarity; three unused.
 constexpr std::size_t kMostFaultLines = 5;
 constexpr std::size_t kRestBlockBytes = 65536;
-// Later times than any clock's, of damaged records: their differences would overflow.
-constexpr std::int64_t kLatestRecord_us = std::int64_t{1} << 61;
 
 EventRecord record_at(const std::byte* bytes) {
   const auto signed_word = [](const std::byte* word) {
@@ -84,26 +82,16 @@ bool Aedat4Reader::read(EventPacket& packet, std::size_t max_events) {
   packet.events.clear();
   sink_.begin(packet, max_events);
   while (sink_.has_room()) {
-    if (records_.empty() && !take_packet()) break;
-    take_records();
+    if (records_.empty()) {
+      if (!take_packet()) break;
+      continue;  // It may hold none.
+    }
+    const std::size_t taken = take_records(
+        sink_, run_, records_.size() / kEventRecordBytes,
+        [this](std::size_t i) { return record_at(records_.data() + i * kEventRecordBytes); });
+    records_ = records_.subspan(taken * kEventRecordBytes);
   }
   return !packet.empty();
-}
-
-void Aedat4Reader::take_records() {
-  const std::size_t taken = take_record_run(
-      sink_, run_, records_.size() / kEventRecordBytes,
-      [this](std::size_t i) { return record_at(records_.data() + i * kEventRecordBytes); });
-  records_ = records_.subspan(taken * kEventRecordBytes);
-  if (taken > 0 || records_.empty()) return;
-  const EventRecord record = record_at(records_.data());
-  records_ = records_.subspan(kEventRecordBytes);
-  if (record.t_us > kLatestRecord_us || record.t_us < -kLatestRecord_us) {
-    ++sink_.counters().malformed_words;
-    return;
-  }
-  sink_.append({record.t_us}, static_cast<int>(record.x), static_cast<int>(record.y),
-               record.brighter);
 }
 
 void Aedat4Reader::rewind() {

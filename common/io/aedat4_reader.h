@@ -20,7 +20,7 @@ namespace puck {
 /// file, or another AEDAT4 file, which is left out with a warning.
 class Aedat4Reader final : public EventReader {
  public:
-  /// Reads the header of `bytes`, none of which are read. Throws EventFileError.
+  /// Reads the header of `bytes`, of which nothing may have been read. Throws EventFileError.
   Aedat4Reader(std::unique_ptr<ByteSource> bytes, const EventFileOptions& options);
 
   SensorSize sensor_size() const override { return sensor_; }
@@ -35,7 +35,6 @@ class Aedat4Reader final : public EventReader {
   void read_header();
   void find_stream(const EventFileOptions& options);
   bool take_packet();
-  void take_records();
   void unpack(std::size_t bytes);
   bool end(const std::string& fault = {}, std::string rest = {});
   void read_rest(std::string rest);

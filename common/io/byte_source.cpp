@@ -1,6 +1,5 @@
 #include "common/io/byte_source.h"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>

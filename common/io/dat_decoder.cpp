@@ -1,7 +1,6 @@
 #include "common/io/dat_decoder.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "common/io/parse_number.h"
 #include "common/io/raw_header.h"

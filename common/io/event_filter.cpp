@@ -33,7 +33,7 @@ void check_duration(std::int64_t time_us, const char* name) {
                               std::to_string(time_us));
 }
 
-// Region::contains without a branch, for which of an edge's events lie inside cannot be predicted.
+// Region::contains without a branch, which a processor could not predict at the region's edges.
 bool is_inside(const Region& region, const Event& event) {
   const auto right = static_cast<unsigned>(event.x - region.x);
   const auto down = static_cast<unsigned>(event.y - region.y);

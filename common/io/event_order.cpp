@@ -26,14 +26,15 @@ EventOrder::EventOrder(std::int64_t reorder_us) : reorder_us_(reorder_us) {
 }
 
 void EventOrder::add(EventPacket& packet) {
-  drop_late(packet);
   if (packet.empty()) return;
-  held_ += packet.events.size();
   if (is_in_order(packet)) {
+    held_ += packet.events.size();
     newest_ = packet.newest();
     std::swap(push_empty(), packet);
   } else {
-    merge(packet);
+    drop_late(packet);
+    held_ += packet.events.size();
+    if (!packet.empty()) merge(packet);
   }
   packet.events.clear();
 }
@@ -75,7 +76,8 @@ void EventOrder::drop_late(EventPacket& packet) {
 }
 
 bool EventOrder::is_in_order(const EventPacket& packet) const {
-  if (!queue_.empty() && packet.time_of(packet.events.front()) < newest_) return false;
+  const Timestamp first = packet.time_of(packet.events.front());
+  if (first < handed_out_ || (!queue_.empty() && first < newest_)) return false;
   return std::is_sorted(packet.events.begin(), packet.events.end(),
                         [](const Event& a, const Event& b) { return a.offset_us < b.offset_us; });
 }

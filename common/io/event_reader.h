@@ -103,7 +103,7 @@ class EventReader {
 std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
                                              const EventFileOptions& options = {});
 
-/// The same for the bytes of `path`, none of which are read.
+/// The same for the bytes of `path`, of which nothing may have been read.
 std::unique_ptr<EventReader> open_event_bytes(std::unique_ptr<ByteSource> bytes,
                                               const std::filesystem::path& path,
                                               const EventFileOptions& options = {});

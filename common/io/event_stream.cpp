@@ -122,11 +122,7 @@ bool EventStream::try_start() {
                                   .is_all = is_all,
                                   .sample_bytes = sample_bytes_,
                                   .options = options_});
-  if (!start) {
-    if (!is_ending_) return false;
-    throw EventFileError(part + ": ends within its header, at byte " +
-                         std::to_string(early_.size()));
-  }
+  if (!start) return false;
   if (!sensor_) {
     sensor_ = choose_sensor(name_, start->stated_sensor, start->camera_sensor, options_);
   } else if (start->stated_sensor && *start->stated_sensor != *sensor_) {

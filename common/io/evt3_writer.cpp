@@ -4,13 +4,13 @@
 #include <string>
 
 #include "common/io/event_checks.h"
-#include "common/io/event_reader.h"
 #include "common/io/time_words.h"
 
 namespace puck {
 namespace {
 
 constexpr int kLowBits = 12;
+constexpr int kHighBits = 12;
 
 // Sensors write vectors of 32 pixels that begin at a multiple of 32; one costs four words.
 constexpr int kEvt3VectorPixels = 32;
@@ -71,7 +71,7 @@ void Evt3Writer::move_clock_to(Timestamp time) {
       throw std::invalid_argument("EVT3 holds pauses, and a first time, of up to 24 h, got " +
                                   std::to_string((time - newest_) / 1000000) + " s");
     }
-    count_time_up(high_, high, 12, [this](std::int64_t word) {
+    count_time_up(high_, high, kHighBits, [this](std::int64_t word) {
       put(Evt3Type::kTimeHigh, static_cast<std::uint32_t>(word));
     });
     high_ = high;

@@ -47,7 +47,4 @@ std::unique_ptr<Hdf5Events> open_prophesee_hdf5(Hdf5Object file, const std::stri
 /// DSEC's layout: /events/x, y, t, p and /t_offset. Throws EventFileError.
 std::unique_ptr<Hdf5Events> open_dsec_hdf5(Hdf5Object file, const std::string& name);
 
-/// The names of the filters, in words.
-std::string hdf5_packing(const Hdf5DataSet& list);
-
 }  // namespace puck

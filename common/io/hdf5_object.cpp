@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "common/io/ecf_codec.h"
 #include "common/io/event_reader.h"
 
 namespace puck {
@@ -35,6 +36,23 @@ std::string name_of_filter(int filter) {
 }
 
 }  // namespace
+
+std::string hdf5_packing(const Hdf5DataSet& list) {
+  std::string text;
+  for (const int filter : list.filters) {
+    if (!text.empty()) text += ", ";
+    if (filter == kEcfFilter) {
+      text += "ECF";
+    } else if (filter == H5Z_FILTER_DEFLATE) {
+      text += "gzip";
+    } else if (filter == H5Z_FILTER_SHUFFLE) {
+      text += "shuffle";
+    } else {
+      text += filter == kBlosc ? "Blosc" : "filter " + std::to_string(filter);
+    }
+  }
+  return text.empty() ? "not packed" : text;
+}
 
 void silence_hdf5() {
   // At the process' end HDF5 would unload its filters, and what they hold would count as leaked.

@@ -70,6 +70,9 @@ struct Hdf5DataSet {
   std::vector<int> filters;          ///< Numbers of the filters that the chunks went through.
 };
 
+/// The names of the list's filters, in words.
+std::string hdf5_packing(const Hdf5DataSet& list);
+
 /// Opens the data set `path` and checks that it is a list of up to 2^48 elements, whose chunks are
 /// of up to 16 MiB. Throws EventFileError, with `name` for the file.
 Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,

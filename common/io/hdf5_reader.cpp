@@ -1,6 +1,5 @@
 #include "common/io/hdf5_reader.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -22,9 +21,6 @@
 
 namespace puck {
 namespace {
-
-// Later times than any clock's, of damaged records: their differences would overflow.
-constexpr std::int64_t kLatestTime_us = std::int64_t{1} << 61;
 
 bool is_hdf5_file(const std::filesystem::path& path) {
   std::error_code error;
@@ -124,18 +120,8 @@ class Hdf5Reader final : public EventReader {
 
   void take_events() {
     const auto rest = std::span<const EcfEvent>(part_.events).subspan(part_used_);
-    const std::size_t taken = take_record_run(sink_, run_, rest.size(),
-                                              [&](std::size_t i) { return record_of(rest[i]); });
-    part_used_ += taken;
-    if (taken > 0) return;
-    const EventRecord record = record_of(rest.front());
-    ++part_used_;
-    if (record.t_us > kLatestTime_us || record.t_us < -kLatestTime_us) {
-      ++sink_.counters().malformed_words;
-      return;
-    }
-    sink_.append({record.t_us}, static_cast<int>(record.x), static_cast<int>(record.y),
-                 record.brighter);
+    part_used_ +=
+        take_records(sink_, run_, rest.size(), [&](std::size_t i) { return record_of(rest[i]); });
   }
 
   // Without the overflow of signed numbers that any bytes may cause.

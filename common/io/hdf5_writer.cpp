@@ -1,6 +1,5 @@
 #include "common/io/hdf5_writer.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>

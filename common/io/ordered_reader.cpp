@@ -32,8 +32,7 @@ bool OrderedReader::read(EventPacket& packet, std::size_t max_events) {
     }
     read_on(std::max(max_events, kUsualEvents));
   }
-  events_returned_ += static_cast<std::int64_t>(packet.events.size());
-  counters_.events = events_returned_;
+  counters_.events += static_cast<std::int64_t>(packet.events.size());
   return true;
 }
 
@@ -42,7 +41,6 @@ void OrderedReader::rewind() {
   order_ = EventOrder(reorder_us_);
   is_finished_ = false;
   error_ = nullptr;
-  events_returned_ = 0;
   counters_ = {};
 }
 
@@ -67,8 +65,9 @@ void OrderedReader::read_on(std::size_t max_events) {
   }
   order_.add(next_);
   if (is_finished_) order_.finish();
+  const std::int64_t returned = counters_.events;
   counters_ = events_->counters();
-  counters_.events = events_returned_;
+  counters_.events = returned;
   counters_.reordered = order_.reordered();
   counters_.backwards += order_.dropped();
 }

@@ -38,7 +38,6 @@ class OrderedReader final : public EventReader {
   EventPacket next_;
   bool is_finished_ = false;
   std::exception_ptr error_;
-  std::int64_t events_returned_ = 0;
   EventCounters counters_;
 };
 

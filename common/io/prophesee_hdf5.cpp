@@ -1,7 +1,6 @@
 // Prophesee's layout: a list of {x, y, p, t}, with t relative to the attribute "offset" of the list
 // of indexes beside it.
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -210,23 +209,6 @@ Hdf5Object prophesee_event_type() {
 
 std::unique_ptr<Hdf5Events> open_prophesee_hdf5(Hdf5Object file, const std::string& name) {
   return std::make_unique<PropheseeHdf5>(std::move(file), name);
-}
-
-std::string hdf5_packing(const Hdf5DataSet& list) {
-  std::string text;
-  for (const int filter : list.filters) {
-    if (!text.empty()) text += ", ";
-    if (filter == kEcfFilter) {
-      text += "ECF";
-    } else if (filter == H5Z_FILTER_DEFLATE) {
-      text += "gzip";
-    } else if (filter == H5Z_FILTER_SHUFFLE) {
-      text += "shuffle";
-    } else {
-      text += filter == 32001 ? "Blosc" : "filter " + std::to_string(filter);
-    }
-  }
-  return text.empty() ? "not packed" : text;
 }
 
 }  // namespace puck

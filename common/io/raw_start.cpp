@@ -40,11 +40,8 @@ const Encoding& encoding_of(const StreamHead& head, const RawHeader& header) {
   }
   throw EventFileError(
       head.name +
-      (header.fields.empty()
-           ? ": no Prophesee RAW header; expected one (\"% evt 3.0\"), or the format as an option "
-             "(evt2, evt21, evt3 or evt4)"
-           : ": the header does not say how events are encoded; expected a line such as \"% evt "
-             "3.0\", or the format as an option (evt2, evt21, evt3 or evt4)"));
+      ": the header does not say how events are encoded; expected a line such as \"% evt 3.0\", or "
+      "the format as an option (evt2, evt21, evt3 or evt4)");
 }
 
 // The order of EVT 2.1's halves, by the data; where they cannot tell, by the header.

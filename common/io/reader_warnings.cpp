@@ -16,7 +16,7 @@ std::vector<std::string> reader_warnings(const std::string& name, const EventCou
   warn(counters.before_start, "events came before their time or row was known; dropped");
   warn(counters.outside_sensor, "events lie outside the sensor; dropped");
   warn(counters.backwards,
-       "events are too much older than the ones before them to be put in order; dropped");
+       "events come too late to be put in order; dropped");
   warn(counters.other_data, "records are of other sensors or of the other eye; skipped");
   warn(counters.malformed_words, "words, lines or packets are malformed; skipped");
   warn(counters.time_glitches, "time stamps contradict their neighbours; ignored");

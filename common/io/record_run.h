@@ -51,4 +51,23 @@ std::size_t take_record_run(EventSink& sink, std::span<Event> scratch, std::size
   return taken;
 }
 
+/// Hands records to `sink`: a run, or else the first of `count` (1 or more), which is checked.
+/// Returns the number taken, at least 1.
+template <typename RecordAt>
+std::size_t take_records(EventSink& sink, std::span<Event> scratch, std::size_t count,
+                         RecordAt record_at) {
+  // Later times than any clock's, of damaged records: their differences would overflow.
+  constexpr std::int64_t kLatest_us = std::int64_t{1} << 61;
+  const std::size_t taken = take_record_run(sink, scratch, count, record_at);
+  if (taken > 0) return taken;
+  const EventRecord record = record_at(std::size_t{0});
+  if (record.t_us > kLatest_us || record.t_us < -kLatest_us) {
+    ++sink.counters().malformed_words;
+  } else {
+    sink.append({record.t_us}, static_cast<int>(record.x), static_cast<int>(record.y),
+                record.brighter);
+  }
+  return 1;
+}
+
 }  // namespace puck

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -106,10 +105,9 @@ TimeUnit TextTimes::unit(const std::string& name, std::vector<std::string>& note
                          is_possible(TimeUnit::kNanoseconds);
   if (is_usual_possible && !may_be_ms && !may_be_ns) return usual;
   if (possible.size() == 1) {
-    notes.push_back("took the times as " + std::string(named(possible[0]).name) +
-                    ", the only unit "
-                    "that gives a camera's rate of events: " +
-                    describe(possible[0]));
+    notes.push_back(
+        "took the times as " + std::string(named(possible[0]).name) +
+        ", the only unit that gives a camera's rate of events: " + describe(possible[0]));
     return possible[0];
   }
   std::string choices;
@@ -119,14 +117,12 @@ TimeUnit TextTimes::unit(const std::string& name, std::vector<std::string>& note
   }
   // Whole numbers with a decimal point are most often µs.
   const bool is_us = !has_fraction_ && is_possible(TimeUnit::kMicroseconds);
-  const TimeUnit likely = is_us              ? TimeUnit::kMicroseconds
-                          : possible.empty() ? TimeUnit::kMicroseconds
-                                             : possible.front();
-  throw EventFileError(
-      name + ": " + describe(usual) + (is_usual_possible ? "" : ", if the times are in ") +
-      (is_usual_possible ? std::string() : std::string(named(usual).name)) + ": is the unit " +
-      named(likely).name + "? The times may be in " + (choices.empty() ? "no unit" : choices) +
-      "; give the unit (--unit or camera.text_unit: s, ms, us or ns)");
+  const TimeUnit likely = is_us || possible.empty() ? TimeUnit::kMicroseconds : possible.front();
+  const std::string may_be = choices.empty() ? "In no unit do they give a camera's rate"
+                                             : "The times may be in " + choices;
+  throw EventFileError(name + ": " + describe(usual) + " if the times are in " + named(usual).name +
+                       ": is the unit " + named(likely).name + "? " + may_be +
+                       "; give the unit (--unit or camera.text_unit: s, ms, us or ns)");
 }
 
 bool TextTimes::is_possible(TimeUnit unit) const {

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "common/io/word_assembler.h"
+
 namespace puck {
 namespace {
 
@@ -36,9 +38,7 @@ struct Item {
 };
 
 std::uint32_t word_at(std::span<const std::uint8_t> bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < kWordBytes; ++i) word |= std::uint32_t{bytes[at + i]} << (8 * i);
-  return word;
+  return load_word<std::uint32_t>(std::as_bytes(bytes).data() + at);
 }
 
 // Size of an item whose size is fixed; 0: it is not.

@@ -45,6 +45,7 @@ class YarpStream {
 
   SensorSize sensor_size() const { return sensor_; }
   EventCounters counters() const { return decoder_ ? decoder_->counters() : EventCounters{}; }
+  std::int64_t dropped() const { return counters().dropped() + order_.dropped(); }
   /// Messages that are no events of a camera.
   std::int64_t malformed_messages() const { return malformed_messages_; }
 

@@ -1,5 +1,6 @@
 #include "common/recording/recording.h"
 
+#include <array>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -7,25 +8,25 @@
 #include <vector>
 
 #include "common/io/byte_source.h"
+#include "common/io/output_file.h"
 #include "common/io/peeked_bytes.h"
 #include "common/io/temporary_path.h"
 #include "common/messaging/log_file.h"
+#include "common/messaging/log_format.h"
 #include "common/recording/event_log_reader.h"
 #include "common/recording/event_log_writer.h"
 
 namespace puck {
 namespace {
 
-constexpr std::string_view kLogStart = "\xed\xa1\xda\x01";
-
 // Not of a pipe, and not within gzip or zstd.
 bool is_plain_log(const std::filesystem::path& path) {
   std::error_code error;
   if (path == "-" || !std::filesystem::is_regular_file(path, error)) return false;
-  std::string start(kLogStart.size(), '\0');
+  std::array<std::uint8_t, kLogMark.size()> start{};
   std::ifstream file(path, std::ios::binary);
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start == kLogStart;
+  file.read(reinterpret_cast<char*>(start.data()), start.size());
+  return start == kLogMark;
 }
 
 /// A log that was copied from other bytes. The log's reader opens the file for each reading, so the
@@ -33,13 +34,12 @@ bool is_plain_log(const std::filesystem::path& path) {
 class CopiedLog final : public EventReader {
  public:
   CopiedLog(ByteSource& bytes, const std::string& prefix) : copy_("puck-log-") {
-    std::ofstream file(copy_.path(), std::ios::binary);
+    OutputFile file(copy_.path());
     std::vector<std::byte> block(std::size_t{1} << 20);
     while (const std::size_t count = bytes.read(block)) {
-      file.write(reinterpret_cast<const char*>(block.data()), static_cast<std::streamsize>(count));
+      file.append({reinterpret_cast<const char*>(block.data()), count});
     }
-    file.close();
-    if (!file) throw EventFileError(copy_.path().string() + ": cannot be written");
+    file.flush();
     events_ = open_event_log(copy_.path(), prefix, EventLog::Sessions::kJoined);
   }
 
@@ -64,8 +64,10 @@ std::unique_ptr<EventReader> open_recording(const std::filesystem::path& path,
                                             const std::string& prefix) {
   try {
     if (is_plain_log(path)) return open_event_log(path, prefix, EventLog::Sessions::kJoined);
-    auto bytes = std::make_unique<PeekedBytes>(open_bytes(path.string()), kLogStart.size());
-    if (bytes->head() == kLogStart) return std::make_unique<CopiedLog>(*bytes, prefix);
+    auto bytes = std::make_unique<PeekedBytes>(open_bytes(path.string()), kLogMark.size());
+    if (bytes->head() ==
+        std::string_view(reinterpret_cast<const char*>(kLogMark.data()), kLogMark.size()))
+      return std::make_unique<CopiedLog>(*bytes, prefix);
     return open_event_bytes(std::move(bytes), path, options);
   } catch (const LogFileError& error) {
     throw EventFileError(error.what());

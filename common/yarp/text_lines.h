@@ -16,9 +16,7 @@ class TextLines {
 
   void feed(std::span<const std::uint8_t> bytes);
 
-  /// The next complete line without its `
-  /// ` or `\r
-  /// `. Throws YarpError when it is too long or not text.
+  /// The next complete line without its end, `\n` or `\r\n`. Throws YarpError when it is too long or not text.
   std::optional<std::string> next();
 
   /// Whether no line, or part of one, is left.

@@ -48,6 +48,17 @@ EventSource::Outcome LiveSource::next(Chunk& chunk) {
   return Outcome::kEvents;
 }
 
+std::int64_t LiveSource::malformed_words() const {
+  const std::lock_guard lock(mutex_);
+  return told_.malformed_words;
+}
+
+// Asked at each turn: no more than this is copied while the thread waits.
+std::optional<EventSource::PortCounts> LiveSource::port_counts() const {
+  const std::lock_guard lock(mutex_);
+  return told_.port;
+}
+
 std::int64_t LiveSource::events_dropped() const {
   const std::lock_guard lock(mutex_);
   return told_.dropped + overflowed_;

@@ -38,8 +38,8 @@ class LiveSource final : public EventSource {
   std::string waiting_for() const override { return told().waiting_for; }
   std::int64_t events_dropped() const override;
   std::int64_t events_overflowed() const override;
-  std::int64_t malformed_words() const override { return told().malformed_words; }
-  std::optional<PortCounts> port_counts() const override { return told().port; }
+  std::int64_t malformed_words() const override;
+  std::optional<PortCounts> port_counts() const override;
   std::vector<std::string> warnings() const override { return told().warnings; }
 
  private:

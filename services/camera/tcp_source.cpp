@@ -47,7 +47,7 @@ bool TcpSource::is_connected() {
 
 void TcpSource::disconnect(const std::string& reason) {
   ++disconnections_;
-  dropped_before_ += events_->stream().counters().dropped();
+  dropped_before_ += events_->dropped();
   malformed_before_ += events_->stream().counters().malformed_words;
   events_.reset();
   socket_ = {};
@@ -67,7 +67,7 @@ std::string TcpSource::waiting_for() const {
 }
 
 std::int64_t TcpSource::events_dropped() const {
-  return dropped_before_ + (events_ ? events_->stream().counters().dropped() : 0);
+  return dropped_before_ + (events_ ? events_->dropped() : 0);
 }
 
 std::int64_t TcpSource::malformed_words() const {

@@ -1,5 +1,6 @@
 #include "services/camera/yarp_source.h"
 
+#include "common/io/sensor_choice.h"
 #include "common/messaging/host_time.h"
 
 namespace puck {
@@ -15,7 +16,7 @@ YarpSource::YarpSource(const PortReaderParams& params, const EventFileOptions& o
     : port_(params),
       options_(options),
       name_(params.port),
-      sensor_(YarpStream(name_, options).sensor_size()) {}
+      sensor_(choose_sensor(name_, std::nullopt, std::nullopt, options)) {}
 
 EventSource::Outcome YarpSource::next(Chunk& chunk) {
   if (take_events(chunk)) return Outcome::kEvents;
@@ -43,7 +44,7 @@ void YarpSource::take_message(const PortMessage& message) {
 }
 
 void YarpSource::close_stream() {
-  dropped_before_ += stream_->counters().dropped();
+  dropped_before_ += stream_->dropped();
   malformed_before_ += stream_->counters().malformed_words;
   malformed_messages_before_ += stream_->malformed_messages();
   stream_.reset();
@@ -57,7 +58,7 @@ bool YarpSource::take_events(Chunk& chunk) {
 }
 
 std::int64_t YarpSource::events_dropped() const {
-  return dropped_before_ + (stream_ ? stream_->counters().dropped() : 0);
+  return dropped_before_ + (stream_ ? stream_->dropped() : 0);
 }
 
 std::int64_t YarpSource::malformed_words() const {

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,7 +22,7 @@ struct Tally {
   double seconds = 0;  // Of wall time.
 };
 
-// "a, b and c of such": what each count says, without those that are zero.
+// Each count and what it counts, without those that are zero; "none" without any.
 std::string listed(const std::vector<std::pair<std::int64_t, const char*>>& counts) {
   std::string text;
   for (const auto& [count, what] : counts) {

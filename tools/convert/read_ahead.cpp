@@ -49,9 +49,10 @@ void ReadAhead::run(const std::stop_token& stop) {
         }
       }
       if (!events_.read(packet, kPacketEvents)) break;
+      const auto share_read = events_.share_read();
       const std::lock_guard lock(mutex_);
       full_.push_back(std::move(packet));
-      share_read_ = events_.share_read();
+      share_read_ = share_read;
       changed_.notify_all();
     }
   } catch (...) {
