@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <string>
-#include <utility>
 
 #include "common/calibration/nelder_mead.h"
 #include "common/calibration/refuse.h"
@@ -152,7 +151,8 @@ void fit_worths(EvidenceParams& params, std::span<const WeighedPacket> packets) 
   });
 }
 
-// Of equal ones, half are above. Both ascending.
+// Share of pairs in which the one of `these` is above the one of `those`, which ascend; half of the
+// equal ones.
 double share_above(std::span<const double> these, std::span<const double> those) {
   double below = 0;
   for (const double nats : these) {

@@ -1,7 +1,6 @@
 #include "common/table/puck_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>

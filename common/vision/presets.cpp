@@ -1,5 +1,7 @@
 #include "common/vision/presets.h"
 
+#include <algorithm>
+
 #include "common/vision/paper/paper_presets.h"
 
 namespace puck {
@@ -17,25 +19,13 @@ PipelineParams contour() {
 }  // namespace
 
 const char* to_string(Preset preset) {
-  switch (preset) {
-    case Preset::kPaper:
-      return "paper";
-    case Preset::kReference:
-      return "reference";
-    case Preset::kCorrelation:
-      return "correlation";
-    case Preset::kDefault:
-      return "default";
-  }
-  return "unknown";
+  return kPresetNames.at(static_cast<std::size_t>(preset)).data();
 }
 
 std::optional<Preset> preset_from(std::string_view name) {
-  for (const Preset preset :
-       {Preset::kPaper, Preset::kReference, Preset::kCorrelation, Preset::kDefault}) {
-    if (name == to_string(preset)) return preset;
-  }
-  return std::nullopt;
+  const auto* found = std::find(kPresetNames.begin(), kPresetNames.end(), name);
+  if (found == kPresetNames.end()) return std::nullopt;
+  return static_cast<Preset>(found - kPresetNames.begin());
 }
 
 PipelineParams preset_params(Preset preset) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -8,13 +10,15 @@
 namespace puck {
 
 enum class Preset : std::uint8_t {
+  kDefault,      ///< Contour filters on single events, and evidence that decides between them.
+  kCorrelation,  ///< The paper's method with our improvements.
   kPaper,        ///< As the paper's text says.
   kReference,    ///< As the authors' code ran, without its errors.
-  kCorrelation,  ///< The paper's method with our improvements.
-  kDefault,      ///< Contour filters on single events, and evidence that decides between them.
 };
 
-/// Name of a preset: `paper`, `reference`, `correlation`, `default`.
+/// Names of the presets, in the order of Preset.
+inline constexpr std::array<std::string_view, 4> kPresetNames{"default", "correlation", "paper",
+                                                              "reference"};
 const char* to_string(Preset preset);
 std::optional<Preset> preset_from(std::string_view name);
 

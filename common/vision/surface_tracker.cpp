@@ -16,7 +16,7 @@ SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
     : surface_(sensor, params.surface_params()),
       pipeline_(std::move(pipeline)),
       search_(sensor, params, size_model),
-      roi_only_(params.roi_only),
+      roi_only_(params.roi_only && !pipeline_->needs_events()),
       search_delay_us_(params.search_delay_us) {
   if (params.follows_contour) fresh_.emplace(sensor);
 }
@@ -36,7 +36,7 @@ PuckEstimate SurfaceTracker::step() {
   surface_.snapshot(pipeline_->region_needed(), snapshot_);
   const PuckEstimate estimate = pipeline_->step(snapshot_);
   if (roi_only_) {
-    const Region next = pipeline_->needs_events() ? Region{} : pipeline_->region_needed();
+    const Region next = pipeline_->region_needed();
     surface_.keep_only(next.empty() ? Region::all_of(surface_.size()) : next);
   }
   return estimate;

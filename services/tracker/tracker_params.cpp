@@ -1,6 +1,5 @@
 #include "services/tracker/tracker_params.h"
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -14,8 +13,6 @@
 
 namespace puck {
 namespace {
-
-constexpr std::array<std::string_view, 4> kPresets{"default", "correlation", "paper", "reference"};
 
 void read_surface(Config& config, PipelineParams& pipeline) {
   std::string name = to_string(pipeline.surface);
@@ -53,7 +50,7 @@ void read_milliseconds(Config& config, std::string_view key, std::int64_t& value
 TrackerServiceParams read_tracker_params(Config& config) {
   TrackerServiceParams params;
   std::string preset = "default";
-  config.read_choice("tracker.preset", preset, kPresets);
+  config.read_choice("tracker.preset", preset, kPresetNames);
   params.pipeline = preset_params(preset_from(preset).value());
 
   PipelineParams& pipeline = params.pipeline;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "common/events/pixel_mask.h"
 #include "common/io/config.h"
 #include "common/runtime/tracking_thread.h"

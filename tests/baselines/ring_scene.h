@@ -11,12 +11,10 @@
 #include "common/vision/geometry/puck_size_model.h"
 #include "common/vision/interfaces/tracking_algorithm.h"
 #include "tests/vision/puck_picture.h"
+#include "tests/vision/test_sensor.h"
 
 namespace puck::test {
 
-inline constexpr SensorSize kSensor{640, 480};
-// About the authors' model: 29×20 px in the middle of their detection region.
-inline constexpr PuckSizeModel kSizeModel{14, 0, 0.077, 5, 0, 0.077};
 /// Place of the puck's first appearance.
 inline constexpr Pixel kStart{300, 190};
 

@@ -6,7 +6,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "common/vision/correlation/kernel_bank.h"
-#include "common/vision/presets.h"
 
 namespace puck {
 namespace {

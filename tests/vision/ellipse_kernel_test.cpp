@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include "common/vision/correlation/kernel_bank.h"
-#include "common/vision/presets.h"
 
 namespace puck {
 namespace {

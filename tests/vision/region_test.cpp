@@ -21,13 +21,4 @@ TEST_CASE("inflating a region adds the margin on every side") {
   CHECK(Region{10, 20, 3, 4}.inflated(2) == Region{8, 18, 7, 8});
 }
 
-TEST_CASE(
-    "the union of two regions is the smallest that holds both, and an empty one adds nothing") {
-  const Region a{2, 3, 10, 5};
-  CHECK(a.united({20, 1, 2, 3}) == Region{2, 1, 20, 7});
-  CHECK(a.united({4, 4, 1, 1}) == a);
-  CHECK(a.united({50, 50, 0, 3}) == a);
-  CHECK(Region{9, 9, 0, 0}.united(a) == a);
-}
-
 }  // namespace puck

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/messaging/event_packing.h"
+#include "common/vision/presets.h"
 #include "common/vision/surface/surface.h"
 #include "tools/command_line/event_file_options.h"
 #include "tools/command_line/event_filter_options.h"
@@ -61,7 +62,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
       ->check(CLI::IsMember({"puck", "cluster", "particle-filter", "particle-filter-eros"}))
       ->capture_default_str();
   app.add_option("--preset", options.preset)
-      ->check(CLI::IsMember({"default", "correlation", "paper", "reference"}))
+      ->check(CLI::IsMember(std::vector<std::string>(kPresetNames.begin(), kPresetNames.end())))
       ->capture_default_str();
   app.add_option("--surface", options.surface,
                  "picture that presets correlation, paper and reference track on")

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 
-#include "common/events/timestamp.h"
 #include "common/vision/geometry/pixel.h"
 
 namespace puck {

@@ -43,16 +43,6 @@ struct Region {
     return {left, top, width_left, height_left};
   }
 
-  /// The smallest region that holds both; an empty one holds nothing.
-  constexpr Region united(const Region& other) const {
-    if (empty()) return other;
-    if (other.empty()) return *this;
-    const int left = std::min(x, other.x);
-    const int top = std::min(y, other.y);
-    return {left, top, std::max(right(), other.right()) - left,
-            std::max(bottom(), other.bottom()) - top};
-  }
-
   /// Larger by `margin` pixels on every side.
   constexpr Region inflated(int margin) const {
     return {x - margin, y - margin, width + 2 * margin, height + 2 * margin};

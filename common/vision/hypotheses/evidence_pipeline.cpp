@@ -31,12 +31,11 @@ bool is_at(const Hypothesis& hypothesis, const Hypothesis& there) {
 EvidencePipeline::EvidencePipeline(SensorSize sensor, const EvidencePipelineParams& params,
                                    const Region& detection_region, const PuckSizeModel& size_model)
     : sensor_(sensor),
-      detection_region_(detection_region.empty() ? Region::all_of(sensor) : detection_region),
-      decision_us_(params.decision_us),
+      detection_region_(detection_region),
       explores_(params.explores),
       on_packet_(params.on_packet),
       context_{.contour = PuckContour(sensor, size_model, params.calibration, true),
-               .filter = params.filter,
+               .filter = {},
                .evidence = params.evidence,
                .decision = params.decision,
                .game = {}},
@@ -76,7 +75,7 @@ void EvidencePipeline::decide_before(std::int64_t time_us) {
   // Silence is to be noticed before it is over; but not for longer than anything is believed.
   constexpr std::int64_t kLongestSilence_us = 500'000;
   constexpr std::int64_t kSilentStep_us = 10'000;
-  const std::int64_t due_us = decision_before(time_us, decision_us_);
+  const std::int64_t due_us = decision_before(time_us, kDecision_us);
   if (due_us <= decided_us_) return;
   std::int64_t step_us = std::max(decided_us_, due_us - kLongestSilence_us) + kSilentStep_us;
   for (; step_us < due_us; step_us += kSilentStep_us) decide(step_us);
@@ -130,8 +129,8 @@ bool EvidencePipeline::teaches() const {
   return is_sure() && all_[*main_].filter().speed_px_s() > kTelling_px_s;
 }
 
-// Two hypotheses about the same puck, of which one has a side wall that makes events: what is said
-// of one packet is said of the whole game.
+// Two hypotheses about the same puck, of which one has a side wall that makes events: adds the
+// packet's evidence for one of them to the game's log odds.
 void EvidencePipeline::compare_walls(const Hypothesis& hypothesis) {
   constexpr double kWorth = 0.2;
   constexpr double kMost = 4;
@@ -226,7 +225,7 @@ void EvidencePipeline::choose(std::int64_t time_us) {
     was_confirmed_ = true;
     left_image_.reset();
   }
-  for (Hypothesis& hypothesis : all_) hypothesis.elsewhere = main_ ? seen_elsewhere(hypothesis) : 0;
+  note_seen_elsewhere();
   if (!main_) return;
   Hypothesis& main = all_[*main_];
   count_marks(time_us);
@@ -258,14 +257,15 @@ void EvidencePipeline::count_marks(std::int64_t time_us) {
   }
 }
 
-// Probability that the puck is the track, visible, and away from a hypothesis.
-double EvidencePipeline::seen_elsewhere(const Hypothesis& hypothesis) const {
-  const Hypothesis& main = all_[*main_];
-  if (distance_px(main.filter().position(), hypothesis.filter().position()) <=
-      0.5 * main.width_px()) {
-    return 0;
+// Probability that the puck is the track, visible, and away from each hypothesis.
+void EvidencePipeline::note_seen_elsewhere() {
+  const double seen = main_ ? (1 - all_[*main_].own_motion.mark()) * seen_at(all_[*main_]) : 0;
+  for (Hypothesis& hypothesis : all_) {
+    const bool is_there =
+        main_ && distance_px(all_[*main_].filter().position(), hypothesis.filter().position()) <=
+                     0.5 * all_[*main_].width_px();
+    hypothesis.elsewhere = is_there ? 0 : seen;
   }
-  return (1 - main.own_motion.mark()) * seen_at(main);
 }
 
 bool EvidencePipeline::is_sure() const {
@@ -460,10 +460,10 @@ void EvidencePipeline::catch_up(Hypothesis& hypothesis) {
   std::size_t from = 0;
   while (from < missed.size() && missed[from].time_us <= hypothesis.born_us()) ++from;
   while (from < missed.size()) {
-    const std::int64_t due_us = decision_before(missed[from].time_us, decision_us_);
+    const std::int64_t due_us = decision_before(missed[from].time_us, kDecision_us);
     if (due_us > hypothesis.decided_us()) weigh(hypothesis, due_us);
     std::size_t to = from + 1;
-    while (to < missed.size() && missed[to].time_us <= due_us + decision_us_) ++to;
+    while (to < missed.size() && missed[to].time_us <= due_us + kDecision_us) ++to;
     hypothesis.take(missed.subspan(from, to - from), context_);
     from = to;
   }

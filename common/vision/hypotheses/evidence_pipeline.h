@@ -20,12 +20,9 @@ namespace puck {
 using PacketObserver = std::function<void(const Hypothesis&, const GameTraits&)>;
 
 struct EvidencePipelineParams {
-  ContourFilterParams filter;
   ContourCalibration calibration;
   EvidenceParams evidence;
   DecisionParams decision;
-  /// Sensor time between two decisions.
-  std::int64_t decision_us = 500;
   /// Examines everything that resembles a puck: searches all the time and removes each hypothesis
   /// after 0.1 s.
   bool explores = false;
@@ -43,7 +40,7 @@ class EvidencePipeline final : public TrackingPipeline {
                    const Region& detection_region, const PuckSizeModel& size_model);
 
   bool needs_events() const override { return true; }
-  std::int64_t decision_period_us() const override { return decision_us_; }
+  std::int64_t decision_period_us() const override { return kDecision_us; }
   void take(Timestamp start, std::span<const Event> events) override;
   Region region_needed() const override { return {}; }
   PuckEstimate step(const SurfaceSnapshot& snapshot) override;
@@ -51,6 +48,9 @@ class EvidencePipeline final : public TrackingPipeline {
   void take(const SearchResult& result) override;
 
  private:
+  // Sensor time between two decisions.
+  static constexpr std::int64_t kDecision_us = 500;
+
   void decide_before(std::int64_t time_us);
   void decide(std::int64_t time_us);
   bool weigh(Hypothesis& hypothesis, std::int64_t time_us);
@@ -66,7 +66,7 @@ class EvidencePipeline final : public TrackingPipeline {
   void count_marks(std::int64_t time_us);
   bool is_sure() const;
   double seen_at(const Hypothesis& there) const;
-  double seen_elsewhere(const Hypothesis& hypothesis) const;
+  void note_seen_elsewhere();
   std::array<double, 16> covariance_of(const Hypothesis& track, const ContourFilter& now) const;
   void catch_up(Hypothesis& hypothesis);
   Hypothesis* add(const Hypothesis& hypothesis, std::int64_t time_us);
@@ -81,7 +81,6 @@ class EvidencePipeline final : public TrackingPipeline {
 
   SensorSize sensor_;
   Region detection_region_;
-  std::int64_t decision_us_;
   bool explores_;
   PacketObserver on_packet_;
   TrackingContext context_;

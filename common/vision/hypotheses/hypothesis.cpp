@@ -234,7 +234,7 @@ void Hypothesis::sweep(double seconds, SensorSize sensor, double leading_share) 
   seen_ = std::max(seen, 1) / static_cast<double>(kPoints);
 }
 
-// The sensor's noise explains all events of the packet: they do not move what they are near.
+// Noise explains all events of the packet: undoes what they corrected.
 void Hypothesis::take_back(std::int64_t time_us) {
   filter_ = start_filter_;
   filter_.predict(time_us, damping_s());

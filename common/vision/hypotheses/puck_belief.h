@@ -51,7 +51,6 @@ class PuckBelief {
   }
 
   double visible() const { return visible_; }
-  double hidden() const { return hidden_; }
   /// That it is the puck, visible or not, against that it is not.
   double odds() const { return (visible_ + hidden_) / std::max(not_puck_, 1e-12); }
   double visible_odds() const { return visible_ / std::max(not_puck_, 1e-12); }

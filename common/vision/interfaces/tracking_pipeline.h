@@ -28,7 +28,7 @@ struct SearchRequest {
 /// A place that looks like the puck.
 struct SearchCandidate {
   Pixel position;    ///< Of the puck's centre, given the request's side wall.
-  double score = 0;  ///< EllipseKernel::contrast there, 0 to 1.
+  double score = 0;  ///< EllipseKernel::contrast there, or the soft ring's score; 0 to 1.
 };
 
 /// Result of a search of a part of the surface.

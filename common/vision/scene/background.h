@@ -31,8 +31,7 @@ class Background {
     if (seen_++ % stride_ == 0 && taken_.size() < kMostEvents) taken_.push_back({x, y});
   }
 
-  /// To be called at each decision.
-  /// `noise_per_pixel_us`: NoiseFloor's.
+  /// To be called at each decision. `noise_per_pixel_us`: NoiseFloor's.
   void decide(std::int64_t time_us, double noise_per_pixel_us = 0);
 
   /// The map is of a scene that moves as one, or so it seems. Otherwise nothing is known to stand

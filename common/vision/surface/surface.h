@@ -85,8 +85,8 @@ class Surface {
 
   /// Keeps only `region` up to date from now on, which is cheaper: events outside its reach are
   /// counted but not applied. Pixels outside the region become dark, and pixels that enter it later
-  /// start dark. The whole sensor, as at the start, keeps all. (SITS differs from
-  /// a whole surface near the region's border, where the pixels beyond are not up to date.)
+  /// start dark. The whole sensor, as at the start, keeps all. SITS also differs from a whole surface
+  /// near the region's border, where the pixels beyond are not up to date.
   void keep_only(const Region& region);
 
   /// Copies the part of `region` that lies inside the sensor.
