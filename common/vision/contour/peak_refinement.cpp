@@ -21,7 +21,7 @@ RefinedPeak refine_peak(const RingSamples& samples, const PeakRefinementParams& 
     float yy = 0;
     float pull_x = 0;
     float pull_y = 0;
-    for (const RingSample& sample : samples.near()) {
+    for (const RingSample& sample : samples.bright()) {
       const float distance =
           sample.distance_px - sample.normal_x * shift_x - sample.normal_y * shift_y;
       const float u = distance * per_half_width;
