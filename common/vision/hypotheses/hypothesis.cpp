@@ -103,7 +103,6 @@ Region Hypothesis::reach(double seconds) const {
 }
 
 void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext& context) {
-  follow_contour(context);
   const double reach_x = ring_.half_width() + areas_.reach_px;
   const double reach_y = ring_.semi_y + areas_.reach_px;
   const double damping = damping_s();
@@ -235,7 +234,7 @@ void Hypothesis::sweep(double seconds, SensorSize sensor, double leading_share) 
     ++seen;
     const double gx = u / ring_.semi_x;
     const double gy = v / semi_y - ring_.shear * gx;
-    const double slope = std::hypot(gx, gy);
+    const double slope = std::sqrt(gx * gx + gy * gy);
     // Length of the contour that the point stands for: an ellipse's area element is a·b·dθ.
     const double length = ring_.semi_x * semi_y * slope * 2 * std::numbers::pi / kPoints;
     const double nx = gx / slope;
