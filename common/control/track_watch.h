@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "common/control/sensor_clock_watch.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
+#include "common/messages/single_publisher.h"
 #include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
-#include "common/messaging/single_publisher.h"
 
 namespace puck {
 

@@ -7,9 +7,9 @@
 
 #include <unistd.h>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/datagram.h"
 #include "common/messaging/event_packing.h"
-#include "common/messaging/host_time.h"
 
 namespace puck {
 namespace {

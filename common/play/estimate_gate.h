@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
+#include "common/messages/single_publisher.h"
 #include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
-#include "common/messaging/single_publisher.h"
 #include "common/table/motion_filter.h"
 #include "common/table/table_geometry.h"
 #include "common/table/table_view.h"

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
+#include "common/messages/single_publisher.h"
 #include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
-#include "common/messaging/single_publisher.h"
 #include "common/play/arm_watch.h"
 #include "common/play/estimate_gate.h"
 #include "common/play/game_observer.h"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
 #include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
 
 namespace puck {
 

@@ -9,7 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 #include "common/messaging/status_reporter.h"
 #include "services/arm/addressed_arms.h"
 

@@ -8,7 +8,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 #include "common/recording/event_log_reader.h"
 #include "services/camera/live_source.h"
 #include "services/camera/stream_source.h"

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "common/io/event_filter.h"
+#include "common/messages/single_publisher.h"
 #include "common/messaging/event_packing.h"
-#include "common/messaging/single_publisher.h"
 #include "services/camera/camera_settings.h"
 #include "services/camera/event_batcher.h"
 #include "services/camera/event_source.h"

@@ -6,10 +6,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "common/messages/host_time.h"
+#include "common/messages/single_publisher.h"
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
-#include "common/messaging/host_time.h"
-#include "common/messaging/single_publisher.h"
 #include "common/messaging/wire_layout.h"
 #include "common/runtime/scheduling.h"
 #include "common/vision/surface_tracker.h"

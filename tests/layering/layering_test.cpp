@@ -102,10 +102,11 @@ const std::map<std::string, Parts> kAllowed{
     {"io",
      {"posix", "events", "vision/geometry", "vision/contour", "vision/hypotheses", "table",
       "motion"}},
-    {"messaging", {"posix", "events", "vision/geometry", "vision/interfaces", "table"}},
+    {"messages", {}},
+    {"messaging", {"posix", "events", "vision/geometry", "vision/interfaces", "table", "messages"}},
     {"recording", {"events", "io", "messaging"}},
-    {"play", {"events", "vision", "table", "messaging"}},
-    {"control", {"events", "vision", "table", "motion", "runtime", "messaging"}},
+    {"play", {"events", "vision", "table", "messages", "messaging"}},
+    {"control", {"events", "vision", "table", "motion", "runtime", "messages", "messaging"}},
     {"yarp", {"posix", "control"}},
 };
 

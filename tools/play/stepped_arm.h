@@ -5,8 +5,8 @@
 
 #include "common/control/arm_controller.h"
 #include "common/events/timestamp.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
 
 namespace puck {
 
