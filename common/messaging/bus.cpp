@@ -5,7 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 #include "common/messaging/memory_transport.h"
 #include "common/messaging/message_seal.h"
 #include "common/messaging/session_id.h"

@@ -52,6 +52,8 @@ struct ChannelCounters {
 /// session and number to published messages, and counts losses. Joins the network again after an
 /// interruption. Neither copied nor moved.
 ///
+/// A Message is one of LCM's types or, with conversions.h, one of common/messages.
+///
 /// Subscribe first, then start(), then call handle() in a loop on one thread. Handlers run on this
 /// thread; they may publish but not subscribe.
 class Bus {

@@ -10,10 +10,10 @@
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
+#include "common/messages/single_publisher.h"
 #include "common/messaging/event_packet_view.h"
 #include "common/messaging/log_file.h"
 #include "common/messaging/loss_accounting.h"
-#include "common/messaging/single_publisher.h"
 
 namespace puck {
 

@@ -7,9 +7,9 @@
 
 #include <unistd.h>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/datagram.h"
 #include "common/messaging/event_packing.h"
-#include "common/messaging/host_time.h"
 
 namespace puck {
 namespace {
@@ -113,7 +113,9 @@ void StatusReporter::hear(const service_status_t& status, const Receipt& receipt
   read_pongs(status, receipt);
   // An early answer gives the new run our clock soon.
   if (pongs_.hear(status, receipt)) due_us_ = std::min(due_us_, soonest_us_);
-  for (const Listener& listener : listeners_) listener(status, receipt);
+  const PeerStatus peer{status.session, status.service, status.host, status.pid,
+                        static_cast<ServiceState>(status.state)};
+  for (const Listener& listener : listeners_) listener(peer, receipt);
 }
 
 void StatusReporter::read_pongs(const service_status_t& status, const Receipt& receipt) {

@@ -9,7 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
+#include "common/messaging/conversions.h"
 #include "common/messaging/status_reporter.h"
 #include "services/arm/addressed_arms.h"
 
@@ -21,18 +22,18 @@ constexpr std::int64_t kAtLeastUs = 200'000;
 constexpr std::int64_t kPeriodUs = 20'000;
 constexpr std::chrono::milliseconds kHandle{5};
 
-void publish(Bus& bus, std::int8_t mode, std::int64_t arm_session) {
-  arm_command_t command{};
+void publish(Bus& bus, CommandMode mode, std::int64_t arm_session) {
+  ArmCommand command;
   command.mode = mode;
-  command.from_operator = 1;
+  command.from_operator = true;
   command.valid_for_us = kAtLeastUs / 2;
   command.arm_session = arm_session;
   bus.publish(command);
 }
 
 // Returns whether any arm is addressed. A stop is for all arms; a reset names each arm heard.
-bool publish_to_all(Bus& bus, std::int8_t mode, const AddressedArms& arms) {
-  if (mode == arm_command_t::MODE_STOP) {
+bool publish_to_all(Bus& bus, CommandMode mode, const AddressedArms& arms) {
+  if (mode == CommandMode::kStop) {
     publish(bus, mode, 0);
     return true;
   }
@@ -54,14 +55,14 @@ void OperatorCommand::add_options(CLI::App& app) {
 
 std::optional<int> OperatorCommand::run(const BusParams& params, std::stop_token stop) const {
   if (!stop_ && !reset_) return std::nullopt;
-  const std::int8_t mode = stop_ ? arm_command_t::MODE_STOP : arm_command_t::MODE_RESET;
+  const CommandMode mode = stop_ ? CommandMode::kStop : CommandMode::kReset;
   const char* word = stop_ ? "stopped" : "reset";
 
   Bus bus(params);
   // An arm must know our clock before it accepts a reset as current.
   StatusReporter status(bus, "puck-operator");
   AddressedArms arms(mode, bus.session());
-  bus.subscribe<arm_state_t>([&](const arm_state_t& state, const Receipt& at) {
+  bus.subscribe<ArmState>([&](const ArmState& state, const Receipt& at) {
     arms.hear(state, {at.utime, at.monotonic_us}, status.clock_of(state.session));
   });
   std::stop_source give_up;

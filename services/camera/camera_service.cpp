@@ -8,7 +8,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
+#include "common/messaging/conversions.h"
 #include "common/recording/event_log_reader.h"
 #include "services/camera/live_source.h"
 #include "services/camera/stream_source.h"
@@ -89,7 +90,7 @@ std::unique_ptr<EventSource> CameraService::make_source() {
 // A stale, foreign or replayed ARM_STATE does not move the mallet.
 void CameraService::listen_to_arm() {
   context_.peers.need({"puck-arm"});
-  context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& receipt) {
+  context_.bus.subscribe<ArmState>([this](const ArmState& state, const Receipt& receipt) {
     const HostNow came{receipt.utime, receipt.monotonic_us};
     const SenderClock arm_clock = context_.status.clock_of(state.session);
     if (freshness_of(state.utime, came, arm_clock, kArmAgeUs) != Freshness::kOfNow) return;
@@ -105,8 +106,9 @@ void CameraService::listen_to_arm() {
 void CameraService::run(std::stop_token stop) {
   if (!play(stop)) return;
   for (const std::string& warning : source_->warnings()) context_.log.warn(warning);
-  context_.log.info(fmt::format("the source has ended after {} events",
-                                packer_ ? packer_->events_packed() : std::int64_t{0}));
+  context_.log.info(
+      fmt::format("the source has ended after {} events",
+                  publisher_ ? publisher_->packer().events_packed() : std::int64_t{0}));
   say_left_out();
   if (settings_.at_end == "wait") wait_at_end(stop);
 }
@@ -150,7 +152,7 @@ bool CameraService::play(std::stop_token stop) {
 
 // Returns false after a stop request.
 bool CameraService::send_chunk(std::stop_token stop) {
-  if (!packer_) prepare(*source_->sensor_size());
+  if (!publisher_) prepare(*source_->sensor_size());
   filter_->apply(chunk_.packet);
   if (context_.status.state() == ServiceState::kStarting ||
       context_.status.state() == ServiceState::kWaiting) {
@@ -189,14 +191,15 @@ void CameraService::prepare(SensorSize source_sensor) {
                            : is_local                  ? EventPackerParams::kMaxBytes
                                                        : EventPackerParams::kOneFrame;
   const auto overhead = static_cast<int>(context_.bus.overhead_bytes());
-  packer_.emplace(
+  publisher_.emplace(
+      context_.bus,
       EventPackerParams{sensor, std::max(packet_bytes - overhead, EventPackerParams::kMinBytes)});
   const double speed = is_paced_ ? settings_.speed : 1;
   const auto window_us = [&](int host_us) {
     return std::max<std::int64_t>(1, std::llround(host_us * speed));
   };
-  batcher_.emplace(static_cast<std::size_t>(packer_->max_events()), window_us(settings_.flush_us),
-                   window_us(settings_.quiet_flush_us));
+  batcher_.emplace(static_cast<std::size_t>(publisher_->packer().max_events()),
+                   window_us(settings_.flush_us), window_us(settings_.quiet_flush_us));
   context_.log.info(fmt::format("sensor {}x{}, packets of up to {} bytes", sensor.width,
                                 sensor.height, packet_bytes));
 }
@@ -278,19 +281,14 @@ void CameraService::note_recovery() {
 }
 
 void CameraService::publish_batch() {
-  const EventPacket& batch = batcher_->batch();
-  packer_->pack(batch.start, batch.events, [this](event_packet_t& packet) {
-    packet.sensor_zero_utime = sensor_zero_utime();
-    packet.recorded = settings_.is_recorded() ? 1 : 0;
-    packet.events_dropped = events_dropped();
-    if (context_.bus.publish(packet)) ++packets_sent_;
-  });
+  publisher_->publish(batcher_->batch(),
+                      {sensor_zero_utime(), events_dropped(), settings_.is_recorded()});
   batcher_->clear();
 }
 
 // Unusable ones; what the filter leaves out by its settings counts on its own.
 std::int64_t CameraService::events_dropped() const {
-  return source_->events_dropped() + (packer_ ? packer_->events_outside() : 0) +
+  return source_->events_dropped() + (publisher_ ? publisher_->packer().events_outside() : 0) +
          (filter_ ? filter_->left_out().outside_sensor : 0);
 }
 
@@ -303,9 +301,9 @@ std::int64_t CameraService::sensor_zero_utime() const {
 
 void CameraService::publish_truth(const SimulatedTruth& truth) {
   const PictureTurn& turn = settings_.filter.turn;
-  ground_truth_t message = to_truth_message(truth, settings_.simulation.sensor_size, turn);
+  GroundTruth message = to_truth_message(truth, settings_.simulation.sensor_size, turn);
   context_.bus.publish(message);
-  head_state_t head = to_head_message(truth, turn);
+  HeadState head = to_head_message(truth, turn);
   context_.bus.publish(head);
 }
 
@@ -348,8 +346,8 @@ void CameraService::wait_at_end(std::stop_token stop) {
 void CameraService::report(StatusReport& report) const {
   const FilteredEvents left_out = filter_ ? filter_->left_out() : FilteredEvents{};
   report.counters = {
-      {"events_sent", packer_ ? packer_->events_packed() : 0},
-      {"packets_sent", packets_sent_},
+      {"events_sent", publisher_ ? publisher_->packer().events_packed() : 0},
+      {"packets_sent", publisher_ ? publisher_->packets_sent() : 0},
       {"events_dropped", events_dropped()},
       {"events_masked", left_out.masked},
       {"malformed_words", source_->malformed_words()},

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "common/io/event_filter.h"
-#include "common/messaging/event_packing.h"
-#include "common/messaging/single_publisher.h"
+#include "common/messages/single_publisher.h"
+#include "common/messaging/event_publisher.h"
 #include "services/camera/camera_settings.h"
 #include "services/camera/event_batcher.h"
 #include "services/camera/event_source.h"
@@ -74,7 +74,7 @@ class CameraService final : public Service {
 
   // Set when the sensor's size is known.
   std::optional<EventFilter> filter_;
-  std::optional<EventPacker> packer_;
+  std::optional<EventPublisher> publisher_;
   std::optional<EventBatcher> batcher_;
 
   EventSource::Chunk chunk_;
@@ -82,7 +82,6 @@ class CameraService final : public Service {
   Clock::time_point bus_due_;
   Clock::time_point last_trouble_;
   Clock::time_point last_events_;
-  std::int64_t packets_sent_ = 0;
   std::int64_t drops_told_ = 0;
   std::int64_t messages_told_ = 0;
   std::int64_t overflow_seen_ = 0;
