@@ -1,0 +1,112 @@
+#include "services/camera/camera_request.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+#include "common/messaging/host_time.h"
+
+namespace puck {
+namespace {
+
+// STATUS comes every 100 ms.
+constexpr std::int64_t kSilentUs = 400'000;
+constexpr std::int64_t kMaxAgeUs = 200'000;
+
+std::optional<std::int64_t> counter_in(const service_status_t& status, const char* name) {
+  const auto found = std::find(status.counter_name.begin(), status.counter_name.end(), name);
+  if (found == status.counter_name.end()) return std::nullopt;
+  return status.counter_value[static_cast<std::size_t>(found - status.counter_name.begin())];
+}
+
+}  // namespace
+
+void CameraRequest::listen(Bus& bus, StatusReporter& status) {
+  own_session_ = bus.session();
+  status.listen([this, &status](const service_status_t& heard, const Receipt& receipt) {
+    if (heard.service != "puck-camera") return;
+    const HostNow now{receipt.utime, receipt.monotonic_us};
+    const SenderClock clock = status.clock_of(heard.session);
+    hear(heard, now, freshness_of(heard.utime, now, clock, kMaxAgeUs) == Freshness::kOfNow);
+  });
+}
+
+void CameraRequest::hear(const service_status_t& status, const HostNow& now, bool is_current) {
+  const std::string name = status.host + ", pid " + std::to_string(status.pid);
+  Camera& camera = cameras_[name];
+  const bool answers = counter_in(status, kControlSession) == own_session_;
+  // Only a camera that heard us can name our session; its clock does not matter.
+  camera.is_current = is_current || answers;
+  camera.name = name;
+  camera.text = status.state_text;
+  camera.session = status.session;
+  camera.heard_us = now.monotonic_us;
+  camera.position_us = counter_in(status, kPositionUs).value_or(0);
+  if (!answers) return;
+  const std::int64_t verdict = counter_in(status, kControlVerdict).value_or(-1);
+  if (verdict < 0 || verdict >= kControlVerdicts) return;
+  camera.has_answered = true;
+  camera.verdict = static_cast<ControlVerdict>(verdict);
+}
+
+bool CameraRequest::speaks(const Camera& camera, const HostNow& now) {
+  return camera.is_current && now.monotonic_us - camera.heard_us <= kSilentUs;
+}
+
+bool CameraRequest::publish(Bus& bus) {
+  const HostNow now = host_now();
+  bool has_any = false;
+  for (auto& [name, camera] : cameras_) {
+    if (!speaks(camera, now)) continue;
+    has_any = true;
+    if (camera.has_answered) continue;
+    if (camera.target_us < 0) {
+      const std::int64_t from_us = is_relative_ ? camera.position_us : 0;
+      camera.target_us = std::max<std::int64_t>(0, from_us + control_.position_us);
+    }
+    camera_control_t control = control_;
+    control.camera_session = camera.session;
+    control.position_us = camera.target_us;
+    bus.publish(control);
+  }
+  return has_any;
+}
+
+std::string CameraRequest::why_not() const {
+  const HostNow now = host_now();
+  bool has_any = false;
+  for (const auto& [name, camera] : cameras_) {
+    if (!speaks(camera, now)) continue;
+    has_any = true;
+    if (!camera.has_answered) return "the camera on " + name + " does not answer";
+    if (camera.verdict == ControlVerdict::kSearching) return "the camera on " + name + " searches";
+  }
+  return has_any ? "" : "no puck-camera is heard";
+}
+
+std::string CameraRequest::refusal() const {
+  for (const auto& [name, camera] : cameras_) {
+    const bool is_refused = camera.has_answered && camera.verdict != ControlVerdict::kObeyed &&
+                            camera.verdict != ControlVerdict::kSearching;
+    if (is_refused) return to_string(camera.verdict);
+  }
+  return {};
+}
+
+bool CameraRequest::is_in_progress() const {
+  const HostNow now = host_now();
+  return std::any_of(cameras_.begin(), cameras_.end(), [&](const auto& entry) {
+    const Camera& camera = entry.second;
+    return speaks(camera, now) && camera.has_answered &&
+           camera.verdict == ControlVerdict::kSearching;
+  });
+}
+
+std::string CameraRequest::result() const {
+  for (const auto& [name, camera] : cameras_) {
+    if (camera.has_answered && !camera.text.empty()) return camera.text;
+  }
+  return goal_;
+}
+
+}  // namespace puck
