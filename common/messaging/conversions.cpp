@@ -8,6 +8,7 @@ namespace {
 
 static_assert(static_cast<int>(TrackState::kLost) == puck_estimate_t::STATE_LOST);
 static_assert(static_cast<int>(CommandMode::kReset) == arm_command_t::MODE_RESET);
+static_assert(static_cast<int>(CameraControlMode::kSpeed) == camera_control_t::MODE_SPEED);
 static_assert(static_cast<int>(ArmActivity::kFault) == arm_state_t::STATE_FAULT);
 static_assert(static_cast<int>(GamePhase::kPuckOutOfView) == game_state_t::PHASE_PUCK_OUT_OF_VIEW);
 
@@ -170,6 +171,24 @@ ArmCommand from_message(const arm_command_t& message) {
           message.target_normalised,  message.arrive_in_us,
           message.valid_for_us,       {message.estimate_session, message.estimate_seq},
           message.arm_session};
+}
+
+camera_control_t to_message(const CameraControl& control) {
+  auto message = with_header<camera_control_t>(control);
+  message.mode = static_cast<std::int8_t>(control.mode);
+  message.camera_session = control.camera_session;
+  message.request = control.request;
+  message.position_us = control.position_us;
+  message.step_us = control.step_us;
+  message.speed = control.speed;
+  return message;
+}
+
+CameraControl from_message(const camera_control_t& message) {
+  return {header_of(message),     static_cast<CameraControlMode>(message.mode),
+          message.camera_session, message.request,
+          message.position_us,    message.step_us,
+          message.speed};
 }
 
 arm_state_t to_message(const ArmState& state) {

@@ -7,6 +7,7 @@
 
 #include "common/messages/arm_command.h"
 #include "common/messages/arm_state.h"
+#include "common/messages/camera_control.h"
 #include "common/messages/game_state.h"
 #include "common/messages/ground_truth.h"
 #include "common/messages/head_state.h"
@@ -23,6 +24,7 @@ puck_estimate_t to_message(const PublishedEstimate& estimate);
 puck_trajectory_t to_message(const TableTrajectory& trajectory);
 arm_command_t to_message(const ArmCommand& command);
 arm_state_t to_message(const ArmState& state);
+camera_control_t to_message(const CameraControl& control);
 game_state_t to_message(const GameState& game);
 head_state_t to_message(const HeadState& head);
 ground_truth_t to_message(const GroundTruth& truth);
@@ -31,6 +33,7 @@ ground_truth_t to_message(const GroundTruth& truth);
 PublishedEstimate from_message(const puck_estimate_t& message);
 ArmCommand from_message(const arm_command_t& message);
 ArmState from_message(const arm_state_t& message);
+CameraControl from_message(const camera_control_t& message);
 GameState from_message(const game_state_t& message);
 HeadState from_message(const head_state_t& message);
 GroundTruth from_message(const ground_truth_t& message);

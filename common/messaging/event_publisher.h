@@ -23,6 +23,9 @@ class EventPublisher {
 
   void publish(const EventPacket& events, const EventSourceFacts& source);
 
+  /// As EventPacker's.
+  void begin_session() { packer_.begin_session(); }
+
   const EventPacker& packer() const { return packer_; }
   std::int64_t packets_sent() const { return packets_sent_; }
 

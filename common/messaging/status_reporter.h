@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,12 @@ struct PeerStatus {
   std::string host;
   std::int32_t pid = 0;
   ServiceState state = ServiceState::kStarting;
+  std::string state_text;
+  std::int64_t utime = 0;  ///< At publish, by the peer's clock.
+  std::vector<std::pair<std::string, std::int64_t>> counters;
+
+  /// Nothing if STATUS has no such counter.
+  std::optional<std::int64_t> counter(std::string_view name) const;
 };
 
 /// Publishes the STATUS of a service every 100 ms and after every change of state, each in one

@@ -50,6 +50,7 @@ class CopiedLog final : public EventReader {
   void rewind() override { events_->rewind(); }
   const EventCounters& counters() const override { return events_->counters(); }
   RecordingFacts facts() const override { return events_->facts(); }
+  std::int64_t session_number() const override { return events_->session_number(); }
   std::vector<std::string> warnings() const override { return events_->warnings(); }
 
  private:

@@ -27,10 +27,8 @@ class AddressedArms {
 
   /// Sessions of the arms that are certainly real, for resets, which name the arm's session.
   std::vector<std::int64_t> sessions(const HostNow& now) const;
-  /// At least one arm is certainly real, and all that are heard confirm: stopped by this operator,
-  /// or no longer latched after a reset.
-  bool confirm(const HostNow& now) const { return why_not(now).empty(); }
-  /// Reason for which confirm() is false; empty if it is true.
+  /// Why the command is not confirmed; empty: at least one arm is certainly real, and all that are
+  /// heard confirm it: stopped by this operator, or no longer latched after a reset.
   std::string why_not(const HostNow& now) const;
 
  private:
