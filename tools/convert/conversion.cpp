@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/recording/recording.h"
-#include "tools/convert/output_place.h"
 #include "tools/command_line/progress_bar.h"
+#include "tools/convert/output_place.h"
 #include "tools/convert/read_ahead.h"
 
 namespace puck {
