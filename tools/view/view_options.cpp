@@ -22,12 +22,13 @@ struct LayerName {
   const char* name;
   bool PictureWishes::Layers::*shown;
 };
-constexpr std::array<LayerName, 8> kLayers{{{"regions", &PictureWishes::Layers::regions},
+constexpr std::array<LayerName, 9> kLayers{{{"regions", &PictureWishes::Layers::regions},
                                             {"ellipse", &PictureWishes::Layers::ellipse},
                                             {"velocity", &PictureWishes::Layers::velocity},
                                             {"covariance", &PictureWishes::Layers::covariance},
                                             {"trail", &PictureWishes::Layers::trail},
                                             {"truth", &PictureWishes::Layers::truth},
+                                            {"close-up", &PictureWishes::Layers::close_up},
                                             {"words", &PictureWishes::Layers::words},
                                             {"legend", &PictureWishes::Layers::legend}}};
 
