@@ -141,8 +141,8 @@ void draw_legend(const ViewScene& scene, const PictureWishes& wishes, Canvas& ca
   for (const LegendEntry& entry : entries) {
     total_px += kSample_px + Canvas::text_width(entry.words, kLegend_px);
   }
-  const double gap_px = std::clamp((width_px - total_px) / static_cast<double>(entries.size()),
-                                   kGap_px / 4, kGap_px);
+  const double gap_px =
+      std::clamp((width_px - total_px) / static_cast<double>(entries.size()), kGap_px / 4, kGap_px);
   double x = kSide_px;
   for (const LegendEntry& entry : entries) {
     const double text_px = Canvas::text_width(entry.words, kLegend_px);
