@@ -1,4 +1,4 @@
-#include "tools/spy/publisher_list.h"
+#include "common/monitor/publisher_list.h"
 
 #include <algorithm>
 

@@ -9,10 +9,10 @@
 #include "common/messaging/channels.h"
 #include "common/messaging/loss_accounting.h"
 #include "common/messaging/receipt.h"
-#include "tools/spy/publisher_list.h"
-#include "tools/spy/rate_window.h"
-#include "tools/spy/snapshot.h"
-#include "tools/spy/spy_params.h"
+#include "common/monitor/bus_snapshot.h"
+#include "common/monitor/monitor_params.h"
+#include "common/monitor/publisher_list.h"
+#include "common/monitor/rate_window.h"
 
 namespace puck {
 
@@ -21,7 +21,7 @@ namespace puck {
 class ChannelAccount {
  public:
   /// `type`: empty for a foreign name. `from_us`: start of listening.
-  ChannelAccount(std::string name, std::optional<Channel> type, const SpyParams& params,
+  ChannelAccount(std::string name, std::optional<Channel> type, const MonitorParams& params,
                  std::int64_t from_us);
 
   std::optional<Channel> type() const { return type_; }
@@ -42,7 +42,7 @@ class ChannelAccount {
 
   std::string name_;
   std::optional<Channel> type_;
-  SpyParams params_;
+  MonitorParams params_;
   RateWindow rates_;
   Traffic sums_;
   LossAccount account_;

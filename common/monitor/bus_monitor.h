@@ -6,19 +6,20 @@
 #include <string>
 
 #include "common/messaging/receipt.h"
-#include "tools/spy/channel_account.h"
-#include "tools/spy/service_list.h"
-#include "tools/spy/snapshot.h"
-#include "tools/spy/spy_params.h"
+#include "common/monitor/bus_snapshot.h"
+#include "common/monitor/channel_account.h"
+#include "common/monitor/monitor_params.h"
+#include "common/monitor/service_list.h"
 
 namespace puck {
 
-/// The model behind puck-spy, fed by Bus::subscribe_all(). Independent of bus, clock and screen.
+/// What is on the bus: channels, their publishers, rates and losses, and services. Fed by
+/// Bus::subscribe_all(); independent of bus, clock and screen.
 /// One thread.
-class SpyModel {
+class BusMonitor {
  public:
   /// Times are CLOCK_MONOTONIC, µs.
-  SpyModel(std::string prefix, const SpyParams& params, std::int64_t start_us);
+  BusMonitor(std::string prefix, const MonitorParams& params, std::int64_t start_us);
 
   void hear(std::string_view channel, std::span<const std::uint8_t> bytes, const Receipt& receipt);
 
@@ -27,13 +28,13 @@ class SpyModel {
                            std::int64_t now_us);
 
   /// Rates cover the snapshots within the rate window.
-  Snapshot snapshot(std::int64_t now_us);
+  BusSnapshot snapshot(std::int64_t now_us);
 
  private:
   ChannelAccount& account_of(std::string_view channel, std::int64_t now_us);
 
   std::string prefix_;
-  SpyParams params_;
+  MonitorParams params_;
   std::int64_t start_us_;
   std::map<std::string, ChannelAccount, std::less<>> accounts_;
   ServiceList services_;

@@ -1,4 +1,4 @@
-#include "tools/spy/spy_model.h"
+#include "common/monitor/bus_monitor.h"
 
 #include <algorithm>
 
@@ -13,11 +13,11 @@ constexpr std::string_view kMoreNames = "(more names)";
 
 }  // namespace
 
-SpyModel::SpyModel(std::string prefix, const SpyParams& params, std::int64_t start_us)
+BusMonitor::BusMonitor(std::string prefix, const MonitorParams& params, std::int64_t start_us)
     : prefix_(std::move(prefix)), params_(params), start_us_(start_us), services_(params) {}
 
-void SpyModel::hear(std::string_view channel, std::span<const std::uint8_t> bytes,
-                    const Receipt& receipt) {
+void BusMonitor::hear(std::string_view channel, std::span<const std::uint8_t> bytes,
+                      const Receipt& receipt) {
   ++messages_;
   ChannelAccount& account = account_of(channel, receipt.monotonic_us);
   if (!account.hear(bytes, receipt) || account.type() != Channel::kStatus) return;
@@ -26,14 +26,14 @@ void SpyModel::hear(std::string_view channel, std::span<const std::uint8_t> byte
   services_.hear(status, receipt.monotonic_us);
 }
 
-void SpyModel::set_unauthenticated(Channel channel, std::int64_t messages, const std::string& why,
-                                   std::int64_t now_us) {
+void BusMonitor::set_unauthenticated(Channel channel, std::int64_t messages, const std::string& why,
+                                     std::int64_t now_us) {
   if (messages > 0) {
     account_of(channel_name(channel, prefix_), now_us).set_unauthenticated(messages, why);
   }
 }
 
-ChannelAccount& SpyModel::account_of(std::string_view channel, std::int64_t now_us) {
+ChannelAccount& BusMonitor::account_of(std::string_view channel, std::int64_t now_us) {
   const auto known = accounts_.find(channel);
   if (known != accounts_.end()) return known->second;
   const auto type = find_channel(channel, prefix_);
@@ -42,8 +42,8 @@ ChannelAccount& SpyModel::account_of(std::string_view channel, std::int64_t now_
   return accounts_.try_emplace(name, name, type, params_, now_us - window_us).first->second;
 }
 
-Snapshot SpyModel::snapshot(std::int64_t now_us) {
-  Snapshot snapshot{.listened_us = now_us - start_us_, .messages = messages_};
+BusSnapshot BusMonitor::snapshot(std::int64_t now_us) {
+  BusSnapshot snapshot{.listened_us = now_us - start_us_, .messages = messages_};
   for (auto& [name, account] : accounts_) {
     ChannelRow& row = snapshot.channels.emplace_back(account.row(now_us));
     for (PublisherRow& publisher : row.publishers) services_.name(publisher);

@@ -1,4 +1,4 @@
-#include "tools/spy/channel_account.h"
+#include "common/monitor/channel_account.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 namespace puck {
 
 ChannelAccount::ChannelAccount(std::string name, std::optional<Channel> type,
-                               const SpyParams& params, std::int64_t from_us)
+                               const MonitorParams& params, std::int64_t from_us)
     : name_(std::move(name)),
       type_(type),
       params_(params),
@@ -40,7 +40,7 @@ std::optional<std::string> ChannelAccount::reject(std::span<const std::uint8_t> 
   if (!rejection) return std::nullopt;
   ++malformed_;
   // With a key, the bus would have opened the seal.
-  if (sealed) return "is sealed, but puck-spy has no key (lcm.key_file of --config)";
+  if (sealed) return "is sealed, but this program has no key (lcm.key_file of --config)";
   return rejection;
 }
 

@@ -1,4 +1,4 @@
-#include "tools/spy/service_list.h"
+#include "common/monitor/service_list.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,9 +1,8 @@
-#include "tools/spy/service_list.h"
+#include "common/monitor/service_list.h"
 
 #include <doctest/doctest.h>
 
-#include "tests/spy/spy_bench.h"
-#include "tools/spy/tables.h"
+#include "tests/monitor/monitor_bench.h"
 
 namespace puck {
 namespace {
@@ -50,7 +49,11 @@ TEST_CASE("a service is shown by its latest status") {
   CHECK(row.counters ==
         std::vector<std::pair<std::string, std::int64_t>>{{"events_lost", 3}, {"estimates", 500}});
   REQUIRE(row.latencies.size() == 1);
-  CHECK(describe(row.latencies[0]) == "75/671/24111 packet_to_estimate");
+  const StatusLatency& latency = row.latencies[0];
+  CHECK(latency.name == "packet_to_estimate");
+  CHECK(latency.p50_us == 75);
+  CHECK(latency.p99_us == 671);
+  CHECK(latency.max_us == 24'111);
 }
 
 TEST_CASE("a service is silent after half a second, unless it announced its stop") {

@@ -65,8 +65,11 @@ struct ServiceRow {
   std::vector<StatusLatency> latencies;
 };
 
+/// `running`, …; `silent` if STATUS is overdue, `stopped` after its last STATUS.
+std::string state_of(const ServiceRow& service);
+
 /// Data for drawing and reporting, at one moment.
-struct Snapshot {
+struct BusSnapshot {
   std::int64_t listened_us = 0;
   std::vector<ChannelRow> channels;  ///< In the order of enum Channel, then foreign names.
   std::vector<ServiceRow> services;  ///< By name, host and pid.

@@ -6,15 +6,15 @@
 
 #include "common/messaging/event_packing.h"
 #include "common/messaging/message_codec.h"
-#include "tools/spy/spy_model.h"
+#include "common/monitor/bus_monitor.h"
 
 namespace puck {
 
 /// A model for tests, with simulated times.
-struct SpyBench {
-  SpyModel model;
+struct MonitorBench {
+  BusMonitor model;
 
-  explicit SpyBench(const std::string& prefix = {}, const SpyParams& params = {})
+  explicit MonitorBench(const std::string& prefix = {}, const MonitorParams& params = {})
       : model(prefix, params, 0) {}
 
   template <typename Message>

@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "common/messaging/channels.h"
-#include "tools/spy/snapshot.h"
-#include "tools/spy/spy_params.h"
+#include "common/monitor/bus_snapshot.h"
+#include "common/monitor/monitor_params.h"
 
 namespace puck {
 
 /// The services, from STATUS. Keeps the 64 heard last.
 class ServiceList {
  public:
-  explicit ServiceList(const SpyParams& params) : params_(params) {}
+  explicit ServiceList(const MonitorParams& params) : params_(params) {}
 
   void hear(const service_status_t& status, std::int64_t now_us);
 
@@ -33,7 +33,7 @@ class ServiceList {
   Heard& place_of(std::int64_t session, std::int64_t now_us);
   bool is_replaced(const Heard& service) const;
 
-  SpyParams params_;
+  MonitorParams params_;
   std::vector<Heard> heard_;
 };
 
