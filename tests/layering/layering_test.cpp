@@ -105,6 +105,8 @@ const std::map<std::string, Parts> kAllowed{
     {"messaging", {"posix", "events", "vision/geometry", "vision/interfaces", "table"}},
     {"monitor", {"messaging"}},
     {"recording", {"events", "io", "messaging"}},
+    {"recording", {"events", "vision/geometry", "io", "messaging"}},
+    {"trackers", {"events", "vision", "baselines", "io"}},
     {"play", {"events", "vision", "table", "messaging"}},
     {"control", {"events", "vision", "table", "motion", "runtime", "messaging"}},
     {"yarp", {"posix", "control"}},

@@ -6,8 +6,8 @@
 
 #include "common/messaging/conversions.h"
 #include "common/messaging/message_codec.h"
+#include "common/recording/log_recording.h"
 #include "tools/evaluate/estimate_log.h"
-#include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/replay_feed.h"
 
 namespace puck {

@@ -27,6 +27,8 @@ struct PictureWishes {
     bool truth = true;
     bool words = true;  ///< Time, state, speed and error in the picture's corners.
     bool legend = true;
+
+    bool operator==(const Layers&) const = default;
   };
 
   static constexpr std::int64_t kShortestWindow_us = 100;
@@ -43,6 +45,8 @@ struct PictureWishes {
   /// Size of the picture, px; the sensor or table fills it as far as its shape allows.
   int width_px = 960;
   int height_px = 720;
+
+  bool operator==(const PictureWishes&) const = default;
 };
 
 }  // namespace puck

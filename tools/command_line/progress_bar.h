@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace puck {
 
@@ -10,15 +11,18 @@ namespace puck {
 /// destruction.
 class ProgressBar {
  public:
-  ProgressBar();
+  /// `unit`: of the amounts shown. `shown_per_count`: 1e-6 to show counts in millions.
+  explicit ProgressBar(std::string unit, double shown_per_count = 1);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   /// `share`: of the work that is done, 0 to 1; nothing if unknown. Cheap.
-  void show(std::int64_t events, std::optional<double> share);
+  void show(std::int64_t count, std::optional<double> share);
 
  private:
+  std::string unit_;
+  double shown_per_count_;
   bool is_terminal_ = false;
   bool is_drawn_ = false;
   std::chrono::steady_clock::time_point start_;

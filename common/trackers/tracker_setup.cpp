@@ -1,4 +1,4 @@
-#include "tools/evaluate/tracker_setup.h"
+#include "common/trackers/tracker_setup.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
-#include "tools/evaluate/log_recording.h"
+#include "common/recording/log_recording.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -10,20 +9,18 @@
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_log.h"
 #include "common/messaging/log_file.h"
+#include "common/messaging/log_format.h"
 #include "common/messaging/message_codec.h"
 
 namespace puck {
 
 bool is_lcm_log(const std::filesystem::path& path) {
-  constexpr std::array<unsigned char, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
   // A log is a file; a pipe can be read only once.
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
-  std::array<char, 4> first{};
+  std::array<std::uint8_t, kLogMark.size()> start{};
   std::ifstream file(path, std::ios::binary);
-  if (!file.read(first.data(), first.size())) return false;
-  return std::equal(kSync.begin(), kSync.end(), first.begin(),
-                    [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
+  return file.read(reinterpret_cast<char*>(start.data()), start.size()) && start == kLogMark;
 }
 
 std::int64_t session_of_event_log(const std::filesystem::path& path, const std::string& prefix) {

@@ -1,0 +1,200 @@
+#include "tools/view/drawing/camera_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+#include "tools/view/drawing/backdrop.h"
+#include "tools/view/drawing/canvas.h"
+#include "tools/view/drawing/track_marks.h"
+
+namespace puck {
+namespace {
+
+constexpr int kTopBar_px = 30;
+constexpr int kBottomBar_px = 26;
+constexpr double kText_px = 11;
+constexpr double kLegend_px = 9;
+constexpr double kGap_px = 22;
+
+std::string number_words(const char* format, double value) {
+  char text[60];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+// From left to right, as far as the width allows.
+void write_bar(const ViewScene& scene, const PictureWishes& wishes, Canvas& canvas, int width_px) {
+  const Palette& palette = palette_of(wishes.theme);
+  const ViewTrack& track = scene.tracks[static_cast<std::size_t>(wishes.side)];
+  std::vector<std::pair<std::string, cv::Scalar>> words{
+      {number_words("%.3f s", scene.seconds), palette.words}};
+  if (!track.name.empty()) {
+    const bool doubtful = !track.estimate || is_doubtful(*track.estimate);
+    words.emplace_back(track.name, palette.quiet);
+    words.emplace_back(state_words(track, scene.time), doubtful ? palette.doubt : palette.words);
+    if (const auto error = error_px(track, scene.truth)) {
+      words.emplace_back(number_words("error %.2f px", *error), palette.words);
+    }
+    if (track.estimate && track.estimate->position) {
+      const PixelVelocity v = track.estimate->velocity;
+      words.emplace_back(number_words("%.0f px/s", std::hypot(v.x, v.y)), palette.words);
+      words.emplace_back(number_words("score %.2f", track.estimate->score), palette.quiet);
+    }
+  }
+  double x = 12;
+  for (const auto& [text, colour] : words) {
+    const double text_px = Canvas::text_width(text, kText_px);
+    if (x + text_px > width_px) return;
+    canvas.text(text, {x, kTopBar_px / 2.0}, kText_px, colour);
+    x += text_px + kGap_px;
+  }
+}
+
+enum class Sample { kSquare, kRing, kLine, kDashes, kArrow };
+
+struct LegendEntry {
+  Sample sample;
+  cv::Scalar colour;
+  std::string words;
+};
+
+std::vector<LegendEntry> legend_of(const ViewScene& scene, const PictureWishes& wishes) {
+  const Palette& palette = palette_of(wishes.theme);
+  const PictureWishes::Layers& layers = wishes.layers;
+  std::vector<LegendEntry> entries;
+  switch (wishes.backdrop) {
+    case PictureWishes::Backdrop::kEvents:
+      entries.push_back(
+          {Sample::kSquare, palette.brighter,
+           number_words("%g ms: brighter", static_cast<double>(wishes.window_us) / 1e3)});
+      entries.push_back({Sample::kSquare, palette.darker, "darker"});
+      break;
+    case PictureWishes::Backdrop::kSurface:
+      entries.push_back({Sample::kSquare, palette.words, "surface"});
+      break;
+    case PictureWishes::Backdrop::kHeatMap:
+      entries.push_back({Sample::kSquare, palette.brighter, "like a puck"});
+      break;
+  }
+  if (!scene.tracks[static_cast<std::size_t>(wishes.side)].name.empty()) {
+    if (layers.ellipse) entries.push_back({Sample::kRing, palette.estimate, "estimate"});
+    if (layers.velocity) {
+      entries.push_back(
+          {Sample::kArrow, palette.estimate, number_words("%.0f ms ahead", kArrow_s * 1e3)});
+    }
+    if (layers.covariance) entries.push_back({Sample::kRing, palette.covariance, "2 sigma"});
+    if (layers.trail) entries.push_back({Sample::kLine, palette.trail, "1 s"});
+    if (layers.regions) entries.push_back({Sample::kDashes, palette.region, "region"});
+  }
+  if (layers.truth && scene.truth) entries.push_back({Sample::kRing, palette.truth, "truth"});
+  return entries;
+}
+
+void draw_sample(const LegendEntry& entry, double x, double y, Canvas& canvas) {
+  const Stroke stroke{.colour = entry.colour, .width_px = 2};
+  switch (entry.sample) {
+    case Sample::kSquare:
+      canvas.filled_polygon({{x, y - 5}, {x + 10, y - 5}, {x + 10, y + 5}, {x, y + 5}},
+                            entry.colour);
+      break;
+    case Sample::kRing:
+      canvas.ellipse({x + 6, y}, {6, 4.5}, 0, stroke);
+      break;
+    case Sample::kLine:
+      canvas.line({x, y}, {x + 12, y}, stroke);
+      break;
+    case Sample::kDashes:
+      canvas.line({x, y}, {x + 12, y}, {.colour = entry.colour, .width_px = 1, .dash_px = 3});
+      break;
+    case Sample::kArrow:
+      canvas.arrow({x - 2, y}, {x + 12, y}, 5, stroke);
+      break;
+  }
+}
+
+void draw_legend(const ViewScene& scene, const PictureWishes& wishes, Canvas& canvas, int width_px,
+                 double y) {
+  double x = 12;
+  for (const LegendEntry& entry : legend_of(scene, wishes)) {
+    const double text_px = Canvas::text_width(entry.words, kLegend_px);
+    if (x + 18 + text_px > width_px) return;
+    draw_sample(entry, x, y, canvas);
+    canvas.text(entry.words, {x + 18, y}, kLegend_px, palette_of(wishes.theme).quiet);
+    x += 18 + text_px + kGap_px * 0.75;
+  }
+}
+
+}  // namespace
+
+SensorFrame SensorFrame::inside(const cv::Rect& part, SensorSize sensor) {
+  SensorFrame frame;
+  frame.scale = std::min(static_cast<double>(part.width) / sensor.width,
+                         static_cast<double>(part.height) / sensor.height);
+  frame.size_px = {std::max(1, static_cast<int>(sensor.width * frame.scale)),
+                   std::max(1, static_cast<int>(sensor.height * frame.scale))};
+  frame.origin = cv::Point2d(part.x + (part.width - frame.size_px.width) / 2,
+                             part.y + (part.height - frame.size_px.height) / 2);
+  return frame;
+}
+
+void CameraPicture::draw_backdrop(const ViewScene& scene, const PictureWishes& wishes,
+                                  const SensorFrame& frame, cv::Mat& picture) {
+  const Palette& palette = palette_of(wishes.theme);
+  switch (wishes.backdrop) {
+    case PictureWishes::Backdrop::kEvents:
+      draw_events(scene.events, scene.time, wishes.window_us, palette, pixels_);
+      break;
+    case PictureWishes::Backdrop::kSurface:
+      draw_surface(scene.surface, palette, pixels_);
+      break;
+    case PictureWishes::Backdrop::kHeatMap:
+      draw_heat(scene.heat, pixels_);
+      break;
+  }
+  // Whole squares where they are large enough to be seen; else without lost or uneven pixels.
+  const int method = frame.scale >= 2   ? cv::INTER_NEAREST
+                     : frame.scale >= 1 ? cv::INTER_LINEAR
+                                        : cv::INTER_AREA;
+  cv::resize(pixels_, enlarged_, frame.size_px, 0, 0, method);
+  enlarged_.copyTo(picture(frame.rect()));
+}
+
+void CameraPicture::draw(const ViewScene& scene, const PictureWishes& wishes, cv::Mat& picture) {
+  const Palette& palette = palette_of(wishes.theme);
+  const int top = wishes.layers.words ? kTopBar_px : 0;
+  const int bottom = wishes.layers.legend ? kBottomBar_px : 0;
+  const cv::Rect part(0, top, picture.cols, std::max(1, picture.rows - top - bottom));
+  const SensorFrame frame = SensorFrame::inside(part, scene.sensor);
+  Canvas canvas(picture);
+  if (scene.no_backdrop.empty()) {
+    draw_backdrop(scene, wishes, frame, picture);
+  } else {
+    canvas.text(scene.no_backdrop,
+                {picture.cols / 2.0, frame.origin.y + frame.size_px.height / 2.0}, kText_px,
+                palette.words, Canvas::Align::kMiddle);
+  }
+  // The marks end at the sensor's border.
+  cv::Mat inside = picture(frame.rect());
+  SensorFrame own = frame;
+  own.origin = {};
+  Canvas marks(inside);
+  draw_track(scene, wishes, own, marks);
+  if (top > 0) {
+    cv::rectangle(picture, {0, 0, picture.cols, top}, palette.bar, cv::FILLED);
+    write_bar(scene, wishes, canvas, picture.cols);
+  }
+  if (bottom > 0) {
+    const int y = picture.rows - bottom;
+    cv::rectangle(picture, {0, y, picture.cols, bottom}, palette.bar, cv::FILLED);
+    draw_legend(scene, wishes, canvas, picture.cols, y + bottom / 2.0);
+  }
+}
+
+}  // namespace puck
