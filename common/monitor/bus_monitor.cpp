@@ -16,19 +16,18 @@ constexpr std::string_view kMoreNames = "(more names)";
 BusMonitor::BusMonitor(std::string prefix, const MonitorParams& params, std::int64_t start_us)
     : prefix_(std::move(prefix)), params_(params), start_us_(start_us), services_(params) {}
 
-std::optional<ValidMessage> BusMonitor::hear(std::string_view channel,
-                                             std::span<const std::uint8_t> bytes,
-                                             const Receipt& receipt) {
+std::optional<Channel> BusMonitor::hear(std::string_view channel,
+                                        std::span<const std::uint8_t> bytes,
+                                        const Receipt& receipt) {
   ++messages_;
   ChannelAccount& account = account_of(channel, receipt.monotonic_us);
-  const auto arrival = account.hear(bytes, receipt);
-  if (!arrival) return std::nullopt;
+  if (!account.hear(bytes, receipt)) return std::nullopt;
   if (account.type() == Channel::kStatus) {
     service_status_t status;
     decode_checked(bytes, status);
     services_.hear(status, receipt.monotonic_us);
   }
-  return ValidMessage{*account.type(), *arrival};
+  return account.type();
 }
 
 void BusMonitor::set_unauthenticated(Channel channel, std::int64_t messages, const std::string& why,

@@ -15,12 +15,6 @@
 
 namespace puck {
 
-/// A message that passed all checks, so that it can be decoded.
-struct ValidMessage {
-  Channel channel{};
-  Arrival arrival{};
-};
-
 /// What is on the bus: channels, their publishers, rates and losses, and services. Fed by
 /// Bus::subscribe_all(); independent of bus, clock and screen.
 /// One thread.
@@ -29,9 +23,9 @@ class BusMonitor {
   /// Times are CLOCK_MONOTONIC, µs.
   BusMonitor(std::string prefix, const MonitorParams& params, std::int64_t start_us);
 
-  /// Nothing for a malformed message and for foreign names.
-  std::optional<ValidMessage> hear(std::string_view channel, std::span<const std::uint8_t> bytes,
-                                   const Receipt& receipt);
+  /// The channel of a message that passed all checks, so that it can be decoded; else nothing.
+  std::optional<Channel> hear(std::string_view channel, std::span<const std::uint8_t> bytes,
+                              const Receipt& receipt);
 
   /// Total of a PUCK channel's messages dropped for lack of our key, and the reason.
   void set_unauthenticated(Channel channel, std::int64_t messages, const std::string& why,

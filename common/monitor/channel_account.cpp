@@ -15,17 +15,17 @@ ChannelAccount::ChannelAccount(std::string name, std::optional<Channel> type,
       params_(params),
       rates_(params.rate_window_us, from_us) {}
 
-std::optional<Arrival> ChannelAccount::hear(std::span<const std::uint8_t> bytes,
-                                            const Receipt& receipt) {
+bool ChannelAccount::hear(std::span<const std::uint8_t> bytes, const Receipt& receipt) {
   ++sums_.messages;
   sums_.bytes += static_cast<std::int64_t>(bytes.size());
   newest_us_ = receipt.monotonic_us;
-  if (!type_) return std::nullopt;
+  if (!type_) return false;
   if (const auto rejection = reject(bytes)) {
     last_rejection_ = *rejection + ", from " + to_string(receipt.sender);
-    return std::nullopt;
+    return false;
   }
-  return hear_valid(bytes, receipt);
+  hear_valid(bytes, receipt);
+  return true;
 }
 
 std::optional<std::string> ChannelAccount::reject(std::span<const std::uint8_t> bytes) {
@@ -49,16 +49,14 @@ void ChannelAccount::set_unauthenticated(std::int64_t messages, std::string why)
   last_rejection_ = std::move(why);
 }
 
-Arrival ChannelAccount::hear_valid(std::span<const std::uint8_t> bytes, const Receipt& receipt) {
+void ChannelAccount::hear_valid(std::span<const std::uint8_t> bytes, const Receipt& receipt) {
   const MessageHeader header = read_header(bytes);
   EventNumbering numbering;
   if (type_ == Channel::kEvents) numbering = read_event_numbering(bytes);
-  const Arrival arrival =
-      account_.add(header.session, header.seq, numbering.events_before, numbering.events);
+  account_.add(header.session, header.seq, numbering.events_before, numbering.events);
   sums_.events += numbering.events;
   publishers_.hear(header.session, receipt.sender, receipt.monotonic_us);
   newest_.assign(bytes.begin(), bytes.end());
-  return arrival;
 }
 
 ChannelRow ChannelAccount::row(std::int64_t now_us) {

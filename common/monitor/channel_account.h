@@ -26,8 +26,8 @@ class ChannelAccount {
 
   std::optional<Channel> type() const { return type_; }
 
-  /// The message's place in its sequence; empty unless it is a valid message of a PUCK type.
-  std::optional<Arrival> hear(std::span<const std::uint8_t> bytes, const Receipt& receipt);
+  /// Whether it is a valid message of a PUCK type.
+  bool hear(std::span<const std::uint8_t> bytes, const Receipt& receipt);
 
   /// Total of messages dropped for lack of our key, and the reason.
   void set_unauthenticated(std::int64_t messages, std::string why);
@@ -37,7 +37,7 @@ class ChannelAccount {
 
  private:
   std::optional<std::string> reject(std::span<const std::uint8_t> bytes);
-  Arrival hear_valid(std::span<const std::uint8_t> bytes, const Receipt& receipt);
+  void hear_valid(std::span<const std::uint8_t> bytes, const Receipt& receipt);
   void fill_publishers(ChannelRow& row, std::int64_t now_us) const;
 
   std::string name_;

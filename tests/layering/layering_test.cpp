@@ -104,7 +104,6 @@ const std::map<std::string, Parts> kAllowed{
       "motion"}},
     {"messaging", {"posix", "events", "vision/geometry", "vision/interfaces", "table"}},
     {"monitor", {"messaging"}},
-    {"recording", {"events", "io", "messaging"}},
     {"recording", {"events", "vision/geometry", "io", "messaging"}},
     {"trackers", {"events", "vision", "baselines", "io"}},
     {"play", {"events", "vision", "table", "messaging"}},
