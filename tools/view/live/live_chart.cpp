@@ -50,7 +50,8 @@ void LiveChart::add_sample() {
     track.state = estimate_->state;
     track.is_doubtful = estimate_->state != TrackState::kTracking || estimate_->coasting;
   }
-  if (const auto truth = truth_.at(sample.time)) sample.truth = truth->centre;
+  const auto truth = truth_.at(sample.time);
+  if (truth && is_visible(*truth)) sample.truth = truth->centre;
   while (sample.time - samples_.front().time > ChartSample::kKept_us) samples_.pop_front();
 }
 

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "common/messaging/event_packet_view.h"
 #include "common/messaging/host_time.h"
@@ -48,26 +49,40 @@ void take(Channel channel, std::span<const std::uint8_t> bytes, std::int64_t now
 
 }  // namespace
 
-LiveSource::LiveSource(const BusParams& params)
-    : params_(params), url_(params.url), doctor_(params) {
-  const Bus checked(params);  // Opens nothing.
+LiveSource::LiveSource(LiveOptions options) : options_(std::move(options)), doctor_(options_.bus) {
+  const Bus checked(options_.bus);  // Opens nothing.
+  if (options_.size_model) heat_map_.emplace(*options_.size_model);
   thread_ = std::jthread([this](const std::stop_token& stop) { listen(stop); });
 }
 
 bool LiveSource::fill(const PictureWishes& wishes, ViewScene& scene) {
   note_viewer();
-  const std::lock_guard lock(mutex_);
-  return stay_ && stay_->view.fill(wishes, host_monotonic_us(), scene);
+  {
+    const std::lock_guard lock(mutex_);
+    if (!stay_ || !stay_->view.fill(wishes, host_monotonic_us(), scene)) return false;
+  }
+  if (wishes.view != PictureWishes::View::kCamera ||
+      wishes.backdrop != PictureWishes::Backdrop::kHeatMap) {
+    return true;
+  }
+  const std::lock_guard lock(heat_mutex_);
+  if (heat_map_) {
+    heat_map_->fill(scene.surface, scene.heat);
+  } else {
+    scene.no_backdrop = "no heat map: " + options_.no_size_model;
+  }
+  return true;
 }
 
 ViewState LiveSource::state(Timestamp since, std::int64_t run) {
   note_viewer();
   const std::int64_t now_us = host_monotonic_us();
   ViewState state;
-  state.source = "live: " + url_ + (params_.prefix.empty() ? "" : ", prefix " + params_.prefix);
+  state.source = "live: " + options_.bus.url +
+                 (options_.bus.prefix.empty() ? "" : ", prefix " + options_.bus.prefix);
   state.is_live = true;
   const std::lock_guard lock(mutex_);
-  LiveFacts facts{.network_problem = network_problem_, .prefix = params_.prefix};
+  LiveFacts facts{.network_problem = network_problem_, .prefix = options_.bus.prefix};
   BusSnapshot snapshot;
   if (stay_) {
     snapshot = this->snapshot(now_us);
@@ -123,7 +138,7 @@ void LiveSource::listen(const std::stop_token& stop) {
 }
 
 void LiveSource::stay_on_bus(const std::stop_token& stop) {
-  Bus bus(params_);
+  Bus bus(options_.bus);
   bus.subscribe_all([this](std::string_view channel, std::span<const std::uint8_t> bytes,
                            const Receipt& receipt) { hear(channel, bytes, receipt); });
   const auto say = [this](const std::string& reason) {
@@ -134,7 +149,7 @@ void LiveSource::stay_on_bus(const std::stop_token& stop) {
   {
     const std::lock_guard lock(mutex_);
     network_problem_.clear();
-    stay_.emplace(params_.prefix, host_monotonic_us());
+    stay_.emplace(options_.bus.prefix, host_monotonic_us());
   }
   std::int64_t counted_us = 0;
   while (!stop.stop_requested() && somebody_looks()) {

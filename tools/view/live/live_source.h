@@ -11,6 +11,8 @@
 
 #include "common/messaging/bus.h"
 #include "common/monitor/bus_monitor.h"
+#include "common/vision/geometry/puck_size_model.h"
+#include "tools/view/drawing/heat_map.h"
 #include "tools/view/interface/view_source.h"
 #include "tools/view/live/doctor_run.h"
 #include "tools/view/live/live_messages.h"
@@ -18,12 +20,19 @@
 
 namespace puck {
 
+/// What the live bus is looked at with.
+struct LiveOptions {
+  BusParams bus;
+  std::optional<PuckSizeModel> size_model;  ///< For the heat map.
+  std::string no_size_model;                ///< Why there is none, and what to do.
+};
+
 /// The live bus, as a subscriber that publishes nothing. Is on the bus only while somebody looks
 /// and for 10 s more; without a viewer it costs nothing.
 class LiveSource : public ViewSource {
  public:
   /// Throws BusError for a malformed URL, prefix or key.
-  explicit LiveSource(const BusParams& params);
+  explicit LiveSource(LiveOptions options);
 
   bool fill(const PictureWishes& wishes, ViewScene& scene) override;
   ViewState state(Timestamp since, std::int64_t run) override;
@@ -54,8 +63,7 @@ class LiveSource : public ViewSource {
   BusSnapshot snapshot(std::int64_t now_us);  // Under mutex_.
   void changed();
 
-  BusParams params_;
-  std::string url_;
+  LiveOptions options_;
   DoctorRun doctor_;
   // Relaxed: only tells that something is to be done; the data is behind the mutex.
   std::atomic<std::uint64_t> version_{1};
@@ -64,6 +72,8 @@ class LiveSource : public ViewSource {
   std::condition_variable_any news_;  // Of a viewer, or of a changed version.
   std::optional<Stay> stay_;          // Guarded by mutex_.
   std::string network_problem_;       // Guarded by mutex_.
+  std::mutex heat_mutex_;
+  std::optional<HeatMap> heat_map_;  // Guarded by heat_mutex_.
   std::jthread thread_;
 };
 

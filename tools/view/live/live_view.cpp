@@ -38,6 +38,7 @@ void LiveView::take(const EventPacketView& packet, std::int64_t now_us) {
   events_heard_us_ = now_us;
   unpack(packet, packet_);
   events_.update(packet_);
+  surface_.update(packet_, now_us);
   time_ = std::max(time_, newest);
   chart_.add_events(newest, packet.count);
 }
@@ -66,7 +67,7 @@ void LiveView::take(const ground_truth_t& message, std::int64_t now_us) {
   table_.take(message, now_us);
 }
 
-bool LiveView::fill(const PictureWishes& wishes, std::int64_t now_us, ViewScene& scene) const {
+bool LiveView::fill(const PictureWishes& wishes, std::int64_t now_us, ViewScene& scene) {
   if (!is_known(sensor_)) return false;
   scene.sensor = sensor_;
   scene.time = time_;
@@ -77,7 +78,11 @@ bool LiveView::fill(const PictureWishes& wishes, std::int64_t now_us, ViewScene&
     scene.no_table = "no puck-bridge publishes on this bus: start it to see the table";
     return true;
   }
-  if (wishes.backdrop == PictureWishes::Backdrop::kEvents) scene.events = events_;
+  if (wishes.backdrop == PictureWishes::Backdrop::kEvents) {
+    scene.events = events_;
+  } else {
+    surface_.fill(scene, now_us);
+  }
   scene.tracks[0].name = kTrackName;
   scene.tracks[0].estimate = estimate_;
   scene.tracks[0].trail.assign(trail_.begin(), trail_.end());
@@ -113,6 +118,7 @@ void LiveView::begin_run(SensorSize sensor) {
   ++run_;
   sensor_ = sensor;
   events_.reset(sensor);
+  surface_.reset(sensor);
   time_ = {};
   estimate_.reset();
   trail_.clear();

@@ -14,6 +14,7 @@
 #include "tools/view/interface/view_state.h"
 #include "tools/view/live/latency_window.h"
 #include "tools/view/live/live_chart.h"
+#include "tools/view/live/live_surface.h"
 #include "tools/view/live/live_table.h"
 
 namespace puck {
@@ -29,8 +30,9 @@ class LiveView {
   void take(const arm_state_t& message, std::int64_t now_us) { table_.take(message, now_us); }
   void take(const game_state_t& message, std::int64_t now_us) { table_.take(message, now_us); }
 
-  /// Fills what the wishes ask for; false while no camera and no tracker told the sensor's size.
-  bool fill(const PictureWishes& wishes, std::int64_t now_us, ViewScene& scene) const;
+  /// Fills all but `heat`; for a heat map, `surface`. False while no camera and no tracker told the
+  /// sensor's size.
+  bool fill(const PictureWishes& wishes, std::int64_t now_us, ViewScene& scene);
 
   /// Fills in all but source, services, channels and messages. Samples as ViewSource::state().
   void add_to(ViewState& state, Timestamp since, std::int64_t run, std::int64_t now_us) const;
@@ -56,6 +58,7 @@ class LiveView {
   NewestEvents events_;
   std::optional<PuckEstimate> estimate_;
   std::deque<ViewTrack::TrailPoint> trail_;
+  LiveSurface surface_;
   LiveChart chart_;
   LiveTable table_;
   LatencyWindow packet_to_estimate_{"packet to estimate"};
