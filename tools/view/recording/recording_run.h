@@ -52,6 +52,8 @@ class RecordingRun {
   /// Time up to which all events are shown.
   Timestamp now() const { return now_; }
   Timestamp first() const { return recording_.first(); }
+  /// As EventReader::share_read.
+  std::optional<double> share_read() const { return events_->share_read(); }
   /// Increases with each start.
   std::int64_t run() const { return run_; }
 

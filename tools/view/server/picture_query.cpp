@@ -1,11 +1,11 @@
 #include "tools/view/server/picture_query.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <string>
 #include <string_view>
-#include <utility>
+
+#include "tools/view/interface/layer_names.h"
 
 namespace puck {
 namespace {
@@ -14,27 +14,16 @@ namespace {
 constexpr int kMostWidth_px = 2560;
 constexpr int kMostHeight_px = 1440;
 
-using Layers = PictureWishes::Layers;
-constexpr std::array<std::pair<std::string_view, bool Layers::*>, 8> kLayers{
-    {{"regions", &Layers::regions},
-     {"ellipse", &Layers::ellipse},
-     {"velocity", &Layers::velocity},
-     {"covariance", &Layers::covariance},
-     {"trail", &Layers::trail},
-     {"truth", &Layers::truth},
-     {"words", &Layers::words},
-     {"legend", &Layers::legend}}};
-
 std::string_view value_of(const HttpRequest& request, std::string_view key) {
   const auto found = request.query.find(key);
   return found == request.query.end() ? std::string_view{} : std::string_view(found->second);
 }
 
-void hide(std::string_view names, Layers& layers) {
+void hide(std::string_view names, PictureWishes::Layers& layers) {
   while (!names.empty()) {
     const std::string_view name = names.substr(0, names.find(','));
     names.remove_prefix(std::min(name.size() + 1, names.size()));
-    for (const auto& [known, layer] : kLayers) {
+    for (const auto& [known, layer] : kLayerNames) {
       if (known == name) layers.*layer = false;
     }
   }
