@@ -103,6 +103,7 @@ const std::map<std::string, Parts> kAllowed{
      {"posix", "events", "vision/geometry", "vision/contour", "vision/hypotheses", "table",
       "motion"}},
     {"messaging", {"posix", "events", "vision/geometry", "vision/interfaces", "table"}},
+    {"monitor", {"messaging"}},
     {"recording", {"events", "vision/geometry", "io", "messaging"}},
     {"trackers", {"events", "vision", "baselines", "io"}},
     {"play", {"events", "vision", "table", "messaging"}},

@@ -1,12 +1,16 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "tools/command_line/run_tool.h"
+#include "tools/view/live/live_source.h"
 #include "tools/view/output/picture_files.h"
 #include "tools/view/recording/opened_recording.h"
+#include "tools/view/recording/recording_source.h"
+#include "tools/view/server/serve.h"
 #include "tools/view/view_options.h"
 
 namespace puck {
@@ -26,6 +30,19 @@ int write_files(const ViewOptions& options) {
   return 0;
 }
 
+int serve_page(const ViewOptions& options) {
+  if (options.recording.recording.empty()) {
+    LiveSource source(live_options(options));
+    serve(source, options.listen);
+    return 0;
+  }
+  auto recording = std::make_unique<OpenedRecording>(recording_options(options));
+  const auto trackers = trackers_of(options, *recording);
+  RecordingSource source(std::move(recording), trackers, true);
+  serve(source, options.listen);
+  return 0;
+}
+
 }  // namespace
 }  // namespace puck
 
@@ -33,5 +50,7 @@ int main(int argc, char** argv) {
   CLI::App app("Shows events, surface, track and game of a recording or of the live bus.");
   puck::ViewOptions options;
   puck::add_options(app, options);
-  return puck::run_tool(app, argc, argv, "puck-view", [&] { return puck::write_files(options); });
+  return puck::run_tool(app, argc, argv, "puck-view", [&] {
+    return options.has_pictures() ? puck::write_files(options) : puck::serve_page(options);
+  });
 }

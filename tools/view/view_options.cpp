@@ -8,29 +8,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/io/size_model_file.h"
 #include "common/trackers/tracker_setup.h"
 #include "tools/command_line/event_file_options.h"
 #include "tools/command_line/number_range.h"
+#include "tools/view/interface/layer_names.h"
 
 namespace puck {
 namespace {
 
 constexpr double kLongest_s = 1e6;
-
-// Marks that can be hidden, and their switches.
-struct LayerName {
-  const char* name;
-  bool PictureWishes::Layers::*shown;
-};
-constexpr std::array<LayerName, 9> kLayers{{{"regions", &PictureWishes::Layers::regions},
-                                            {"ellipse", &PictureWishes::Layers::ellipse},
-                                            {"velocity", &PictureWishes::Layers::velocity},
-                                            {"covariance", &PictureWishes::Layers::covariance},
-                                            {"trail", &PictureWishes::Layers::trail},
-                                            {"truth", &PictureWishes::Layers::truth},
-                                            {"close-up", &PictureWishes::Layers::close_up},
-                                            {"words", &PictureWishes::Layers::words},
-                                            {"legend", &PictureWishes::Layers::legend}}};
 
 std::function<void(const double&)> seconds_into(std::int64_t& time_us) {
   return [&time_us](double seconds) { time_us = std::llround(seconds * 1e6); };
@@ -56,7 +43,7 @@ void add_recording_options(CLI::App& app, ViewOptions& options) {
          [&](double milliseconds) { recording.truth_gap_us = std::llround(milliseconds * 1e3); },
          "between rows of the truth that are farther apart there is none (default 10)")
       ->check(number_range(0, 1e6));
-  app.add_option("--prefix", recording.prefix, "prefix of the channels");
+  app.add_option("--prefix", recording.prefix, "prefix of the channels of a log or of the bus");
   add_event_filter_options(app, options.filter);
   add_event_file_options(app, recording.file);
 }
@@ -95,7 +82,7 @@ void add_picture_options(CLI::App& app, ViewOptions& options) {
       ->check(number_range(static_cast<double>(PictureWishes::kShortestWindow_us) * 1e-3,
                            static_cast<double>(PictureWishes::kLongestWindow_us) * 1e-3));
   std::vector<std::string> names;
-  for (const LayerName& layer : kLayers) names.emplace_back(layer.name);
+  for (const auto& layer : kLayerNames) names.emplace_back(layer.first);
   app.add_option("--hide", options.hidden, "marks to leave out")
       ->delimiter(',')
       ->check(CLI::IsMember(names));
@@ -132,6 +119,12 @@ void add_options(CLI::App& app, ViewOptions& options) {
       "recording of any format in docs/formats.md, or LCM log; without it, the live bus");
   add_recording_options(app, options);
   add_picture_options(app, options);
+  app.add_option("--listen", options.listen,
+                 "address and port of the page; on any other than this machine's own, it needs the "
+                 "token in the printed URL")
+      ->type_name("ADDRESS:PORT")
+      ->capture_default_str();
+  add_bus_options(app, options.bus);
 }
 
 RecordingOptions recording_options(const ViewOptions& options) {
@@ -141,6 +134,18 @@ RecordingOptions recording_options(const ViewOptions& options) {
     recording.detection_region = parse_region(options.detection_region);
   }
   return recording;
+}
+
+LiveOptions live_options(const ViewOptions& options) {
+  LiveOptions live{.bus = bus_params(options.bus)};
+  if (!options.recording.prefix.empty()) live.bus.prefix = options.recording.prefix;
+  try {
+    live.size_model = read_size_model_file(find_calibration({}, options.recording.size_model));
+  } catch (const std::exception& error) {
+    if (!options.recording.size_model.empty()) throw;
+    live.no_size_model = error.what();
+  }
+  return live;
 }
 
 std::array<std::string, kViewSides> trackers_of(const ViewOptions& options,
@@ -165,11 +170,9 @@ PictureFiles picture_files(const ViewOptions& options,
   }
   PictureWishes look = options.look;
   if (options.is_light) look.theme = PictureWishes::Theme::kLight;
-  for (const LayerName& layer : kLayers) {
+  for (const auto& [name, shown] : kLayerNames) {
     const auto& hidden = options.hidden;
-    if (std::find(hidden.begin(), hidden.end(), layer.name) != hidden.end()) {
-      look.layers.*layer.shown = false;
-    }
+    if (std::find(hidden.begin(), hidden.end(), name) != hidden.end()) look.layers.*shown = false;
   }
   for (int side = 0; side < kViewSides; ++side) {
     // Without any tracker there are still the events.

@@ -7,7 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/command_line/bus_options.h"
 #include "tools/command_line/event_filter_options.h"
+#include "tools/view/live/live_source.h"
 #include "tools/view/output/picture_files.h"
 #include "tools/view/recording/opened_recording.h"
 
@@ -21,6 +23,8 @@ struct ViewOptions {
   std::vector<std::string> trackers;  ///< Of the sides; empty: chosen by the recording.
   PictureFiles files;
   double speed = 1;
+  std::string listen = "127.0.0.1:8080";
+  BusOptions bus;      ///< Without the prefix, which is the recording's.
   PictureWishes look;  ///< What all pictures have in common.
   std::vector<std::string> shown{"events"};
   std::vector<std::string> hidden;  ///< Names of layers.
@@ -35,6 +39,9 @@ void add_options(CLI::App& app, ViewOptions& options);
 
 /// The options after the parsing, with their files read. Throws with a one-line message.
 RecordingOptions recording_options(const ViewOptions& options);
+
+/// For the live bus. Throws with a one-line message.
+LiveOptions live_options(const ViewOptions& options);
 
 /// The trackers of the two sides: those named, else a log's own estimates, else preset default if
 /// there is a size model. Throws std::invalid_argument for more than two.

@@ -28,6 +28,8 @@ struct PictureWishes {
     bool close_up = true;  ///< The puck enlarged in a corner, where it is small.
     bool words = true;     ///< Time, state, speed and error in the picture's corners.
     bool legend = true;
+
+    bool operator==(const Layers&) const = default;
   };
 
   static constexpr std::int64_t kShortestWindow_us = 100;
@@ -44,6 +46,8 @@ struct PictureWishes {
   /// Size of the picture, px; the sensor or table fills it as far as its shape allows.
   int width_px = 960;
   int height_px = 720;
+
+  bool operator==(const PictureWishes&) const = default;
 };
 
 }  // namespace puck
