@@ -180,10 +180,11 @@ void CameraPicture::draw_backdrop(const ViewScene& scene, const PictureWishes& w
       draw_heat(scene.heat, pixels_);
       break;
   }
-  // Whole squares where they are large enough to be seen; else without lost or uneven pixels.
-  const int method = frame.scale >= 2   ? cv::INTER_NEAREST
-                     : frame.scale >= 1 ? cv::INTER_LINEAR
-                                        : cv::INTER_AREA;
+  // Whole squares where they are large enough to be seen; else no pixel is left out. INTER_LINEAR,
+  // which is faster than INTER_AREA, reaches every pixel down to half of the size.
+  const int method = frame.scale >= 2     ? cv::INTER_NEAREST
+                     : frame.scale >= 0.5 ? cv::INTER_LINEAR
+                                          : cv::INTER_AREA;
   cv::resize(pixels_, enlarged_, frame.size_px, 0, 0, method);
   enlarged_.copyTo(picture(frame.rect()));
 }
