@@ -22,6 +22,18 @@ constexpr int kBottomBar_px = 26;
 constexpr double kText_px = 11;
 constexpr double kLegend_px = 9;
 constexpr double kGap_px = 22;
+constexpr double kSide_px = 12;
+// Width of a sample of the legend, with the gap behind it.
+constexpr double kSample_px = 18;
+
+// Of the shorter side of the sensor's picture.
+constexpr double kCloseUpShare = 0.3;
+// Extent of the close-up, in lengths of the puck's longer axis.
+constexpr double kCloseUpSizes = 1.5;
+constexpr double kLeastPuck_px = 4;
+// Less enlarged, it would tell nothing new.
+constexpr double kLeastZoom = 2;
+constexpr int kMargin_px = 10;
 
 std::string number_words(const char* format, double value) {
   char text[60];
@@ -48,7 +60,7 @@ void write_bar(const ViewScene& scene, const PictureWishes& wishes, Canvas& canv
       words.emplace_back(number_words("score %.2f", track.estimate->score), palette.quiet);
     }
   }
-  double x = 12;
+  double x = kSide_px;
   for (const auto& [text, colour] : words) {
     const double text_px = Canvas::text_width(text, kText_px);
     if (x + text_px > width_px) return;
@@ -83,15 +95,17 @@ std::vector<LegendEntry> legend_of(const ViewScene& scene, const PictureWishes& 
       entries.push_back({Sample::kSquare, palette.brighter, "like a puck"});
       break;
   }
-  if (!scene.tracks[static_cast<std::size_t>(wishes.side)].name.empty()) {
+  const ViewTrack& track = scene.tracks[static_cast<std::size_t>(wishes.side)];
+  if (!track.name.empty()) {
     if (layers.ellipse) entries.push_back({Sample::kRing, palette.estimate, "estimate"});
     if (layers.velocity) {
       entries.push_back(
-          {Sample::kArrow, palette.estimate, number_words("%.0f ms ahead", kArrow_s * 1e3)});
+          {Sample::kArrow, palette.estimate, number_words("in %.0f ms", kArrow_s * 1e3)});
     }
     if (layers.covariance) entries.push_back({Sample::kRing, palette.covariance, "2 sigma"});
-    if (layers.trail) entries.push_back({Sample::kLine, palette.trail, "1 s"});
-    if (layers.regions) entries.push_back({Sample::kDashes, palette.region, "region"});
+    if (layers.trail) entries.push_back({Sample::kLine, palette.trail, "trail, 1 s"});
+    if (layers.regions && has_region(track, scene.sensor))
+      entries.push_back({Sample::kDashes, palette.region, "region"});
   }
   if (layers.truth && scene.truth) entries.push_back({Sample::kRing, palette.truth, "truth"});
   return entries;
@@ -119,15 +133,23 @@ void draw_sample(const LegendEntry& entry, double x, double y, Canvas& canvas) {
   }
 }
 
+// Nearer together where there is little room; what does not fit is left out.
 void draw_legend(const ViewScene& scene, const PictureWishes& wishes, Canvas& canvas, int width_px,
                  double y) {
-  double x = 12;
-  for (const LegendEntry& entry : legend_of(scene, wishes)) {
+  const std::vector<LegendEntry> entries = legend_of(scene, wishes);
+  double total_px = 2 * kSide_px;
+  for (const LegendEntry& entry : entries) {
+    total_px += kSample_px + Canvas::text_width(entry.words, kLegend_px);
+  }
+  const double gap_px = std::clamp((width_px - total_px) / static_cast<double>(entries.size()),
+                                   kGap_px / 4, kGap_px);
+  double x = kSide_px;
+  for (const LegendEntry& entry : entries) {
     const double text_px = Canvas::text_width(entry.words, kLegend_px);
-    if (x + 18 + text_px > width_px) return;
+    if (x + kSample_px + text_px > width_px) return;
     draw_sample(entry, x, y, canvas);
-    canvas.text(entry.words, {x + 18, y}, kLegend_px, palette_of(wishes.theme).quiet);
-    x += 18 + text_px + kGap_px * 0.75;
+    canvas.text(entry.words, {x + kSample_px, y}, kLegend_px, palette_of(wishes.theme).quiet);
+    x += kSample_px + text_px + gap_px;
   }
 }
 
@@ -166,6 +188,44 @@ void CameraPicture::draw_backdrop(const ViewScene& scene, const PictureWishes& w
   enlarged_.copyTo(picture(frame.rect()));
 }
 
+void CameraPicture::draw_close_up(const ViewScene& scene, const PictureWishes& wishes,
+                                  const SensorFrame& frame, cv::Mat& inside) {
+  const auto& estimate = scene.tracks[static_cast<std::size_t>(wishes.side)].estimate;
+  if (!estimate || !estimate->position) return;
+  const Pixel puck = *estimate->position;
+  const double longest = std::max({estimate->size.width, estimate->size.height, kLeastPuck_px});
+  const int side_px =
+      static_cast<int>(kCloseUpShare * std::min(frame.size_px.width, frame.size_px.height));
+  const int zoom = static_cast<int>(side_px / (kCloseUpSizes * longest));
+  if (zoom < kLeastZoom * frame.scale) return;
+  const int shown = side_px / zoom;
+  const Region part = Region::around(puck, shown, shown);
+  const Region there = part.intersect(Region::all_of(scene.sensor));
+  if (there.empty()) return;
+
+  const Palette& palette = palette_of(wishes.theme);
+  close_up_.create(shown * zoom, shown * zoom, CV_8UC3);
+  close_up_.setTo(palette.bar);
+  cv::resize(pixels_({there.x, there.y, there.width, there.height}), enlarged_, {}, zoom, zoom,
+             cv::INTER_NEAREST);
+  enlarged_.copyTo(close_up_(
+      {cv::Point((there.x - part.x) * zoom, (there.y - part.y) * zoom), enlarged_.size()}));
+  PictureWishes marks = wishes;
+  marks.layers.trail = marks.layers.regions = false;
+  Canvas canvas(close_up_);
+  draw_track(scene, marks,
+             {.scale = static_cast<double>(zoom),
+              .origin = cv::Point2d(-part.x * zoom, -part.y * zoom),
+              .size_px = close_up_.size()},
+             canvas);
+  cv::rectangle(close_up_, {{0, 0}, close_up_.size()}, palette.quiet);
+  // In the corner that is farthest from the puck.
+  const cv::Point place(
+      puck.x < scene.sensor.width / 2.0 ? inside.cols - close_up_.cols - kMargin_px : kMargin_px,
+      puck.y < scene.sensor.height / 2.0 ? inside.rows - close_up_.rows - kMargin_px : kMargin_px);
+  close_up_.copyTo(inside({place, close_up_.size()}));
+}
+
 void CameraPicture::draw(const ViewScene& scene, const PictureWishes& wishes, cv::Mat& picture) {
   const Palette& palette = palette_of(wishes.theme);
   const int top = wishes.layers.words ? kTopBar_px : 0;
@@ -173,19 +233,23 @@ void CameraPicture::draw(const ViewScene& scene, const PictureWishes& wishes, cv
   const cv::Rect part(0, top, picture.cols, std::max(1, picture.rows - top - bottom));
   const SensorFrame frame = SensorFrame::inside(part, scene.sensor);
   Canvas canvas(picture);
+  // Beside the sensor.
+  picture.setTo(palette.bar);
   if (scene.no_backdrop.empty()) {
     draw_backdrop(scene, wishes, frame, picture);
   } else {
+    picture(frame.rect()).setTo(palette.background);
     canvas.text(scene.no_backdrop,
                 {picture.cols / 2.0, frame.origin.y + frame.size_px.height / 2.0}, kText_px,
                 palette.words, Canvas::Align::kMiddle);
   }
   // The marks end at the sensor's border.
   cv::Mat inside = picture(frame.rect());
-  SensorFrame own = frame;
-  own.origin = {};
   Canvas marks(inside);
-  draw_track(scene, wishes, own, marks);
+  draw_track(scene, wishes, {.scale = frame.scale, .size_px = frame.size_px}, marks);
+  if (wishes.layers.close_up && scene.no_backdrop.empty()) {
+    draw_close_up(scene, wishes, frame, inside);
+  }
   if (top > 0) {
     cv::rectangle(picture, {0, 0, picture.cols, top}, palette.bar, cv::FILLED);
     write_bar(scene, wishes, canvas, picture.cols);

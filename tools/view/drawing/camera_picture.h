@@ -35,9 +35,13 @@ class CameraPicture {
  private:
   void draw_backdrop(const ViewScene& scene, const PictureWishes& wishes, const SensorFrame& frame,
                      cv::Mat& picture);
+  // In a corner of the sensor's part of the picture.
+  void draw_close_up(const ViewScene& scene, const PictureWishes& wishes, const SensorFrame& frame,
+                     cv::Mat& inside);
 
-  cv::Mat pixels_;
+  cv::Mat pixels_;  // One for each of the sensor's.
   cv::Mat enlarged_;
+  cv::Mat close_up_;
 };
 
 }  // namespace puck

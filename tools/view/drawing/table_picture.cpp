@@ -35,9 +35,12 @@ class TableDrawing {
         canvas_(picture),
         part_(0, kScoreBar_px, picture.cols, std::max(1, picture.rows - kScoreBar_px)) {
     const TableGeometry& g = table.geometry;
-    scale_ = std::min(part_.width / (g.length_m + 2 * kMargin_m),
-                      part_.height / (g.width_m + 2 * kMargin_m));
-    origin_ = {part_.x + (part_.width - g.length_m * scale_) / 2, part_.y + part_.height / 2.0};
+    is_upright_ = part_.height > part_.width;
+    const double across = is_upright_ ? g.width_m : g.length_m;
+    const double down = is_upright_ ? g.length_m : g.width_m;
+    scale_ =
+        std::min(part_.width / (across + 2 * kMargin_m), part_.height / (down + 2 * kMargin_m));
+    middle_ = {part_.x + part_.width / 2.0, part_.y + part_.height / 2.0};
   }
 
   void draw() {
@@ -51,7 +54,9 @@ class TableDrawing {
 
  private:
   cv::Point2d at(TablePoint place) const {
-    return {origin_.x + place.x_m * scale_, origin_.y - place.y_m * scale_};
+    const double along = (place.x_m - table_.geometry.length_m / 2) * scale_;
+    const double left = place.y_m * scale_;
+    return is_upright_ ? middle_ - cv::Point2d(left, along) : middle_ + cv::Point2d(along, -left);
   }
   void ring(TablePoint place, const cv::Scalar& colour, int width_px, bool doubtful) {
     const double r = table_.geometry.puck_radius_m * scale_;
@@ -184,7 +189,8 @@ class TableDrawing {
   Canvas canvas_;
   cv::Rect part_;
   double scale_ = 1;
-  cv::Point2d origin_;
+  bool is_upright_ = false;
+  cv::Point2d middle_;
 };
 
 }  // namespace

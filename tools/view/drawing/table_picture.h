@@ -7,7 +7,8 @@
 
 namespace puck {
 
-/// Draws the table from above, the robot's end at the left: the puck, its predicted path with two
+/// Draws the table from above, the robot's end at the left, or at the bottom of a picture that is
+/// higher than wide: the puck, its predicted path with two
 /// standard deviations, the crossing of the robot's line, the mallet, truth, and the score. A
 /// coasting puck is dashed; without a track the picture says so. `picture` has its size and the
 /// palette's background.

@@ -43,7 +43,6 @@ struct Marks {
 
 void draw_region(const Marks& marks, const PuckEstimate& estimate) {
   const Region& region = estimate.region;
-  if (region.empty() || region == Region::all_of(marks.scene.sensor)) return;
   const double left = region.x - 0.5;
   const double top = region.y - 0.5;
   Stroke stroke = marks.stroke(marks.palette.region, 1);
@@ -136,7 +135,7 @@ void draw_absence(const Marks& marks, const PuckEstimate& estimate) {
     if (!(size.width > 0 && size.height > 0))
       size = {16 / marks.frame.scale, 16 / marks.frame.scale};
     marks.canvas.ellipse(marks.frame.at(*seen->position), marks.axes(size), 0,
-                         marks.stroke(marks.palette.doubt, 1, true));
+                         marks.stroke(marks.palette.doubt, 2, true));
     write_word(marks, *seen->position, size);
   }
 }
@@ -157,6 +156,11 @@ void draw_puck(const Marks& marks, const PictureWishes::Layers& layers,
 
 bool is_doubtful(const PuckEstimate& estimate) {
   return estimate.state != TrackState::kTracking || estimate.coasting;
+}
+
+bool has_region(const ViewTrack& track, SensorSize sensor) {
+  return track.estimate && !track.estimate->region.empty() &&
+         track.estimate->region != Region::all_of(sensor);
 }
 
 std::string state_words(const ViewTrack& track, Timestamp now) {
@@ -192,7 +196,7 @@ void draw_track(const ViewScene& scene, const PictureWishes& wishes, const Senso
   const PictureWishes::Layers& layers = wishes.layers;
   const Marks marks{scene, track, frame, palette_of(wishes.theme), canvas};
   const bool has_track = !track.name.empty() && track.estimate;
-  if (has_track && layers.regions) draw_region(marks, *track.estimate);
+  if (layers.regions && has_region(track, scene.sensor)) draw_region(marks, *track.estimate);
   if (has_track && layers.trail) draw_trail(marks);
   if (has_track && track.estimate->position) {
     draw_puck(marks, layers, *track.estimate);

@@ -17,6 +17,9 @@ std::string state_words(const ViewTrack& track, Timestamp now);
 /// Whether the track is not believed: not `tracking`, or coasting.
 bool is_doubtful(const PuckEstimate& estimate);
 
+/// Whether there is a region smaller than the image.
+bool has_region(const ViewTrack& track, SensorSize sensor);
+
 /// Error of the estimate against truth, px; empty without one of the two, or while the puck is
 /// hidden.
 std::optional<double> error_px(const ViewTrack& track, const std::optional<TruthRow>& truth);

@@ -25,7 +25,8 @@ struct PictureWishes {
     bool covariance = true;  ///< Ellipse of two standard deviations of the position.
     bool trail = true;       ///< Positions of the last second.
     bool truth = true;
-    bool words = true;  ///< Time, state, speed and error in the picture's corners.
+    bool close_up = true;  ///< The puck enlarged in a corner, where it is small.
+    bool words = true;     ///< Time, state, speed and error in the picture's corners.
     bool legend = true;
 
     bool operator==(const Layers&) const = default;
