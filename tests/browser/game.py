@@ -66,7 +66,11 @@ class Game:
         self._start("logger", "--set", f"logger.path={self.log}")
         for name in ("tracker", "bridge", "arm"):
             self._start(name)
-        self._start("camera", "--set", "simulation.seed=7")
+        self._start("camera", "--set", "simulation.world.seed=7")
+        time.sleep(1)
+        for service in self.services:
+            if service.process.poll() is not None:
+                raise AssertionError(service.text())
         return self
 
     def _start(self, name, *options):
