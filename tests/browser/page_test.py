@@ -102,6 +102,7 @@ class RecordedPage(PageCase):
     def settle(self, seconds):
         """Paused at this time."""
         self.control(action="pause")
+        self.control(action="tracker", side=1, name="off")
         self.control(action="seek", value=seconds)
         end = time.monotonic() + 30
         while True:

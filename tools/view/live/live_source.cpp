@@ -164,9 +164,16 @@ void LiveSource::stay_on_bus(const std::stop_token& stop) {
 
 void LiveSource::hear(std::string_view channel, std::span<const std::uint8_t> bytes,
                       const Receipt& receipt) {
+  if (is_of_doctor(channel, bytes)) return;
   const std::lock_guard lock(mutex_);
   const auto type = stay_->monitor.hear(channel, bytes, receipt);
   if (type) take(*type, bytes, receipt.monotonic_us, stay_->view);
+}
+
+bool LiveSource::is_of_doctor(std::string_view channel, std::span<const std::uint8_t> bytes) const {
+  if (find_channel(channel, options_.bus.prefix) != Channel::kStatus) return false;
+  service_status_t status;
+  return !decode(bytes, status) && status.service == kDoctorProgram;
 }
 
 void LiveSource::keep_counters(const Bus& bus) {

@@ -59,6 +59,8 @@ class LiveSource : public ViewSource {
   void listen(const std::stop_token& stop);
   void stay_on_bus(const std::stop_token& stop);
   void hear(std::string_view channel, std::span<const std::uint8_t> bytes, const Receipt& receipt);
+  /// puck-doctor tests itself on the bus: that is no sign of life.
+  bool is_of_doctor(std::string_view channel, std::span<const std::uint8_t> bytes) const;
   void keep_counters(const Bus& bus);
   BusSnapshot snapshot(std::int64_t now_us);  // Under mutex_.
   void changed();
