@@ -52,13 +52,18 @@ class View(Child):
         self.port = int(re.search(r":(\d+)/", self.url)[1])
 
 
+def free_bus():
+    """The URL of a bus on this machine that nobody else is on, most likely."""
+    port = random.randrange(20000, 32000)
+    return f"udpm://239.255.76.67:{port}?ttl=0&recv_buf_size=4194304"
+
+
 class Game:
     """A game through all services on a bus of its own, recorded. Use it in a `with` statement."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        port = random.randrange(20000, 32000)
-        self.bus = f"udpm://239.255.76.67:{port}?ttl=0&recv_buf_size=4194304"
+        self.bus = free_bus()
         self.log = self.folder / "game.lcm"
 
     def __enter__(self):
