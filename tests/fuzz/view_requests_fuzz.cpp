@@ -38,7 +38,9 @@ class StillSource : public ViewSource {
   }
 
   bool fill(const PictureWishes& wishes, ViewScene& scene) override {
-    return view_.fill(wishes, 1, scene);
+    if (!view_.fill(wishes, 1, scene)) return false;
+    if (wishes.backdrop == PictureWishes::Backdrop::kHeatMap) scene.no_backdrop = "no size model";
+    return true;
   }
   ViewState state(Timestamp since, std::int64_t run) override {
     ViewState state;
