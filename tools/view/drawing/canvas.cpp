@@ -14,6 +14,7 @@ constexpr int kShift = 4;
 constexpr double kUnitsPerPx = 1 << kShift;
 // Farther marks are cut off by hand: OpenCV's positions have 32 bits.
 constexpr double kFarthest_px = 1e5;
+constexpr double kRound_px = 2.5;
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 // Height of the font's capitals at scale 1, px.
 constexpr double kFontHeight_px = 21;
@@ -52,7 +53,8 @@ std::vector<std::vector<cv::Point2d>> dashes_of(const std::vector<cv::Point2d>& 
         dashes.push_back({at});
       }
       draws = !draws;
-      left_px = dash_px;
+      // The pen is round: it lengthens the dashes.
+      left_px = draws ? dash_px : dash_px + kRound_px;
     }
     left_px -= length_px - done_px;
     if (draws) dashes.back().push_back(from + way);

@@ -134,10 +134,11 @@ int write_pictures(const OpenedRecording& recording,
     at = at + files.every_us;
   }
   if (written == 0) {
-    throw std::invalid_argument(
-        "the recording ends at " +
-        std::to_string(static_cast<double>(run.now() - run.first()) * 1e-6) +
-        " s: there is no picture from --start on");
+    char text[100];
+    std::snprintf(text, sizeof text,
+                  "the recording ends at %.3f s: there is no picture from --start on",
+                  static_cast<double>(run.now() - run.first()) * 1e-6);
+    throw std::invalid_argument(text);
   }
   return written;
 }
