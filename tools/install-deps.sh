@@ -19,7 +19,7 @@ packages=(
   hdf5-filter-plugin-blosc-serial libdeflate-dev libhdf5-dev liblz4-dev libzstd-dev
   nlohmann-json3-dev pkg-config python3 python3-matplotlib zlib1g-dev
 )
-if [ "${1-}" = --browser ]; then packages+=(chromium chromium-driver); fi
+if [ "${1-}" = --browser ]; then packages+=(chromium chromium-driver python3-pil); fi
 # With Docker, the container tests need Compose.
 if command -v docker >/dev/null && ! command -v docker-compose >/dev/null &&
   ! docker compose version >/dev/null 2>&1; then

@@ -286,6 +286,8 @@ class LivePage(PageCase):
     def test_a_silent_bus_is_told_as_puck_doctor_tells_it_and_a_game_appears(self):
         with Browser() as browser:
             browser.open(self.view.url)
+            browser.wait("return document.querySelector('#messages button')")
+            browser.press("m")
             browser.wait("return document.getElementById('messages').textContent"
                          ".includes('services: no STATUS of any service')", seconds=30)
             with self.game:
