@@ -97,11 +97,16 @@ function frame(context, box, colour, name, parts) {
   context.strokeRect(box.x + 0.5, box.y + 0.5, box.width - 1, box.height - 1);
 }
 
+// The highest and the lowest value, legible on top of the lines.
 function limits(context, box, colour, values, text) {
-  context.fillStyle = colour.quiet;
   context.textAlign = 'left';
-  context.fillText(text(values[1]), box.x + 3, box.y + 11);
-  context.fillText(text(values[0]), box.x + 3, box.y + box.height - 3);
+  for (const [value, y] of [[values[1], box.y + 11], [values[0], box.y + box.height - 3]]) {
+    const words = text(value);
+    context.fillStyle = colour.background;
+    context.fillRect(box.x + 1, y - 9, context.measureText(words).width + 4, 11);
+    context.fillStyle = colour.quiet;
+    context.fillText(words, box.x + 3, y);
+  }
 }
 
 const newest = (column) => (column.length ? column.at(-1) : null);
