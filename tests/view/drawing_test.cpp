@@ -213,6 +213,18 @@ TEST_CASE("the heat map and the surface fill the picture") {
   CHECK(is_dark(at(paint(scene, wishes), 60, 60)));
 }
 
+TEST_CASE("a backdrop that the source has not filled leaves its place empty") {
+  ViewScene scene = scene_with(tracked_puck({100, 80}));
+  scene.events.reset({});
+  for (const auto backdrop : {PictureWishes::Backdrop::kEvents, PictureWishes::Backdrop::kSurface,
+                              PictureWishes::Backdrop::kHeatMap}) {
+    PictureWishes wishes = bare_wishes();
+    wishes.layers.close_up = true;
+    wishes.backdrop = backdrop;
+    CHECK(bright_share(paint(scene, wishes), {100, 80}, {60, 40}) > 0.98);
+  }
+}
+
 TEST_CASE("the table shows the puck at its place, lying or upright") {
   ViewScene scene = empty_scene();
   scene.table.emplace();

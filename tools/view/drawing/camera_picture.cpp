@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -153,6 +154,22 @@ void draw_legend(const ViewScene& scene, const PictureWishes& wishes, Canvas& ca
   }
 }
 
+// Whether the source has filled the backdrop, of the sensor's size.
+bool is_filled(const ViewScene& scene, PictureWishes::Backdrop backdrop) {
+  const auto fits = [&](const Image<std::uint8_t>& image) {
+    return image.width() == scene.sensor.width && image.height() == scene.sensor.height;
+  };
+  switch (backdrop) {
+    case PictureWishes::Backdrop::kEvents:
+      return scene.events.sensor() == scene.sensor;
+    case PictureWishes::Backdrop::kSurface:
+      return fits(scene.surface);
+    case PictureWishes::Backdrop::kHeatMap:
+      return fits(scene.heat);
+  }
+  return false;
+}
+
 }  // namespace
 
 SensorFrame SensorFrame::inside(const cv::Rect& part, SensorSize sensor) {
@@ -180,13 +197,13 @@ void CameraPicture::draw_backdrop(const ViewScene& scene, const PictureWishes& w
       draw_heat(scene.heat, pixels_);
       break;
   }
-  // Whole squares where they are large enough to be seen; else no pixel is left out. INTER_LINEAR,
-  // which is faster than INTER_AREA, reaches every pixel down to half of the size.
-  const int method = frame.scale >= 2     ? cv::INTER_NEAREST
+  // No pixel is left out: INTER_LINEAR, which is faster than INTER_AREA, reaches every one down to
+  // half of the size.
+  const int method = frame.scale >= 1     ? cv::INTER_NEAREST
                      : frame.scale >= 0.5 ? cv::INTER_LINEAR
                                           : cv::INTER_AREA;
-  cv::resize(pixels_, enlarged_, frame.size_px, 0, 0, method);
-  enlarged_.copyTo(picture(frame.rect()));
+  cv::Mat place = picture(frame.rect());
+  cv::resize(pixels_, place, frame.size_px, 0, 0, method);
 }
 
 void CameraPicture::draw_close_up(const ViewScene& scene, const PictureWishes& wishes,
@@ -236,19 +253,20 @@ void CameraPicture::draw(const ViewScene& scene, const PictureWishes& wishes, cv
   Canvas canvas(picture);
   // Beside the sensor.
   picture.setTo(palette.bar);
-  if (scene.no_backdrop.empty()) {
+  const bool has_backdrop = scene.no_backdrop.empty() && is_filled(scene, wishes.backdrop);
+  if (has_backdrop) {
     draw_backdrop(scene, wishes, frame, picture);
   } else {
     picture(frame.rect()).setTo(palette.background);
-    canvas.text(scene.no_backdrop,
-                {picture.cols / 2.0, frame.origin.y + frame.size_px.height / 2.0}, kText_px,
-                palette.words, Canvas::Align::kMiddle);
+    canvas.paragraph(scene.no_backdrop,
+                     {picture.cols / 2.0, frame.origin.y + frame.size_px.height / 2.0},
+                     picture.cols - 2 * kSide_px, kText_px, palette.words);
   }
   // The marks end at the sensor's border.
   cv::Mat inside = picture(frame.rect());
   Canvas marks(inside);
   draw_track(scene, wishes, {.scale = frame.scale, .size_px = frame.size_px}, marks);
-  if (wishes.layers.close_up && scene.no_backdrop.empty()) {
+  if (wishes.layers.close_up && has_backdrop) {
     draw_close_up(scene, wishes, frame, inside);
   }
   if (top > 0) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include <opencv2/imgproc.hpp>
 
@@ -158,6 +159,25 @@ void Canvas::text(const std::string& words, cv::Point2d at, double height_px,
       picture_, words,
       {static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y + height_px / 2))},
       kFont, height_px / kFontHeight_px, colour, thickness_of(height_px), cv::LINE_AA);
+}
+
+void Canvas::paragraph(const std::string& words, cv::Point2d middle, double width_px,
+                       double height_px, const cv::Scalar& colour) {
+  std::vector<std::string> lines;
+  std::istringstream rest(words);
+  for (std::string word; rest >> word;) {
+    if (lines.empty() || text_width(lines.back() + " " + word, height_px) > width_px) {
+      lines.push_back(word);
+    } else {
+      lines.back() += " " + word;
+    }
+  }
+  const double step_px = 2 * height_px;
+  middle.y -= (static_cast<double>(lines.size()) - 1) / 2 * step_px;
+  for (const std::string& line : lines) {
+    text(line, middle, height_px, colour, Align::kMiddle);
+    middle.y += step_px;
+  }
 }
 
 void Canvas::label(const std::string& words, cv::Point2d at, double height_px,

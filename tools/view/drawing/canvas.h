@@ -37,7 +37,10 @@ class Canvas {
   enum class Align { kLeft, kMiddle, kRight };
   void text(const std::string& words, cv::Point2d at, double height_px, const cv::Scalar& colour,
             Align align = Align::kLeft);
-  /// The same on a filled box, moved so that it lies inside the picture.
+  /// Lines of whole words, as wide as allowed, around a middle.
+  void paragraph(const std::string& words, cv::Point2d middle, double width_px, double height_px,
+                 const cv::Scalar& colour);
+  /// A text on a filled box, moved so that it lies inside the picture.
   void label(const std::string& words, cv::Point2d at, double height_px, const cv::Scalar& colour,
              const cv::Scalar& box);
   static double text_width(const std::string& words, double height_px);

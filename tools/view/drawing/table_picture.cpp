@@ -48,8 +48,9 @@ class TableDrawing {
     draw_score();
     draw_path();
     draw_robot();
-    if (table_.truth) ring(*table_.truth, palette_.truth, 1, false);
     draw_puck();
+    // Above the estimate's thicker line, which it may equal.
+    if (table_.truth) ring(*table_.truth, palette_.truth, 1, false);
   }
 
  private:
@@ -200,8 +201,8 @@ void draw_table(const ViewScene& scene, const PictureWishes& wishes, cv::Mat& pi
     TableDrawing(*scene.table, wishes, picture).draw();
     return;
   }
-  Canvas(picture).text(scene.no_table, {picture.cols / 2.0, picture.rows / 2.0}, kNote_px,
-                       palette_of(wishes.theme).quiet, Canvas::Align::kMiddle);
+  Canvas(picture).paragraph(scene.no_table, {picture.cols / 2.0, picture.rows / 2.0},
+                            picture.cols - 2 * kNote_px, kNote_px, palette_of(wishes.theme).quiet);
 }
 
 }  // namespace puck
