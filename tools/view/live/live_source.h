@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -74,6 +75,7 @@ class LiveSource : public ViewSource {
   std::condition_variable_any news_;  // Of a viewer, or of a changed version.
   std::optional<Stay> stay_;          // Guarded by mutex_.
   std::string network_problem_;       // Guarded by mutex_.
+  std::size_t received_bytes_ = 0;    // In this step; thread_ only.
   std::mutex heat_mutex_;
   std::optional<HeatMap> heat_map_;  // Guarded by heat_mutex_.
   std::jthread thread_;
