@@ -1,7 +1,6 @@
 #include "common/trackers/tracker_setup.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <stdexcept>
 
@@ -15,9 +14,6 @@
 
 namespace puck {
 namespace {
-
-constexpr std::array kAlgorithms{Algorithm::kPuck, Algorithm::kCluster, Algorithm::kParticleFilter,
-                                 Algorithm::kParticleFilterEros};
 
 bool holds_size_model(const std::filesystem::path& path) {
   return std::filesystem::exists(path) && Config::from_file(path).has("size_model.width_0");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -16,6 +17,9 @@
 namespace puck {
 
 enum class Algorithm : std::uint8_t { kPuck, kCluster, kParticleFilter, kParticleFilterEros };
+
+inline constexpr std::array kAlgorithms{Algorithm::kPuck, Algorithm::kCluster,
+                                        Algorithm::kParticleFilter, Algorithm::kParticleFilterEros};
 
 /// `puck`, `cluster`, `particle-filter`, `particle-filter-eros`.
 const char* to_string(Algorithm algorithm);

@@ -61,6 +61,14 @@ TEST_CASE("a recording plays to its end, says so, and plays again from its begin
   CHECK(wait_until([&] { return state_of(*source).seconds < 0.5; }));
 }
 
+TEST_CASE("a recording waits for its first viewer") {
+  const DiscRecording disc;
+  const auto source = source_of(disc, "correlation", true);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  CHECK(state_of(*source).seconds < 0.1);
+  CHECK(wait_until([&] { return state_of(*source).seconds > 0.2; }));
+}
+
 TEST_CASE("seeking, stepping and pausing lead to the wanted times") {
   const DiscRecording disc;
   const auto source = source_of(disc, "correlation");

@@ -132,9 +132,9 @@ std::vector<std::string> OpenedRecording::trackers() const {
   if (is_log_) names.emplace_back(kLoggedTracker);
   if (!size_model_) return names;
   for (const std::string_view preset : kPresetNames) names.emplace_back(preset);
-  for (const Algorithm algorithm :
-       {Algorithm::kCluster, Algorithm::kParticleFilter, Algorithm::kParticleFilterEros}) {
-    names.emplace_back(to_string(algorithm));
+  for (const Algorithm algorithm : kAlgorithms) {
+    // Its presets stand for it.
+    if (algorithm != Algorithm::kPuck) names.emplace_back(to_string(algorithm));
   }
   return names;
 }
@@ -144,7 +144,8 @@ std::optional<TrackerSetup> OpenedRecording::setup_of(const std::string& name) c
   TrackerSetup setup;
   if (const auto preset = preset_from(name)) {
     setup.preset = *preset;
-  } else if (const auto algorithm = algorithm_from(name)) {
+  } else if (const auto algorithm = algorithm_from(name);
+             algorithm && *algorithm != Algorithm::kPuck) {
     setup.algorithm = *algorithm;
   } else {
     std::string names;

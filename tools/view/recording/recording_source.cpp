@@ -19,6 +19,9 @@ using std::chrono::steady_clock;
 constexpr milliseconds kPiece(4);
 // Between two looks at the clock while nothing is due.
 constexpr milliseconds kNothingDue(3);
+// Without a viewer for so long, a recording does not play on.
+constexpr std::chrono::seconds kUnwatched(2);
+constexpr milliseconds kUnwatchedPause(50);
 // Shorter losses are not jumped to.
 constexpr std::int64_t kShortestLoss_us = 10'000;
 constexpr double kFastest = 100;
@@ -80,7 +83,8 @@ void RecordingSource::work(const std::stop_token& stop) {
       }
       lock.lock();
     } else {
-      work_wanted_.wait_for(lock, stop, kNothingDue, [] { return false; });
+      work_wanted_.wait_for(lock, stop, is_watched() ? kNothingDue : kUnwatchedPause,
+                            [] { return false; });
     }
   }
 }
@@ -105,8 +109,16 @@ bool RecordingSource::make_progress() {
   return false;
 }
 
+bool RecordingSource::is_watched() const {
+  return viewed_ && steady_clock::now() - *viewed_ < kUnwatched;
+}
+
 bool RecordingSource::play() {
   const auto begin = steady_clock::now();
+  if (!is_watched()) {
+    clock_.start(run_.now(), begin);
+    return false;
+  }
   const Timestamp before = run_.now();
   const Timestamp due = clock_.due(before, begin);
   auto progress =
@@ -179,6 +191,7 @@ bool RecordingSource::fill(const PictureWishes& wishes, ViewScene& scene) {
                        wishes.backdrop == PictureWishes::Backdrop::kHeatMap;
   {
     const Visit visit(*this);
+    viewed_ = steady_clock::now();
     const bool needs_surface = wishes.view == PictureWishes::View::kCamera &&
                                wishes.backdrop != PictureWishes::Backdrop::kEvents;
     // While it plays the surface fills by itself.
@@ -201,6 +214,7 @@ ViewState RecordingSource::state(Timestamp since, std::int64_t run) {
   state.sensor = recording_->sensor();
   state.trackers = recording_->trackers();
   const Visit visit(*this);
+  viewed_ = steady_clock::now();
   state.time = run_.now();
   state.seconds = static_cast<double>(run_.now() - run_.first()) * 1e-6;
   state.run = run_.run();

@@ -21,9 +21,10 @@
 namespace puck {
 
 /// A recording that is played. A thread of its own reads it and runs the trackers, at the wanted
-/// speed if they can; a second one counts the events for the time line. Seeking starts the trackers
-/// anew some time before, so that what is seen after it is the same each time. Functions are safe
-/// from any thread.
+/// speed if they can, while somebody looks: it waits for its first viewer, and when nobody has
+/// called fill() or state() for 2 s; a second one counts the events for the time line. Seeking
+/// starts the trackers anew some time before, so that what is seen after it is the same each time.
+/// Functions are safe from any thread.
 class RecordingSource final : public ViewSource {
  public:
   /// `trackers`: of the two sides. Plays at once if `plays`. Throws std::invalid_argument with
@@ -51,6 +52,7 @@ class RecordingSource final : public ViewSource {
   void seek(Timestamp target, Activity afterwards);
   void enter(Activity activity);
   Activity activity_after_seek() const;
+  bool is_watched() const;
   std::string jump_to_loss(int side, bool is_next);
   void add_messages(ViewState& state) const;
   void announce();
@@ -70,8 +72,9 @@ class RecordingSource final : public ViewSource {
   Timestamp target_;                         // Of a seek.
   int searched_side_ = 0;
   Timestamp searched_from_;
-  Timestamp started_at_;  // The trackers of this run.
-  std::string fault_;     // Reading failed.
+  Timestamp started_at_;                                         // The trackers of this run.
+  std::string fault_;                                            // Reading failed.
+  std::optional<std::chrono::steady_clock::time_point> viewed_;  // The last fill() or state().
 
   std::mutex heat_mutex_;
   std::optional<HeatMap> heat_map_;  // Guarded by heat_mutex_.
