@@ -25,7 +25,7 @@ constexpr int kStopCheck_ms = 50;
 
 std::string doctor_program() {
   std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).replace_filename("puck-doctor");
+  return std::filesystem::read_symlink("/proc/self/exe", error).replace_filename(kDoctorProgram);
 }
 
 /// A program's output; nothing if it cannot be started or `stop` came first.

@@ -11,6 +11,9 @@
 
 namespace puck {
 
+/// The program, and the service that it calls itself on the bus.
+inline constexpr const char* kDoctorProgram = "puck-doctor";
+
 /// What puck-doctor's JSON report says is wrong, with its remedy; or that the report is unreadable.
 std::vector<ViewMessage> doctor_messages(const std::string& report);
 

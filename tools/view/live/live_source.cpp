@@ -16,6 +16,10 @@ using std::chrono::milliseconds;
 constexpr std::int64_t kStayAfterViewer_us = 10'000'000;
 constexpr std::int64_t kCountersPeriod_us = 100'000;
 constexpr milliseconds kStep{20};
+// Estimates come up to 5000 times a second: taken in batches, unless so much arrives that the
+// socket's buffer, of 200 kB at least, could fill meanwhile.
+constexpr milliseconds kRest{2};
+constexpr std::size_t kMostBeforeRest_bytes = 50'000;
 // So that a viewer never waits long for the mutex.
 constexpr milliseconds kLongestStep{10};
 
@@ -153,7 +157,9 @@ void LiveSource::stay_on_bus(const std::stop_token& stop) {
   }
   std::int64_t counted_us = 0;
   while (!stop.stop_requested() && somebody_looks()) {
+    received_bytes_ = 0;
     if (bus.handle(kStep, kLongestStep) > 0) changed();
+    if (received_bytes_ < kMostBeforeRest_bytes) std::this_thread::sleep_for(kRest);
     if (host_monotonic_us() - counted_us < kCountersPeriod_us) continue;
     counted_us = host_monotonic_us();
     keep_counters(bus);
@@ -164,9 +170,17 @@ void LiveSource::stay_on_bus(const std::stop_token& stop) {
 
 void LiveSource::hear(std::string_view channel, std::span<const std::uint8_t> bytes,
                       const Receipt& receipt) {
+  received_bytes_ += bytes.size();
+  if (is_of_doctor(channel, bytes)) return;
   const std::lock_guard lock(mutex_);
   const auto type = stay_->monitor.hear(channel, bytes, receipt);
   if (type) take(*type, bytes, receipt.monotonic_us, stay_->view);
+}
+
+bool LiveSource::is_of_doctor(std::string_view channel, std::span<const std::uint8_t> bytes) const {
+  if (find_channel(channel, options_.bus.prefix) != Channel::kStatus) return false;
+  service_status_t status;
+  return !decode(bytes, status) && status.service == kDoctorProgram;
 }
 
 void LiveSource::keep_counters(const Bus& bus) {

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -59,6 +60,8 @@ class LiveSource : public ViewSource {
   void listen(const std::stop_token& stop);
   void stay_on_bus(const std::stop_token& stop);
   void hear(std::string_view channel, std::span<const std::uint8_t> bytes, const Receipt& receipt);
+  /// puck-doctor tests itself on the bus: that is no sign of life.
+  bool is_of_doctor(std::string_view channel, std::span<const std::uint8_t> bytes) const;
   void keep_counters(const Bus& bus);
   BusSnapshot snapshot(std::int64_t now_us);  // Under mutex_.
   void changed();
@@ -72,6 +75,7 @@ class LiveSource : public ViewSource {
   std::condition_variable_any news_;  // Of a viewer, or of a changed version.
   std::optional<Stay> stay_;          // Guarded by mutex_.
   std::string network_problem_;       // Guarded by mutex_.
+  std::size_t received_bytes_ = 0;    // In this step; thread_ only.
   std::mutex heat_mutex_;
   std::optional<HeatMap> heat_map_;  // Guarded by heat_mutex_.
   std::jthread thread_;

@@ -29,7 +29,8 @@ export function short(value) {
   for (const [unit, name] of [[1e9, 'G'], [1e6, 'M'], [1e3, 'k']]) {
     if (size >= unit) return (value / unit).toPrecision(3) + name;
   }
-  return size >= 100 || Number.isInteger(value) ? String(Math.round(value)) : value.toPrecision(3);
+  return size >= 100 || Number.isInteger(value) ? String(Math.round(value))
+    : String(Number(value.toPrecision(3)));
 }
 
 export function inMicroseconds(us) {

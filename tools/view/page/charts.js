@@ -21,6 +21,21 @@ function range(columns, least) {
   return [low - more, high + more];
 }
 
+// A high share of the values is at most this; null without values.
+function most(columns, share) {
+  const values = columns.flat().filter((value) => value !== null).sort((a, b) => a - b);
+  return values.length ? values[Math.floor((values.length - 1) * share)] : null;
+}
+
+// The text, cut to a width.
+function fitted(context, text, width) {
+  let fitting = text;
+  while (fitting.length > 1 && context.measureText(fitting).width > width) {
+    fitting = `${fitting.slice(0, -2)}…`;
+  }
+  return fitting;
+}
+
 class Plot {
   constructor(context, box, span, values) {
     this.context = context;
@@ -67,26 +82,31 @@ class Plot {
 }
 
 function frame(context, box, colour, name, parts) {
-  context.fillStyle = colour.quiet;
-  context.textAlign = 'left';
-  context.fillText(name, box.x, box.y - 5);
   let right = box.x + box.width;
   context.textAlign = 'right';
-  for (const [text, ink] of parts.reverse()) {
+  for (const [text, ink] of [...parts].reverse()) {
     context.fillStyle = ink;
     context.fillText(text, right, box.y - 5);
     right -= context.measureText(text).width + 10;
   }
+  context.fillStyle = colour.quiet;
+  context.textAlign = 'left';
+  context.fillText(fitted(context, name, right - box.x), box.x, box.y - 5);
   context.strokeStyle = colour.border;
   context.lineWidth = 1;
   context.strokeRect(box.x + 0.5, box.y + 0.5, box.width - 1, box.height - 1);
 }
 
+// The highest and the lowest value, legible on top of the lines.
 function limits(context, box, colour, values, text) {
-  context.fillStyle = colour.quiet;
   context.textAlign = 'left';
-  context.fillText(text(values[1]), box.x + 3, box.y + 11);
-  context.fillText(text(values[0]), box.x + 3, box.y + box.height - 3);
+  for (const [value, y] of [[values[1], box.y + 11], [values[0], box.y + box.height - 3]]) {
+    const words = text(value);
+    context.fillStyle = colour.background;
+    context.fillRect(box.x + 1, y - 9, context.measureText(words).width + 4, 11);
+    context.fillStyle = colour.quiet;
+    context.fillText(words, box.x + 3, y);
+  }
 }
 
 const newest = (column) => (column.length ? column.at(-1) : null);
@@ -124,15 +144,16 @@ export function drawCharts(canvas, state, feed) {
     });
   }
   if (samples.error.some(hasAny)) {
-    const highest = Math.min(range(samples.error, 0)[1], 30);
+    // A short loss does not hide the errors of a good track: higher values are cut.
+    const highest = Math.max(1.5 * most(samples.error, 0.95), 1);
     charts.push({
       name: 'error [px]',
-      values: [0, Math.max(highest, 1)],
+      values: [0, highest],
       text: px,
       parts: sides.map((side) => [short(newest(samples.error[side])), inks[side]]),
       draw(plot) {
         for (const side of sides) {
-          const cut = samples.error[side].map((e) => (e === null ? null : Math.min(e, 30)));
+          const cut = samples.error[side].map((e) => (e === null ? null : Math.min(e, highest)));
           plot.line(samples.time_us, cut, inks[side], { doubtful: samples.doubtful[side] });
         }
       },
@@ -177,13 +198,17 @@ function latencyChart(feed, colour) {
   if (at < 0) return null;
   const row = last.rows[at];
   const times = latencies.map((one) => one.at);
-  const column = (key) => latencies.map((one) => one.rows[at]?.[key] ?? null);
-  const highest = range([column('p99_us'), column('p50_us')], 0);
+  // From a few µs to a second: logarithmic.
+  const column = (key) => latencies.map((one) => {
+    const value = one.rows[at]?.[key] ?? null;
+    return value === null ? null : Math.log10(Math.max(value, 1));
+  });
+  const [lowest, highest] = range([column('p99_us'), column('p50_us')], 0);
   return {
     name: `${row.name}: median, 99 %`,
     span: [last.at - kSpan_us / 1e3, last.at],
-    values: [0, highest[1] || 1],
-    text: (value) => inMicroseconds(Math.round(value)),
+    values: [Math.floor(lowest), Math.max(Math.ceil(highest), Math.floor(lowest) + 1)],
+    text: (value) => inMicroseconds(Math.round(10 ** value)),
     parts: [[inMicroseconds(row.p50_us), colour.words],
       ...(row.p99_us === null ? [] : [[inMicroseconds(row.p99_us), colour.accent]])],
     draw(plot) {

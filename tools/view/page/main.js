@@ -15,11 +15,13 @@ import { StateFeed } from './state.js';
 
 const byId = (id) => document.getElementById(id);
 const kOff = 'off';
+const kFewMessages = 2; // Shown at first, with a button for all.
 
 class View {
   constructor() {
     this.connectionProblem = '';
     this.controlProblem = '';
+    this.allMessages = false;
     this.state = null;
     this.player = new Player((problem) => {
       this.controlProblem = problem;
@@ -86,6 +88,11 @@ class View {
 
   toggleServices() { byId('services').hidden = !byId('services').hidden; }
 
+  toggleMessages() {
+    this.allMessages = !this.allMessages;
+    this.showMessages();
+  }
+
   closeAll() {
     if (byId('help').open) byId('help').close();
     byId('services').hidden = true;
@@ -151,7 +158,7 @@ class View {
       const select = byId(`tracker-${side}`);
       const names = [...state.trackers.filter((name) => name !== kOff), kOff];
       if (select.options.length !== names.length) {
-        const text = (name) => (name === kOff ? (side === 0 ? 'no tracker' : 'no second tracker') : name);
+        const text = (name) => (name === kOff ? (side === 0 ? 'no tracker' : 'no second') : name);
         select.replaceChildren(...names.map((name) => new Option(text(name), name)));
       }
       if (document.activeElement !== select) select.value = state.chosen[side] || kOff;
@@ -164,15 +171,20 @@ class View {
     const messages = [...(this.state ? this.state.messages : [])];
     if (this.controlProblem) messages.unshift({ level: 'warning', text: this.controlProblem });
     if (this.connectionProblem) messages.unshift({ level: 'error', text: this.connectionProblem });
-    const key = JSON.stringify(messages);
+    const key = JSON.stringify([messages, this.allMessages]);
     if (key === this.shownMessages) return;
     this.shownMessages = key;
-    byId('messages').replaceChildren(...messages.map(({ level, text }) => {
+    const count = this.allMessages ? messages.length : kFewMessages;
+    byId('messages').replaceChildren(...messages.slice(0, count).map(({ level, text }) => {
       const line = document.createElement('p');
       line.dataset.level = level;
       line.textContent = text;
       return line;
     }));
+    if (messages.length <= kFewMessages) return;
+    const more = byId('messages').appendChild(document.createElement('button'));
+    more.textContent = this.allMessages ? 'fewer' : `${messages.length - kFewMessages} more`;
+    more.onclick = () => this.toggleMessages();
   }
 }
 

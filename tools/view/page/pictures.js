@@ -6,7 +6,7 @@ import { settings } from './settings.js';
 export class PictureFeed {
   constructor(canvas, view, side = 0) {
     this.canvas = canvas;
-    this.context = canvas.getContext('2d', { alpha: false });
+    this.context = canvas.getContext('2d');
     this.view = view;
     this.side = side;
     this.seen = 0;

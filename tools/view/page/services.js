@@ -46,7 +46,7 @@ export function showServices(button, panel, state) {
   button.hidden = services.length === 0 && channels.length === 0;
   const ill = services.filter((one) => !one.healthy).length
     + channels.filter((one) => one.trouble).length;
-  button.textContent = `${ill ? '✕' : '✓'} ${services.length} services`
+  button.textContent = `${ill ? '✕' : '✓'} ${services.length} ${services.length === 1 ? 'service' : 'services'}`
     + (ill ? `, ${ill} with trouble` : '');
   button.className = ill ? 'bad' : '';
   if (panel.hidden) return;

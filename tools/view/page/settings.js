@@ -9,6 +9,7 @@ export const layerNames = {
   covariance: ['c', 'uncertainty'],
   trail: ['t', 'trail of the last second'],
   truth: ['g', 'truth (ground truth)'],
+  'close-up': ['u', 'close-up of the puck in a corner'],
   words: ['w', 'words'],
   legend: ['l', 'legend'],
 };

@@ -14,12 +14,16 @@
 namespace puck {
 
 /// Draws and encodes pictures, one at a time, and keeps the newest of each kind, so that several
-/// viewers of the same cost no more than one. Of one kind, at most 60 a second. Nothing is drawn
+/// viewers of the same cost no more than one. Of one kind, at most 60 a second, and 30 of the
+/// table; all together take at most kMostOfCore of a core, whatever is asked for. Nothing is drawn
 /// that nobody asks for. Safe from any thread.
 class PictureDesk {
  public:
-  /// `source` must live longer.
-  explicit PictureDesk(ViewSource& source) : source_(source) {}
+  static constexpr double kMostOfCore = 0.15;
+
+  /// `source` must live longer. Uses no further threads of OpenCV's in this process: they would
+  /// wait busily.
+  explicit PictureDesk(ViewSource& source);
 
   struct Picture {
     std::uint64_t version = 0;                ///< Of the source.
@@ -46,6 +50,7 @@ class PictureDesk {
   ViewScene scene_;
   ScenePainter painter_;
   std::vector<unsigned char> encoded_;
+  std::chrono::steady_clock::time_point free_;  // Nothing is drawn before.
 };
 
 }  // namespace puck

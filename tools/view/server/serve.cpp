@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <sys/resource.h>
+
 #include "common/messaging/network_interfaces.h"
 #include "tools/view/server/view_pages.h"
 
@@ -22,6 +24,12 @@ std::vector<ListenAddress> reachable(const ListenAddress& listen) {
   return found;
 }
 
+/// Drawing gives way to a tracker on the same machine. For this thread and those that it makes.
+void yield_to_services() {
+  constexpr int kNice = 10;
+  setpriority(PRIO_PROCESS, 0, kNice);
+}
+
 }  // namespace
 
 void serve(ViewSource& source, const std::string& listen) {
@@ -36,6 +44,7 @@ void serve(ViewSource& source, const std::string& listen) {
                 token.empty() ? "" : ("?token=" + token).c_str());
   }
   std::fflush(stdout);
+  yield_to_services();
   server.run(pages);
 }
 
