@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <iterator>
@@ -26,7 +27,7 @@ ViewState RecordingSource::state(Timestamp since, std::int64_t run) {
   state.sensor = recording_->sensor();
   state.trackers = recording_->trackers();
   const Visit visit(*this);
-  viewed_ = steady_clock::now();
+  viewed_ = std::chrono::steady_clock::now();
   state.time = run_.now();
   state.seconds = static_cast<double>(run_.now() - run_.first()) * 1e-6;
   state.run = run_.run();
