@@ -8,7 +8,8 @@
 # system      the real programs together, over LCM on this machine
 # containers  the services in a container each; needs Docker
 # deep        what takes longer: long games and benchmarks, AddressSanitizer with
-#             UndefinedBehaviorSanitizer, ThreadSanitizer, a minute of fuzzing, containers
+#             UndefinedBehaviorSanitizer, ThreadSanitizer, a minute of fuzzing, containers, the page of
+#             puck-view in Chromium
 # all         the default and deep
 #
 # Prints a line a suite and a table of times; exits with 1 when a suite failed.
@@ -103,6 +104,7 @@ if wants all deep; then
   build tsan puck_thread_tests
   suites tsan threads
   step fuzzing tests/fuzz/run.sh || true
+  step browser tests/browser/run.sh || true
 fi
 if wants all deep containers; then
   if docker info >/dev/null 2>&1; then

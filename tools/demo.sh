@@ -3,10 +3,11 @@
 # Then LCM's player replays the recorded events at twice the speed into a second tracker, and its estimates
 # are compared with the recorded ones.
 #
-#   tools/demo.sh [--seconds N] [--moving] [--json FILE]
+#   tools/demo.sh [--seconds N] [--moving] [--view] [--json FILE]
 #
 # --seconds N   length of the game (default 20)
 # --moving      the camera's head turns; on a slow machine, the game is slower
+# --view        show the game in a browser while it plays: opens the page if there is a screen
 # --json FILE   write the figures to this file
 #
 # The first run installs missing packages and builds. The services use unused LCM ports on this machine only:
@@ -28,12 +29,14 @@ can_write() { # FILE
 
 seconds=20
 moving=false
+view=false
 json=
 while [ $# -gt 0 ]; do
   case "$1" in
     --seconds) seconds=${2-} && shift 2 || usage 2 ;;
     --json) json=$(realpath -m -- "${2-}" 2>/dev/null) && shift 2 || usage 2 ;;
     --moving) moving=true && shift ;;
+    --view) view=true && shift ;;
     -h | --help) usage 0 ;;
     *)
       echo "demo.sh: unknown option $1" >&2
@@ -52,13 +55,31 @@ if [ -n "$json" ] && ! can_write "$json"; then
 fi
 
 CDPATH='' cd "$(dirname "$0")/.."
-tools/build.sh puck-{camera,tracker,bridge,arm,logger,demo-report}
+programs=(puck-{camera,tracker,bridge,arm,logger,demo-report})
+! $view || programs+=(puck-view puck-doctor)
+tools/build.sh "${programs[@]}"
 bin=build/release/bin
 
 # shellcheck source=tools/services.sh
 . tools/services.sh
 game_url=$(url_of "$(free_port)")
 replay_url=$(url_of "$(free_port)")
+
+# Opens the page of puck-view, or tells its address.
+show_page() { # URL
+  local page=
+  start puck-view "$1" --listen 127.0.0.1:0 >"$work/page"
+  while [ -z "$page" ]; do
+    check_alive
+    sleep 0.05
+    page=$(sed -n 's/^open //p' "$work/page")
+  done
+  echo "the game is shown at $page"
+  if [ -n "${DISPLAY-}${WAYLAND_DISPLAY-}" ] && command -v xdg-open >/dev/null; then
+    xdg-open "$page" >/dev/null 2>&1 || true
+  fi
+}
+! $view || show_page "$game_url"
 
 play_game "$game_url" "$seconds" --set "simulation.world.moving_camera=$moving"
 

@@ -2,6 +2,8 @@
 # Installs the Debian 12 packages for building, running and testing the project. Prints nothing and needs no
 # network if all are installed. On failure, prints one line on stderr with the problem and the remedy; exit
 # code 1.
+#
+#   tools/install-deps.sh [--browser]     --browser: also Chromium, which tests the page of puck-view
 set -euo pipefail
 
 fail() { # TEXT
@@ -12,11 +14,12 @@ fail() { # TEXT
 packages=(
   ca-certificates ccache clang cmake debootstrap g++ git iproute2 iptables libclang-rt-14-dev
   nftables ninja-build procps
-  doctest-dev libbenchmark-dev libcli11-dev libeigen3-dev libfaketime libhwy-dev liblcm-bin
+  doctest-dev libbenchmark-dev libboost-dev libcli11-dev libeigen3-dev libfaketime libhwy-dev liblcm-bin
   liblcm-dev libncurses-dev libopencv-dev libsodium-dev libspdlog-dev libtomlplusplus-dev
   hdf5-filter-plugin-blosc-serial libdeflate-dev libhdf5-dev liblz4-dev libzstd-dev
   nlohmann-json3-dev pkg-config python3 python3-matplotlib zlib1g-dev
 )
+if [ "${1-}" = --browser ]; then packages+=(chromium chromium-driver python3-pil); fi
 # With Docker, the container tests need Compose.
 if command -v docker >/dev/null && ! command -v docker-compose >/dev/null &&
   ! docker compose version >/dev/null 2>&1; then

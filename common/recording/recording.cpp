@@ -1,9 +1,6 @@
 #include "common/recording/recording.h"
 
-#include <array>
-#include <fstream>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -15,19 +12,10 @@
 #include "common/messaging/log_format.h"
 #include "common/recording/event_log_reader.h"
 #include "common/recording/event_log_writer.h"
+#include "common/recording/log_recording.h"
 
 namespace puck {
 namespace {
-
-// Not of a pipe, and not within gzip or zstd.
-bool is_plain_log(const std::filesystem::path& path) {
-  std::error_code error;
-  if (path == "-" || !std::filesystem::is_regular_file(path, error)) return false;
-  std::array<std::uint8_t, kLogMark.size()> start{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(start.data()), start.size());
-  return start == kLogMark;
-}
 
 /// A log that was copied from other bytes. The log's reader opens the file for each reading, so the
 /// copy stays.
@@ -64,7 +52,8 @@ std::unique_ptr<EventReader> open_recording(const std::filesystem::path& path,
                                             const EventFileOptions& options,
                                             const std::string& prefix) {
   try {
-    if (is_plain_log(path)) return open_event_log(path, prefix, EventLog::Sessions::kJoined);
+    if (path != "-" && is_lcm_log(path))
+      return open_event_log(path, prefix, EventLog::Sessions::kJoined);
     auto bytes = std::make_unique<PeekedBytes>(open_bytes(path.string()), kLogMark.size());
     if (bytes->head() ==
         std::string_view(reinterpret_cast<const char*>(kLogMark.data()), kLogMark.size()))

@@ -104,7 +104,9 @@ const std::map<std::string, Parts> kAllowed{
       "motion"}},
     {"messages", {"events", "vision/geometry", "vision/interfaces", "table"}},
     {"messaging", {"posix", "events", "vision/geometry", "vision/interfaces", "table", "messages"}},
-    {"recording", {"events", "io", "messaging"}},
+    {"monitor", {"messages", "messaging"}},
+    {"recording", {"events", "vision/geometry", "io", "messages", "messaging"}},
+    {"trackers", {"events", "vision", "baselines", "io"}},
     {"play", {"events", "vision/geometry", "table", "messages"}},
     {"control", {"events", "table", "motion", "runtime", "messages"}},
     {"yarp", {"posix", "control"}},
@@ -204,7 +206,8 @@ TEST_CASE("LCM's message types stay in messaging, recording and the tools") {
     for (const auto& entry : fs::recursive_directory_iterator(source_dir() / top)) {
       const fs::path file = entry.path().lexically_relative(source_dir());
       const std::string folder = (++file.begin())->string();
-      const bool is_edge = top == "common" && (folder == "messaging" || folder == "recording");
+      const bool is_edge = top == "common" &&
+                           (folder == "messaging" || folder == "monitor" || folder == "recording");
       if (is_edge || (file.extension() != ".h" && file.extension() != ".cpp")) continue;
       std::ifstream text(entry.path());
       std::string line;

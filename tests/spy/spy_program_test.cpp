@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/messaging/bus.h"
-#include "tests/spy/spy_bench.h"
+#include "tests/monitor/monitor_bench.h"
 #include "tests/support/child_process.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"

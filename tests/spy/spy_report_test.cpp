@@ -3,15 +3,15 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/spy/spy_bench.h"
+#include "tests/monitor/monitor_bench.h"
 
 namespace puck {
 namespace {
 
 using Json = nlohmann::json;
 
-Snapshot heard(const service_status_t& status) {
-  SpyBench spy({}, SpyParams::whole_time());
+BusSnapshot heard(const service_status_t& status) {
+  MonitorBench spy({}, MonitorParams::whole_time());
   for (const int seq : {0, 1, 3}) spy.hear(packet_of(10), 7, seq, 1'000'000);
   spy.hear(status, 7, 0, 1'500'000);
   return spy.model.snapshot(2'000'000);
@@ -66,7 +66,7 @@ TEST_CASE("the JSON report is flat: every figure has a name") {
 }
 
 TEST_CASE("rates have one decimal, and ages whole microseconds") {
-  Snapshot snapshot = heard(status_of("puck-camera"));
+  BusSnapshot snapshot = heard(status_of("puck-camera"));
   snapshot.channels[0].messages_per_s = 1342.0209510781526;
   snapshot.channels[0].newest_age_us = 647'377;
   const std::string report = json_report(snapshot, "", "");
@@ -85,9 +85,9 @@ TEST_CASE("an unmeasured latency has no value") {
 }
 
 TEST_CASE("a channel whose messages were all dropped without our key has no age") {
-  SpyBench spy;
+  MonitorBench spy;
   spy.model.set_unauthenticated(Channel::kGame, 5, "is not sealed", 900'000'000);
-  const Snapshot snapshot = spy.model.snapshot(900'000'000);
+  const BusSnapshot snapshot = spy.model.snapshot(900'000'000);
   const Json channel = Json::parse(json_report(snapshot, "", ""))["channels"][0];
   CHECK(channel["age_ms"].is_null());
   CHECK(channel["unauthenticated"] == 5);

@@ -8,15 +8,15 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/spy/spy_bench.h"
+#include "tests/monitor/monitor_bench.h"
 #include "tests/support/random_message.h"
 
 namespace puck {
 namespace {
 
 /// A game's snapshot: every channel, and five services.
-Snapshot game() {
-  SpyBench spy;
+BusSnapshot game() {
+  MonitorBench spy;
   std::mt19937_64 random(1);
   for (const Channel channel : kAllChannels) {
     if (channel == Channel::kStatus) continue;
@@ -69,7 +69,7 @@ std::string selected(const Screen& screen) {
   return {};
 }
 
-SpyView view_on(Snapshot snapshot) {
+SpyView view_on(BusSnapshot snapshot) {
   SpyView view("239.255.76.67:7667 ttl 0");
   view.show(std::move(snapshot));
   return view;
@@ -142,7 +142,7 @@ TEST_CASE("the selection moves through channels and services, and stays visible"
 }
 
 TEST_CASE("the selection stays with its channel when rows are added or move") {
-  SpyBench spy;
+  MonitorBench spy;
   spy.hear(head_state_t{}, 7, 0, 1000);
   SpyView view = view_on(spy.model.snapshot(2000));
   CHECK(selected(view.draw({80, 24})) == "PUCK_HEAD");
@@ -153,7 +153,7 @@ TEST_CASE("the selection stays with its channel when rows are added or move") {
 }
 
 TEST_CASE("the channels are sorted by the selected column, and reversed") {
-  SpyBench spy;
+  MonitorBench spy;
   spy.hear(packet_of(500), 7, 0, 1000);
   for (int i = 0; i < 3; ++i) spy.hear(head_state_t{}, 7, i, 1000);
   SpyView view = view_on(spy.model.snapshot(1'000'000));
@@ -173,7 +173,7 @@ TEST_CASE("the channels are sorted by the selected column, and reversed") {
 }
 
 TEST_CASE("a paused view is constant, and shows the newest values again afterwards") {
-  SpyBench spy;
+  MonitorBench spy;
   spy.hear(head_state_t{}, 7, 0, 1000);
   SpyView view = view_on(spy.model.snapshot(2000));
   view.press(SpyKey::kPause);
@@ -188,7 +188,7 @@ TEST_CASE("a paused view is constant, and shows the newest values again afterwar
 }
 
 TEST_CASE("a channel's live page has its publishers and its newest message, below if it fits") {
-  SpyBench spy;
+  MonitorBench spy;
   head_state_t head{};
   head.yaw_deg = 12.5;
   spy.hear(head, 7, 3, 1000);
@@ -211,7 +211,7 @@ TEST_CASE("a channel's live page has its publishers and its newest message, belo
 }
 
 TEST_CASE("states, modes and phases are shown by name") {
-  SpyBench spy;
+  MonitorBench spy;
   puck_estimate_t estimate{};
   estimate.state = puck_estimate_t::STATE_LOST;
   spy.hear(estimate, 7, 0, 1000);
@@ -240,7 +240,7 @@ TEST_CASE("a page longer than the screen scrolls to its last line and no further
 }
 
 TEST_CASE("the events of a packet are shown as events") {
-  SpyBench spy;
+  MonitorBench spy;
   spy.hear(packet_of(300), 7, 0, 1000);
   SpyView view = view_on(spy.model.snapshot(2000));
   view.press(SpyKey::kShow);
@@ -252,7 +252,7 @@ TEST_CASE("the events of a packet are shown as events") {
 }
 
 TEST_CASE("counters left out by a service are shown before its good ones") {
-  SpyBench spy;
+  MonitorBench spy;
   service_status_t status = status_of("puck-tracker");
   status.counter_name = {"packets_received", "counters_left_out"};
   status.counter_value = {12, 3};
@@ -262,7 +262,7 @@ TEST_CASE("counters left out by a service are shown before its good ones") {
 }
 
 TEST_CASE("a service is shown with its words in full, its latencies and all counters") {
-  SpyBench spy;
+  MonitorBench spy;
   service_status_t status = status_of("puck-logger");
   status.state = service_status_t::STATE_DEGRADED;
   status.state_text = "nothing more is written: " + std::string(100, 'x') + " the end";
@@ -287,7 +287,7 @@ TEST_CASE("a service is shown with its words in full, its latencies and all coun
 }
 
 TEST_CASE("simultaneous publishers and a silent service are marked, and drawn as an alarm") {
-  SpyBench spy;
+  MonitorBench spy;
   spy.hear(status_of("puck-tracker", "one", 11), 7, 0, 0);
   spy.hear(status_of("puck-tracker", "two", 12), 8, 0, 900'000);
   for (int i = 0; i < 3; ++i) {
@@ -315,7 +315,7 @@ TEST_CASE("a silent bus is reported with the expected prefix and group") {
 }
 
 TEST_CASE("messages without our key are shown if there are no others") {
-  SpyBench spy;
+  MonitorBench spy;
   spy.model.set_unauthenticated(Channel::kGame, 5, "is not sealed, from 10.9.8.2:40000", 1'000'000);
   SpyView view = view_on(spy.model.snapshot(1'000'000));
   CHECK_FALSE(has(view.draw({160, 24}), "no message received yet"));
@@ -325,7 +325,7 @@ TEST_CASE("messages without our key are shown if there are no others") {
 }
 
 TEST_CASE("foreign datagrams at the port are counted in a line, and shown on a page of their own") {
-  Snapshot snapshot = game();
+  BusSnapshot snapshot = game();
   snapshot.network.foreign = 12;
   snapshot.network.foreign_traffic = {{"channel \"RIGHT_PUCK_EVENTS\"", {0xac120003, 40'000}, 11},
                                       {"a fragment", {}, 1}};
@@ -342,21 +342,21 @@ TEST_CASE("foreign datagrams at the port are counted in a line, and shown on a p
   view.press(SpyKey::kShow);
   CHECK(has(view.draw({80, 24}), "PUCK_EVENTS"));
 
-  Snapshot silent;
+  BusSnapshot silent;
   silent.network = snapshot.network;
   CHECK(has(view_on(silent).draw({80, 24}), "12 foreign datagrams"));
 }
 
 TEST_CASE("the first line counts all marked rows, even those outside the screen") {
   CHECK_FALSE(has(view_on(game()).draw({60, 15}), "!"));
-  Snapshot snapshot = game();
+  BusSnapshot snapshot = game();
   snapshot.channels[8].in_trouble = true;
   snapshot.services[4].silent = true;
   CHECK(text_of(view_on(snapshot).draw({60, 15}))[0].find(" !2 ") != std::string::npos);
 }
 
 TEST_CASE("a selected channel stays after it falls silent, and the view returns") {
-  SpyBench spy;
+  MonitorBench spy;
   spy.hear(status_of("puck-arm"), 7, 0, 0);
   SpyView view = view_on(spy.model.snapshot(1000));
   view.press(SpyKey::kLast);
@@ -372,7 +372,7 @@ TEST_CASE("every type of message can be shown at any width") {
   std::mt19937_64 random(2);
   for (const Channel channel : kAllChannels) {
     for (int i = 0; i < 20; ++i) {
-      SpyBench spy;
+      MonitorBench spy;
       spy.hear_bytes(std::string(base_name(channel)), random_message(channel, random).bytes, 1000);
       SpyView view = view_on(spy.model.snapshot(2000));
       view.press(SpyKey::kShow);

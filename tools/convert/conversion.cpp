@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/recording/recording.h"
+#include "tools/command_line/progress_bar.h"
 #include "tools/convert/output_place.h"
-#include "tools/convert/progress_bar.h"
 #include "tools/convert/read_ahead.h"
 
 namespace puck {
@@ -64,7 +64,7 @@ void check_result(const Tally& tally, const ConversionFilter& filter, const std:
 Tally pump(EventReader& events, ConversionFilter& filter, EventWriter& writer) {
   Tally tally;
   const auto start = std::chrono::steady_clock::now();
-  ProgressBar bar;
+  ProgressBar bar("Mev", 1e-6);
   ReadAhead ahead(events);
   EventPacket packet;
   bool goes_on = true;

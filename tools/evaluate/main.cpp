@@ -18,8 +18,9 @@
 #include "common/io/size_model_file.h"
 #include "common/io/truth_file.h"
 #include "common/recording/event_log_reader.h"
+#include "common/recording/log_recording.h"
+#include "common/trackers/tracker_setup.h"
 #include "tools/command_line/run_tool.h"
-#include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/lossy_reader.h"
 #include "tools/evaluate/options.h"
 #include "tools/evaluate/part_reader.h"
@@ -30,7 +31,6 @@
 #include "tools/evaluate/runs.h"
 #include "tools/evaluate/scoring.h"
 #include "tools/evaluate/tick_file.h"
-#include "tools/evaluate/tracker_setup.h"
 
 namespace puck {
 namespace {

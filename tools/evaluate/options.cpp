@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/messaging/event_packing.h"
+#include "common/trackers/tracker_setup.h"
 #include "common/vision/presets.h"
 #include "common/vision/surface/surface.h"
 #include "tools/command_line/event_file_options.h"
@@ -59,8 +60,10 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--truth", options.truth,
                  "true positions: t_us,x,y,width,height[,visible], or boxes as lines `t y0 y1 x0 "
                  "x1`; a log of a simulated game has its own");
+  std::vector<std::string> algorithms;
+  for (const Algorithm algorithm : kAlgorithms) algorithms.emplace_back(to_string(algorithm));
   app.add_option("--algorithm", options.algorithm)
-      ->check(CLI::IsMember({"puck", "cluster", "particle-filter", "particle-filter-eros"}))
+      ->check(CLI::IsMember(algorithms))
       ->capture_default_str();
   app.add_option("--preset", options.preset)
       ->check(CLI::IsMember(std::vector<std::string>(kPresetNames.begin(), kPresetNames.end())))

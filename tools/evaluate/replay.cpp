@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "common/messaging/conversions.h"
+#include "common/recording/log_recording.h"
 #include "tools/evaluate/estimate_log.h"
-#include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/replay_feed.h"
 
 namespace puck {

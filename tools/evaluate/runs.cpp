@@ -1,13 +1,11 @@
 #include "tools/evaluate/runs.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <thread>
 
+#include "common/io/event_cutter.h"
 #include "common/runtime/latency_histogram.h"
 #include "common/runtime/live_tracker.h"
 #include "tools/evaluate/cpu_time.h"
@@ -22,9 +20,6 @@ using std::chrono::steady_clock;
 
 // Short packets, as from a camera.
 constexpr std::int64_t kLivePacketUs = 500;
-// A longer pause means a damaged time stamp; asking at every tick of it, or waiting for its end,
-// would not end.
-constexpr std::int64_t kLongestPauseUs = std::int64_t{3600} * 1'000'000;
 
 // Counts events and their time span.
 class Span {
@@ -47,46 +42,6 @@ class Span {
   Timestamp last_;
 };
 
-// Cuts a reader's packets at times of the caller's choice.
-class PacketCutter {
- public:
-  explicit PacketCutter(EventReader& events) : events_(events) {}
-
-  // Time of the next event; empty at the end. Throws std::runtime_error at too long a pause.
-  std::optional<Timestamp> next_time() {
-    if (used_ == packet_.events.size()) {
-      used_ = 0;
-      if (!events_.read(packet_, EventReader::kUsualEvents)) return std::nullopt;
-    }
-    const Timestamp next = packet_.time_of(packet_.events[used_]);
-    if (before_ && next - *before_ > kLongestPauseUs) {
-      throw std::runtime_error("the recording pauses from " + std::to_string(before_->us) + " to " +
-                               std::to_string(next.us) +
-                               " µs, more than an hour: is a time damaged?");
-    }
-    before_ = next;
-    return next;
-  }
-
-  // Takes the next events up to and including `until`, within the current packet. Requires a next
-  // event at or before `until`.
-  void take_until(Timestamp until, EventPacket& piece) {
-    const auto begin = packet_.events.begin() + static_cast<std::ptrdiff_t>(used_);
-    const auto end = std::upper_bound(
-        begin, packet_.events.end(), until,
-        [&](Timestamp time, const Event& event) { return time < packet_.time_of(event); });
-    piece.start = packet_.start;
-    piece.events.assign(begin, end);
-    used_ += piece.events.size();
-  }
-
- private:
-  EventReader& events_;
-  EventPacket packet_;
-  std::size_t used_ = 0;
-  std::optional<Timestamp> before_;  // Last returned time.
-};
-
 std::int64_t us_since(steady_clock::time_point time) {
   return duration_cast<microseconds>(steady_clock::now() - time).count();
 }
@@ -94,7 +49,7 @@ std::int64_t us_since(steady_clock::time_point time) {
 // Passes packets on when due on the host's clock.
 template <typename TakePacket>
 void play(EventReader& events, Span& span, const TakePacket& take) {
-  PacketCutter cutter(events);
+  EventCutter cutter(events);
   EventPacket piece;
   const auto first = cutter.next_time();
   if (!first) return;
@@ -113,7 +68,7 @@ RunSummary run_at_rate(EventReader& events, const TrackerSetup& setup, double ra
                        const OnTick& on_tick, std::span<const Timestamp> marks) {
   const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(events.sensor_size());
   const double period_us = 1e6 / rate_hz;
-  PacketCutter cutter(events);
+  EventCutter cutter(events);
   EventPacket piece;
   Span span;
   CpuTime cpu;

@@ -7,8 +7,8 @@
 
 #include "common/io/event_reader.h"
 #include "common/runtime/latency_histogram.h"
+#include "common/trackers/tracker_setup.h"
 #include "common/vision/interfaces/puck_estimate.h"
-#include "tools/evaluate/tracker_setup.h"
 
 namespace puck {
 

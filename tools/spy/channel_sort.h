@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tools/spy/snapshot.h"
+#include "common/monitor/bus_snapshot.h"
 
 namespace puck {
 

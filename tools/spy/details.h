@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
+#include "common/monitor/bus_snapshot.h"
 #include "tools/spy/screen.h"
-#include "tools/spy/snapshot.h"
 
 namespace puck {
 

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "common/messages/host_time.h"
-#include "tools/spy/spy_model.h"
+#include "common/monitor/bus_monitor.h"
 #include "tools/spy/spy_view.h"
 #include "tools/spy/terminal.h"
 
@@ -19,7 +19,7 @@ constexpr milliseconds kStep{20};
 /// A model fed from a bus that may still wait for its network.
 class Listener {
  public:
-  Listener(const BusParams& params, const SpyParams& spy)
+  Listener(const BusParams& params, const MonitorParams& spy)
       : bus_(params), model_(params.prefix, spy, host_monotonic_us()) {
     bus_.subscribe_all([this](std::string_view channel, std::span<const std::uint8_t> bytes,
                               const Receipt& receipt) { model_.hear(channel, bytes, receipt); });
@@ -45,13 +45,13 @@ class Listener {
     }
   }
 
-  Snapshot snapshot() {
+  BusSnapshot snapshot() {
     const std::int64_t now_us = host_monotonic_us();
     for (const Channel channel : kAllChannels) {
       const ChannelCounters dropped = bus_.counters(channel);
       model_.set_unauthenticated(channel, dropped.unauthenticated, dropped.last_rejection, now_us);
     }
-    Snapshot snapshot = model_.snapshot(now_us);
+    BusSnapshot snapshot = model_.snapshot(now_us);
     snapshot.network = bus_.network_counters();
     snapshot.unknown_unauthenticated = bus_.unknown_channels().unauthenticated;
     return snapshot;
@@ -81,7 +81,7 @@ class Listener {
   }
 
   Bus bus_;
-  SpyModel model_;
+  BusMonitor model_;
   mutable std::mutex mutex_;
   bool started_ = false;  // Guarded by mutex_; once true, the bus belongs to the caller's thread.
   std::string problem_;   // Guarded by mutex_.
@@ -99,7 +99,7 @@ std::string describe(const LcmUrl& url, const std::string& prefix) {
 }  // namespace
 
 Heard listen(const BusParams& params, double seconds, StopSignal& stop) {
-  Listener listener(params, SpyParams::whole_time());
+  Listener listener(params, MonitorParams::whole_time());
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (std::chrono::steady_clock::now() < end && !stop.requested()) listener.step();
   listener.catch_up();

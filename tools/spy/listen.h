@@ -3,14 +3,14 @@
 #include <string>
 
 #include "common/messaging/bus.h"
-#include "tools/spy/snapshot.h"
+#include "common/monitor/bus_snapshot.h"
 #include "tools/spy/stop_signal.h"
 
 namespace puck {
 
 /// The result of listening.
 struct Heard {
-  Snapshot snapshot;
+  BusSnapshot snapshot;
   std::string problem;  ///< Why it could not listen; empty: it did.
 };
 

@@ -4,14 +4,12 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "common/io/config.h"
-#include "common/messaging/bus_settings.h"
+#include "tools/command_line/bus_options.h"
 #include "tools/command_line/flush_stdout.h"
 #include "tools/command_line/number_range.h"
 #include "tools/spy/listen.h"
@@ -21,33 +19,11 @@ namespace puck {
 namespace {
 
 struct Options {
-  std::string config_file;
-  std::vector<std::string> settings;
-  std::optional<std::string> lcm_url;
-  std::optional<std::string> prefix;
+  BusOptions bus;
   bool once = false;
   double seconds = 2;
   bool json = false;
 };
-
-/// Separate from the file, so that an unknown key is reported.
-void check_assignments(const Options& options) {
-  Config assignments;
-  for (const std::string& setting : options.settings) assignments.override_with(setting);
-  read_bus_params(assignments);
-  assignments.reject_unknown();
-}
-
-BusParams bus_params(const Options& options) {
-  check_assignments(options);
-  Config config = options.config_file.empty() ? Config{} : Config::from_file(options.config_file);
-  for (const std::string& setting : options.settings) config.override_with(setting);
-  BusParams params = read_bus_params(config);
-  config.reject_unknown_in("lcm");
-  if (options.lcm_url) params.url = *options.lcm_url;
-  if (options.prefix) params.prefix = *options.prefix;
-  return params;
-}
 
 /// Width of the terminal on stdout; unlimited for a file or a pipe.
 std::size_t output_width() {
@@ -95,18 +71,10 @@ int run(int argc, char** argv) {
   CLI::App app("Shows every channel and every service on the bus. Press h for the keys.",
                "puck-spy");
   app.set_version_flag("--version", PUCK_VERSION);
-  app.add_option("--lcm-url", options.lcm_url, "LCM URL of the bus; overrides the setting lcm.url")
-      ->type_name("URL");
-  app.add_option("--prefix", options.prefix,
+  add_bus_options(app, options.bus);
+  app.add_option("--prefix", options.bus.prefix,
                  "Channel prefix: shows P_PUCK_... only; overrides lcm.prefix")
       ->type_name("P");
-  app.add_option("--config", options.config_file,
-                 "TOML file of any service; only its [lcm] section is used")
-      ->type_name("FILE");
-  app.add_option("--set", options.settings,
-                 "One setting of these; overrides the file; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
   CLI::Option* once =
       app.add_flag("--once", options.once,
                    "Listen, print one report and exit; exit code 1: no message was received");
@@ -123,7 +91,7 @@ int run(int argc, char** argv) {
 
   StopSignal stop;
   try {
-    const BusParams params = bus_params(options);
+    const BusParams params = bus_params(options.bus);
     if (options.once) return report_once(options, params, stop);
     watch(params, stop);
   } catch (const std::exception& error) {

@@ -52,7 +52,7 @@ std::string row_id(const ServiceRow& service) {
   return "service " + std::to_string(service.session);
 }
 
-Screen draw_overview(const Snapshot& snapshot, const std::string& selected, ScreenSize size) {
+Screen draw_overview(const BusSnapshot& snapshot, const std::string& selected, ScreenSize size) {
   constexpr int kHeads = 2;
   const auto width = static_cast<std::size_t>(size.columns);
   const auto room = static_cast<std::size_t>(std::max(size.rows - kHeads, 0));

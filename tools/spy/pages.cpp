@@ -39,7 +39,7 @@ Screen help_page() {
   return screen;
 }
 
-Screen others_page(const Snapshot& snapshot, std::size_t width) {
+Screen others_page(const BusSnapshot& snapshot, std::size_t width) {
   const TransportCounters& network = snapshot.network;
   Screen screen;
   for (std::string& line : foreign_table(network.foreign_traffic, width)) {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "common/messaging/transport.h"
+#include "common/monitor/bus_snapshot.h"
 #include "tools/spy/screen.h"
-#include "tools/spy/snapshot.h"
 
 namespace puck {
 
@@ -13,7 +13,7 @@ namespace puck {
 Screen help_page();
 
 /// Foreign traffic on this group and port.
-Screen others_page(const Snapshot& snapshot, std::size_t width);
+Screen others_page(const BusSnapshot& snapshot, std::size_t width);
 /// Summary in one line.
 ScreenLine others_line(const TransportCounters& network);
 

@@ -97,7 +97,7 @@ std::string text_of(const std::vector<std::string>& table) {
 
 }  // namespace
 
-std::string json_report(const Snapshot& snapshot, const std::string& url,
+std::string json_report(const BusSnapshot& snapshot, const std::string& url,
                         const std::string& prefix) {
   Json report{
       {"url", url},
@@ -127,7 +127,7 @@ std::string json_report(const Snapshot& snapshot, const std::string& url,
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::string text_report(const Snapshot& snapshot, std::size_t width) {
+std::string text_report(const BusSnapshot& snapshot, std::size_t width) {
   std::string text;
   const auto add = [&](const auto& rows, const auto& table) {
     if (!rows.empty()) text += (text.empty() ? "" : "\n") + text_of(table(rows, width));

@@ -10,7 +10,7 @@
 
 namespace puck {
 
-void SpyView::show(Snapshot snapshot) {
+void SpyView::show(BusSnapshot snapshot) {
   if (paused_) return;
   heard_ = std::move(snapshot);
   sort_channels();

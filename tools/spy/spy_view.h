@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "common/monitor/bus_snapshot.h"
 #include "tools/spy/channel_sort.h"
 #include "tools/spy/screen.h"
-#include "tools/spy/snapshot.h"
 
 namespace puck {
 
@@ -20,7 +20,7 @@ class SpyView {
   void set_notice(std::string notice) { notice_ = std::move(notice); }
 
   /// Replaces the shown snapshot, unless paused.
-  void show(Snapshot snapshot);
+  void show(BusSnapshot snapshot);
   void press(SpyKey key);
   bool is_paused() const { return paused_; }
   bool wants_to_quit() const { return quit_; }
@@ -46,8 +46,8 @@ class SpyView {
 
   std::string bus_;
   std::string notice_;
-  Snapshot heard_;
-  Snapshot shown_;  // shown with sorted channels
+  BusSnapshot heard_;
+  BusSnapshot shown_;  // shown with sorted channels
   Page page_ = Page::kOverview;
   ChannelSort sort_ = ChannelSort::kFlow;
   bool reverse_ = false;

@@ -101,11 +101,6 @@ std::string describe(const PublisherRow& publisher) {
   return publisher.service + ' ' + std::to_string(publisher.pid) + ' ' + publisher.host;
 }
 
-std::string state_of(const ServiceRow& service) {
-  if (service.silent) return "silent";
-  return service.state == ServiceState::kStopping ? "stopped" : to_string(service.state);
-}
-
 std::string describe(const StatusLatency& latency) {
   return short_count(latency.p50_us) + '/' + short_count(latency.p99_us) + '/' +
          short_count(latency.max_us) + ' ' + latency.name;

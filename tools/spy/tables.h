@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/spy/snapshot.h"
+#include "common/monitor/bus_snapshot.h"
 
 namespace puck {
 
@@ -23,9 +23,6 @@ std::vector<std::string> foreign_table(const std::vector<ForeignTraffic>& foreig
 
 /// `puck-camera 4242 host`, or the address if no STATUS was heard.
 std::string describe(const PublisherRow& publisher);
-
-/// `running`, …; `silent` if STATUS is overdue, `stopped` after its last STATUS.
-std::string state_of(const ServiceRow& service);
 
 /// `75/671/24111 packet_to_estimate`.
 std::string describe(const StatusLatency& latency);
