@@ -91,7 +91,7 @@ bool LoggedGame::find_next() {
       case Channel::kStatus:
         continue;
     }
-    if (sensor_us && is_sensor_time(*sensor_us)) {
+    if (sensor_us && is_sensor_time(Timestamp{*sensor_us})) {
       record_time_ = std::max(record_time_, Timestamp{*sensor_us});
     }
     has_record_ = true;
@@ -135,7 +135,7 @@ std::optional<LoggedCamera> camera_of_log(const std::filesystem::path& path,
   while (log.next(record)) {
     if (record.channel != channel) continue;
     const auto estimate = decoded<puck_estimate_t>(record);
-    if (!estimate || !is_sensor_time(estimate->sensor_us)) continue;
+    if (!estimate || !is_sensor_time(Timestamp{estimate->sensor_us})) continue;
     const SensorSize sensor{estimate->image_width, estimate->image_height};
     if (sensor.is_valid()) return LoggedCamera{sensor, {estimate->sensor_us}};
   }
