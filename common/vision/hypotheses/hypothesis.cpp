@@ -115,7 +115,7 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
   const double clutter = std::max(game.noise_px2_s, clutter_px2_s_) + kLeastClutter_px2_s;
   for (const TimedEvent& event : events) {
     // In between, the position is extrapolated.
-    constexpr std::int64_t kPredicted_us = 10;
+    constexpr std::int64_t kPredicted_us = 5;
     const std::int64_t ahead_us = event.time_us - filter_.time_us();
     const PixelVelocity velocity = filter_.velocity();
     const double ahead_s = static_cast<double>(ahead_us) * 1e-6;
