@@ -41,40 +41,38 @@ ArmController::ArmController(const ArmControllerParams& params, std::int64_t ses
   order_.reason = "no command yet";
 }
 
-void ArmController::hear(const puck_estimate_t& estimate, const HostNow& now,
+void ArmController::hear(const PublishedEstimate& estimate, const HostNow& now,
                          const SenderClock& sender) {
   const TrackWatch::Verdict verdict = track_.hear(estimate, now, sender);
   ++estimates_[static_cast<std::size_t>(verdict)];
   if (params_.mode != ArmMode::kFollow || verdict != TrackWatch::Verdict::kUsed) return;
   // After an interruption of the track the jump check allows for the time that passed.
-  const puck_estimate_t* track = track_.alive(now.monotonic_us);
+  const PublishedEstimate* track = track_.alive(now.monotonic_us);
   if (track == nullptr) return;
   const std::optional<TablePoint> point = place_of(*track);
   if (!point) {
     ++off_table_;
     return;
   }
-  jumps_.see(*point, track->sensor_us, now.monotonic_us);
+  jumps_.see(*point, track->newest_event.us, now.monotonic_us);
 }
 
 ArmController::Order ArmController::decide_as_commanded(const HostNow& now,
-                                                        const puck_estimate_t* track) const {
+                                                        const PublishedEstimate* track) const {
   Order order;
   const CommandGuard::Current* current = guard_.current(now.monotonic_us);
   if (current == nullptr) {
     order.reason = guard_.was_ever_commanded() ? "no fresh command" : "no command yet";
     return order;
   }
-  const arm_command_t& command = current->command;
-  order.command_session = command.session;
-  order.command_seq = command.seq;
-  order.estimate_session = command.estimate_session;
-  order.estimate_seq = command.estimate_seq;
-  if (command.mode == arm_command_t::MODE_HOLD) {
+  const ArmCommand& command = current->command;
+  order.command = command.id();
+  order.estimate = command.estimate;
+  if (command.mode == CommandMode::kHold) {
     order.reason = "asked to hold";
   } else if (track == nullptr) {
     order.reason = "no live track";
-  } else if (track->session != command.estimate_session) {
+  } else if (track->session != command.estimate.session) {
     order.reason = "the command is based on another tracker than the one heard here";
   } else {
     order.target_m = current->target_m;
@@ -82,14 +80,13 @@ ArmController::Order ArmController::decide_as_commanded(const HostNow& now,
   return order;
 }
 
-std::optional<TablePoint> ArmController::place_of(const puck_estimate_t& track) const {
-  const std::optional<TablePoint> point =
-      params_.view->table_from_image.to_table({track.x_px, track.y_px});
+std::optional<TablePoint> ArmController::place_of(const PublishedEstimate& track) const {
+  const std::optional<TablePoint> point = params_.view->table_from_image.to_table(*track.position);
   if (!point || !params_.view->table.contains(*point, params_.margin_m)) return std::nullopt;
   return point;
 }
 
-ArmController::Order ArmController::decide_to_follow(const puck_estimate_t* track,
+ArmController::Order ArmController::decide_to_follow(const PublishedEstimate* track,
                                                      const HostNow& now) const {
   Order order;
   if (track == nullptr) {
@@ -107,12 +104,12 @@ ArmController::Order ArmController::decide_to_follow(const puck_estimate_t* trac
   }
   const double half_m = params_.guard.line_half_m;
   order.target_m = std::clamp(point->y_m, -half_m, half_m);
-  order.estimate_session = track->session;
-  order.estimate_seq = track->seq;
+  order.estimate = track->id();
   return order;
 }
 
-ArmController::Order ArmController::decide(const HostNow& now, const puck_estimate_t* track) const {
+ArmController::Order ArmController::decide(const HostNow& now,
+                                           const PublishedEstimate* track) const {
   const bool is_latched = guard_.latch() != CommandGuard::Latch::kNone;
   if (is_latched || is_ending_) {
     Order order;
@@ -125,8 +122,7 @@ ArmController::Order ArmController::decide(const HostNow& now, const puck_estima
 
 void ArmController::measure_latency(const Order& order, const HostNow& now) {
   if (!order.target_m || order.rests_on_the_same_as(order_)) return;
-  const std::optional<std::int64_t> published =
-      track_.published_utime(order.estimate_session, order.estimate_seq);
+  const std::optional<std::int64_t> published = track_.published_utime(order.estimate);
   if (!published) return;
   // Below 0 only by the uncertainty of the clocks' offset.
   estimate_to_motion_us_ = std::max<std::int64_t>(0, now.utime - *published);
@@ -134,11 +130,10 @@ void ArmController::measure_latency(const Order& order, const HostNow& now) {
 }
 
 void ArmController::step(const HostNow& now, double dt_s) {
-  const puck_estimate_t* track = track_.alive(now.monotonic_us);
+  const PublishedEstimate* track = track_.alive(now.monotonic_us);
   const Order order = decide(now, track);
   measure_latency(order, now);
-  alive_session_ = track != nullptr ? track->session : 0;
-  alive_seq_ = track != nullptr ? track->seq : 0;
+  alive_ = track != nullptr ? track->id() : MessageId{};
   order_ = order;
 
   if (order_.target_m) was_ever_ordered_ = true;
@@ -156,9 +151,9 @@ void ArmController::step(const HostNow& now, double dt_s) {
   order_.reason = kLatched;
 }
 
-arm_state_t ArmController::state() const {
+ArmState ArmController::state() const {
   const double half_m = params_.guard.line_half_m;
-  arm_state_t state{};
+  ArmState state;
   const bool is_latched = guard_.latch() != CommandGuard::Latch::kNone;
   if (is_latched) {
     state.reason = guard_.latch_reason();
@@ -178,33 +173,30 @@ arm_state_t ArmController::state() const {
   state.target_m = order_.target_m.value_or(motion_.line().target());
   if (motion_.encoders().has_reading()) {
     const JointAngles& joints = motion_.encoders().deg();
-    state.joint_count = static_cast<std::int32_t>(joints.size());
     state.joint_deg.assign(joints.deg().begin(), joints.deg().end());
     for (std::size_t k = 0; k < joints.size(); ++k) {
       state.joint_velocity_deg_s.push_back(motion_.encoders().joint_velocity_deg_s(k));
     }
   }
-  state.command_session = is_latched ? guard_.stop().session : order_.command_session;
-  state.command_seq = is_latched ? guard_.stop().seq : order_.command_seq;
-  state.estimate_session = alive_session_;
-  state.estimate_seq = alive_seq_;
+  state.command = is_latched ? guard_.stop() : order_.command;
+  state.estimate = alive_;
   state.commands_refused = guard_.refused();
   state.estimate_to_motion_us = estimate_to_motion_us_;
 
   const bool there = motion_.line().is_at_rest() && (motion_.is_on_line() || !order_.target_m) &&
                      std::abs(state.velocity_m_s) < kStillMS;
   if (guard_.latch() == CommandGuard::Latch::kFault) {
-    state.state = arm_state_t::STATE_FAULT;
+    state.activity = ArmActivity::kFault;
   } else if (guard_.latch() == CommandGuard::Latch::kStopped) {
-    state.state = arm_state_t::STATE_STOPPED;
+    state.activity = ArmActivity::kStopped;
   } else if (motion_.is_waiting()) {
-    state.state = arm_state_t::STATE_IDLE;
+    state.activity = ArmActivity::kIdle;
   } else if (!there) {
-    state.state = arm_state_t::STATE_MOVING;
+    state.activity = ArmActivity::kMoving;
   } else if (was_ever_ordered_ || guard_.was_ever_commanded()) {
-    state.state = arm_state_t::STATE_HOLDING;
+    state.activity = ArmActivity::kHolding;
   } else {
-    state.state = arm_state_t::STATE_IDLE;
+    state.activity = ArmActivity::kIdle;
   }
   return state;
 }

@@ -12,9 +12,11 @@
 #include "common/control/jump_watch.h"
 #include "common/control/simulated_back_end.h"
 #include "common/control/track_watch.h"
-#include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
+#include "common/messages/arm_command.h"
+#include "common/messages/arm_state.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
+#include "common/messages/published_estimate.h"
 #include "common/runtime/latency_histogram.h"
 #include "common/table/homography.h"
 #include "common/table/table_geometry.h"
@@ -55,10 +57,10 @@ class ArmController {
                 std::unique_ptr<ArmBackEnd> back_end = nullptr);
 
   /// `sender`: the clock of the message's session.
-  void hear(const arm_command_t& command, const HostNow& now, const SenderClock& sender) {
+  void hear(const ArmCommand& command, const HostNow& now, const SenderClock& sender) {
     guard_.hear(command, now, sender);
   }
-  void hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
+  void hear(const PublishedEstimate& estimate, const HostNow& now, const SenderClock& sender);
 
   /// Decides again and advances the motion by `dt_s`, the time since the previous step.
   void step(const HostNow& now, double dt_s);
@@ -70,7 +72,7 @@ class ArmController {
   bool rests() const { return motion_.set_points_rest(); }
 
   /// State at the last step, without the header.
-  arm_state_t state() const;
+  ArmState state() const;
 
   const CommandGuard& guard() const { return guard_; }
   std::int64_t estimates(TrackWatch::Verdict verdict) const {
@@ -96,21 +98,18 @@ class ArmController {
   struct Order {
     std::optional<double> target_m;  // nothing: stand still
     std::string_view reason;         // why it stands still: a literal
-    std::int64_t command_session = 0;
-    std::int64_t command_seq = 0;
-    std::int64_t estimate_session = 0;
-    std::int64_t estimate_seq = 0;
+    MessageId command;
+    MessageId estimate;
 
     bool rests_on_the_same_as(const Order& other) const {
-      return command_session == other.command_session && command_seq == other.command_seq &&
-             estimate_session == other.estimate_session && estimate_seq == other.estimate_seq;
+      return command == other.command && estimate == other.estimate;
     }
   };
 
-  Order decide(const HostNow& now, const puck_estimate_t* track) const;
-  Order decide_as_commanded(const HostNow& now, const puck_estimate_t* track) const;
-  Order decide_to_follow(const puck_estimate_t* track, const HostNow& now) const;
-  std::optional<TablePoint> place_of(const puck_estimate_t& track) const;
+  Order decide(const HostNow& now, const PublishedEstimate* track) const;
+  Order decide_as_commanded(const HostNow& now, const PublishedEstimate* track) const;
+  Order decide_to_follow(const PublishedEstimate* track, const HostNow& now) const;
+  std::optional<TablePoint> place_of(const PublishedEstimate& track) const;
   void measure_latency(const Order& order, const HostNow& now);
 
   ArmControllerParams params_;
@@ -123,8 +122,7 @@ class ArmController {
   bool was_faulty_ = false;
   bool is_ending_ = false;
   Order order_;
-  std::int64_t alive_session_ = 0;  // session of the live track at the last step; 0: none
-  std::int64_t alive_seq_ = 0;
+  MessageId alive_;  // the live track at the last step
   std::int64_t estimate_to_motion_us_ = 0;
   LatencyHistogram estimate_to_motion_;
   bool was_ever_ordered_ = false;

@@ -59,7 +59,7 @@ std::int64_t CommandGuard::refused() const {
   return std::accumulate(refused_.begin(), refused_.end(), std::int64_t{0});
 }
 
-CommandRefusal CommandGuard::hear(const arm_command_t& command, const HostNow& now,
+CommandRefusal CommandGuard::hear(const ArmCommand& command, const HostNow& now,
                                   const SenderClock& sender) {
   const CommandRefusal refusal = judge(command, now, sender);
   if (refusal == CommandRefusal::kNone) {
@@ -78,7 +78,7 @@ void CommandGuard::fault(const std::string& reason) {
   current_.reset();
 }
 
-CommandRefusal CommandGuard::judge_clock_and_arm(const arm_command_t& command, const HostNow& now,
+CommandRefusal CommandGuard::judge_clock_and_arm(const ArmCommand& command, const HostNow& now,
                                                  const SenderClock& sender) const {
   if (command.arm_session != arm_session_) return CommandRefusal::kOtherArm;
   switch (freshness_of(command.utime, now, sender, params_.max_clock_error_us)) {
@@ -94,7 +94,7 @@ CommandRefusal CommandGuard::judge_clock_and_arm(const arm_command_t& command, c
   return CommandRefusal::kNone;
 }
 
-CommandRefusal CommandGuard::judge_reset(const arm_command_t& command, const HostNow& now,
+CommandRefusal CommandGuard::judge_reset(const ArmCommand& command, const HostNow& now,
                                          const SenderClock& sender) {
   if (!command.from_operator) return CommandRefusal::kNotOperator;
   const CommandRefusal refusal = judge_clock_and_arm(command, now, sender);
@@ -113,20 +113,20 @@ CommandRefusal CommandGuard::judge_reset(const arm_command_t& command, const Hos
   return CommandRefusal::kNone;
 }
 
-CommandRefusal CommandGuard::judge(const arm_command_t& command, const HostNow& now,
+CommandRefusal CommandGuard::judge(const ArmCommand& command, const HostNow& now,
                                    const SenderClock& sender) {
   // A stop is always obeyed: from anyone, for any arm, of any age.
-  if (command.mode == arm_command_t::MODE_STOP) {
+  if (command.mode == CommandMode::kStop) {
     current_.reset();
-    stop_ = {command.session, command.seq};
+    stop_ = command.id();
     if (latch_ == Latch::kNone) {
       latch_ = Latch::kStopped;
       latch_reason_ = command.from_operator ? "stopped by an operator" : "stopped by a command";
     }
     return CommandRefusal::kNone;
   }
-  if (command.mode == arm_command_t::MODE_RESET) return judge_reset(command, now, sender);
-  if (command.mode != arm_command_t::MODE_FOLLOW && command.mode != arm_command_t::MODE_HOLD) {
+  if (command.mode == CommandMode::kReset) return judge_reset(command, now, sender);
+  if (command.mode != CommandMode::kFollow && command.mode != CommandMode::kHold) {
     return CommandRefusal::kUnknownMode;
   }
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
-#include "common/messaging/single_publisher.h"
+#include "common/messages/arm_command.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
+#include "common/messages/single_publisher.h"
 
 namespace puck {
 
@@ -50,7 +50,7 @@ class CommandGuard {
  public:
   enum class Latch : std::uint8_t { kNone, kStopped, kFault };
   struct Current {
-    arm_command_t command{};
+    ArmCommand command;
     double target_m = 0;        ///< Position on the line.
     std::int64_t until_us = 0;  ///< End of validity, CLOCK_MONOTONIC.
   };
@@ -60,7 +60,7 @@ class CommandGuard {
   CommandGuard(const CommandGuardParams& params, std::int64_t arm_session);
 
   /// `sender`: the clock of the command's session.
-  CommandRefusal hear(const arm_command_t& command, const HostNow& now, const SenderClock& sender);
+  CommandRefusal hear(const ArmCommand& command, const HostNow& now, const SenderClock& sender);
   /// Latches a fault of the arm itself.
   void fault(const std::string& reason);
 
@@ -70,11 +70,7 @@ class CommandGuard {
   Latch latch() const { return latch_; }
   const std::string& latch_reason() const { return latch_reason_; }
   /// The newest stop since the last reset, published to confirm it to its sender.
-  struct Stop {
-    std::int64_t session = 0;  ///< 0: none.
-    std::int64_t seq = 0;
-  };
-  const Stop& stop() const { return stop_; }
+  const MessageId& stop() const { return stop_; }
 
   std::int64_t accepted() const { return accepted_; }
   std::int64_t refused(CommandRefusal refusal) const {
@@ -84,10 +80,10 @@ class CommandGuard {
   std::int32_t faults() const { return faults_; }
 
  private:
-  CommandRefusal judge(const arm_command_t& command, const HostNow& now, const SenderClock& sender);
-  CommandRefusal judge_reset(const arm_command_t& command, const HostNow& now,
+  CommandRefusal judge(const ArmCommand& command, const HostNow& now, const SenderClock& sender);
+  CommandRefusal judge_reset(const ArmCommand& command, const HostNow& now,
                              const SenderClock& sender);
-  CommandRefusal judge_clock_and_arm(const arm_command_t& command, const HostNow& now,
+  CommandRefusal judge_clock_and_arm(const ArmCommand& command, const HostNow& now,
                                      const SenderClock& sender) const;
 
   CommandGuardParams params_;
@@ -97,7 +93,7 @@ class CommandGuard {
   bool was_ever_commanded_ = false;
   Latch latch_ = Latch::kNone;
   std::string latch_reason_;
-  Stop stop_;
+  MessageId stop_;
   std::array<std::int64_t, 16> used_resets_{};  // ring of the newest sessions whose reset was used
   std::size_t next_used_reset_ = 0;
   std::int64_t accepted_ = 0;

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "common/control/sensor_clock_watch.h"
-#include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
-#include "common/messaging/single_publisher.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
+#include "common/messages/published_estimate.h"
+#include "common/messages/single_publisher.h"
 
 namespace puck {
 
@@ -39,12 +39,12 @@ class TrackWatch {
   explicit TrackWatch(const TrackWatchParams& params) : params_(params) {}
 
   /// `sender`: the clock of the estimate's session.
-  Verdict hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
+  Verdict hear(const PublishedEstimate& estimate, const HostNow& now, const SenderClock& sender);
 
   /// The newest estimate if it tracks a live camera's events, came in time, and its sensor time
   /// agrees with the host's clock and advances (or the puck rests); else null. Repeated estimates,
   /// a tracker on a log, and a camera with a wrong clock are no live track.
-  const puck_estimate_t* alive(std::int64_t monotonic_us) const;
+  const PublishedEstimate* alive(std::int64_t monotonic_us) const;
 
   /// Number of used estimates whose sensor time did not advance though the puck moves.
   std::int64_t frozen() const { return frozen_; }
@@ -53,21 +53,20 @@ class TrackWatch {
 
   /// When one of the newest estimates was published, by our CLOCK_REALTIME, µs, corrected for the
   /// offset of the tracker's clock. Nothing for older ones.
-  std::optional<std::int64_t> published_utime(std::int64_t session, std::int64_t seq) const;
+  std::optional<std::int64_t> published_utime(const MessageId& estimate) const;
 
  private:
   struct Published {
-    std::int64_t session = 0;
-    std::int64_t seq = -1;
+    MessageId id{0, -1};
     std::int64_t utime = 0;
   };
   static constexpr std::size_t kRemembered = 1024;  // 200 ms at the highest rate of estimates
 
-  void follow_sensor_clock(const puck_estimate_t& estimate, std::int64_t monotonic_us);
+  void follow_sensor_clock(const PublishedEstimate& estimate, std::int64_t monotonic_us);
 
   TrackWatchParams params_;
   SinglePublisher publisher_;
-  std::optional<puck_estimate_t> newest_;
+  std::optional<PublishedEstimate> newest_;
   std::int64_t newest_heard_us_ = 0;  // CLOCK_MONOTONIC
   std::int64_t went_on_us_ = 0;       // CLOCK_MONOTONIC, when sensor time last advanced
   std::int64_t frozen_ = 0;

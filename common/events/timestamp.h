@@ -22,4 +22,10 @@ struct Timestamp {
   }
 };
 
+/// Whether the time is possible: no sensor runs for longer than 30 years.
+constexpr bool is_sensor_time(Timestamp time) {
+  constexpr std::int64_t kLongestRunUs = 1'000'000'000'000'000;
+  return time.us >= 0 && time.us <= kLongestRunUs;
+}
+
 }  // namespace puck

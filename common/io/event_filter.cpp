@@ -113,6 +113,10 @@ void EventFilter::make_places() {
 
 void EventFilter::reset() {
   left_out_ = {};
+  forget_times();
+}
+
+void EventFilter::forget_times() {
   if (kept_times_) kept_times_->clear();
   if (event_times_) event_times_->clear();
 }

@@ -74,6 +74,8 @@ class EventFilter {
 
   /// As at the beginning of a stream.
   void reset();
+  /// The same, but the counts go on: the next packet may be of any time.
+  void forget_times();
 
  private:
   template <typename Keep>

@@ -92,6 +92,10 @@ class EventReader {
 
   virtual RecordingFacts facts() const { return {}; }
 
+  /// Number of the session to which the last packet belongs, from 0 on: an LCM log may hold several
+  /// ones. Their times are joined.
+  virtual std::int64_t session_number() const { return 0; }
+
   /// Share of the file that was read, 0 to 1; nothing for a stream of unknown length.
   virtual std::optional<double> share_read() const { return std::nullopt; }
 

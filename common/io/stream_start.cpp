@@ -25,7 +25,9 @@ std::optional<StreamStart> find_stream_start(const StreamHead& head) {
       return begin_text(head);
     default:
       throw EventFileError(head.name + ": is " + name_of(*kind) +
-                           ", which cannot be read from a stream; expected a file");
+                           ", which cannot be read from a live stream; expected Prophesee RAW or "
+                           "DAT, Event Stream, AEDAT 2.0 or text, or a recording: camera.source = "
+                           "\"file\" with camera.file = \"-\" reads one from stdin");
   }
 }
 

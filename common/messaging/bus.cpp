@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 #include "common/messaging/memory_transport.h"
 #include "common/messaging/message_seal.h"
 #include "common/messaging/session_id.h"
@@ -84,7 +85,7 @@ class Bus::Impl {
     const std::lock_guard lock(publish_mutex_);
     Line& line = line_of(channel);
     if (!transport_) return count_failure(line, "the bus has not started");
-    encode_with({host_utime(), session_, line.next_seq++}, buffer_);
+    encode_with({host_utime(), session(), line.next_seq++}, buffer_);
     count_published(line);
     // Rejected here already, where the sender can see the reason.
     if (auto rejection = check_message(channel, buffer_)) return count_failure(line, *rejection);
@@ -121,7 +122,14 @@ class Bus::Impl {
     return network_counters_;
   }
 
-  std::int64_t session() const { return session_; }
+  std::int64_t session() const { return session_.load(std::memory_order_relaxed); }
+
+  void begin_session() {
+    const std::lock_guard lock(publish_mutex_);
+    session_.store(random_session(), std::memory_order_relaxed);
+    for (Line& line : lines_) line.next_seq = 0;
+  }
+
   const std::string& prefix() const { return prefix_; }
   const LcmUrl& url() const { return url_; }
   bool is_authenticated() const { return security_.has_value(); }
@@ -259,7 +267,7 @@ class Bus::Impl {
   const std::string prefix_;
   const std::string beginning_;  // Common beginning of all channel names under the prefix.
   const bool allow_fragments_;
-  const std::int64_t session_ = random_session();
+  std::atomic<std::int64_t> session_{random_session()};  // Written under publish_mutex_.
 
   std::mutex publish_mutex_;
   std::vector<std::uint8_t> buffer_;  // Guarded by publish_mutex_.
@@ -302,6 +310,7 @@ int Bus::handle(std::chrono::microseconds timeout, std::chrono::microseconds lon
 }
 
 std::int64_t Bus::session() const { return impl_->session(); }
+void Bus::begin_session() { impl_->begin_session(); }
 const std::string& Bus::prefix() const { return impl_->prefix(); }
 const LcmUrl& Bus::url() const { return impl_->url(); }
 bool Bus::is_authenticated() const { return impl_->is_authenticated(); }

@@ -52,6 +52,8 @@ struct ChannelCounters {
 /// session and number to published messages, and counts losses. Joins the network again after an
 /// interruption. Neither copied nor moved.
 ///
+/// A Message is one of LCM's types or, with conversions.h, one of common/messages.
+///
 /// Subscribe first, then start(), then call handle() in a loop on one thread. Handlers run on this
 /// thread; they may publish but not subscribe.
 class Bus {
@@ -103,8 +105,12 @@ class Bus {
   int handle(std::chrono::microseconds timeout,
              std::chrono::microseconds longest = std::chrono::milliseconds(50));
 
-  /// Random, never 0: identifies this run on the wire.
+  /// Random, never 0: identifies this run on the wire. Safe from any thread.
   std::int64_t session() const;
+  /// Publishes from now on as another run: a new session, and numbers from 0 on every channel. Call
+  /// it on the thread of handle(). Receivers follow it once the previous session has been silent
+  /// for SinglePublisher::kSilentAfterUs.
+  void begin_session();
   const std::string& prefix() const;
   const LcmUrl& url() const;
   /// Whether there is a key, so that only messages sealed with it are accepted.

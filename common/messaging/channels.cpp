@@ -40,14 +40,14 @@ std::optional<Channel> find_channel_of_any_prefix(std::string_view name) {
   return std::nullopt;
 }
 
-void check_prefix(std::string_view prefix) {
+void check_prefix(std::string_view prefix, std::string_view key) {
   constexpr std::size_t kMaxLength = 16;
   const bool known = std::all_of(prefix.begin(), prefix.end(), [](char c) {
     return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   });
   if (prefix.size() > kMaxLength || !known) {
-    throw BusError("lcm.prefix must be up to 16 of A-Z, 0-9 and _, got \"" + std::string(prefix) +
-                   "\"");
+    throw BusError(std::string(key) + " must be up to 16 of A-Z, 0-9 and _, got \"" +
+                   std::string(prefix) + "\"");
   }
 }
 

@@ -30,7 +30,8 @@ std::optional<Channel> find_channel(std::string_view name, std::string_view pref
 /// The channel of this name under any prefix; nothing for a foreign name.
 std::optional<Channel> find_channel_of_any_prefix(std::string_view name);
 
-/// Throws BusError unless the prefix is up to 16 of A-Z, 0-9 and _.
-void check_prefix(std::string_view prefix);
+/// Throws BusError unless the prefix is up to 16 of A-Z, 0-9 and _. `key`: what the user has set:
+/// --prefix, camera.log_prefix, …
+void check_prefix(std::string_view prefix, std::string_view key = "lcm.prefix");
 
 }  // namespace puck

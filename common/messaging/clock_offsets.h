@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
 
 namespace puck {
 

@@ -1,6 +1,7 @@
 #include "common/messaging/event_log.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "common/messaging/channels.h"
@@ -30,7 +31,11 @@ EventLog::EventLog(std::filesystem::path path, std::string_view prefix, Sessions
 
 void EventLog::rewind() {
   log_ = std::make_unique<LogReader>(path_);
+  newest_number_ = std::numeric_limits<std::int64_t>::min();
+  is_behind_joint_ = false;
   publisher_ = {};
+  newest_seq_ = 0;
+  session_number_ = 0;
   losses_ = {};
   sensor_ = {};
   shift_us_ = 0;
@@ -65,6 +70,7 @@ bool EventLog::read(EventPacket& packet, std::size_t max_events) {
 
 bool EventLog::next_packet() {
   while (log_->next(record_)) {
+    note_joint(record_.number);
     if (record_.channel != channel_) {
       if (find_channel_of_any_prefix(record_.channel) == Channel::kEvents) {
         similar_channel_ = record_.channel;
@@ -106,6 +112,18 @@ bool EventLog::take(const EventPacketView& packet, std::int64_t heard_utime) {
   return true;
 }
 
+// A logger counts its messages, so a lower number is the beginning of another log.
+void EventLog::note_joint(std::int64_t record_number) {
+  if (record_number < newest_number_ && sessions_ == Sessions::kJoined) is_behind_joint_ = true;
+  newest_number_ = record_number;
+}
+
+// The log may also be the next part of one session, as of a logger that began a new file.
+bool EventLog::begins_at_joint(const EventPacketView& packet) {
+  if (!std::exchange(is_behind_joint_, false)) return false;
+  return packet.session != publisher_.session() || packet.seq <= newest_seq_;
+}
+
 bool EventLog::follows(const EventPacketView& packet, std::int64_t heard_utime) {
   const SensorSize sensor{packet.width, packet.height};
   const bool is_first = sensor_ == SensorSize{};
@@ -115,10 +133,16 @@ bool EventLog::follows(const EventPacketView& packet, std::int64_t heard_utime) 
     ++counters_.packets_of_others;
     return false;
   }
+  if (begins_at_joint(packet)) {
+    publisher_ = {};
+    newest_utime_ = heard_utime - kJointUs;
+  }
   switch (publisher_.hear(packet.session, packet.seq, heard_utime)) {
     case SinglePublisher::Verdict::kAccepted:
+      newest_seq_ = packet.seq;
       return true;
     case SinglePublisher::Verdict::kNewPublisher:
+      newest_seq_ = packet.seq;
       begin_session(packet, heard_utime);
       return true;
     case SinglePublisher::Verdict::kLate:
@@ -138,6 +162,7 @@ void EventLog::begin_session(const EventPacketView& packet, std::int64_t heard_u
   const bool is_first = sensor_ == SensorSize{};
   sensor_ = {packet.width, packet.height};
   if (is_first) return;
+  ++session_number_;
   const std::int64_t pause_us =
       std::clamp<std::int64_t>(heard_utime - newest_utime_, 1, kLongestPauseUs);
   shift_us_ = (newest_ + pause_us).us - packet.first_event_us;

@@ -10,10 +10,10 @@
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
+#include "common/messages/single_publisher.h"
 #include "common/messaging/event_packet_view.h"
 #include "common/messaging/log_file.h"
 #include "common/messaging/loss_accounting.h"
-#include "common/messaging/single_publisher.h"
 
 namespace puck {
 
@@ -36,9 +36,13 @@ class EventLog {
   enum class Sessions {
     kFirst,  ///< Only the first run of a publisher.
     /// After a publisher has fallen silent, the next one too. Its sensor time is shifted so that
-    /// the gap between the two is that of the logger's times of receipt.
+    /// the gap between the two is that of the logger's times of receipt. Where another log was
+    /// appended to this one, the next publisher follows after kJointUs.
     kJoined,
   };
+
+  /// Sensor time between the sessions of two logs of which one was appended to the other.
+  static constexpr std::int64_t kJointUs = 1'000'000;
 
   /// `prefix`: of the channel names. Throws LogFileError, also for a log without events.
   EventLog(std::filesystem::path path, std::string_view prefix, Sessions sessions);
@@ -46,6 +50,8 @@ class EventLog {
   SensorSize sensor_size() const { return sensor_; }
   /// Session of the newest events.
   std::int64_t session() const { return publisher_.session(); }
+  /// Number of sessions read before that one.
+  std::int64_t session_number() const { return session_number_; }
 
   /// Replaces the events in `packet` by the next ones: the rest of one packet, at most
   /// `max_events`. Returns false at the end of the log, with `packet` empty.
@@ -60,6 +66,8 @@ class EventLog {
   bool next_packet();
   bool take(const EventPacketView& packet, std::int64_t heard_utime);
   bool follows(const EventPacketView& packet, std::int64_t heard_utime);
+  void note_joint(std::int64_t record_number);
+  bool begins_at_joint(const EventPacketView& packet);
   void count(const EventPacketView& packet);
   void begin_session(const EventPacketView& packet, std::int64_t heard_utime);
   std::string nothing_found() const;
@@ -69,9 +77,13 @@ class EventLog {
   Sessions sessions_;
   std::unique_ptr<LogReader> log_;
   LogRecord record_;
-  std::string similar_channel_;  // A channel with events under another prefix; empty: none.
+  std::int64_t newest_number_ = 0;  // Of the records.
+  bool is_behind_joint_ = false;    // No packet of the appended log has been judged yet.
+  std::string similar_channel_;     // A channel with events under another prefix; empty: none.
 
   SinglePublisher publisher_;
+  std::int64_t newest_seq_ = 0;  // Of this session.
+  std::int64_t session_number_ = 0;
   LossAccount losses_;  // Of this session.
   SensorSize sensor_;
   std::int64_t shift_us_ = 0;

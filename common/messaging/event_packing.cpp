@@ -85,7 +85,7 @@ void EventPacker::pack(Timestamp start, std::span<const Event> events,
       return fill(events, sensor_, static_cast<std::size_t>(max_events_), packet_, word);
     });
     packet_.first_event_us = (start + events.front().offset_us).us;
-    packet_.events_before = events_packed_;
+    packet_.events_before = events_packed_ - packed_before_session_;
     events_packed_ += packet_.count;
     events_outside_ += static_cast<std::int64_t>(used) - packet_.count;
     if (packet_.count > 0) emit(packet_);

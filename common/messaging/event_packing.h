@@ -38,7 +38,10 @@ class EventPacker {
   void pack(Timestamp start, std::span<const Event> events,
             const std::function<void(event_packet_t&)>& emit);
 
-  /// Events packed so far.
+  /// The next packet is the first one of a session: its `events_before` is 0.
+  void begin_session() { packed_before_session_ = events_packed_; }
+
+  /// Events packed so far, in all sessions.
   std::int64_t events_packed() const { return events_packed_; }
   std::int64_t events_outside() const { return events_outside_; }
   int max_events() const { return max_events_; }  ///< For one packet.
@@ -48,6 +51,7 @@ class EventPacker {
   SensorSize sensor_;
   int max_events_ = 0;
   std::int64_t events_packed_ = 0;
+  std::int64_t packed_before_session_ = 0;
   std::int64_t events_outside_ = 0;
   event_packet_t packet_;
 };

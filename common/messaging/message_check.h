@@ -5,16 +5,10 @@
 #include <span>
 #include <string>
 
+#include "common/messages/message_header.h"
 #include "common/messaging/channels.h"
 
 namespace puck {
-
-/// Header of every message.
-struct MessageHeader {
-  std::int64_t utime = 0;    ///< Host CLOCK_REALTIME at publish, µs.
-  std::int64_t session = 0;  ///< Random id of the publisher's run.
-  std::int64_t seq = 0;      ///< Messages published before this one in this session.
-};
 
 /// Required before LCM's generated decoders, which crash or return garbage on malformed bytes.
 /// Checks the bytes against the layout of the channel's type: fingerprint, counts, lengths, ranges,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 
 namespace puck {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <unistd.h>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/datagram.h"
 #include "common/messaging/event_packing.h"
-#include "common/messaging/host_time.h"
 
 namespace puck {
 namespace {
@@ -55,6 +55,13 @@ const char* to_string(ServiceState state) {
       return "stopping";
   }
   return "unknown";
+}
+
+std::optional<std::int64_t> PeerStatus::counter(std::string_view name) const {
+  for (const auto& [counter, value] : counters) {
+    if (counter == name) return value;
+  }
+  return std::nullopt;
 }
 
 StatusReporter::StatusReporter(Bus& bus, std::string service)
@@ -113,7 +120,19 @@ void StatusReporter::hear(const service_status_t& status, const Receipt& receipt
   read_pongs(status, receipt);
   // An early answer gives the new run our clock soon.
   if (pongs_.hear(status, receipt)) due_us_ = std::min(due_us_, soonest_us_);
-  for (const Listener& listener : listeners_) listener(status, receipt);
+  if (listeners_.empty()) return;
+  PeerStatus peer{.session = status.session,
+                  .service = status.service,
+                  .host = status.host,
+                  .pid = status.pid,
+                  .state = static_cast<ServiceState>(status.state),
+                  .state_text = status.state_text,
+                  .utime = status.utime,
+                  .counters = {}};
+  for (std::size_t i = 0; i < status.counter_name.size(); ++i) {
+    peer.counters.emplace_back(status.counter_name[i], status.counter_value[i]);
+  }
+  for (const Listener& listener : listeners_) listener(peer, receipt);
 }
 
 void StatusReporter::read_pongs(const service_status_t& status, const Receipt& receipt) {

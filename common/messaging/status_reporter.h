@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,21 @@ struct StatusReport {
   }
 };
 
+/// A service by its STATUS.
+struct PeerStatus {
+  std::int64_t session = 0;
+  std::string service;
+  std::string host;
+  std::int32_t pid = 0;
+  ServiceState state = ServiceState::kStarting;
+  std::string state_text;
+  std::int64_t utime = 0;  ///< At publish, by the peer's clock.
+  std::vector<std::pair<std::string, std::int64_t>> counters;
+
+  /// Nothing if STATUS has no such counter.
+  std::optional<std::int64_t> counter(std::string_view name) const;
+};
+
 /// Publishes the STATUS of a service every 100 ms and after every change of state, each in one
 /// frame: counters without room are left out from the end and counted in `counters_left_out`; a
 /// missing counter may then differ from 0. Answers the STATUS of others with pongs (PongBook), and
@@ -57,9 +74,8 @@ class StatusReporter {
   /// `service`: puck-camera, puck-tracker, … Subscribes, so make it before the bus starts.
   StatusReporter(Bus& bus, std::string service);
 
-  using Listener = std::function<void(const service_status_t&, const Receipt&)>;
-  /// Calls `listener` with each STATUS of others, in order, so that it is decoded once. Call it
-  /// before the bus starts.
+  using Listener = std::function<void(const PeerStatus&, const Receipt&)>;
+  /// Calls `listener` with each STATUS of others, in order. Call it before the bus starts.
   void listen(Listener listener) { listeners_.push_back(std::move(listener)); }
 
   void set_state(ServiceState state, std::string text = {});

@@ -10,8 +10,8 @@
 #include <lcm/lcm.h>
 #include <poll.h>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/datagram.h"
-#include "common/messaging/host_time.h"
 #include "common/messaging/ipv4.h"
 #include "common/messaging/multicast_route.h"
 #include "common/messaging/receive_filter.h"

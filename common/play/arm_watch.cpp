@@ -1,7 +1,5 @@
 #include "common/play/arm_watch.h"
 
-#include "common/messaging/message_facts.h"
-
 namespace puck {
 namespace {
 
@@ -11,13 +9,13 @@ constexpr std::int64_t kOtherCommanderUs = 500'000;
 
 }  // namespace
 
-void ArmWatch::hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
+void ArmWatch::hear(const ArmState& state, const HostNow& now, const SenderClock& sender) {
   // An arm in a replayed log must not be answered instead of the real one.
   if (freshness_of(state.utime, now, sender, max_clock_error_us_) != Freshness::kOfNow) return;
   switch (publisher_.hear(state.session, state.seq, now.monotonic_us)) {
     case SinglePublisher::Verdict::kNewPublisher:
     case SinglePublisher::Verdict::kAccepted:
-      if (!newest_ || newest_->command_session != state.command_session) {
+      if (!newest_ || newest_->command.session != state.command.session) {
         commander_since_us_ = now.monotonic_us;
       }
       newest_ = state;
@@ -29,16 +27,16 @@ void ArmWatch::hear(const arm_state_t& state, const HostNow& now, const SenderCl
   }
 }
 
-const arm_state_t* ArmWatch::arm(const HostNow& now) const {
+const ArmState* ArmWatch::arm(const HostNow& now) const {
   return newest_ && now.monotonic_us - heard_us_ <= kSilentUs ? &*newest_ : nullptr;
 }
 
 std::int64_t ArmWatch::other_commander(std::int64_t own_session, const HostNow& now) const {
-  const arm_state_t* heard = arm(now);
-  if (heard == nullptr || heard->command_session == own_session) return 0;
-  // A latched arm obeys no commands; command_session is that of the stop.
-  if (is_latched(*heard)) return 0;
-  return now.monotonic_us - commander_since_us_ > kOtherCommanderUs ? heard->command_session : 0;
+  const ArmState* heard = arm(now);
+  if (heard == nullptr || heard->command.session == own_session) return 0;
+  // A latched arm obeys no commands; `command` is that of the stop.
+  if (heard->is_latched()) return 0;
+  return now.monotonic_us - commander_since_us_ > kOtherCommanderUs ? heard->command.session : 0;
 }
 
 }  // namespace puck

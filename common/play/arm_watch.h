@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
-#include "common/messaging/single_publisher.h"
+#include "common/messages/arm_state.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
+#include "common/messages/single_publisher.h"
 
 namespace puck {
 
@@ -17,17 +17,17 @@ class ArmWatch {
   explicit ArmWatch(std::int64_t max_clock_error_us) : max_clock_error_us_(max_clock_error_us) {}
 
   /// `sender`: the clock of the state's session. States that are not current are ignored.
-  void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender);
+  void hear(const ArmState& state, const HostNow& now, const SenderClock& sender);
 
   /// The newest state; null while no arm is heard.
-  const arm_state_t* arm(const HostNow& now) const;
+  const ArmState* arm(const HostNow& now) const;
   /// Session of another publisher whose commands the arm has followed for 0.5 s; 0: none.
   std::int64_t other_commander(std::int64_t own_session, const HostNow& now) const;
 
  private:
   std::int64_t max_clock_error_us_;
   SinglePublisher publisher_;
-  std::optional<arm_state_t> newest_;
+  std::optional<ArmState> newest_;
   std::int64_t heard_us_ = 0;            // CLOCK_MONOTONIC
   std::int64_t commander_since_us_ = 0;  // CLOCK_MONOTONIC
 };

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
-
-#include "common/messaging/message_facts.h"
 
 namespace puck {
 namespace {
@@ -15,13 +12,9 @@ namespace {
 // A position that is less certain is not usable.
 constexpr double kMostUnsureM = 0.5;
 
-bool has(const puck_estimate_t& estimate, std::int32_t flag) {
-  return (estimate.flags & flag) != 0;
-}
-
 // Covariance of (x, y, vx, vy) in the image; nothing if that of the position is invalid.
-std::optional<Matrix4> image_covariance(const puck_estimate_t& estimate, double default_sigma_px) {
-  const Matrix4 covariance = symmetric_part(Matrix4(estimate.covariance));
+std::optional<Matrix4> image_covariance(const PuckEstimate& estimate, double default_sigma_px) {
+  const Matrix4 covariance = symmetric_part(Matrix4(estimate.covariance.data()));
   const double xx = covariance(0, 0);
   const double xy = covariance(0, 1);
   const double yy = covariance(1, 1);
@@ -96,7 +89,7 @@ EstimateGate::EstimateGate(const EstimateGateParams& params, const TableGeometry
           "bridge.size_tolerance must be between 1.1 and 100", params_.size_tolerance);
 }
 
-EstimateVerdict EstimateGate::judge(const puck_estimate_t& estimate, const HostNow& now,
+EstimateVerdict EstimateGate::judge(const PublishedEstimate& estimate, const HostNow& now,
                                     const SenderClock& sender, const TableView* view,
                                     TableMeasurement& measurement) {
   EstimateVerdict verdict = judge_order(estimate, now, sender);
@@ -110,7 +103,7 @@ EstimateVerdict EstimateGate::judge(const puck_estimate_t& estimate, const HostN
   return verdict;
 }
 
-EstimateVerdict EstimateGate::judge_order(const puck_estimate_t& estimate, const HostNow& now,
+EstimateVerdict EstimateGate::judge_order(const PublishedEstimate& estimate, const HostNow& now,
                                           const SenderClock& sender) {
   switch (freshness_of(estimate.utime, now, sender, params_.max_clock_error_us)) {
     case Freshness::kClockUnknown:
@@ -133,39 +126,36 @@ EstimateVerdict EstimateGate::judge_order(const puck_estimate_t& estimate, const
   return EstimateVerdict::kGood;
 }
 
-EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, const HostNow& now,
+EstimateVerdict EstimateGate::judge_content(const PublishedEstimate& estimate, const HostNow& now,
                                             const ClockOffset& sender, const TableView* view,
                                             TableMeasurement& measurement) const {
-  if (!is_sensor_time(estimate.sensor_us) || estimate.event_utime < 0) {
+  const std::optional<std::int64_t>& event_utime = estimate.event_utime;
+  if (!is_sensor_time(estimate.newest_event) || event_utime.value_or(0) < 0) {
     return EstimateVerdict::kMalformed;
   }
-  if (estimate.state != puck_estimate_t::STATE_TRACKING ||
-      !has(estimate, puck_estimate_t::FLAG_POSITION)) {
-    return EstimateVerdict::kNotTracking;
-  }
-  const double numbers = estimate.x_px + estimate.y_px + estimate.vx_px_s + estimate.vy_px_s;
-  const bool finite = std::isfinite(numbers) &&
-                      std::all_of(std::begin(estimate.covariance), std::end(estimate.covariance),
-                                  [](double value) { return std::isfinite(value); });
+  if (!estimate.is_tracking()) return EstimateVerdict::kNotTracking;
+  const Pixel& place = *estimate.position;
+  const double numbers = place.x + place.y + estimate.velocity.x + estimate.velocity.y;
+  const bool finite =
+      std::isfinite(numbers) && std::all_of(estimate.covariance.begin(), estimate.covariance.end(),
+                                            [](double value) { return std::isfinite(value); });
   if (!finite) return EstimateVerdict::kMalformed;
   const auto covariance = image_covariance(estimate, params_.default_sigma_px);
   if (!covariance || !(estimate.covariance[10] >= 0 && estimate.covariance[15] >= 0))
     return EstimateVerdict::kMalformed;
 
-  const bool resting = has(estimate, puck_estimate_t::FLAG_RESTING);
-  if (estimate.event_utime != 0 && !resting &&
-      sender.to_own(estimate.event_utime) < now.utime - params_.max_age_us) {
+  if (event_utime && !estimate.resting &&
+      sender.to_own(*event_utime) < now.utime - params_.max_age_us) {
     return EstimateVerdict::kStale;
   }
 
   // The age of the estimate's own utime was checked above.
-  if (estimate.event_utime > estimate.utime + params_.max_age_us) {
+  if (event_utime && *event_utime > estimate.utime + params_.max_age_us) {
     return EstimateVerdict::kImplausible;
   }
 
   if (view == nullptr) return EstimateVerdict::kBlind;
-  const std::optional<PuckTrack> track = view->to_table(
-      {{estimate.x_px, estimate.y_px}, {estimate.vx_px_s, estimate.vy_px_s}, *covariance});
+  const std::optional<PuckTrack> track = view->to_table({place, estimate.velocity, *covariance});
   if (!track || !table_.contains(track->state.position, params_.margin_m)) {
     return EstimateVerdict::kOffTable;
   }
@@ -176,17 +166,18 @@ EstimateVerdict EstimateGate::judge_content(const puck_estimate_t& estimate, con
   }
   const Matrix4& p = track->covariance;
   if (!(p(0, 0) + p(1, 1) <= kMostUnsureM * kMostUnsureM)) return EstimateVerdict::kImplausible;
-  measurement = {{estimate.sensor_us},       position, p.topLeftCorner<2, 2>(), velocity, resting,
-                 p.bottomRightCorner<2, 2>()};
+  measurement = {estimate.newest_event,   position,
+                 p.topLeftCorner<2, 2>(), velocity,
+                 estimate.resting,        p.bottomRightCorner<2, 2>()};
   return EstimateVerdict::kGood;
 }
 
-bool EstimateGate::has_size_of_puck(const puck_estimate_t& estimate, const TableView& view,
+bool EstimateGate::has_size_of_puck(const PublishedEstimate& estimate, const TableView& view,
                                     const TablePoint& position) const {
-  if (estimate.width_px == 0) return true;
+  if (estimate.size.width == 0) return true;
   const auto width_px = width_at(view.homography(), position, table_.puck_radius_m);
   if (!width_px) return true;
-  const double ratio = estimate.width_px / *width_px;
+  const double ratio = estimate.size.width / *width_px;
   return ratio <= params_.size_tolerance && ratio >= 1 / params_.size_tolerance;
 }
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
-#include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
-#include "common/messaging/single_publisher.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
+#include "common/messages/published_estimate.h"
+#include "common/messages/single_publisher.h"
 #include "common/table/motion_filter.h"
 #include "common/table/table_geometry.h"
 #include "common/table/table_view.h"
@@ -57,7 +57,7 @@ class EstimateGate {
 
   /// Fills `measurement` if the estimate is good or belated. `sender`: the clock of its session.
   /// `view`: the table in the image at the estimate's time; null: not known.
-  EstimateVerdict judge(const puck_estimate_t& estimate, const HostNow& now,
+  EstimateVerdict judge(const PublishedEstimate& estimate, const HostNow& now,
                         const SenderClock& sender, const TableView* view,
                         TableMeasurement& measurement);
 
@@ -66,12 +66,12 @@ class EstimateGate {
   }
 
  private:
-  EstimateVerdict judge_order(const puck_estimate_t& estimate, const HostNow& now,
+  EstimateVerdict judge_order(const PublishedEstimate& estimate, const HostNow& now,
                               const SenderClock& sender);
-  EstimateVerdict judge_content(const puck_estimate_t& estimate, const HostNow& now,
+  EstimateVerdict judge_content(const PublishedEstimate& estimate, const HostNow& now,
                                 const ClockOffset& sender, const TableView* view,
                                 TableMeasurement& measurement) const;
-  bool has_size_of_puck(const puck_estimate_t& estimate, const TableView& view,
+  bool has_size_of_puck(const PublishedEstimate& estimate, const TableView& view,
                         const TablePoint& position) const;
 
   EstimateGateParams params_;

@@ -5,36 +5,12 @@
 #include <utility>
 
 #include "common/events/timestamp.h"
-#include "common/messaging/channels.h"
+#include "common/messages/game_state.h"
 #include "common/play/hit_finder.h"
 #include "common/table/puck_motion.h"
 #include "common/table/puck_track.h"
 
 namespace puck {
-
-/// As game_state_t numbers them.
-enum class GamePhase : std::int8_t {
-  kWaiting = game_state_t::PHASE_WAITING,
-  kRally = game_state_t::PHASE_RALLY,
-  kShotAtRobot = game_state_t::PHASE_SHOT_AT_ROBOT,
-  kGoal = game_state_t::PHASE_GOAL,
-  kPuckStuck = game_state_t::PHASE_PUCK_STUCK,
-  kPuckOutOfView = game_state_t::PHASE_PUCK_OUT_OF_VIEW,
-};
-
-/// State of the game as estimated from the puck's track alone.
-struct GameBelief {
-  GamePhase phase = GamePhase::kWaiting;
-  Timestamp phase_since;
-  std::int32_t goals_for = 0;
-  std::int32_t goals_against = 0;
-  std::int32_t rally_hits = 0;
-  std::int32_t longest_rally = 0;
-  std::int32_t shots = 0;
-  std::int32_t saves = 0;
-
-  friend bool operator==(const GameBelief&, const GameBelief&) = default;
-};
 
 /// Follows the game from the puck's track alone, by a referee's rules: a shot is a hit by the
 /// opponent that would enter the robot's goal; a save is a shot that the robot's mallet hit and

@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 #include <string>
-
-#include "common/messaging/conversions.h"
-#include "common/messaging/message_facts.h"
 
 namespace puck {
 namespace {
 
-// Value of HEAD's sensor_us when the time is not known.
-constexpr std::int64_t kTimeUnknown = -1;
 // Longest delay of estimates on the way: sensor time advances faster only while it is made up for.
 constexpr std::int64_t kMaxHeldUpUs = 500'000;
 constexpr std::int64_t kGamePeriodUs = 100'000;
@@ -63,14 +57,12 @@ PlayBridge::PlayBridge(const PlayBridgeParams& params, const Homography& table_f
       is_blind_(params.needs_head) {
   check(params_);
   if (camera) camera_.emplace(table_from_image, *camera);
-  path_.reserve(static_cast<std::size_t>(kPathHorizonS / kPathStepS) + 2);
 }
 
-void PlayBridge::follow_session(const puck_estimate_t& estimate, const HostNow& now) {
-  const std::int64_t latest_us =
-      newest_sensor_.us + (now.monotonic_us - newest_heard_us_) + kMaxHeldUpUs;
+void PlayBridge::follow_session(const PublishedEstimate& estimate, const HostNow& now) {
+  const Timestamp latest = newest_sensor_ + (now.monotonic_us - newest_heard_us_) + kMaxHeldUpUs;
   const bool goes_on = events_session_ == estimate.events_session &&
-                       estimate.sensor_us >= newest_sensor_.us && estimate.sensor_us <= latest_us;
+                       estimate.newest_event >= newest_sensor_ && estimate.newest_event <= latest;
   events_session_ = estimate.events_session;
   newest_heard_us_ = now.monotonic_us;
   if (goes_on) return;
@@ -81,28 +73,29 @@ void PlayBridge::follow_session(const puck_estimate_t& estimate, const HostNow& 
   basis_.reset();
 }
 
-void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
+void PlayBridge::hear(const PublishedEstimate& estimate, const HostNow& now,
                       const SenderClock& sender) {
   TableMeasurement measurement;
-  const std::optional<TableView> view = view_of({estimate.sensor_us});
+  const std::optional<TableView> view = view_of(estimate.newest_event);
   const EstimateVerdict verdict =
       gate_.judge(estimate, now, sender, view ? &*view : nullptr, measurement);
   // A measurement of another camera or from the future would make all later ones late.
   const bool is_of_past =
-      estimate.events_session == events_session_ && estimate.sensor_us < newest_sensor_.us;
+      estimate.events_session == events_session_ && estimate.newest_event < newest_sensor_;
   if (verdict == EstimateVerdict::kBelated && is_of_past) filter_.update(measurement);
   if (!is_news(verdict)) return;
   is_blind_ = !view;
   tracked_ = verdict == EstimateVerdict::kGood;
   if (verdict == EstimateVerdict::kMalformed) return;
   follow_session(estimate, now);
-  newest_ = estimate;
-  newest_sensor_ = {estimate.sensor_us};
+  newest_ = estimate.id();
+  newest_sensor_ = estimate.newest_event;
   trajectory_due_ = true;
   // `sender` has a value, since the gate accepted the estimate's age.
-  const std::int64_t age_us = now.utime - sender->to_own(estimate.event_utime);
-  const bool age_is_known = estimate.event_utime != 0 && age_us >= 0;
-  if (age_is_known) sensor_ahead_us_ = estimate.sensor_us + age_us - now.monotonic_us;
+  const std::int64_t age_us =
+      estimate.event_utime ? now.utime - sender->to_own(*estimate.event_utime) : -1;
+  const bool age_is_known = age_us >= 0;
+  if (age_is_known) sensor_ahead_us_ = newest_sensor_.us + age_us - now.monotonic_us;
   if (!tracked_) {
     // Without a puck there may be no events, and sensor time would not advance.
     game_.miss(newest_sensor_ + (age_is_known ? age_us : 0));
@@ -117,14 +110,14 @@ void PlayBridge::hear(const puck_estimate_t& estimate, const HostNow& now,
   if (!probation_.is_trusted()) ++untrusted_;
   if (!is_good(use)) return;
   basis_ =
-      Basis{estimate.session, estimate.seq, newest_sensor_,
-            newest_sensor_ + (age_is_known && !measurement.resting ? age_us : 0), now.monotonic_us};
+      Basis{estimate.id(), newest_sensor_ + (age_is_known && !measurement.resting ? age_us : 0),
+            now.monotonic_us};
   if (track && largest_speed_variance(*track) < kGameSpeedVariance) {
     game_.see(newest_sensor_, *track);
   }
 }
 
-void PlayBridge::hear(const head_state_t& head, const HostNow& now) {
+void PlayBridge::hear(const HeadState& head, const HostNow& now) {
   // Late messages and those of another robot's head must not move this camera's pose.
   const auto verdict = head_publisher_.hear(head.session, head.seq, now.monotonic_us);
   if (verdict != SinglePublisher::Verdict::kNewPublisher &&
@@ -133,12 +126,11 @@ void PlayBridge::hear(const head_state_t& head, const HostNow& now) {
   }
   if (verdict == SinglePublisher::Verdict::kNewPublisher) head_.forget();
   hears_head_ = true;
-  const HeadPose pose = from_message(head);
-  if (is_sensor_time(head.sensor_us)) {
-    head_.add({head.sensor_us}, pose);
-  } else if (head.sensor_us == kTimeUnknown && sensor_ahead_us_) {
+  if (head.at) {
+    if (is_sensor_time(*head.at)) head_.add(*head.at, head);
+  } else if (sensor_ahead_us_) {
     // A robot's encoders have no sensor time: their pose is current.
-    head_.add({now.monotonic_us + *sensor_ahead_us_}, pose);
+    head_.add({now.monotonic_us + *sensor_ahead_us_}, head);
   }
   const double furthest_deg =
       std::max({std::abs(head.yaw_deg), std::abs(head.pitch_deg), std::abs(head.roll_deg)});
@@ -163,7 +155,7 @@ std::optional<PuckTrack> PlayBridge::live_track(const HostNow& now) const {
   return filter_.at(sensor_now(now));
 }
 
-std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now) {
+std::optional<TableTrajectory> PlayBridge::next_trajectory(const HostNow& now) {
   if (!trajectory_due_ ||
       !is_due(last_trajectory_us_, params_.max_trajectory_hz, now.monotonic_us)) {
     return std::nullopt;
@@ -171,57 +163,30 @@ std::optional<puck_trajectory_t> PlayBridge::next_trajectory(const HostNow& now)
   trajectory_due_ = false;
   last_trajectory_us_ = now.monotonic_us;
 
-  puck_trajectory_t message{};
-  message.estimate_session = newest_.session;
-  message.estimate_seq = newest_.seq;
-  message.sensor_us = newest_sensor_.us;
-  message.head_known = !is_blind_;
-  message.line_x_m = predictor_.line_x_m();
-  const std::optional<PuckTrack> track = filter_.at(newest_sensor_);
-  if (!track) {
-    message.validity = puck_trajectory_t::VALIDITY_NONE;
-    return message;
-  }
-  const bool is_measured = tracked_ && filter_.newest() == newest_sensor_;
-  message.validity =
-      is_measured ? puck_trajectory_t::VALIDITY_TRACKED : puck_trajectory_t::VALIDITY_COASTING;
-  message.x_m = track->state.position.x_m;
-  message.y_m = track->state.position.y_m;
-  message.vx_m_s = track->state.velocity.x_m_s;
-  message.vy_m_s = track->state.velocity.y_m_s;
-  Eigen::Map<Matrix4>{message.covariance} = track->covariance;
+  TableTrajectory trajectory;
+  trajectory.estimate = newest_;
+  trajectory.at = newest_sensor_;
+  trajectory.head_known = !is_blind_;
+  trajectory.line_x_m = predictor_.line_x_m();
+  trajectory.track = filter_.at(newest_sensor_);
+  if (!trajectory.track) return trajectory;
+  trajectory.is_coasting = !tracked_ || filter_.newest() != newest_sensor_;
   std::optional<TablePoint> mallet;
-  if (const arm_state_t* arm = arm_.arm(now)) {
+  if (const ArmState* arm = arm_.arm(now)) {
     mallet = TablePoint{table_.robot_line_x_m, arm->position_m};
   }
-  predictor_.predict_path(*track, mallet, kPathHorizonS, kPathStepS, path_);
-  message.path_length = static_cast<std::int32_t>(path_.size());
-  for (auto* const values : {&message.path_t_s, &message.path_x_m, &message.path_y_m}) {
-    values->reserve(path_.size());
-  }
-  for (const PathPoint& point : path_) {
-    message.path_t_s.push_back(point.t_s);
-    message.path_x_m.push_back(point.position.x_m);
-    message.path_y_m.push_back(point.position.y_m);
-  }
-  if (const std::optional<Intercept> crossing = predictor_.predict(*track)) {
-    message.crosses = 1;
-    message.crossing_y_m = crossing->y_m;
-    message.crossing_in_s = crossing->in_s;
-    message.crossing_sigma_y_m = crossing->sigma_y_m;
-    message.crossing_sigma_t_s = crossing->sigma_t_s;
-    message.crossing_speed_m_s = crossing->speed_m_s;
-    message.crossing_bounces = crossing->bounces;
-  }
-  return message;
+  trajectory.path.reserve(static_cast<std::size_t>(kPathHorizonS / kPathStepS) + 2);
+  predictor_.predict_path(*trajectory.track, mallet, kPathHorizonS, kPathStepS, trajectory.path);
+  trajectory.crossing = predictor_.predict(*trajectory.track);
+  return trajectory;
 }
 
-std::optional<arm_command_t> PlayBridge::next_command(const HostNow& now) {
+std::optional<ArmCommand> PlayBridge::next_command(const HostNow& now) {
   const bool due = is_due(last_command_us_, params_.command_hz, now.monotonic_us);
-  const bool may_be_early = basis_ && basis_->seq != last_basis_seq_ &&
+  const bool may_be_early = basis_ && basis_->id.seq != last_basis_seq_ &&
                             is_due(last_command_us_, kMostCommandsHz, now.monotonic_us);
   if (!due && !may_be_early) return std::nullopt;
-  const arm_state_t* arm = arm_.arm(now);
+  const ArmState* arm = arm_.arm(now);
   if (arm == nullptr || is_blind_) return std::nullopt;
   const std::optional<PuckTrack> track = live_track(now);
   if (!track) return std::nullopt;
@@ -232,45 +197,32 @@ std::optional<arm_command_t> PlayBridge::next_command(const HostNow& now) {
   if (!(lowest_m <= highest_m)) return std::nullopt;
   const Wish wish = strategy_.decide(*track, predictor_.predict(*track));
   const double target_m = std::clamp(wish.y_m, lowest_m, highest_m);
-  last_basis_seq_ = basis_->seq;
+  last_basis_seq_ = basis_->id.seq;
   if (!due && std::abs(target_m - last_target_m_) < kNewTargetM) return std::nullopt;
   last_target_m_ = target_m;
 
-  arm_command_t message{};
-  message.mode = arm_command_t::MODE_FOLLOW;
-  message.target_m = target_m;
+  ArmCommand command;
+  command.target_m = target_m;
   const double middle_m = (arm->line_min_m + arm->line_max_m) / 2;
   const double half_m = (arm->line_max_m - arm->line_min_m) / 2;
-  message.target_normalised =
-      half_m > 0 ? std::clamp((message.target_m - middle_m) / half_m, -1.0, 1.0) : 0;
-  message.arrive_in_us = static_cast<std::int64_t>(std::max(0.0, wish.arrive_in_s) * 1e6);
-  message.valid_for_us = params_.valid_for_us;
-  message.estimate_session = basis_->session;
-  message.estimate_seq = basis_->seq;
-  message.arm_session = arm->session;
+  command.target_normalised =
+      half_m > 0 ? std::clamp((command.target_m - middle_m) / half_m, -1.0, 1.0) : 0;
+  command.arrive_in_us = static_cast<std::int64_t>(std::max(0.0, wish.arrive_in_s) * 1e6);
+  command.valid_for_us = params_.valid_for_us;
+  command.estimate = basis_->id;
+  command.arm_session = arm->session;
   last_command_us_ = now.monotonic_us;
   ++commands_;
-  return message;
+  return command;
 }
 
-std::optional<game_state_t> PlayBridge::next_game(const HostNow& now) {
+std::optional<GameState> PlayBridge::next_game(const HostNow& now) {
   const GameBelief& belief = game_.belief();
   const bool waited = !last_game_us_ || now.monotonic_us - *last_game_us_ >= kGamePeriodUs;
   if (!waited && belief == published_game_) return std::nullopt;
   last_game_us_ = now.monotonic_us;
   published_game_ = belief;
-
-  game_state_t message{};
-  message.sensor_us = newest_sensor_.us;
-  message.phase = static_cast<std::int8_t>(belief.phase);
-  message.phase_since_us = belief.phase_since.us;
-  message.goals_for = belief.goals_for;
-  message.goals_against = belief.goals_against;
-  message.rally_hits = belief.rally_hits;
-  message.longest_rally = belief.longest_rally;
-  message.shots = belief.shots;
-  message.saves = belief.saves;
-  return message;
+  return GameState{{}, belief, newest_sensor_};
 }
 
 }  // namespace puck

@@ -2,12 +2,13 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
-#include "common/messaging/single_publisher.h"
+#include "common/messages/arm_command.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/head_state.h"
+#include "common/messages/host_now.h"
+#include "common/messages/single_publisher.h"
+#include "common/messages/table_trajectory.h"
 #include "common/play/arm_watch.h"
 #include "common/play/estimate_gate.h"
 #include "common/play/game_observer.h"
@@ -53,16 +54,16 @@ class PlayBridge {
              const TableGeometry& table, const std::optional<PinholeCamera>& camera = std::nullopt);
 
   /// `sender`: the clock of the message's session. ARM_STATE that is not current is ignored.
-  void hear(const puck_estimate_t& estimate, const HostNow& now, const SenderClock& sender);
-  void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
+  void hear(const PublishedEstimate& estimate, const HostNow& now, const SenderClock& sender);
+  void hear(const ArmState& state, const HostNow& now, const SenderClock& sender) {
     arm_.hear(state, now, sender);
   }
-  void hear(const head_state_t& head, const HostNow& now);
+  void hear(const HeadState& head, const HostNow& now);
 
   /// Messages that are due at `now`; each is returned once.
-  std::optional<puck_trajectory_t> next_trajectory(const HostNow& now);
-  std::optional<arm_command_t> next_command(const HostNow& now);
-  std::optional<game_state_t> next_game(const HostNow& now);
+  std::optional<TableTrajectory> next_trajectory(const HostNow& now);
+  std::optional<ArmCommand> next_command(const HostNow& now);
+  std::optional<GameState> next_game(const HostNow& now);
 
   /// The head pose is unknown, and with it the table's place in the image: no commands.
   bool is_blind_to_head() const { return is_blind_; }
@@ -91,9 +92,7 @@ class PlayBridge {
  private:
   // The newest good estimate.
   struct Basis {
-    std::int64_t session = 0;
-    std::int64_t seq = 0;
-    Timestamp sensor;              // time of its newest event
+    MessageId id;
     Timestamp sensor_at_receipt;   // sensor time at its receipt
     std::int64_t received_us = 0;  // CLOCK_MONOTONIC
   };
@@ -101,7 +100,7 @@ class PlayBridge {
   std::optional<TableView> view_of(Timestamp t) const;
   Timestamp sensor_now(const HostNow& now) const;
   std::optional<PuckTrack> live_track(const HostNow& now) const;
-  void follow_session(const puck_estimate_t& estimate, const HostNow& now);
+  void follow_session(const PublishedEstimate& estimate, const HostNow& now);
 
   PlayBridgeParams params_;
   TableGeometry table_;
@@ -119,7 +118,7 @@ class PlayBridge {
   Timestamp newest_sensor_;
   std::int64_t newest_heard_us_ = 0;  // CLOCK_MONOTONIC
   bool trajectory_due_ = false;
-  puck_estimate_t newest_{};
+  MessageId newest_;
 
   ArmWatch arm_;
   TableView home_;
@@ -138,7 +137,6 @@ class PlayBridge {
   double last_target_m_ = 0;
   std::optional<std::int64_t> last_game_us_;
   GameBelief published_game_;
-  std::vector<PathPoint> path_;
   std::int64_t outliers_ = 0;
   std::int64_t frozen_ = 0;
   std::int64_t untrusted_ = 0;

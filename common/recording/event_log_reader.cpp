@@ -29,6 +29,7 @@ class EventLogReader final : public EventReader {
   RecordingFacts facts() const override {
     return {"LCM log", {{"session", std::to_string(log_.session())}}};
   }
+  std::int64_t session_number() const override { return log_.session_number(); }
   std::vector<std::string> warnings() const override { return log_.problems(); }
 
  private:

@@ -60,6 +60,7 @@ class CopiedLog final : public EventReader {
     for (std::string& line : lines) line = with_own_name(std::move(line));
     return lines;
   }
+  std::int64_t session_number() const override { return events_->session_number(); }
 
  private:
   // A message names the copy at its beginning.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/events/event_packet.h"
+#include "common/events/packet_counters.h"
 #include "common/events/sensor_size.h"
 #include "common/runtime/event_queue.h"
 #include "common/vision/geometry/region.h"
@@ -18,17 +19,6 @@
 #include "common/vision/surface/surface_snapshot.h"
 
 namespace puck {
-
-/// Packet and event counts of a session.
-struct PacketCounters {
-  std::int64_t received = 0;
-  std::int64_t lost = 0;
-  std::int64_t late = 0;  ///< Duplicates, and packets after a later one; dropped.
-  std::int64_t rejected = 0;
-  std::int64_t events_lost = 0;     ///< In lost packets.
-  std::int64_t events_skipped = 0;  ///< In packets skipped to keep up with the newest.
-  std::int64_t events_dropped = 0;  ///< By the source, before they were published.
-};
 
 /// Origin and times of a packet of events; an estimate carries those of its newest event.
 struct PacketOrigin {

@@ -1,7 +1,5 @@
 #include "services/arm/addressed_arms.h"
 
-#include "common/messaging/message_facts.h"
-
 namespace puck {
 namespace {
 
@@ -12,19 +10,19 @@ constexpr std::int64_t kSilentUs = 250'000;
 
 }  // namespace
 
-void AddressedArms::hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender) {
+void AddressedArms::hear(const ArmState& state, const HostNow& now, const SenderClock& sender) {
   const Freshness freshness = freshness_of(state.utime, now, sender, kMaxClockErrorUs);
   arms_[state.session] = {state, now.monotonic_us, freshness};
 }
 
-bool AddressedArms::confirms(const arm_state_t& state) const {
-  if (mode_ == arm_command_t::MODE_RESET) return !is_latched(state);
-  return is_latched(state) && state.command_session == own_session_;
+bool AddressedArms::confirms(const ArmState& state) const {
+  if (mode_ == CommandMode::kReset) return !state.is_latched();
+  return state.is_latched() && state.command.session == own_session_;
 }
 
 // Only an arm that heard this run's stop can name its session; its clock does not matter.
 bool AddressedArms::is_certain(const Arm& arm) const {
-  const bool answers_stop = mode_ == arm_command_t::MODE_STOP && confirms(arm.state);
+  const bool answers_stop = mode_ == CommandMode::kStop && confirms(arm.state);
   return arm.freshness == Freshness::kOfNow || answers_stop;
 }
 

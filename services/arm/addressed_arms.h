@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "common/messaging/channels.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
+#include "common/messages/arm_command.h"
+#include "common/messages/arm_state.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
 
 namespace puck {
 
@@ -18,32 +19,30 @@ namespace puck {
 class AddressedArms {
  public:
   /// `own_session`: session of the operator's commands.
-  AddressedArms(std::int8_t mode, std::int64_t own_session)
+  AddressedArms(CommandMode mode, std::int64_t own_session)
       : mode_(mode), own_session_(own_session) {}
 
   /// `sender`: the clock of the state's session.
-  void hear(const arm_state_t& state, const HostNow& now, const SenderClock& sender);
+  void hear(const ArmState& state, const HostNow& now, const SenderClock& sender);
 
   /// Sessions of the arms that are certainly real, for resets, which name the arm's session.
   std::vector<std::int64_t> sessions(const HostNow& now) const;
-  /// At least one arm is certainly real, and all that are heard confirm: stopped by this operator,
-  /// or no longer latched after a reset.
-  bool confirm(const HostNow& now) const { return why_not(now).empty(); }
-  /// Reason for which confirm() is false; empty if it is true.
+  /// Why the command is not confirmed; empty: at least one arm is certainly real, and all that are
+  /// heard confirm it: stopped by this operator, or no longer latched after a reset.
   std::string why_not(const HostNow& now) const;
 
  private:
   struct Arm {
-    arm_state_t state{};        // the newest
+    ArmState state;             // the newest
     std::int64_t heard_us = 0;  // CLOCK_MONOTONIC
     Freshness freshness = Freshness::kClockUnknown;
   };
 
   bool is_certain(const Arm& arm) const;
   bool is_heard(const Arm& arm, const HostNow& now) const;
-  bool confirms(const arm_state_t& state) const;
+  bool confirms(const ArmState& state) const;
 
-  std::int8_t mode_;
+  CommandMode mode_;
   std::int64_t own_session_;
   std::map<std::int64_t, Arm> arms_;  // by session
 };

@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "common/messaging/conversions.h"
 #include "services/arm/back_end.h"
 #include "services/launch/real_time.h"
 
@@ -25,25 +26,24 @@ constexpr std::int64_t kLongestBrakeUs = 500'000;
 // Shortest period of log lines on reasons for holding; others go to level debug.
 constexpr std::int64_t kTellPeriodUs = 1'000'000;
 
-const char* name_of(int state) {
-  switch (state) {
-    case arm_state_t::STATE_IDLE:
+const char* name_of(ArmActivity activity) {
+  switch (activity) {
+    case ArmActivity::kIdle:
       return "idle";
-    case arm_state_t::STATE_MOVING:
+    case ArmActivity::kMoving:
       return "moving";
-    case arm_state_t::STATE_HOLDING:
+    case ArmActivity::kHolding:
       return "holding";
-    case arm_state_t::STATE_STOPPED:
+    case ArmActivity::kStopped:
       return "stopped";
-    case arm_state_t::STATE_FAULT:
+    case ArmActivity::kFault:
       return "fault";
-    default:
-      return "unknown";
   }
+  return "unknown";
 }
 
-bool plays(int state) {
-  return state == arm_state_t::STATE_MOVING || state == arm_state_t::STATE_HOLDING;
+bool plays(std::optional<ArmActivity> activity) {
+  return activity == ArmActivity::kMoving || activity == ArmActivity::kHolding;
 }
 
 // Refusals that are worth a warning.
@@ -65,12 +65,12 @@ ArmService::ArmService(const ArmServiceParams& params, ServiceContext& context)
       state_period_us_(std::llround(1e6 / params.state_hz)) {
   context_.peers.need({"puck-tracker"});
   if (params.controller.mode == ArmMode::kCommanded) context_.peers.need({"puck-bridge"});
-  context_.bus.subscribe<arm_command_t>([this](const arm_command_t& command, const Receipt& at) {
+  context_.bus.subscribe<ArmCommand>([this](const ArmCommand& command, const Receipt& at) {
     controller_.hear(command, {at.utime, at.monotonic_us},
                      context_.status.clock_of(command.session));
   });
-  context_.bus.subscribe<puck_estimate_t>(
-      [this](const puck_estimate_t& estimate, const Receipt& at) {
+  context_.bus.subscribe<PublishedEstimate>(
+      [this](const PublishedEstimate& estimate, const Receipt& at) {
         controller_.hear(estimate, {at.utime, at.monotonic_us},
                          context_.status.clock_of(estimate.session));
       });
@@ -141,24 +141,24 @@ void ArmService::step(const HostNow& now) {
 void ArmService::publish_state(const HostNow& now) {
   if (now.monotonic_us < next_state_us_) return;
   next_state_us_ = std::max(next_state_us_ + state_period_us_, now.monotonic_us);
-  arm_state_t state = controller_.state();
+  ArmState state = controller_.state();
   follow_state(state);
   context_.bus.publish(state);
 }
 
-void ArmService::follow_state(const arm_state_t& state) {
-  if (state.state == logged_state_ && state.reason == logged_reason_) return;
+void ArmService::follow_state(const ArmState& state) {
+  if (state.activity == logged_activity_ && state.reason == logged_reason_) return;
   const std::string text =
-      std::string(name_of(state.state)) + (state.reason.empty() ? "" : ": ") + state.reason;
-  const bool is_fault = state.state == arm_state_t::STATE_FAULT;
-  if (is_fault || state.state == arm_state_t::STATE_STOPPED) {
+      std::string(name_of(state.activity)) + (state.reason.empty() ? "" : ": ") + state.reason;
+  const bool is_fault = state.activity == ArmActivity::kFault;
+  if (is_fault || state.activity == ArmActivity::kStopped) {
     context_.status.set_state(ServiceState::kDegraded, text);
-  } else if (state.state == arm_state_t::STATE_IDLE) {
+  } else if (state.activity == ArmActivity::kIdle) {
     context_.status.set_state(ServiceState::kWaiting, text);
   } else {
     context_.status.set_state(ServiceState::kRunning, text);
   }
-  const bool is_play = plays(logged_state_) && plays(state.state);
+  const bool is_play = plays(logged_activity_) && plays(state.activity);
   const std::int64_t now_us = host_monotonic_us();
   auto level = is_fault ? spdlog::level::err : spdlog::level::info;
   // A game alternates between moving and holding; a bad track also changes the reasons.
@@ -168,7 +168,7 @@ void ArmService::follow_state(const arm_state_t& state) {
     told_us_ = now_us;
   }
   context_.log.log(level, text);
-  logged_state_ = state.state;
+  logged_activity_ = state.activity;
   logged_reason_ = state.reason;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -33,7 +34,7 @@ class ArmService : public Service {
   bool drain_until(std::int64_t end_us);
   void step(const HostNow& now);
   void publish_state(const HostNow& now);
-  void follow_state(const arm_state_t& state);
+  void follow_state(const ArmState& state);
   void warn_of_refusals();
 
   ServiceContext& context_;
@@ -50,7 +51,7 @@ class ArmService : public Service {
   std::int64_t pauses_ = 0;
   std::int64_t time_skipped_us_ = 0;
   std::int64_t refused_before_ = 0;
-  int logged_state_ = -1;
+  std::optional<ArmActivity> logged_activity_;
   std::string logged_reason_;
   std::int64_t told_us_ = 0;
 };

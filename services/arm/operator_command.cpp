@@ -1,45 +1,62 @@
 #include "services/arm/operator_command.h"
 
-#include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "common/messaging/host_time.h"
-#include "common/messaging/status_reporter.h"
+#include "common/messages/host_time.h"
+#include "common/messaging/conversions.h"
 #include "services/arm/addressed_arms.h"
+#include "services/launch/operator_request.h"
 
 namespace puck {
 namespace {
 
-constexpr std::int64_t kGiveUpUs = 1'000'000;
 constexpr std::int64_t kAtLeastUs = 200'000;
-constexpr std::int64_t kPeriodUs = 20'000;
-constexpr std::chrono::milliseconds kHandle{5};
 
-void publish(Bus& bus, std::int8_t mode, std::int64_t arm_session) {
-  arm_command_t command{};
-  command.mode = mode;
-  command.from_operator = 1;
-  command.valid_for_us = kAtLeastUs / 2;
-  command.arm_session = arm_session;
-  bus.publish(command);
-}
+/// A stop for all arms, or a reset that names each arm heard.
+class ArmRequest final : public OperatorRequest {
+ public:
+  explicit ArmRequest(CommandMode mode) : mode_(mode) {}
 
-// Returns whether any arm is addressed. A stop is for all arms; a reset names each arm heard.
-bool publish_to_all(Bus& bus, std::int8_t mode, const AddressedArms& arms) {
-  if (mode == arm_command_t::MODE_STOP) {
-    publish(bus, mode, 0);
-    return true;
+  void listen(Bus& bus, StatusReporter& status) override {
+    arms_.emplace(mode_, bus.session());
+    bus.subscribe<ArmState>([this, &status](const ArmState& state, const Receipt& at) {
+      arms_->hear(state, {at.utime, at.monotonic_us}, status.clock_of(state.session));
+    });
   }
-  const std::vector<std::int64_t> sessions = arms.sessions(host_now());
-  for (const std::int64_t session : sessions) publish(bus, mode, session);
-  return !sessions.empty();
-}
+
+  bool publish(Bus& bus) override {
+    if (is_stop()) {
+      publish(bus, 0);
+      return true;
+    }
+    const std::vector<std::int64_t> sessions = arms_->sessions(host_now());
+    for (const std::int64_t session : sessions) publish(bus, session);
+    return !sessions.empty();
+  }
+
+  std::string why_not() const override { return arms_->why_not(host_now()); }
+  std::string goal() const override { return is_stop() ? "stopped" : "reset"; }
+
+ private:
+  bool is_stop() const { return mode_ == CommandMode::kStop; }
+
+  void publish(Bus& bus, std::int64_t arm_session) const {
+    ArmCommand command;
+    command.mode = mode_;
+    command.from_operator = true;
+    command.valid_for_us = kAtLeastUs / 2;
+    command.arm_session = arm_session;
+    bus.publish(command);
+  }
+
+  CommandMode mode_;
+  std::optional<AddressedArms> arms_;  // Set by listen().
+};
 
 }  // namespace
 
@@ -54,45 +71,8 @@ void OperatorCommand::add_options(CLI::App& app) {
 
 std::optional<int> OperatorCommand::run(const BusParams& params, std::stop_token stop) const {
   if (!stop_ && !reset_) return std::nullopt;
-  const std::int8_t mode = stop_ ? arm_command_t::MODE_STOP : arm_command_t::MODE_RESET;
-  const char* word = stop_ ? "stopped" : "reset";
-
-  Bus bus(params);
-  // An arm must know our clock before it accepts a reset as current.
-  StatusReporter status(bus, "puck-operator");
-  AddressedArms arms(mode, bus.session());
-  bus.subscribe<arm_state_t>([&](const arm_state_t& state, const Receipt& at) {
-    arms.hear(state, {at.utime, at.monotonic_us}, status.clock_of(state.session));
-  });
-  std::stop_source give_up;
-  const std::stop_callback on_stop(stop, [&] { give_up.request_stop(); });
-  const bool started = bus.start(give_up.get_token(), [&](const std::string& reason) {
-    std::fprintf(stderr, "puck-arm: %s\n", reason.c_str());
-    give_up.request_stop();
-  });
-  if (!started) return 1;
-
-  const std::int64_t begin_us = host_monotonic_us();
-  std::optional<std::int64_t> first_sent_us;
-  std::int64_t next_us = begin_us;
-  while (!stop.stop_requested()) {
-    bus.handle(kHandle);
-    status.poll([](StatusReport&) {});
-    const std::int64_t now_us = host_monotonic_us();
-    if (now_us >= next_us) {
-      next_us = now_us + kPeriodUs;
-      if (publish_to_all(bus, mode, arms) && !first_sent_us) first_sent_us = now_us;
-    }
-    const bool sent_enough = first_sent_us && now_us - *first_sent_us >= kAtLeastUs;
-    if (sent_enough && arms.confirm(host_now())) {
-      std::printf("puck-arm: %s\n", word);
-      return 0;
-    }
-    if (now_us - begin_us > kGiveUpUs) break;
-  }
-  std::fprintf(stderr, "puck-arm: not confirmed to be %s within 1 s: %s\n", word,
-               arms.why_not(host_now()).c_str());
-  return 1;
+  ArmRequest request(stop_ ? CommandMode::kStop : CommandMode::kReset);
+  return make_operator_request({"puck-arm", kAtLeastUs}, params, request, std::move(stop));
 }
 
 }  // namespace puck

@@ -5,6 +5,7 @@
 #include <string>
 #include <thread>
 
+#include "common/messaging/conversions.h"
 #include "services/launch/real_time.h"
 
 namespace puck {
@@ -92,18 +93,18 @@ BridgeService::BridgeService(const BridgeServiceParams& params, ServiceContext& 
               params.table.camera),
       real_time_priority_(params.real_time_priority) {
   context_.peers.need({"puck-tracker", "puck-arm"});
-  context_.bus.subscribe<puck_estimate_t>([this](const puck_estimate_t& estimate,
-                                                 const Receipt& at) {
+  context_.bus.subscribe<PublishedEstimate>([this](const PublishedEstimate& estimate,
+                                                   const Receipt& at) {
     estimate_wait_.record(host_monotonic_us() - at.monotonic_us);
     bridge_.hear(estimate, {at.utime, at.monotonic_us}, context_.status.clock_of(estimate.session));
     last_estimate_us_ = at.monotonic_us;
     // At once, before other messages: the arm waits for it.
     if (command()) estimate_to_command_.record(host_monotonic_us() - at.monotonic_us);
   });
-  context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& at) {
+  context_.bus.subscribe<ArmState>([this](const ArmState& state, const Receipt& at) {
     bridge_.hear(state, {at.utime, at.monotonic_us}, context_.status.clock_of(state.session));
   });
-  context_.bus.subscribe<head_state_t>([this](const head_state_t& head, const Receipt& at) {
+  context_.bus.subscribe<HeadState>([this](const HeadState& head, const Receipt& at) {
     bridge_.hear(head, {at.utime, at.monotonic_us});
   });
 }

@@ -8,7 +8,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
+#include "common/messaging/conversions.h"
 #include "common/recording/event_log_reader.h"
 #include "services/camera/live_source.h"
 #include "services/camera/stream_source.h"
@@ -53,7 +54,9 @@ CameraService::CameraService(const CameraSettings& settings, ServiceContext& con
       context_(context),
       source_(make_source()),
       is_paced_(is_paced(settings, *source_)),
-      pacer_(settings.speed),
+      replay_(is_paced_ ? std::make_optional<Replay>(settings.replay, *source_) : std::nullopt),
+      controls_(replay_ ? &*replay_ : nullptr, context),
+      watch_(context.limited_log),
       limit_(is_paced_ ? kCatchUpMevS : settings.arrival_limit_mev_s) {
   // Unpaced streams must be read in time, whatever else happens, hence on their own thread.
   if (!is_paced_ && settings.is_stream())
@@ -89,7 +92,7 @@ std::unique_ptr<EventSource> CameraService::make_source() {
 // A stale, foreign or replayed ARM_STATE does not move the mallet.
 void CameraService::listen_to_arm() {
   context_.peers.need({"puck-arm"});
-  context_.bus.subscribe<arm_state_t>([this](const arm_state_t& state, const Receipt& receipt) {
+  context_.bus.subscribe<ArmState>([this](const ArmState& state, const Receipt& receipt) {
     const HostNow came{receipt.utime, receipt.monotonic_us};
     const SenderClock arm_clock = context_.status.clock_of(state.session);
     if (freshness_of(state.utime, came, arm_clock, kArmAgeUs) != Freshness::kOfNow) return;
@@ -103,15 +106,28 @@ void CameraService::listen_to_arm() {
 }
 
 void CameraService::run(std::stop_token stop) {
-  if (!play(stop)) return;
-  for (const std::string& warning : source_->warnings()) context_.log.warn(warning);
-  context_.log.info(fmt::format("the source has ended after {} events",
-                                packer_ ? packer_->events_packed() : std::int64_t{0}));
-  say_left_out();
-  if (settings_.at_end == "wait") wait_at_end(stop);
+  if (settings_.is_recorded() && settings_.file.file != "-") controls_.use_keys();
+  do {
+    if (!play(stop)) {
+      say_end("stopped");
+      return;
+    }
+    for (const std::string& warning : source_->warnings()) context_.log.warn(warning);
+    say_end("the source has ended");
+  } while (settings_.at_end == "wait" && wait_at_end(stop));
 }
 
-void CameraService::say_left_out() {
+void CameraService::say_end(const std::string& what) {
+  std::string text =
+      fmt::format("{} after {} events", what,
+                  publisher_ ? publisher_->packer().events_packed() : std::int64_t{0});
+  const LatencySummary late = replay_ ? replay_->lateness() : LatencySummary{};
+  if (late.samples > 0) {
+    text +=
+        fmt::format("; {} packets, behind their schedule by {} µs (p50), {} µs (p99), {} µs (max)",
+                    late.samples, late.p50_us, late.p99_us, late.max_us);
+  }
+  context_.log.info(text);
   if (!filter_) return;
   for (const auto& [count, reason] : filter_->left_out().reasons()) {
     if (count > 0) context_.log.info(fmt::format("{} events {} were left out", count, reason));
@@ -122,62 +138,118 @@ void CameraService::say_left_out() {
 bool CameraService::play(std::stop_token stop) {
   while (!stop.stop_requested()) {
     serve_bus();
-    const EventSource::Outcome outcome = source_->next(chunk_);
-    warn_of_drops();
-    warn_of_lost_messages();
-    watch_overflow();
-    switch (outcome) {
-      case EventSource::Outcome::kEvents:
-        if (!send_chunk(stop)) return false;
-        break;
-      case EventSource::Outcome::kNothingYet:
-        if (batcher_ && !batcher_->batch().empty() &&
-            Clock::now() - batch_began_ >= microseconds(batcher_->age_limit_us())) {
-          publish_batch();
+    const bool searches = replay_ && replay_->is_searching();
+    if (searches || !has_chunk_) {
+      const EventSource::Outcome outcome = source_->next(searches ? sought_ : chunk_);
+      look_at_source();
+      if (outcome == EventSource::Outcome::kEnd) {
+        if (searches) {  // Of a pipe, which cannot return.
+          end_search(true);
+          has_chunk_ = false;
         }
-        if (Clock::now() - last_events_ >= kSilent) say_waiting(source_->waiting_for());
-        break;
-      case EventSource::Outcome::kEnd:
-        if (batcher_ && !batcher_->batch().empty()) {
-          if (is_paced_ && !wait_until(batcher_->batch().newest(), stop)) return false;
-          publish_batch();
-        }
-        return true;
+        if (send_rest(stop)) return true;
+        continue;
+      }
+      if (!take(outcome)) continue;
     }
+    if (send_chunk(stop)) has_chunk_ = false;
   }
   return false;
 }
 
-// Returns false after a stop request.
+// Returns whether there is a chunk to be sent.
+bool CameraService::take(EventSource::Outcome outcome) {
+  if (outcome == EventSource::Outcome::kEvents) {
+    if (replay_ && replay_->is_searching()) {
+      std::swap(chunk_, sought_);
+      end_search(true);
+    }
+    has_chunk_ = true;
+    chunk_used_ = 0;
+    if (!publisher_) prepare(*source_->sensor_size());
+    filter_->apply(chunk_.packet);
+    return true;
+  }
+  if (outcome == EventSource::Outcome::kNotFound) {
+    end_search(false);
+    return has_chunk_;
+  }
+  if (replay_ && (replay_->is_searching() || replay_->is_paused())) return false;
+  if (batcher_ && !batcher_->batch().empty() &&
+      Clock::now() - batch_began_ >= microseconds(batcher_->age_limit_us())) {
+    publish_batch();
+  }
+  if (Clock::now() - last_events_ >= kSilent) say_waiting(source_->waiting_for());
+  return false;
+}
+
+void CameraService::end_search(bool is_found) {
+  replay_->end_search(is_found, Clock::now());
+  controls_.end_search(is_found);
+  if (!is_found) return;
+  batcher_->clear();
+  filter_->forget_times();
+}
+
+// Of a source that has ended. Returns false after a stop request or for a search.
+bool CameraService::send_rest(std::stop_token stop) {
+  if (!batcher_ || batcher_->batch().empty()) return true;
+  if (is_paced_ && !wait_until(batcher_->batch().newest(), stop)) return false;
+  publish_batch();
+  return true;
+}
+
+// A search interrupts all waits; what waits goes on if it fails.
+bool CameraService::is_interrupted(const std::stop_token& stop) const {
+  return stop.stop_requested() || (replay_ && replay_->is_searching());
+}
+
+// Returns false after a stop request or for a search; called again, it goes on.
 bool CameraService::send_chunk(std::stop_token stop) {
-  if (!packer_) prepare(*source_->sensor_size());
-  filter_->apply(chunk_.packet);
-  if (context_.status.state() == ServiceState::kStarting ||
-      context_.status.state() == ServiceState::kWaiting) {
-    context_.status.set_state(ServiceState::kRunning);
-  }
+  if (chunk_.session_from && !begin_session(stop)) return false;
+  note_running();
   last_events_ = Clock::now();
-  if (is_paced_ && !pacer_.is_started()) {
-    const Timestamp first = chunk_.packet.empty() ? chunk_.until : chunk_.packet.start;
-    pacer_.start(first, Clock::now());
-    pacer_zero_utime_ = host_utime() - first.us;
+  if (is_paced_ && !replay_->is_begun()) {
+    replay_->begin(chunk_.packet.empty() ? chunk_.until : chunk_.packet.start, Clock::now());
   }
-  if (chunk_.new_clock) live_zero_ = {};
+  if (std::exchange(chunk_.new_clock, false)) live_zero_ = {};
   if (!is_paced_ && !chunk_.packet.empty()) {
     live_zero_.add(chunk_.until, chunk_.came_utime != 0 ? chunk_.came_utime : host_utime());
   }
 
-  std::size_t next = 0;
   while (true) {
     const bool was_empty = batcher_->batch().empty();
-    batcher_->take(chunk_.packet, next);
-    if (was_empty && !batcher_->batch().empty()) batch_began_ = Clock::now();
+    batcher_->take(chunk_.packet, chunk_used_);
+    if (was_empty && !batcher_->batch().empty()) {
+      batch_began_ = Clock::now();
+      skip_gap();
+    }
     if (!batcher_->is_complete(chunk_.until)) break;
     if (is_paced_ && !wait_until(batcher_->due(), stop)) return false;
     if (!wait_for_turn(stop)) return false;
     publish_batch();
   }
   return !is_paced_ || wait_until(chunk_.until, stop);
+}
+
+// Receivers follow a new session only behind a silence. Returns as send_chunk().
+bool CameraService::begin_session(std::stop_token stop) {
+  if (!send_rest(stop)) return false;
+  constexpr microseconds kSilence{SinglePublisher::kSilentAfterUs + 100'000};
+  while (publisher_->packets_sent() > 0 && Clock::now() - sent_at_ < kSilence) {
+    if (is_interrupted(stop)) return false;
+    serve_bus();
+    std::this_thread::sleep_until(bus_due_);
+  }
+  context_.bus.begin_session();
+  publisher_->begin_session();
+  dropped_before_session_ = events_dropped();
+  context_.log.info(fmt::format("session {} begins at {}", context_.bus.session(),
+                                seconds_text(source_->position_us(*chunk_.session_from))));
+  if (replay_) replay_->begin(*chunk_.session_from, Clock::now());
+  live_zero_ = {};
+  chunk_.session_from.reset();
+  return true;
 }
 
 void CameraService::prepare(SensorSize source_sensor) {
@@ -189,36 +261,61 @@ void CameraService::prepare(SensorSize source_sensor) {
                            : is_local                  ? EventPackerParams::kMaxBytes
                                                        : EventPackerParams::kOneFrame;
   const auto overhead = static_cast<int>(context_.bus.overhead_bytes());
-  packer_.emplace(
+  publisher_.emplace(
+      context_.bus,
       EventPackerParams{sensor, std::max(packet_bytes - overhead, EventPackerParams::kMinBytes)});
-  const double speed = is_paced_ ? settings_.speed : 1;
-  const auto window_us = [&](int host_us) {
-    return std::max<std::int64_t>(1, std::llround(host_us * speed));
-  };
-  batcher_.emplace(static_cast<std::size_t>(packer_->max_events()), window_us(settings_.flush_us),
-                   window_us(settings_.quiet_flush_us));
+  batcher_.emplace(static_cast<std::size_t>(publisher_->packer().max_events()), settings_.flush_us,
+                   settings_.quiet_flush_us);
+  set_ages();
   context_.log.info(fmt::format("sensor {}x{}, packets of up to {} bytes", sensor.width,
                                 sensor.height, packet_bytes));
 }
 
-// Handles messages meanwhile. Returns false after a stop request.
+// Of packets, in sensor time.
+void CameraService::set_ages() {
+  ages_speed_ = replay_ ? replay_->speed() : 1;
+  const auto age_us = [&](int host_us) {
+    return std::max<std::int64_t>(1, std::llround(host_us * ages_speed_));
+  };
+  batcher_->set_ages(age_us(settings_.flush_us), age_us(settings_.quiet_flush_us));
+}
+
+// Handles messages meanwhile. Returns false after a stop request or for a search.
 bool CameraService::wait_until(Timestamp time, std::stop_token stop) {
   while (true) {
-    if (stop.stop_requested()) return false;
     serve_bus();
-    const Clock::time_point due = pacer_.due(time);
+    if (is_interrupted(stop)) return false;
     const Clock::time_point now = Clock::now();
-    if (now >= due) break;
-    if (due - now > kSilent) say_waiting("the end of a gap in the recording's time stamps");
-    std::this_thread::sleep_until(std::min(std::max(due, now + kShortestSleep), bus_due_));
+    const auto due = replay_->due(time, now);
+    if (due && now >= *due) break;
+    if (due && *due - now > kSilent) {
+      say_gap(time, std::chrono::duration_cast<microseconds>(*due - now));
+    }
+    std::this_thread::sleep_until(due ? std::min(std::max(*due, now + kShortestSleep), bus_due_)
+                                      : bus_due_);
   }
   note_pace(time);
   return true;
 }
 
-// Handles messages meanwhile. Returns false after a stop request.
+void CameraService::skip_gap() {
+  if (!replay_) return;
+  const std::int64_t gap_us = replay_->skip_gap(batcher_->batch().start, Clock::now());
+  if (gap_us > 0) context_.log.info("skipped a gap of " + seconds_text(gap_us));
+}
+
+void CameraService::say_gap(Timestamp until, microseconds wait) {
+  const std::string text =
+      fmt::format("for the next events in {:.0f} s", static_cast<double>(wait.count()) * 1e-6);
+  if (std::exchange(gap_told_, until) != until) {
+    context_.log.info("waiting " + text + "; camera.skip_gaps_s skips gaps");
+  }
+  context_.status.set_state(ServiceState::kWaiting, text);
+}
+
+// Handles messages meanwhile. Returns false after a stop request or for a search.
 bool CameraService::wait_for_turn(std::stop_token stop) {
-  while (!stop.stop_requested()) {
+  while (!is_interrupted(stop)) {
     serve_bus();
     const Clock::time_point now = Clock::now();
     if (now >= limit_.due()) {
@@ -235,7 +332,19 @@ void CameraService::serve_bus() {
   if (now < bus_due_) return;
   bus_due_ = now + (simulated_ != nullptr ? kBusPeriod : kQuietBusPeriod);
   context_.bus.handle(milliseconds(0));
+  controls_.poll();
+  if (batcher_ && replay_ && replay_->speed() != ages_speed_) set_ages();
   poll_status(context_, *this);
+}
+
+void CameraService::look_at_source() {
+  watch_.look(*source_);
+  if (is_paced_) return;
+  if (watch_.overflows()) {
+    note_trouble("drops events: more arrive than can be published");
+  } else {
+    note_recovery();
+  }
 }
 
 void CameraService::say_waiting(const std::string& for_what) {
@@ -249,17 +358,24 @@ void CameraService::say_waiting(const std::string& for_what) {
 }
 
 void CameraService::note_pace(Timestamp time) {
-  const std::int64_t slipped_before_us = pacer_.slipped_us();
-  const bool has_slipped = pacer_.note(time, Clock::now());
-  pacer_zero_utime_ += pacer_.slipped_us() - slipped_before_us;
-  if (has_slipped || pacer_.lateness_us() > kLateUs) {
+  const bool has_slipped = replay_->note(time, Clock::now());
+  note_running();
+  if (has_slipped || replay_->lateness_us() > kLateUs) {
     context_.limited_log.warn(
-        "pace", "cannot keep up: " + std::to_string(pacer_.lateness_us() / 1000) + " ms late; " +
-                    std::to_string(pacer_.slipped_us() / 1000) +
+        "pace", "cannot keep up: " + std::to_string(replay_->lateness_us() / 1000) + " ms late; " +
+                    std::to_string(replay_->slipped_us() / 1000) +
                     " ms of delay accepted so far (the time mapping has moved)");
     note_trouble("cannot keep up with the sensor's clock");
   } else {
     note_recovery();
+  }
+}
+
+void CameraService::note_running() {
+  const ServiceState state = context_.status.state();
+  const bool is_paused = replay_ && replay_->is_paused();
+  if ((state == ServiceState::kStarting || state == ServiceState::kWaiting) && !is_paused) {
+    context_.status.set_state(ServiceState::kRunning);
   }
 }
 
@@ -278,83 +394,55 @@ void CameraService::note_recovery() {
 }
 
 void CameraService::publish_batch() {
-  const EventPacket& batch = batcher_->batch();
-  packer_->pack(batch.start, batch.events, [this](event_packet_t& packet) {
-    packet.sensor_zero_utime = sensor_zero_utime();
-    packet.recorded = settings_.is_recorded() ? 1 : 0;
-    packet.events_dropped = events_dropped();
-    if (context_.bus.publish(packet)) ++packets_sent_;
-  });
+  publisher_->publish(
+      batcher_->batch(),
+      {sensor_zero_utime(), events_dropped() - dropped_before_session_, settings_.is_recorded()});
   batcher_->clear();
+  sent_at_ = Clock::now();
+  if (replay_) replay_->note_sent(sent_at_);
 }
 
 // Unusable ones; what the filter leaves out by its settings counts on its own.
 std::int64_t CameraService::events_dropped() const {
-  return source_->events_dropped() + (packer_ ? packer_->events_outside() : 0) +
+  return source_->events_dropped() + (publisher_ ? publisher_->packer().events_outside() : 0) +
          (filter_ ? filter_->left_out().outside_sensor : 0);
 }
 
 std::int64_t CameraService::sensor_zero_utime() const {
-  // At another speed, sensor time has no fixed zero on the host's clock.
-  if (is_paced_ && settings_.speed != 1) return 0;
   // Times before 1970 are not valid on the wire.
-  return std::max<std::int64_t>(0, is_paced_ ? pacer_zero_utime_ : live_zero_.utime());
+  return std::max<std::int64_t>(0, replay_ ? replay_->sensor_zero_utime() : live_zero_.utime());
 }
 
 void CameraService::publish_truth(const SimulatedTruth& truth) {
   const PictureTurn& turn = settings_.filter.turn;
-  ground_truth_t message = to_truth_message(truth, settings_.simulation.sensor_size, turn);
+  GroundTruth message = to_truth_message(truth, settings_.simulation.sensor_size, turn);
   context_.bus.publish(message);
-  head_state_t head = to_head_message(truth, turn);
+  HeadState head = to_head_message(truth, turn);
   context_.bus.publish(head);
 }
 
-void CameraService::warn_of_drops() {
-  const std::int64_t drops = source_->events_dropped() + source_->malformed_words();
-  if (drops == drops_told_) return;
-  drops_told_ = drops;
-  context_.limited_log.warn(
-      "input", std::to_string(source_->events_dropped()) + " events dropped, " +
-                   std::to_string(source_->malformed_words()) + " malformed words so far");
-}
-
-void CameraService::warn_of_lost_messages() {
-  const auto port = source_->port_counts();
-  if (!port || port->lost + port->malformed == messages_told_) return;
-  messages_told_ = port->lost + port->malformed;
-  context_.limited_log.warn("port", std::to_string(port->lost) + " messages of " +
-                                        std::to_string(port->messages) + " were lost, " +
-                                        std::to_string(port->malformed) + " held no events");
-}
-
-void CameraService::watch_overflow() {
-  if (is_paced_) return;
-  const std::int64_t overflowed = source_->events_overflowed();
-  if (std::exchange(overflow_seen_, overflowed) != overflowed) {
-    note_trouble("drops events: more arrive than can be published");
-  } else {
-    note_recovery();
-  }
-}
-
-void CameraService::wait_at_end(std::stop_token stop) {
-  context_.status.set_state(ServiceState::kWaiting, "the source has ended");
-  while (!stop.stop_requested()) {
+// Returns true for a search, false after a stop request.
+bool CameraService::wait_at_end(std::stop_token stop) {
+  while (!is_interrupted(stop)) {
+    context_.status.set_state(ServiceState::kWaiting, "the source has ended");
     context_.bus.handle(milliseconds(10));
+    controls_.poll();
     poll_status(context_, *this);
   }
+  return !stop.stop_requested();
 }
 
 void CameraService::report(StatusReport& report) const {
   const FilteredEvents left_out = filter_ ? filter_->left_out() : FilteredEvents{};
   report.counters = {
-      {"events_sent", packer_ ? packer_->events_packed() : 0},
-      {"packets_sent", packets_sent_},
+      {"events_sent", publisher_ ? publisher_->packer().events_packed() : 0},
+      {"packets_sent", publisher_ ? publisher_->packets_sent() : 0},
       {"events_dropped", events_dropped()},
       {"events_masked", left_out.masked},
       {"malformed_words", source_->malformed_words()},
-      {"late_us", pacer_.slipped_us() + pacer_.lateness_us()},
+      {"late_us", replay_ ? replay_->slipped_us() + replay_->lateness_us() : 0},
   };
+  controls_.report(report);
   report.add_unless_zero("events_outside_crop", left_out.outside_crop);
   report.add_unless_zero("events_other_polarity", left_out.other_polarity);
   report.add_unless_zero("events_refractory", left_out.refractory);

@@ -1,10 +1,12 @@
 #include "services/camera/camera_settings.h"
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "common/io/event_file_kind.h"
 #include "common/io/event_filter_config.h"
+#include "common/messaging/channels.h"
 #include "common/messaging/event_packing.h"
 #include "common/simulation/visit_parameters.h"
 #include "common/yarp/port_query.h"
@@ -66,6 +68,24 @@ void read_file_settings(Config& config, bool is_live, FileSourceParams& file) {
   config.read("camera.rate_mev_s", file.rate_mev_s, 0, kHighestRate);
 }
 
+std::int64_t read_seconds(Config& config, const char* key) {
+  constexpr double kLongest_s = 1e9;
+  double seconds = 0;
+  config.read(key, seconds, 0, kLongest_s);
+  return std::llround(seconds * 1e6);
+}
+
+void read_replay_settings(Config& config, CameraSettings& settings) {
+  settings.file.start_us = read_seconds(config, "camera.start_s");
+  const std::int64_t length_us = read_seconds(config, "camera.seconds");
+  if (length_us > 0) settings.file.length_us = length_us;
+  ReplayParams& replay = settings.replay;
+  config.read("camera.speed", replay.speed, ReplayRequest::kSlowest, ReplayRequest::kFastest);
+  config.read("camera.paused", replay.paused);
+  config.read("camera.step_us", replay.step_us, std::int64_t{0}, ReplayRequest::kLongestStepUs);
+  replay.skip_gaps_us = read_seconds(config, "camera.skip_gaps_s");
+}
+
 void check_simulated(const Config& config, const CameraSettings& settings) {
   if (settings.pace == "arrival") {
     config.fail("camera.pace", "cannot be \"arrival\" for the simulated table");
@@ -101,12 +121,13 @@ CameraSettings read_camera_settings(Config& config) {
   config.read_choice("camera.source", settings.source, kSources);
   read_file_settings(config, settings.is_stream(), settings.file);
   config.read("camera.log_prefix", settings.log_prefix);
+  check_prefix(settings.log_prefix, "camera.log_prefix");
   config.read_choice("camera.tcp_role", settings.tcp_role, kRoles);
   config.read("camera.tcp_host", settings.tcp_host);
   config.read("camera.tcp_port", settings.tcp_port, 1, 65535);
   read_yarp_settings(config, settings);
   config.read_choice("camera.pace", settings.pace, kPaces);
-  config.read("camera.speed", settings.speed, 0.001, 1000);
+  read_replay_settings(config, settings);
   config.read_choice("camera.at_end", settings.at_end, kEnds);
   settings.filter = read_event_filter(config, "camera");
   config.read("camera.packet_bytes", settings.packet_bytes, 0, EventPackerParams::kMaxBytes);
@@ -123,6 +144,9 @@ CameraSettings read_camera_settings(Config& config) {
   if (is_file && settings.file.file.empty()) {
     config.fail("camera.file",
                 "must name a recording when camera.source is \"" + settings.source + "\"");
+  }
+  if (settings.replay.paused && !is_file) {
+    config.fail_expected("camera.paused", "false unless camera.source is \"file\" or \"log\"");
   }
   if (settings.source == "simulated") check_simulated(config, settings);
   if (settings.source == "yarp") {

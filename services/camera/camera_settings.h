@@ -7,6 +7,7 @@
 #include "common/simulation/simulation_params.h"
 #include "common/yarp/port_reader.h"
 #include "services/camera/file_source.h"
+#include "services/camera/replay.h"
 
 namespace puck {
 
@@ -26,8 +27,8 @@ struct CameraSettings {
   PortReaderParams yarp{
       .port = "/atis3/AE:o", .server_key = "camera.yarp_server", .local_name = "puck-camera"};
 
-  std::string pace = "auto";    ///< auto, sensor or arrival.
-  double speed = 1;             ///< Sensor time per host time.
+  std::string pace = "auto";  ///< auto, sensor or arrival.
+  ReplayParams replay;
   std::string at_end = "exit";  ///< exit or wait.
 
   EventFilterParams filter;

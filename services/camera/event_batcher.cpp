@@ -8,13 +8,16 @@ namespace puck {
 
 EventBatcher::EventBatcher(std::size_t max_events, std::int64_t max_age_us,
                            std::int64_t quiet_age_us)
-    : max_events_(max_events),
-      max_age_us_(max_age_us),
-      quiet_age_us_(std::max(quiet_age_us, max_age_us)) {
-  if (max_events < 1 || max_age_us < 1) {
-    throw std::invalid_argument("a batch must hold at least 1 event and last at least 1 µs");
-  }
+    : max_events_(max_events) {
+  if (max_events < 1) throw std::invalid_argument("a batch must hold at least 1 event");
+  set_ages(max_age_us, quiet_age_us);
   batch_.events.reserve(max_events);
+}
+
+void EventBatcher::set_ages(std::int64_t max_age_us, std::int64_t quiet_age_us) {
+  if (max_age_us < 1) throw std::invalid_argument("a batch must last at least 1 µs");
+  max_age_us_ = max_age_us;
+  quiet_age_us_ = std::max(quiet_age_us, max_age_us);
 }
 
 void EventBatcher::take(const EventPacket& packet, std::size_t& next) {

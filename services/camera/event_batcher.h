@@ -19,6 +19,9 @@ class EventBatcher {
   /// std::invalid_argument for a limit below 1.
   EventBatcher(std::size_t max_events, std::int64_t max_age_us, std::int64_t quiet_age_us);
 
+  /// Changes the limits of the ages, as above.
+  void set_ages(std::int64_t max_age_us, std::int64_t quiet_age_us);
+
   /// Takes events from `packet`, from index `next` on, until the batch is complete or no event is
   /// left. Events come in the order of their times.
   void take(const EventPacket& packet, std::size_t& next);
@@ -42,8 +45,8 @@ class EventBatcher {
   Timestamp window_end() const { return batch_.start + age_limit_us(); }
 
   std::size_t max_events_;
-  std::int64_t max_age_us_;
-  std::int64_t quiet_age_us_;
+  std::int64_t max_age_us_ = 1;
+  std::int64_t quiet_age_us_ = 1;
   EventPacket batch_;
 };
 

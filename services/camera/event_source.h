@@ -8,6 +8,7 @@
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
+#include "services/camera/control_verdict.h"
 
 namespace puck {
 
@@ -16,8 +17,9 @@ class EventSource {
  public:
   enum class Outcome {
     kEvents,      ///< `chunk` holds the next events, or an interval without events.
-    kNothingYet,  ///< A stream had no data for a few ms.
+    kNothingYet,  ///< A stream had no data for a few ms, or a search goes on.
     kEnd,         ///< The source has ended.
+    kNotFound,    ///< The place sought is beyond the end; the source is where it was before.
   };
   /// An interval of sensor time with all its events.
   struct Chunk {
@@ -25,6 +27,9 @@ class EventSource {
     Timestamp until;  ///< Later chunks have no event before this time.
     /// The sensor's clock is a new one, joined to the previous one; its zero has changed.
     bool new_clock = false;
+    /// A new session begins at this time, with these events; set behind a search, and by a log with
+    /// several sessions.
+    std::optional<Timestamp> session_from{};
     /// Receipt of a live source's events, CLOCK_REALTIME, µs; 0: just now.
     std::int64_t came_utime = 0;
   };
@@ -52,6 +57,15 @@ class EventSource {
 
   /// Whether events come when they happen, so that they need no pacing.
   virtual bool is_live() const { return false; }
+
+  /// Whether it is a recording, which seek() moves through.
+  virtual bool is_recording() const { return false; }
+  /// Begins the search for the events from a position on, µs since the recording's first event.
+  /// next() then returns kNothingYet until it has them, or kNotFound. The verdict is kSearching or
+  /// a refusal, after which the source is where it was.
+  virtual ControlVerdict seek(std::int64_t) { return ControlVerdict::kNoRecording; }
+  /// The position of a time of the newest chunk.
+  virtual std::int64_t position_us(Timestamp time) const { return time.us; }
 
   /// What a silent stream waits for, as text for people; empty: not known yet.
   virtual std::string waiting_for() const { return {}; }

@@ -30,6 +30,9 @@ class GrowingTime {
     return newest_;
   }
 
+  /// The time on the present clock that was placed at `placed`.
+  Timestamp original(Timestamp placed) const { return placed - shift_us_; }
+
  private:
   Timestamp earliest_next() const {
     return has_newest_ ? newest_ + gap_us_ : Timestamp{std::numeric_limits<std::int64_t>::min()};

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 
 namespace puck {
 namespace {

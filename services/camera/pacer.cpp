@@ -21,6 +21,11 @@ Pacer::Clock::time_point Pacer::due(Timestamp time) const {
   return first_at_ + microseconds(std::llround(std::min(after_us, kNever_us)));
 }
 
+Timestamp Pacer::time_at(Clock::time_point now) const {
+  const auto after_us = static_cast<double>(duration_cast<microseconds>(now - first_at_).count());
+  return first_ + std::llround(after_us * speed_);
+}
+
 bool Pacer::note(Timestamp time, Clock::time_point now) {
   const auto late = duration_cast<microseconds>(now - due(time));
   lateness_us_ = std::max<std::int64_t>(0, late.count());

@@ -23,8 +23,12 @@ class Pacer {
   bool is_started() const { return is_started_; }
   /// Sensor time `time` is now.
   void start(Timestamp time, Clock::time_point now);
+  /// Requires start() afterwards.
+  void set_speed(double speed) { speed_ = speed; }
 
   Clock::time_point due(Timestamp time) const;
+  /// The sensor time that is due at `now`.
+  Timestamp time_at(Clock::time_point now) const;
 
   /// The event due at `time` is handled now: notes its lateness. Returns true if the plan slipped.
   bool note(Timestamp time, Clock::time_point now);

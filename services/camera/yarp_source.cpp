@@ -1,7 +1,7 @@
 #include "services/camera/yarp_source.h"
 
 #include "common/io/sensor_choice.h"
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 
 namespace puck {
 namespace {

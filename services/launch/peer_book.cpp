@@ -37,7 +37,7 @@ std::int64_t heard_together_us(const PeerBook::Peer& a, const PeerBook::Peer& b)
 
 }  // namespace
 
-void PeerBook::hear(const service_status_t& status, bool answers, std::int64_t now_us) {
+void PeerBook::hear(const PeerStatus& status, bool answers, std::int64_t now_us) {
   auto peer = std::find_if(peers_.begin(), peers_.end(),
                            [&](const Peer& other) { return other.session == status.session; });
   if (peer == peers_.end()) {
@@ -58,7 +58,7 @@ void PeerBook::hear(const service_status_t& status, bool answers, std::int64_t n
   // After a silence the alternation must be observed again.
   if (now_us - peer->heard_us > kSilentAfterUs) peer->first_heard_us = now_us;
   peer->heard_us = now_us;
-  peer->has_stopped = status.state == service_status_t::STATE_STOPPING;
+  peer->has_stopped = status.state == ServiceState::kStopping;
 }
 
 bool PeerBook::speaks(const Peer& peer, std::int64_t now_us) const {

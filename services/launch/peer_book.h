@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/messaging/channels.h"
+#include "common/messaging/status_reporter.h"
 
 namespace puck {
 
@@ -38,7 +38,7 @@ class PeerBook {
   }
 
   /// `answers`: it has answered our own STATUS.
-  void hear(const service_status_t& status, bool answers, std::int64_t now_us);
+  void hear(const PeerStatus& status, bool answers, std::int64_t now_us);
   /// Returns the changes since the last look, each once. Silence while this service itself did not
   /// look does not count.
   std::vector<PeerNews> look(std::int64_t now_us);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 
 namespace puck {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::int64_t kLookPeriodUs = 20'000;
 
 PeerWatch::PeerWatch(StatusReporter& status, spdlog::logger& log)
     : status_(status), log_(log), book_(status.service()) {
-  status.listen([this](const service_status_t& heard, const Receipt& receipt) {
+  status.listen([this](const PeerStatus& heard, const Receipt& receipt) {
     book_.hear(heard, status_.clock_of(heard.session).has_value(), receipt.monotonic_us);
   });
 }

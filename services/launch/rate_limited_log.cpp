@@ -4,8 +4,8 @@
 
 namespace puck {
 
-void RateLimitedLog::warn(std::string_view subject, std::string_view message,
-                          Clock::time_point now) {
+void RateLimitedLog::write(spdlog::level::level_enum level, std::string_view subject,
+                           std::string_view message, Clock::time_point now) {
   constexpr std::chrono::seconds kSilence{1};
   const std::lock_guard lock(mutex_);
   auto found = subjects_.find(subject);
@@ -16,9 +16,10 @@ void RateLimitedLog::warn(std::string_view subject, std::string_view message,
     return;
   }
   if (suppressed == 0) {
-    log_.warn(fmt::format("{}: {}", subject, message));
+    log_.log(level, fmt::format("{}: {}", subject, message));
   } else {
-    log_.warn(fmt::format("{}: {} ({} more like it not shown)", subject, message, suppressed));
+    log_.log(level,
+             fmt::format("{}: {} ({} more like it not shown)", subject, message, suppressed));
   }
   silent_until = now + kSilence;
   suppressed = 0;

@@ -6,10 +6,10 @@
 
 #include "common/events/sensor_size.h"
 #include "common/events/timestamp.h"
+#include "common/messages/single_publisher.h"
 #include "common/messaging/event_packet_view.h"
 #include "common/messaging/loss_accounting.h"
 #include "common/messaging/receipt.h"
-#include "common/messaging/single_publisher.h"
 
 namespace puck {
 

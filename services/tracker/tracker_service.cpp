@@ -6,10 +6,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "common/messages/host_time.h"
+#include "common/messages/single_publisher.h"
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_packing.h"
-#include "common/messaging/host_time.h"
-#include "common/messaging/single_publisher.h"
 #include "common/messaging/wire_layout.h"
 #include "common/runtime/scheduling.h"
 #include "common/vision/surface_tracker.h"
@@ -186,45 +186,40 @@ PacketOrigin TrackerService::origin_of(const EventPacketView& packet,
 }
 
 void TrackerService::publish(const TrackedEstimate& tracked, SensorSize sensor) {
-  puck_estimate_t message = to_message(tracked.estimate, sensor);
   const PacketOrigin& origin = tracked.origin;
-  message.events_session = origin.session;
+  PublishedEstimate estimate{{}, tracked.estimate};
+  estimate.sensor = sensor;
+  estimate.events_session = origin.session;
   // After the camera has fallen silent, a resting puck may have moved.
-  if (tracked.input_age > kRestEnds) message.flags &= ~puck_estimate_t::FLAG_RESTING;
-  if (origin.is_live && !origin.is_recorded) message.flags |= puck_estimate_t::FLAG_LIVE;
+  if (tracked.input_age > kRestEnds) estimate.resting = false;
+  estimate.is_live = origin.is_live && !origin.is_recorded;
   if (origin.sensor_zero_utime != 0) {
-    const std::int64_t utime = origin.sensor_zero_utime + tracked.estimate.newest_event.us;
+    const std::int64_t utime = origin.sensor_zero_utime + estimate.newest_event.us;
     // An impossible time counts as unknown, since it would prevent publication.
-    if (utime >= 0 && utime <= kMostOnWire) message.event_utime = utime;
+    if (utime > 0 && utime <= kMostOnWire) estimate.event_utime = utime;
   }
-  message.packet_received_utime = origin.received_utime;
-  message.tracking_started_utime = utime_of(tracked.tracking_started);
-  message.backlog_us = tracked.backlog_us + origin.queued_us;
-  message.backlog_events = tracked.backlog_events;
-  message.packets_received = origin.counters.received;
-  message.packets_lost = origin.counters.lost;
-  message.packets_late = origin.counters.late;
-  message.packets_rejected = origin.counters.rejected;
-  message.events_lost = origin.counters.events_lost;
-  message.events_skipped = origin.counters.events_skipped;
-  message.events_dropped = origin.counters.events_dropped;
-  context_.bus.publish(message);
+  estimate.packet_received_utime = origin.received_utime;
+  estimate.tracking_started_utime = utime_of(tracked.tracking_started);
+  estimate.backlog_us = tracked.backlog_us + origin.queued_us;
+  estimate.backlog_events = tracked.backlog_events;
+  estimate.packets = origin.counters;
+  context_.bus.publish(estimate);
 
   // Only the first estimate with a new event gives its latency; the first one of a track is based
   // on no event.
-  if (tracked.estimate.events_applied == 0) return;
-  if (tracked.estimate.newest_event <= published_event_) return;
-  published_event_ = tracked.estimate.newest_event;
+  if (estimate.events_applied == 0) return;
+  if (estimate.newest_event <= published_event_) return;
+  published_event_ = estimate.newest_event;
   watch_.answer(published_event_, std::chrono::steady_clock::now(), packet_to_estimate_);
   if (origin.received != published_packet_) {
     published_packet_ = origin.received;
     packet_to_look_.record(
         std::chrono::duration_cast<std::chrono::microseconds>(tracked.packet_to_look).count());
   }
-  backlog_.record(message.backlog_us);
+  backlog_.record(estimate.backlog_us);
   // For a log or an unknown clock the difference is meaningless.
-  if (origin.is_live && message.event_utime != 0) {
-    sensor_to_estimate_.record(message.utime - message.event_utime);
+  if (origin.is_live && estimate.event_utime) {
+    sensor_to_estimate_.record(estimate.utime - *estimate.event_utime);
   }
 }
 
@@ -259,7 +254,7 @@ void TrackerService::report(StatusReport& report) const {
       {"events_lost", losses.items_lost},
       {"events_skipped", counters.events_skipped},
       {"events_thinned", live_ ? live_->events_thinned() : events_thinned_},
-      {"estimates", context_.bus.counters<puck_estimate_t>().published},
+      {"estimates", context_.bus.counters<PublishedEstimate>().published},
   };
   report.latencies = {named("packet_to_look", packet_to_look_),
                       named("packet_to_estimate", packet_to_estimate_),

@@ -13,8 +13,8 @@
 #include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/bus_settings.h"
-#include "common/messaging/host_time.h"
 #include "services/arm/operator_command.h"
 #include "tests/support/environment.h"
 #include "tests/support/service_bench.h"

@@ -16,42 +16,39 @@ constexpr std::int64_t kStartUtime = 1'700'000'000'000'000;
 constexpr std::int64_t kPeriodUs = 1'000;
 
 // A tracker's estimates of a game of one player against the rails.
-std::vector<puck_estimate_t> estimates() {
+std::vector<PublishedEstimate> estimates() {
   const PuckMotionParams lossless{.damping_per_s = 0, .rail_restitution = 1, .rail_grip = 1};
   TableGeometry closed;
   closed.goal_width_m = 0;
   const PuckMotion motion(closed, lossless);
   const Homography camera = test_camera();
   PuckTrack puck{{{1.5, 0.1}, {-4, 1.3}}, {}};
-  std::vector<puck_estimate_t> all(20'000);
-  for (puck_estimate_t& e : all) {
+  std::vector<PublishedEstimate> all(20'000);
+  for (PublishedEstimate& e : all) {
     puck = {motion.advance(puck, kPeriodUs * 1e-6).track.state, {}};
-    const Pixel pixel = *camera.to_image(puck.state.position);
     e = {};
     e.session = 3001;
     e.events_session = 1;
-    e.state = puck_estimate_t::STATE_TRACKING;
-    e.flags = puck_estimate_t::FLAG_POSITION;
-    e.x_px = pixel.x;
-    e.y_px = pixel.y;
+    e.state = TrackState::kTracking;
+    e.position = *camera.to_image(puck.state.position);
     e.covariance[0] = e.covariance[5] = 0.25;
   }
   return all;
 }
 
 void estimate_to_command(benchmark::State& state) {
-  const std::vector<puck_estimate_t> seen = estimates();
+  const std::vector<PublishedEstimate> seen = estimates();
   PlayBridge bridge({}, test_camera(), TableGeometry{});
   const SenderClock clock = ClockOffset{};
   HostNow now{kStartUtime, 1'000'000};
   std::int64_t seq = 0;
   std::int64_t commands = 0;
-  puck_estimate_t estimate{};
+  PublishedEstimate estimate;
   for (auto _ : state) {
     now.utime += kPeriodUs;
     now.monotonic_us += kPeriodUs;
     if (seq % 100 == 0) {
-      arm_state_t arm{};
+      ArmState arm;
       arm.utime = now.utime;
       arm.session = 1001;
       arm.seq = seq;
@@ -63,7 +60,7 @@ void estimate_to_command(benchmark::State& state) {
     estimate.seq = seq++;
     estimate.utime = now.utime - 100;
     estimate.event_utime = now.utime - 300;
-    estimate.sensor_us = now.monotonic_us - 300;
+    estimate.newest_event.us = now.monotonic_us - 300;
     bridge.hear(estimate, now, clock);
     if (bridge.next_command(now)) ++commands;
   }

@@ -16,8 +16,8 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/bus_settings.h"
-#include "common/messaging/host_time.h"
 #include "tests/support/environment.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/test_camera.h"

@@ -41,8 +41,10 @@ class CameraRun {
       on_truth_();
     });
     bus_.subscribe<head_state_t>([this](const head_state_t&, const Receipt&) { ++heads_; });
-    bus_.subscribe<service_status_t>(
-        [this](const service_status_t& status, const Receipt&) { statuses_.push_back(status); });
+    bus_.subscribe<service_status_t>([this](const service_status_t& status, const Receipt&) {
+      statuses_.push_back(status);
+      on_status_(status);
+    });
   }
 
   /// Until the source has ended, or `stop_after` events have come, and the bus is empty.
@@ -54,6 +56,18 @@ class CameraRun {
     camera.run(stop_.get_token());
     status_.stop([&](StatusReport& report) { camera.report(report); });
     while (bus_.handle(std::chrono::milliseconds(10)) > 0) continue;
+  }
+
+  /// Publishes a control for this camera, as another program would.
+  void control(std::int8_t mode, std::int64_t us = 0, double speed = 1) {
+    camera_control_t control{};
+    control.mode = mode;
+    control.camera_session = bus_.session();
+    control.request = requests_++;
+    control.position_us = us;
+    control.step_us = us;
+    control.speed = speed;
+    CHECK(bus_.publish(control));
   }
 
   std::optional<std::int64_t> last_counter(const std::string& name) const {
@@ -68,6 +82,7 @@ class CameraRun {
   std::vector<service_status_t> statuses_;
   std::ostringstream log_text_;
   std::function<void()> on_truth_ = [] {};
+  std::function<void(const service_status_t&)> on_status_ = [](const service_status_t&) {};
   std::function<bool()> stop_when_ = [] { return false; };
   std::stop_source stop_;
   Bus bus_{{.url = "memq://"}};
@@ -85,6 +100,7 @@ class CameraRun {
   BusWatch bus_watch_{bus_, log_};
   PeerWatch peers_{status_, log_};
   std::size_t stop_after_ = 0;
+  std::int64_t requests_ = 0;
 };
 
 }  // namespace puck

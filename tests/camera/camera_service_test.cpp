@@ -222,7 +222,7 @@ TEST_CASE("a stream above the publishing limit loses its oldest events, with a w
   CHECK(was_degraded);
 }
 
-TEST_CASE("a camera that waits through a gap in a recording reports the gap") {
+TEST_CASE("a camera that waits through a gap in a recording reports its length") {
   const CameraFolder folder;
   write_recording(folder / "a.raw", {{1000, 1, 1, 0}, {2'500'000, 2, 2, 1}});
   CameraRun run(file_settings(folder / "a.raw"));
@@ -230,9 +230,25 @@ TEST_CASE("a camera that waits through a gap in a recording reports the gap") {
   CHECK(run.events_.size() == 2);
   const auto says_so = [](const service_status_t& status) {
     return status.state == service_status_t::STATE_WAITING &&
-           status.state_text == "for the end of a gap in the recording's time stamps";
+           status.state_text == "for the next events in 2 s";
   };
   CHECK(std::any_of(run.statuses_.begin(), run.statuses_.end(), says_so));
+  CHECK(contains(run.log_text_.str(), "waiting for the next events in 2 s"));
+}
+
+TEST_CASE("a gap longer than camera.skip_gaps_s is not waited for, a shorter one is") {
+  const CameraFolder folder;
+  const std::vector<SeenEvent> events{{1000, 1, 1, 0}, {301'000, 1, 2, 0}, {900'000'000, 2, 2, 1}};
+  write_recording(folder / "a.raw", events);
+  CameraRun run(file_settings(folder / "a.raw", "skip_gaps_s = 0.5\n"));
+  run.run();
+  CHECK(run.events_ == events);
+  REQUIRE(run.packets_.size() == 3);
+  CHECK(run.packets_[1].utime - run.packets_[0].utime > 200'000);
+  CHECK(contains(run.log_text_.str(), "skipped a gap of 899.69"));
+  // Sensor time goes on, and its zero moves with the jump.
+  CHECK(run.packets_[2].session == run.packets_[0].session);
+  CHECK(run.packets_[0].sensor_zero_utime - run.packets_[2].sensor_zero_utime > 899'000'000);
 }
 
 TEST_CASE("the simulated table publishes events, truth and head") {
@@ -286,6 +302,11 @@ TEST_CASE("impossible settings are refused with their key") {
                "camera.toml:2: camera.source must be \"simulated\", \"file\", \"log\", \"stdin\""));
   CHECK(contains(refusal("[camera]\nsource = \"file\"\n"), "camera.file must name a recording"));
   CHECK(contains(refusal("[camera]\npacket_bytes = 100\n"), "camera.toml:2: camera.packet_bytes"));
+  CHECK(contains(refusal("[camera]\nlog_prefix = \"left\"\n"),
+                 "camera.log_prefix must be up to 16 of A-Z, 0-9 and _, got \"left\""));
+  CHECK(contains(refusal("[camera]\npaused = true\n"),
+                 "camera.paused must be false unless camera.source is \"file\" or \"log\""));
+  CHECK(contains(refusal("[camera]\nstep_us = 10000001\n"), "camera.step_us"));
   CHECK(contains(refusal("[camera]\nflush_us = 5\n"), "must be an integer from 50 to 100000"));
   CHECK(
       contains(refusal("[camera]\nflash_us = 500\n"), "the nearest known key is camera.flush_us"));

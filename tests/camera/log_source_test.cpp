@@ -1,14 +1,19 @@
 // camera.source = "log": the events of a log, as a recording.
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <utility>
 
 #include <doctest/doctest.h>
 
 #include "common/messaging/log_file.h"
+#include "common/messages/single_publisher.h"
 #include "common/recording/event_log_reader.h"
 #include "services/camera/file_source.h"
 #include "tests/camera/camera_fixtures.h"
 #include "tests/camera/camera_run.h"
 #include "tests/support/event_log_writer.h"
+#include "tests/support/temporary_folder.h"
 
 namespace puck {
 namespace {
@@ -111,6 +116,67 @@ TEST_CASE("a log can be looped and stretched like a recording") {
   while (slow.next(chunk) == EventSource::Outcome::kEvents) append_seen(chunk.packet, events);
   REQUIRE(events.size() == 1000);
   CHECK(events.back().t_us - events.front().t_us == doctest::Approx(100'000).epsilon(0.01));
+}
+
+TEST_CASE("two joined logs are played in order, as two sessions, whenever they were recorded") {
+  const CameraFolder folder;
+  const auto write_session = [&](const std::string& name, std::int64_t session,
+                                 std::int64_t later_us) {
+    EventLogWriter writer(folder / name, kSensor);
+    writer.begin_session(session, later_us);
+    for (int i = 0; i < 20; ++i) writer.write(numbered_events(5'000'000 + 1000 * i, 40));
+    writer.flush();
+  };
+  constexpr std::int64_t kDayUs = 86'400'000'000;
+  write_session("a.lcm", 5, 2 * kDayUs);
+  for (const auto& [session, later_us] : std::vector<std::pair<std::int64_t, std::int64_t>>{
+           {6, 4 * kDayUs}, {6, kDayUs}, {5, 2 * kDayUs}}) {
+    write_session("b.lcm", session, later_us);
+    std::ofstream(folder / "ab.lcm", std::ios::binary)
+        << read_text(folder / "a.lcm") << read_text(folder / "b.lcm");
+    std::filesystem::remove(folder / "b.lcm");
+    CameraRun run(log_settings(folder / "ab.lcm"));
+    run.run();
+    CHECK(run.events_.size() == 1600);
+    const std::int64_t first = run.packets_.front().session;
+    const auto joint = std::find_if(run.packets_.begin(), run.packets_.end(),
+                                    [&](const auto& packet) { return packet.session != first; });
+    REQUIRE(joint != run.packets_.end());
+    CHECK(joint->seq == 0);
+    CHECK(joint->events_before == 0);
+    CHECK(joint->utime - (joint - 1)->utime > SinglePublisher::kSilentAfterUs);
+    CHECK(run.packets_.back().session == joint->session);
+    CHECK(run.packets_.back().events_before + run.packets_.back().count == 800);
+    for (std::size_t i = 0; i < 800; ++i) {
+      REQUIRE(run.events_[800 + i].x == run.events_[i].x);
+      REQUIRE(run.events_[800 + i].t_us - run.events_[800].t_us ==
+              run.events_[i].t_us - run.events_[0].t_us);
+    }
+    CHECK(run.last_counter("events_dropped") == 0);
+  }
+}
+
+TEST_CASE("the next file of a logger's run continues its session") {
+  const CameraFolder folder;
+  EventLogWriter whole(folder / "whole.lcm", kSensor);
+  for (int i = 0; i < 40; ++i) whole.write(numbered_events(5'000'000 + 1000 * i, 40));
+  whole.flush();
+  // As puck-logger does: each file counts its messages from 0.
+  LogReader reader(folder / "whole.lcm");
+  LogRecord record;
+  for (const char* name : {"1.lcm", "2.lcm"}) {
+    LogWriter writer(folder / name);
+    for (int i = 0; i < 20 && reader.next(record); ++i) {
+      writer.write(record.channel, record.utime, record.bytes);
+    }
+  }
+  std::ofstream(folder / "both.lcm", std::ios::binary)
+      << read_text(folder / "1.lcm") << read_text(folder / "2.lcm");
+  CameraRun run(log_settings(folder / "both.lcm"));
+  run.run();
+  CHECK(run.events_.size() == 1600);
+  CHECK(run.packets_.back().session == run.packets_.front().session);
+  CHECK(run.events_.back().t_us == 5'039'000 + 390);
 }
 
 TEST_CASE("files that are no log, and logs without a name, are refused") {

@@ -47,6 +47,7 @@ void take(Channel channel, const LogRecord& record, BusLog& log) {
     case Channel::kGame:
     case Channel::kHead:
     case Channel::kTruth:
+    case Channel::kCameraControl:
       return;
   }
 }

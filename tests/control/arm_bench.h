@@ -24,41 +24,39 @@ class ArmBench {
   std::int64_t sender_utime() const { return now.utime + sender->ahead_us; }
 
   /// A good command for a test to modify.
-  arm_command_t command(double target_m) {
-    arm_command_t message{};
+  ArmCommand command(double target_m) {
+    ArmCommand message;
     message.utime = sender_utime();
     message.session = kBridgeSession;
     message.seq = next_command_seq_++;
-    message.mode = arm_command_t::MODE_FOLLOW;
+    message.mode = CommandMode::kFollow;
     message.target_m = target_m;
     message.target_normalised = target_m / 0.3;
     message.valid_for_us = 100'000;
-    message.estimate_session = kTrackerSession;
-    message.estimate_seq = next_estimate_seq_ - 1;
+    message.estimate.session = kTrackerSession;
+    message.estimate.seq = next_estimate_seq_ - 1;
     message.arm_session = kArmSession;
     return message;
   }
 
   /// A good estimate for a test to modify.
-  puck_estimate_t estimate() {
-    puck_estimate_t message{};
+  PublishedEstimate estimate() {
+    PublishedEstimate message;
     message.utime = sender_utime();
     message.session = kTrackerSession;
     message.seq = next_estimate_seq_++;
     message.events_session = 1;
-    message.sensor_us = now.monotonic_us;
+    message.newest_event.us = now.monotonic_us;
     message.event_utime = sender_utime();
-    message.state = puck_estimate_t::STATE_TRACKING;
-    message.flags = puck_estimate_t::FLAG_POSITION;
-    message.flags |= puck_estimate_t::FLAG_LIVE;
-    message.x_px = 320;
-    message.y_px = 240;
+    message.state = TrackState::kTracking;
+    message.position = Pixel{320, 240};
+    message.is_live = true;
     return message;
   }
 
   /// Sends an operator's stop or reset in a session of its own.
-  void operate(std::int8_t mode) {
-    arm_command_t message = command(0);
+  void operate(CommandMode mode) {
+    ArmCommand message = command(0);
     message.session = next_operator_session_++;
     message.seq = 0;
     message.mode = mode;

@@ -16,18 +16,18 @@ namespace {
 TEST_CASE("With commands and a live track the arm moves to its target and holds there") {
   ArmBench bench;
   bench.run(1);
-  CHECK(bench.arm.state().state == arm_state_t::STATE_IDLE);
+  CHECK(bench.arm.state().activity == ArmActivity::kIdle);
   bench.play(100, 0.2);
-  CHECK(bench.arm.state().state == arm_state_t::STATE_MOVING);
+  CHECK(bench.arm.state().activity == ArmActivity::kMoving);
   bench.play(500, 0.2);
-  const arm_state_t state = bench.arm.state();
+  const ArmState state = bench.arm.state();
   CHECK(state.position_m == doctest::Approx(0.2).epsilon(0.01));
   CHECK(state.position_normalised == doctest::Approx(0.6667).epsilon(0.01));
-  CHECK(state.state == arm_state_t::STATE_HOLDING);
+  CHECK(state.activity == ArmActivity::kHolding);
   CHECK(state.reason.empty());
-  CHECK(state.command_session == ArmBench::kBridgeSession);
-  CHECK(state.command_seq == 599);
-  CHECK(state.estimate_session == ArmBench::kTrackerSession);
+  CHECK(state.command.session == ArmBench::kBridgeSession);
+  CHECK(state.command.seq == 599);
+  CHECK(state.estimate.session == ArmBench::kTrackerSession);
 }
 
 TEST_CASE("The arm stops within its limits when the commands end") {
@@ -50,7 +50,7 @@ TEST_CASE("The arm stops within its limits when the commands end") {
   CHECK(bench.arm.state().reason == "no fresh command");
   // The joints follow the set-point.
   bench.run(60);
-  CHECK(bench.arm.state().state == arm_state_t::STATE_HOLDING);
+  CHECK(bench.arm.state().activity == ArmActivity::kHolding);
 }
 
 TEST_CASE("An arm that ends comes to rest within its limits, whatever commands arrive") {
@@ -85,8 +85,8 @@ TEST_CASE("The arm stops at once when the tracker reports a lost puck") {
   ArmBench bench;
   bench.play(40, 0.3);
   for (int i = 0; i < 80; ++i) {
-    puck_estimate_t lost = bench.estimate();
-    lost.state = puck_estimate_t::STATE_LOST;
+    PublishedEstimate lost = bench.estimate();
+    lost.state = TrackState::kLost;
     bench.arm.hear(lost, bench.now, bench.sender);
     bench.arm.hear(bench.command(0.3), bench.now, bench.sender);
     bench.run(1);
@@ -100,9 +100,9 @@ TEST_CASE("A repeated estimate is no track, unless the puck rests") {
     ArmBench bench;
     const std::int64_t frozen_us = bench.now.monotonic_us;
     for (int i = 0; i < 300; ++i) {
-      puck_estimate_t estimate = bench.estimate();
-      estimate.sensor_us = frozen_us;
-      if (resting) estimate.flags |= puck_estimate_t::FLAG_RESTING;
+      PublishedEstimate estimate = bench.estimate();
+      estimate.newest_event.us = frozen_us;
+      if (resting) estimate.resting = true;
       bench.arm.hear(estimate, bench.now, bench.sender);
       bench.arm.hear(bench.command(0.1), bench.now, bench.sender);
       bench.run(1);
@@ -114,11 +114,11 @@ TEST_CASE("A repeated estimate is no track, unless the puck rests") {
 TEST_CASE("Replayed, malformed and foreign estimates are no live track") {
   ArmBench bench;
   bench.run(SteadyStart::kReadings);
-  puck_estimate_t old = bench.estimate();
+  PublishedEstimate old = bench.estimate();
   old.utime -= 300'000;
   bench.arm.hear(old, bench.now, bench.sender);
-  puck_estimate_t malformed = bench.estimate();
-  malformed.x_px = std::numeric_limits<double>::quiet_NaN();
+  PublishedEstimate malformed = bench.estimate();
+  malformed.position->x = std::numeric_limits<double>::quiet_NaN();
   bench.arm.hear(malformed, bench.now, bench.sender);
   bench.arm.hear(bench.command(0.1), bench.now, bench.sender);
   bench.run(1);
@@ -127,14 +127,14 @@ TEST_CASE("Replayed, malformed and foreign estimates are no live track") {
   CHECK(bench.arm.estimates(TrackWatch::Verdict::kMalformed) == 1);
 
   bench.arm.hear(bench.estimate(), bench.now, bench.sender);
-  arm_command_t command = bench.command(0.1);
-  command.estimate_session = 4;
+  ArmCommand command = bench.command(0.1);
+  command.estimate.session = 4;
   bench.arm.hear(command, bench.now, bench.sender);
   bench.run(1);
   CHECK(bench.arm.state().reason ==
         "the command is based on another tracker than the one "
         "heard here");
-  puck_estimate_t other = bench.estimate();
+  PublishedEstimate other = bench.estimate();
   other.session = 4;
   bench.arm.hear(other, bench.now, bench.sender);
   CHECK(bench.arm.estimates(TrackWatch::Verdict::kOtherPublisher) == 1);
@@ -151,7 +151,7 @@ TEST_CASE("With clocks hours apart the arm plays as well, and measures the same 
     // The bench moves on by a millisecond between an estimate and the step that uses it.
     CHECK(bench.arm.state().estimate_to_motion_us == 1000);
 
-    arm_command_t old = bench.command(-0.2);
+    ArmCommand old = bench.command(-0.2);
     old.utime -= 200'001;
     bench.arm.hear(old, bench.now, bench.sender);
     CHECK(bench.arm.guard().refused(CommandRefusal::kOld) == 1);
@@ -168,8 +168,8 @@ TEST_CASE("Estimates of a tracker with an unknown clock, or of a log's events, a
   CHECK(bench.arm.estimates(TrackWatch::Verdict::kClockUnknown) == 50);
   CHECK(bench.arm.state().reason == "no live track");
   for (int i = 0; i < 50; ++i) {
-    puck_estimate_t of_log = bench.estimate();
-    of_log.flags = puck_estimate_t::FLAG_POSITION;
+    PublishedEstimate of_log = bench.estimate();
+    of_log.is_live = false;
     bench.arm.hear(of_log, bench.now, bench.sender);
     bench.arm.hear(bench.command(0.2), bench.now, bench.sender);
     bench.run(1);
@@ -181,18 +181,18 @@ TEST_CASE("Estimates of a tracker with an unknown clock, or of a log's events, a
 TEST_CASE("A stop brakes, persists under good commands, and ends with an operator's reset") {
   ArmBench bench;
   bench.play(60, 0.3);
-  bench.operate(arm_command_t::MODE_STOP);
+  bench.operate(CommandMode::kStop);
   bench.play(106, 0.3);
   CHECK(bench.stands());
-  CHECK(bench.arm.state().state == arm_state_t::STATE_STOPPED);
+  CHECK(bench.arm.state().activity == ArmActivity::kStopped);
   bench.play(200, 0.3);
   CHECK(bench.arm.state().reason == "stopped by an operator");
   const double stopped_at = bench.arm.position_m();
   bench.play(500, -0.3);
   CHECK(bench.arm.position_m() == doctest::Approx(stopped_at).epsilon(1e-6));
-  bench.operate(arm_command_t::MODE_RESET);
+  bench.operate(CommandMode::kReset);
   bench.run(1);
-  CHECK(bench.arm.state().state == arm_state_t::STATE_HOLDING);
+  CHECK(bench.arm.state().activity == ArmActivity::kHolding);
   bench.play(500, -0.3);
   CHECK(bench.arm.position_m() == doctest::Approx(-0.3).epsilon(0.01));
 }
@@ -200,10 +200,10 @@ TEST_CASE("A stop brakes, persists under good commands, and ends with an operato
 TEST_CASE("Between a reset and the next step the arm reports its present state, not the latch") {
   ArmBench bench;
   bench.run(SteadyStart::kReadings);
-  bench.operate(arm_command_t::MODE_STOP);
+  bench.operate(CommandMode::kStop);
   bench.run(1);
   CHECK(bench.arm.state().reason == "stopped by an operator");
-  bench.operate(arm_command_t::MODE_RESET);
+  bench.operate(CommandMode::kReset);
   CHECK(bench.arm.state().reason == "not reset yet");
   bench.run(1);
   CHECK(bench.arm.state().reason == "no command yet");
@@ -227,9 +227,8 @@ TEST_CASE("In mode follow the arm follows the puck's y, on the line and on the t
   ArmBench bench(params);
   const auto see = [&](const Pixel pixel, int ms) {
     for (int i = 0; i < ms; ++i) {
-      puck_estimate_t estimate = bench.estimate();
-      estimate.x_px = pixel.x;
-      estimate.y_px = pixel.y;
+      PublishedEstimate estimate = bench.estimate();
+      estimate.position = pixel;
       bench.arm.hear(estimate, bench.now, bench.sender);
       bench.run(1);
     }
@@ -244,7 +243,7 @@ TEST_CASE("In mode follow the arm follows the puck's y, on the line and on the t
 
   bench.arm.hear(bench.command(0), bench.now, bench.sender);
   CHECK(bench.arm.guard().refused(CommandRefusal::kFollowsItself) == 1);
-  bench.operate(arm_command_t::MODE_STOP);
+  bench.operate(CommandMode::kStop);
   see(*test_camera().to_image({1, 0.12}), 100);
   CHECK(bench.arm.position_m() == doctest::Approx(-0.3).epsilon(0.01));
 }

@@ -66,7 +66,7 @@ class ScriptedArm {
       : bench(params, 0, std::make_unique<ScriptedBackEnd>(script)) {}
 
   std::string reason() const { return bench.arm.state().reason; }
-  bool is_faulty() const { return bench.arm.state().state == arm_state_t::STATE_FAULT; }
+  bool is_faulty() const { return bench.arm.state().activity == ArmActivity::kFault; }
 
   ScriptedBackEnd::Script script;
   ArmBench bench;
@@ -83,7 +83,7 @@ TEST_CASE("The set-points begin at the encoders, at any place on the line") {
     CHECK(arm.bench.arm.position_m() == doctest::Approx(y_m));
     arm.bench.run(50);
     CHECK(arm.bench.arm.position_m() == doctest::Approx(y_m));
-    CHECK(arm.bench.arm.state().state == arm_state_t::STATE_IDLE);
+    CHECK(arm.bench.arm.state().activity == ArmActivity::kIdle);
   }
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("Without encoders nothing is sent, and the arm names the missing data"
   arm.script.awaited = "the robot is off";
   arm.bench.play(1, 0.1);
   CHECK(arm.reason() == "waiting for the encoders: the robot is off");
-  CHECK(arm.bench.arm.state().state == arm_state_t::STATE_IDLE);
+  CHECK(arm.bench.arm.state().activity == ArmActivity::kIdle);
   CHECK(!arm.is_faulty());
   arm.script.speaks = true;
   arm.bench.play(400, 0.1);
@@ -111,19 +111,19 @@ TEST_CASE("A stopped arm takes no joints before a reset, whatever its back end r
     arm.script.speaks = was_asking;
     arm.bench.play(200, 0.1);
     CHECK(arm.script.sent.empty() == !was_asking);
-    arm.bench.operate(arm_command_t::MODE_STOP);
+    arm.bench.operate(CommandMode::kStop);
     arm.script.speaks = true;
     arm.script.sent.clear();
     arm.script.withdrawals = 0;
     arm.bench.play(200, 0.1);
     CHECK(arm.script.sent.empty());
     CHECK(arm.script.withdrawals > 0);
-    CHECK(arm.bench.arm.state().state == arm_state_t::STATE_STOPPED);
+    CHECK(arm.bench.arm.state().activity == ArmActivity::kStopped);
     // Joints that the arm has not taken may be moved by others without a fault.
     arm.script.at = joints_at(0.2);
     arm.bench.play(200, 0.1);
     CHECK(!arm.is_faulty());
-    arm.bench.operate(arm_command_t::MODE_RESET);
+    arm.bench.operate(CommandMode::kReset);
     arm.bench.play(1, 0.1);
     arm.script.holds = true;
     arm.bench.play(600, 0.1);
@@ -135,7 +135,7 @@ TEST_CASE("A stopped arm takes no joints before a reset, whatever its back end r
 TEST_CASE("After a stop an arm that holds its joints continues with set-points at rest") {
   ScriptedArm arm(0);
   arm.bench.play(300, 0.1);
-  arm.bench.operate(arm_command_t::MODE_STOP);
+  arm.bench.operate(CommandMode::kStop);
   arm.bench.play(200, 0.1);
   arm.script.sent.clear();
   arm.script.withdrawals = 0;
@@ -167,7 +167,7 @@ TEST_CASE("An arm whose joints become unready waits, and restarts at their posit
   arm.bench.play(500, 0.1);
   CHECK(arm.script.sent.empty());
   CHECK(arm.reason() == "waiting for the encoders: it is being calibrated");
-  CHECK(arm.bench.arm.state().state == arm_state_t::STATE_IDLE);
+  CHECK(arm.bench.arm.state().activity == ArmActivity::kIdle);
   arm.script.at = joints_at(-0.2);
   arm.script.speaks = arm.script.holds = true;
   arm.bench.play(800, 0.1);
@@ -228,7 +228,7 @@ TEST_CASE("An arm off the line moves to it slowly, only on request, and then pla
   CHECK((*arm.script.at)[1] == from);
   arm.bench.play(300, 0.25);
   CHECK(arm.reason() == "moving to the line");
-  CHECK(arm.bench.arm.state().state == arm_state_t::STATE_MOVING);
+  CHECK(arm.bench.arm.state().activity == ArmActivity::kMoving);
   const double on_the_way = (*arm.script.at)[1];
   CHECK(on_the_way < from);
   // At most 10 deg/s.
@@ -270,7 +270,7 @@ TEST_CASE("A joint that does not follow is a fault: the set-points stop until a 
   arm.script.follows = true;
   const JointAngles at = *arm.script.at;
   arm.script.sent.clear();
-  arm.bench.operate(arm_command_t::MODE_RESET);
+  arm.bench.operate(CommandMode::kReset);
   arm.bench.run(SteadyStart::kReadings);
   REQUIRE(!arm.script.sent.empty());
   for (std::size_t k = 0; k < 7; ++k) CHECK(std::abs(arm.script.sent[0][k] - at[k]) < 0.01);
@@ -287,7 +287,7 @@ TEST_CASE("After a reset during braking the set-points first come to rest") {
   (*arm.script.at)[2] += 11;
   arm.bench.play(1, 0.3);
   REQUIRE(arm.is_faulty());
-  arm.bench.operate(arm_command_t::MODE_RESET);
+  arm.bench.operate(CommandMode::kReset);
   arm.bench.play(10, 0.3);
   CHECK(!arm.is_faulty());
   CHECK(!arm.bench.stands());
@@ -316,7 +316,7 @@ TEST_CASE("Silent encoders, or a constant stamp, are a fault after 100 ms") {
     arm.bench.play(1, 0.02);
     CHECK(arm.is_faulty());
     CHECK(arm.reason() == "encoders silent");
-    arm.bench.operate(arm_command_t::MODE_RESET);
+    arm.bench.operate(CommandMode::kReset);
     arm.bench.run(1);
     CHECK(arm.reason() == "waiting for the encoders");
   }
@@ -353,12 +353,12 @@ TEST_CASE("A back end's fault stops the arm until a reset, and again if the faul
   arm.bench.play(100, 0.3);
   CHECK(arm.script.sent.empty());
   arm.script.fault = "no connection";
-  arm.bench.operate(arm_command_t::MODE_RESET);
+  arm.bench.operate(CommandMode::kReset);
   arm.bench.run(1);
   CHECK(arm.is_faulty());
   CHECK(arm.bench.arm.state().faults == 2);
   arm.script.fault.clear();
-  arm.bench.operate(arm_command_t::MODE_RESET);
+  arm.bench.operate(CommandMode::kReset);
   arm.bench.play(500, 0.3);
   CHECK(arm.bench.arm.position_m() == doctest::Approx(0.3));
   CHECK(arm.bench.arm.state().back_end == "scripted");
@@ -384,8 +384,8 @@ TEST_CASE("After a pause of its loop the motion continues from rest, without a j
 TEST_CASE("The arm reports its joints and their velocities from the encoders") {
   ScriptedArm arm(-0.2);
   arm.bench.play(120, 0.2);
-  const arm_state_t state = arm.bench.arm.state();
-  REQUIRE(state.joint_count == 7);
+  const ArmState state = arm.bench.arm.state();
+  REQUIRE(state.joint_deg.size() == 7);
   REQUIRE(state.joint_deg.size() == 7);
   REQUIRE(state.joint_velocity_deg_s.size() == 7);
   // Read before the newest set-point was sent.

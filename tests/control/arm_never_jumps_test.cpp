@@ -29,7 +29,7 @@ class Mischief : public WildValues {
 
   double target() { return between(-0.3, 0.3); }
 
-  void spoil(arm_command_t& command) {
+  void spoil(ArmCommand& command) {
     switch (below(12)) {
       case 0:
         command.utime += (chance(0.5) ? 1 : -1) * (200'001 + below(1'000'000));
@@ -56,33 +56,35 @@ class Mischief : public WildValues {
         command.seq -= below(50);
         break;
       case 8:
-        command.mode = static_cast<std::int8_t>(bits());
+        command.mode = static_cast<CommandMode>(bits());
         break;
       case 9:
-        command.estimate_session = wild_integer();
+        command.estimate.session = wild_integer();
         break;
       case 10:
         command.arrive_in_us = wild_integer();
         break;
       default:
-        command.from_operator = 1;
-        command.mode = static_cast<std::int8_t>(below(4));
+        command.from_operator = true;
+        command.mode = static_cast<CommandMode>(below(4));
         break;
     }
   }
-  void spoil(puck_estimate_t& estimate) {
+  void spoil(PublishedEstimate& estimate) {
     switch (below(7)) {
       case 0:
         estimate.utime = wild_integer();
         break;
       case 1:
-        estimate.state = static_cast<std::int8_t>(below(4));
+        estimate.state = static_cast<TrackState>(below(4));
         break;
       case 2:
-        estimate.flags = static_cast<std::int32_t>(bits());
+        estimate.resting = chance(0.5);
+        estimate.is_live = chance(0.5);
+        if (chance(0.5)) estimate.position.reset();
         break;
       case 3:
-        estimate.x_px = wild_number(1);
+        estimate.position->x = wild_number(1);
         break;
       case 4:
         estimate.session = wild_integer();
@@ -93,9 +95,9 @@ class Mischief : public WildValues {
       default:
         // Rarely, since the arm then rests for seconds.
         if (chance(0.001)) {
-          estimate.sensor_us = wild_integer();
+          estimate.newest_event.us = wild_integer();
         } else {
-          estimate.y_px = wild_number(1);
+          estimate.position->y = wild_number(1);
         }
         break;
     }
@@ -108,18 +110,18 @@ struct Witness {
   std::int64_t estimate_us = std::numeric_limits<std::int64_t>::min() / 2;
   bool stopped = false;
 
-  void see(const arm_command_t& c, const HostNow& now) {
-    if (c.mode == arm_command_t::MODE_STOP) stopped = true;
+  void see(const ArmCommand& c, const HostNow& now) {
+    if (c.mode == CommandMode::kStop) stopped = true;
     if (c.arm_session != ArmBench::kArmSession) return;
     if (c.utime < now.utime - 200'000 || c.utime > now.utime + 200'000) return;
-    if (c.mode == arm_command_t::MODE_RESET && c.from_operator) stopped = false;
-    if (c.mode != arm_command_t::MODE_FOLLOW || !(std::abs(c.target_m) <= 0.32)) return;
+    if (c.mode == CommandMode::kReset && c.from_operator) stopped = false;
+    if (c.mode != CommandMode::kFollow || !(std::abs(c.target_m) <= 0.32)) return;
     if (c.valid_for_us > 0) command_us = now.monotonic_us;
   }
-  void see(const puck_estimate_t& e, const HostNow& now) {
+  void see(const PublishedEstimate& e, const HostNow& now) {
     const bool in_time = e.utime >= now.utime - 200'000 && e.utime <= now.utime + 200'000;
-    const bool good = e.state == puck_estimate_t::STATE_TRACKING &&
-                      (e.flags & puck_estimate_t::FLAG_POSITION) != 0 && std::isfinite(e.x_px);
+    const bool good =
+        e.state == TrackState::kTracking && e.position && std::isfinite(e.position->x);
     if (in_time && good) estimate_us = now.monotonic_us;
   }
   bool may_move(const HostNow& now) const {
@@ -218,9 +220,9 @@ void play(ArmBench& bench, Mischief& mischief, bool follows, int steps, Play& pl
       estimate_rate = mischief.chance(0.3) ? 0 : 0.5;
       spoilt = mischief.chance(0.4) ? 0.5 : 0.01;
       if (mischief.chance(0.8)) {
-        arm_command_t reset = bench.command(0);
+        ArmCommand reset = bench.command(0);
         reset.session = 50'000 + i;
-        reset.mode = arm_command_t::MODE_RESET;
+        reset.mode = CommandMode::kReset;
         reset.from_operator = 1;
         witness.see(reset, bench.now);
         bench.arm.hear(reset, bench.now, bench.sender);
@@ -228,11 +230,9 @@ void play(ArmBench& bench, Mischief& mischief, bool follows, int steps, Play& pl
     }
     if (mischief.chance(0.02)) target_m = mischief.target();
     if (mischief.chance(estimate_rate)) {
-      puck_estimate_t estimate = bench.estimate();
+      PublishedEstimate estimate = bench.estimate();
       if (follows) {
-        const Pixel pixel = *test_camera().to_image({1, target_m});
-        estimate.x_px = pixel.x;
-        estimate.y_px = pixel.y;
+        estimate.position = *test_camera().to_image({1, target_m});
       }
       if (mischief.chance(spoilt)) mischief.spoil(estimate);
       witness.see(estimate, bench.now);
@@ -240,7 +240,7 @@ void play(ArmBench& bench, Mischief& mischief, bool follows, int steps, Play& pl
       ++play.messages;
     }
     if (mischief.chance(command_rate)) {
-      arm_command_t command = bench.command(target_m);
+      ArmCommand command = bench.command(target_m);
       if (mischief.chance(spoilt)) mischief.spoil(command);
       witness.see(command, bench.now);
       bench.arm.hear(command, bench.now, bench.sender);

@@ -18,9 +18,8 @@ class FollowBench : public ArmBench {
 
   void see(const TablePoint& place) { see(*test_camera().to_image(place)); }
   void see(const Pixel& pixel) {
-    puck_estimate_t message = estimate();
-    message.x_px = pixel.x;
-    message.y_px = pixel.y;
+    PublishedEstimate message = estimate();
+    message.position = pixel;
     // A wrong tracker claims certainty.
     message.score = 1;
     arm.hear(message, now, sender);
@@ -82,8 +81,8 @@ TEST_CASE("Nor does it if the puck is lost or off the table in between") {
       if (i % 10 != 0) {
         bench.see(TablePoint{1, i % 20 < 10 ? -0.1 : 0.1});
       } else if (is_lost) {
-        puck_estimate_t lost = bench.estimate();
-        lost.state = puck_estimate_t::STATE_LOST;
+        PublishedEstimate lost = bench.estimate();
+        lost.state = TrackState::kLost;
         bench.arm.hear(lost, bench.now, bench.sender);
         bench.run(1);
       } else {
@@ -114,9 +113,9 @@ TEST_CASE("A past or future estimate of a moving puck causes no motion, of a res
       CAPTURE(rests);
       FollowBench bench;
       for (int i = 0; i < 300; ++i) {
-        puck_estimate_t estimate = bench.estimate();
-        estimate.event_utime += off_us;
-        if (rests) estimate.flags |= puck_estimate_t::FLAG_RESTING;
+        PublishedEstimate estimate = bench.estimate();
+        *estimate.event_utime += off_us;
+        if (rests) estimate.resting = true;
         bench.arm.hear(estimate, bench.now, bench.sender);
         bench.run(1);
       }
@@ -129,9 +128,9 @@ TEST_CASE("A past or future estimate of a moving puck causes no motion, of a res
 TEST_CASE("A repeated frozen estimate is counted, and stops the arm") {
   ArmBench bench;
   bench.play(50, 0.3);
-  const puck_estimate_t frozen = bench.estimate();
+  const PublishedEstimate frozen = bench.estimate();
   for (int i = 0; i < 300; ++i) {
-    puck_estimate_t again = frozen;
+    PublishedEstimate again = frozen;
     again.seq = frozen.seq + i;
     again.utime = bench.sender_utime();
     bench.arm.hear(again, bench.now, bench.sender);
@@ -146,7 +145,7 @@ TEST_CASE("A repeated frozen estimate is counted, and stops the arm") {
 
 TEST_CASE("Of two bridges with opposite targets one is obeyed, and the arm never trembles") {
   ArmBench bench;
-  arm_command_t other = bench.command(0);
+  ArmCommand other = bench.command(0);
   other.session = 77;
   other.seq = 0;
   for (int i = 0; i < 400; ++i) {
@@ -155,7 +154,7 @@ TEST_CASE("Of two bridges with opposite targets one is obeyed, and the arm never
     other.seq += 1;
     other.utime = bench.sender_utime();
     other.target_m = -0.25;
-    other.estimate_seq += 1;
+    other.estimate.seq += 1;
     bench.arm.hear(other, bench.now, bench.sender);
     bench.run(1);
     REQUIRE(bench.arm.motion().line().state().velocity >= 0);
@@ -168,11 +167,11 @@ TEST_CASE("While a tracker restarts the arm rests, until bridge and arm follow t
   ArmBench bench;
   bench.play(300, 0.1);
   const auto say = [&](std::int64_t tracker, std::int64_t rests_on, double target_m) {
-    puck_estimate_t estimate = bench.estimate();
+    PublishedEstimate estimate = bench.estimate();
     estimate.session = tracker;
     bench.arm.hear(estimate, bench.now, bench.sender);
-    arm_command_t command = bench.command(target_m);
-    command.estimate_session = rests_on;
+    ArmCommand command = bench.command(target_m);
+    command.estimate.session = rests_on;
     bench.arm.hear(command, bench.now, bench.sender);
     bench.run(1);
   };

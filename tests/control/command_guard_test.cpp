@@ -12,7 +12,7 @@ namespace {
 
 class GuardBench : public ArmBench {
  public:
-  CommandRefusal hear(const arm_command_t& command) { return guard.hear(command, now, sender); }
+  CommandRefusal hear(const ArmCommand& command) { return guard.hear(command, now, sender); }
   void pass(std::int64_t us) {
     now.utime += us;
     now.monotonic_us += us;
@@ -24,7 +24,7 @@ class GuardBench : public ArmBench {
 
 TEST_CASE("A good command is valid as long as it states, but for 100 ms at most") {
   GuardBench bench;
-  arm_command_t command = bench.command(0.1);
+  ArmCommand command = bench.command(0.1);
   command.valid_for_us = 30'000;
   CHECK(bench.hear(command) == CommandRefusal::kNone);
   bench.pass(30'000);
@@ -44,7 +44,7 @@ TEST_CASE("A good command is valid as long as it states, but for 100 ms at most"
 
 TEST_CASE("A command 200 ms old by its own clock is taken, older and future ones are refused") {
   GuardBench bench;
-  arm_command_t command = bench.command(0);
+  ArmCommand command = bench.command(0);
   command.utime = bench.now.utime - 200'000;
   CHECK(bench.hear(command) == CommandRefusal::kNone);
   command = bench.command(0);
@@ -65,7 +65,7 @@ TEST_CASE("The age of a command is measured by its sender's clock, even hours aw
     GuardBench bench;
     bench.sender = ClockOffset{ahead_us, 5'000};
     CHECK(bench.hear(bench.command(0)) == CommandRefusal::kNone);
-    arm_command_t command = bench.command(0);
+    ArmCommand command = bench.command(0);
     command.utime -= 195'000;
     CHECK(bench.hear(command) == CommandRefusal::kNone);
     // 5 ms older it may be 200 ms old, within the offset's bound.
@@ -83,18 +83,18 @@ TEST_CASE("While its sender's clock is unknown, only a stop is obeyed") {
   GuardBench bench;
   for (const SenderClock& unknown : {SenderClock{}, SenderClock{ClockOffset{0, 200'001}}}) {
     bench.sender = ClockOffset{};
-    arm_command_t command = bench.command(0.1);
-    arm_command_t reset = bench.command(0);
+    ArmCommand command = bench.command(0.1);
+    ArmCommand reset = bench.command(0);
     bench.sender = unknown;
     CHECK(bench.hear(command) == CommandRefusal::kClockUnknown);
-    reset.mode = arm_command_t::MODE_RESET;
+    reset.mode = CommandMode::kReset;
     reset.from_operator = true;
     CHECK(bench.hear(reset) == CommandRefusal::kClockUnknown);
   }
   CHECK(bench.current() == nullptr);
   bench.sender = ClockOffset{};
-  arm_command_t stop = bench.command(0);
-  stop.mode = arm_command_t::MODE_STOP;
+  ArmCommand stop = bench.command(0);
+  stop.mode = CommandMode::kStop;
   bench.sender = std::nullopt;
   CHECK(bench.hear(stop) == CommandRefusal::kNone);
   CHECK(bench.guard.latch() == CommandGuard::Latch::kStopped);
@@ -102,7 +102,7 @@ TEST_CASE("While its sender's clock is unknown, only a stop is obeyed") {
 
 TEST_CASE("A command that answers another arm session is refused") {
   GuardBench bench;
-  arm_command_t command = bench.command(0);
+  ArmCommand command = bench.command(0);
   command.arm_session = ArmBench::kArmSession + 1;
   CHECK(bench.hear(command) == CommandRefusal::kOtherArm);
   command.arm_session = 0;
@@ -127,8 +127,8 @@ TEST_CASE("A target slightly beyond the line is clamped to its end, a distant on
 
 TEST_CASE("A duplicate or late command is a replay") {
   GuardBench bench;
-  const arm_command_t first = bench.command(0);
-  const arm_command_t second = bench.command(0);
+  const ArmCommand first = bench.command(0);
+  const ArmCommand second = bench.command(0);
   CHECK(bench.hear(second) == CommandRefusal::kNone);
   CHECK(bench.hear(second) == CommandRefusal::kReplayed);
   CHECK(bench.hear(first) == CommandRefusal::kReplayed);
@@ -138,7 +138,7 @@ TEST_CASE("Of two bridges the first is obeyed until it has been silent for 500 m
   GuardBench bench;
   bench.hear(bench.command(0));
   bench.pass(500'000);
-  arm_command_t other = bench.command(0.1);
+  ArmCommand other = bench.command(0.1);
   other.session = 77;
   CHECK(bench.hear(other) == CommandRefusal::kOtherPublisher);
   bench.pass(1);
@@ -148,20 +148,20 @@ TEST_CASE("Of two bridges the first is obeyed until it has been silent for 500 m
 
 TEST_CASE("A command without validity, or with an unknown mode, is refused") {
   GuardBench bench;
-  arm_command_t command = bench.command(0);
+  ArmCommand command = bench.command(0);
   command.valid_for_us = 0;
   CHECK(bench.hear(command) == CommandRefusal::kExpired);
   command.valid_for_us = -5;
   CHECK(bench.hear(command) == CommandRefusal::kExpired);
-  command.mode = 17;
+  command.mode = static_cast<CommandMode>(17);
   CHECK(bench.hear(command) == CommandRefusal::kUnknownMode);
 }
 
 TEST_CASE("A stop always stops: from any sender, to any arm, of any age, repeated or malformed") {
   GuardBench bench;
   bench.hear(bench.command(0.1));
-  arm_command_t stop = bench.command(std::numeric_limits<double>::quiet_NaN());
-  stop.mode = arm_command_t::MODE_STOP;
+  ArmCommand stop = bench.command(std::numeric_limits<double>::quiet_NaN());
+  stop.mode = CommandMode::kStop;
   stop.utime = 0;
   stop.seq = 0;
   stop.session = 5;
@@ -176,13 +176,13 @@ TEST_CASE("A stop always stops: from any sender, to any arm, of any age, repeate
 
 TEST_CASE("Only an operator's fresh reset to this arm releases a stop; then commands restart") {
   GuardBench bench;
-  arm_command_t stop = bench.command(0);
-  stop.mode = arm_command_t::MODE_STOP;
+  ArmCommand stop = bench.command(0);
+  stop.mode = CommandMode::kStop;
   bench.hear(stop);
   bench.hear(bench.command(0.1));
 
-  arm_command_t reset = bench.command(0);
-  reset.mode = arm_command_t::MODE_RESET;
+  ArmCommand reset = bench.command(0);
+  reset.mode = CommandMode::kReset;
   reset.session = 5;
   CHECK(bench.hear(reset) == CommandRefusal::kNotOperator);
   reset.from_operator = true;
@@ -202,10 +202,10 @@ TEST_CASE("Only an operator's fresh reset to this arm releases a stop; then comm
 
 TEST_CASE("Repetitions of a reset do not release a later stop") {
   GuardBench bench;
-  arm_command_t stop = bench.command(0);
-  stop.mode = arm_command_t::MODE_STOP;
-  arm_command_t reset = bench.command(0);
-  reset.mode = arm_command_t::MODE_RESET;
+  ArmCommand stop = bench.command(0);
+  stop.mode = CommandMode::kStop;
+  ArmCommand reset = bench.command(0);
+  reset.mode = CommandMode::kReset;
   reset.from_operator = true;
   reset.session = 5;
   bench.hear(stop);
@@ -218,10 +218,10 @@ TEST_CASE("Repetitions of a reset do not release a later stop") {
 
 TEST_CASE("Two operators with alternating resets release one stop each, and no later one") {
   GuardBench bench;
-  arm_command_t stop = bench.command(0);
-  stop.mode = arm_command_t::MODE_STOP;
-  arm_command_t reset = bench.command(0);
-  reset.mode = arm_command_t::MODE_RESET;
+  ArmCommand stop = bench.command(0);
+  stop.mode = CommandMode::kStop;
+  ArmCommand reset = bench.command(0);
+  reset.mode = CommandMode::kReset;
   reset.from_operator = true;
   for (const std::int64_t operator_session : {5, 6}) {
     reset.session = operator_session;
@@ -241,8 +241,8 @@ TEST_CASE("A fault latches until a reset and persists after a stop") {
   bench.guard.fault("encoder silent");
   bench.guard.fault("encoder silent");
   CHECK(bench.guard.faults() == 1);
-  arm_command_t stop = bench.command(0);
-  stop.mode = arm_command_t::MODE_STOP;
+  ArmCommand stop = bench.command(0);
+  stop.mode = CommandMode::kStop;
   bench.hear(stop);
   CHECK(bench.guard.latch() == CommandGuard::Latch::kFault);
   CHECK(bench.guard.latch_reason() == "encoder silent");

@@ -100,8 +100,8 @@ TEST_CASE("The arm stops while the sensor's time is invalid, and plays again aft
     for (int i = 0; i < ms; ++i) {
       ahead_us += static_cast<std::int64_t>(1000 * (rate - 1));
       if (restarts) ++events_session;
-      puck_estimate_t estimate = bench.estimate();
-      estimate.sensor_us += ahead_us;
+      PublishedEstimate estimate = bench.estimate();
+      estimate.newest_event.us += ahead_us;
       estimate.events_session = events_session;
       bench.arm.hear(estimate, bench.now, bench.sender);
       bench.arm.hear(bench.command(i % 400 < 200 ? 0.2 : -0.2), bench.now, bench.sender);
@@ -143,8 +143,8 @@ TEST_CASE("A simulated camera with announced slips is followed; a real one does 
     std::int64_t behind_us = 0;
     for (int i = 0; i < 3000; ++i) {
       behind_us += 500;  // half as fast as real time
-      puck_estimate_t estimate = bench.estimate();
-      estimate.sensor_us -= behind_us;
+      PublishedEstimate estimate = bench.estimate();
+      estimate.newest_event.us -= behind_us;
       bench.arm.hear(estimate, bench.now, bench.sender);
       bench.arm.hear(bench.command(i % 400 < 200 ? 0.2 : -0.2), bench.now, bench.sender);
       bench.run(1);
@@ -160,8 +160,8 @@ TEST_CASE("A real arm follows no camera whose time has no zero on the host's clo
     params.track.camera_is_real = needs_it;
     ArmBench bench(params);
     for (int i = 0; i < 300; ++i) {
-      puck_estimate_t estimate = bench.estimate();
-      estimate.event_utime = 0;
+      PublishedEstimate estimate = bench.estimate();
+      estimate.event_utime.reset();
       bench.arm.hear(estimate, bench.now, bench.sender);
       bench.arm.hear(bench.command(0.1), bench.now, bench.sender);
       bench.run(1);

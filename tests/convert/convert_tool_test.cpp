@@ -138,6 +138,9 @@ TEST_CASE("puck-convert filters events, and mirrors, rotates and undistorts the 
   CHECK(convert({start, out, "--rotate", "45"}).exit_code == 2);
   CHECK(convert({start, out, "--polarity", "up"}).exit_code == 2);
   CHECK(convert({start, out, "--refractory-us", "-1"}).exit_code == 2);
+  const Finished prefix = convert({start, out, "--prefix", "left"});
+  CHECK(prefix.exit_code == 2);
+  CHECK(contains(prefix.errors, "--prefix: it must be up to 16 of A-Z, 0-9 and _, got \"left\""));
   CHECK(contains(convert({start, out, "--crop", "60,0,5,5"}).errors,
                  "--crop must lie within the sensor of 64 x 48 px, got [60, 0, 5, 5]"));
   CHECK(contains(convert({start, out, "--undistort", (folder / "lens.toml").string()}).errors,

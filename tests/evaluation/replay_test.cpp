@@ -58,7 +58,7 @@ void record(const std::filesystem::path& path, const FaultyLog& recording) {
     if (i < recording.heard_from || i == recording.lost_to_tracker) continue;
     tracker.update(packet);
     if (i % 3 != 0) continue;
-    puck_estimate_t message = to_message(tracker.estimate(), kLogSensor);
+    puck_estimate_t message = to_message({{}, tracker.estimate(), kLogSensor});
     message.utime = log.last().utime + 1;
     message.session = 77;
     message.events_session = log.last().session;

@@ -7,7 +7,7 @@
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include "common/control/arm_controller.h"
-#include "common/messaging/message_codec.h"
+#include "common/messaging/conversions.h"
 #include "common/play/play_bridge.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/test_camera.h"
@@ -86,25 +86,29 @@ class Play {
   }
 
   void hear_estimate() {
-    puck_estimate_t message{};
+    PublishedEstimate message;
     fill_header(message, seq_++);
     message.events_session = 1;
-    message.sensor_us = now_.monotonic_us - input_.ConsumeIntegralInRange(0, 2000);
+    message.newest_event = {now_.monotonic_us - input_.ConsumeIntegralInRange(0, 2000)};
     message.event_utime = now_.utime - 300;
     message.events_applied = seq_;
-    message.state = input_.ConsumeBool() ? puck_estimate_t::STATE_TRACKING
-                                         : input_.ConsumeIntegralInRange<std::int8_t>(0, 2);
-    message.flags = puck_estimate_t::FLAG_POSITION | input_.ConsumeIntegralInRange(0, 15);
-    message.x_px = input_.ConsumeIntegralInRange(0, 640);
-    message.y_px = input_.ConsumeIntegralInRange(0, 480);
-    message.vx_px_s = input_.ConsumeIntegral<std::int16_t>();
-    message.vy_px_s = input_.ConsumeIntegral<std::int16_t>();
-    message.width_px = message.height_px = 30;
-    for (int i = 0; i < 16; i += 5) message.covariance[i] = 0.25;
-    spoil(message.sensor_us);
-    spoil(message.event_utime);
+    message.state = input_.ConsumeBool()
+                        ? TrackState::kTracking
+                        : static_cast<TrackState>(input_.ConsumeIntegralInRange(0, 2));
+    message.resting = input_.ConsumeBool();
+    message.coasting = input_.ConsumeBool();
+    message.is_live = input_.ConsumeBool();
+    Pixel& place = message.position.emplace();
+    place.x = input_.ConsumeIntegralInRange(0, 640);
+    place.y = input_.ConsumeIntegralInRange(0, 480);
+    message.velocity.x = input_.ConsumeIntegral<std::int16_t>();
+    message.velocity.y = input_.ConsumeIntegral<std::int16_t>();
+    message.size = {30, 30};
+    for (std::size_t i = 0; i < 16; i += 5) message.covariance[i] = 0.25;
+    spoil(message.newest_event.us);
+    spoil(*message.event_utime);
     for (double* value :
-         {&message.x_px, &message.y_px, &message.vx_px_s, &message.vy_px_s, &message.width_px,
+         {&place.x, &place.y, &message.velocity.x, &message.velocity.y, &message.size.width,
           &message.covariance[input_.ConsumeIntegral<std::uint8_t>() & 15]}) {
       spoil(*value);
     }
@@ -115,7 +119,7 @@ class Play {
   }
 
   void hear_arm_state() {
-    arm_state_t message = arm_.state();
+    ArmState message = arm_.state();
     fill_header(message, seq_++);
     if (!rarely()) message.session = kArmSession;
     spoil(message.line_min_m);
@@ -126,24 +130,25 @@ class Play {
   }
 
   void hear_head() {
-    head_state_t message{};
+    HeadState message;
     fill_header(message, seq_++);
-    spoil(message.sensor_us);
+    message.at.emplace();
+    spoil(message.at->us);
+    if (rarely()) message.at.reset();
     spoil(message.yaw_deg);
     spoil(message.pitch_deg);
     if (is_valid(message)) bridge_.hear(message, now_);
   }
 
   void hear_command() {
-    arm_command_t message{};
+    ArmCommand message;
     fill_header(message, seq_++);
-    message.mode = input_.ConsumeIntegralInRange<std::int8_t>(0, 3);
-    message.from_operator = input_.ConsumeIntegralInRange<std::int8_t>(0, 1);
+    message.mode = static_cast<CommandMode>(input_.ConsumeIntegralInRange(0, 3));
+    message.from_operator = input_.ConsumeBool();
     message.target_m = input_.ConsumeIntegral<std::int8_t>() * 0.01;
     message.target_normalised = message.target_m / 0.3;
     message.valid_for_us = 100'000;
-    message.estimate_session = session();
-    message.estimate_seq = seq_ - 1;
+    message.estimate = {session(), seq_ - 1};
     message.arm_session = kArmSession;
     spoil(message.target_m);
     spoil(message.target_normalised);
@@ -188,7 +193,7 @@ class Play {
             "the arm stays on its line");
     require(std::abs(arm_.motion().line().state().velocity) <= params.arm.max_speed_m_s + kRounding,
             "the arm is not faster than it may be");
-    arm_state_t state = arm_.state();
+    ArmState state = arm_.state();
     state.session = kArmSession;
     state.utime = now_.utime;
     require(is_valid(state), "the arm's state is valid");

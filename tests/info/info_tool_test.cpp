@@ -111,6 +111,9 @@ TEST_CASE("puck-info exits with 1 when something is wrong with the file") {
 
   CHECK(info({(folder / "none.raw").string()}).exit_code == 1);
   CHECK(info({}).exit_code == 2);
+  for (const char* prefix : {"left", "A-B", "ABCDEFGHIJKLMNOPQ"}) {
+    CHECK(info({write_known(folder, "known.raw"), "--prefix", prefix}).exit_code == 2);
+  }
 }
 
 TEST_CASE("puck-info --plots draws two charts") {

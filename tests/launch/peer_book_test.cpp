@@ -29,20 +29,15 @@ class PeerBench {
       now_us += 20'000;
       if (now_us % 100'000 == 0) {
         for (const Speaker& speaker : speakers) {
-          if (speaker.speaks) say(speaker, service_status_t::STATE_RUNNING);
+          if (speaker.speaks) say(speaker, ServiceState::kRunning);
         }
       }
       look();
     }
   }
-  void say(const Speaker& speaker, std::int8_t state) {
-    service_status_t status{};
-    status.session = speaker.session;
-    status.service = speaker.service;
-    status.host = speaker.host;
-    status.pid = speaker.pid;
-    status.state = state;
-    book.hear(status, speaker.answers, now_us);
+  void say(const Speaker& speaker, ServiceState state) {
+    book.hear({speaker.session, speaker.service, speaker.host, speaker.pid, state}, speaker.answers,
+              now_us);
   }
   void look() {
     for (const PeerNews& item : book.look(now_us)) news.push_back(item.text);
@@ -92,7 +87,7 @@ TEST_CASE("services that are not needed, or not heard yet, are not missed") {
 TEST_CASE("a service's stop is reported at once, and so is its successor") {
   PeerBench bench({{1, "puck-camera", "eye", 11}});
   bench.pass(1'000'000);
-  bench.say(bench.speakers[0], service_status_t::STATE_STOPPING);
+  bench.say(bench.speakers[0], ServiceState::kStopping);
   bench.speakers.clear();
   bench.look();
   CHECK(bench.news == Texts{"puck-camera on eye, pid 11, has stopped"});
@@ -124,7 +119,7 @@ TEST_CASE("two services of a kind are reported once, by host and pid, while both
   CHECK(bench.book.name_of(3) == "puck-camera on lab, pid 13");
   bench.pass(5'000'000);
   CHECK(bench.news.size() == 1);
-  bench.say(bench.speakers[2], service_status_t::STATE_STOPPING);
+  bench.say(bench.speakers[2], ServiceState::kStopping);
   bench.speakers[2].speaks = false;
   bench.pass(1'000'000);
   CHECK(bench.book.trouble().twice.empty());
@@ -165,9 +160,9 @@ TEST_CASE("a flood of services takes no more than 64 places") {
   PeerBench bench({{1, "puck-camera", "eye", 11}});
   bench.pass(1'000'000);
   for (int i = 0; i < 20'000; ++i) {
-    bench.say({1000 + i, "puck-x", "h", i}, service_status_t::STATE_RUNNING);
+    bench.say({1000 + i, "puck-x", "h", i}, ServiceState::kRunning);
     bench.now_us += 10;
-    if (i % 30 == 0) bench.say(bench.speakers[0], service_status_t::STATE_RUNNING);
+    if (i % 30 == 0) bench.say(bench.speakers[0], ServiceState::kRunning);
   }
   CHECK(bench.book.peers().size() == 64);
   CHECK(bench.book.name_of(1) == "puck-camera on eye, pid 11");

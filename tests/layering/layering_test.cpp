@@ -102,10 +102,11 @@ const std::map<std::string, Parts> kAllowed{
     {"io",
      {"posix", "events", "vision/geometry", "vision/contour", "vision/hypotheses", "table",
       "motion"}},
-    {"messaging", {"posix", "events", "vision/geometry", "vision/interfaces", "table"}},
+    {"messages", {"events", "vision/geometry", "vision/interfaces", "table"}},
+    {"messaging", {"posix", "events", "vision/geometry", "vision/interfaces", "table", "messages"}},
     {"recording", {"events", "io", "messaging"}},
-    {"play", {"events", "vision", "table", "messaging"}},
-    {"control", {"events", "vision", "table", "motion", "runtime", "messaging"}},
+    {"play", {"events", "vision/geometry", "table", "messages"}},
+    {"control", {"events", "table", "motion", "runtime", "messages"}},
     {"yarp", {"posix", "control"}},
 };
 
@@ -186,6 +187,30 @@ TEST_CASE("only messaging includes LCM's headers") {
     for (const Include& include : includes_below(source_dir() / top)) {
       if (include.file.string().find("/common/messaging/") != std::string::npos) continue;
       CHECK_MESSAGE(!include.target.starts_with("lcm/"), include.file.string(), ":", include.line);
+    }
+  }
+}
+
+TEST_CASE("LCM's message types stay in messaging, recording and the tools") {
+  std::string types;
+  for (const auto& entry : fs::directory_iterator(source_dir() / "lcmtypes")) {
+    if (entry.path().extension() != ".lcm") continue;
+    types += (types.empty() ? "" : "|") + entry.path().stem().string();
+  }
+  const std::regex wire_type("\\b(" + types + ")\\b");
+  CHECK(std::regex_search("  puck::arm_state_t state;", wire_type));
+  CHECK(!std::regex_search("  ArmState arm_state;", wire_type));
+  for (const std::string top : {"common", "services"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(source_dir() / top)) {
+      const fs::path file = entry.path().lexically_relative(source_dir());
+      const std::string folder = (++file.begin())->string();
+      const bool is_edge = top == "common" && (folder == "messaging" || folder == "recording");
+      if (is_edge || (file.extension() != ".h" && file.extension() != ".cpp")) continue;
+      std::ifstream text(entry.path());
+      std::string line;
+      for (int number = 1; std::getline(text, line); ++number) {
+        CHECK_MESSAGE(!std::regex_search(line, wire_type), file.string(), ":", number, ": ", line);
+      }
     }
   }
 }

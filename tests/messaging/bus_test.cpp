@@ -88,6 +88,31 @@ TEST_CASE("a message is published with time, session and number, and received wi
   CHECK(bus.counters<head_state_t>().published == 2);
 }
 
+TEST_CASE("a new session of a bus counts from 0 on every channel, and is no loss for receivers") {
+  Bus bus({.url = "memq://"});
+  std::vector<head_state_t> heads;
+  std::vector<Arrival> arrivals;
+  bus.subscribe<head_state_t>([&](const head_state_t& head, const Receipt& receipt) {
+    heads.push_back(head);
+    arrivals.push_back(receipt.arrival);
+  });
+  start(bus);
+  head_state_t head{};
+  CHECK(bus.publish(head));
+  CHECK(bus.publish(head));
+  const std::int64_t before = bus.session();
+  bus.begin_session();
+  CHECK(bus.session() != before);
+  CHECK(bus.publish(head));
+  handle_until(bus, [&] { return heads.size() == 3; });
+  REQUIRE(heads.size() == 3);
+  CHECK(heads[1].session == before);
+  CHECK(heads[2].session == bus.session());
+  CHECK(heads[2].seq == 0);
+  CHECK(arrivals[2] == Arrival::kNewSession);
+  CHECK(bus.counters<head_state_t>().arrivals.lost == 0);
+}
+
 TEST_CASE("sequence numbers count the messages of one channel") {
   Bus bus({.url = "memq://"});
   start(bus);

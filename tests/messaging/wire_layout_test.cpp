@@ -66,6 +66,9 @@ TEST_CASE("a field has the range of its declaration, or the usual one of its typ
            {Channel::kArmState, "reason", 0, 255},
            {Channel::kArmState, "joint_count", 0, 64},
            {Channel::kHead, "sensor_us", -1, kMostOnWire},
+           {Channel::kCameraControl, "mode", 0, 4},
+           {Channel::kCameraControl, "position_us", 0, kMostOnWire},
+           {Channel::kCameraControl, "step_us", 0, kMostOnWire},
            {Channel::kStatus, "counter_count", 0, 256},
            {Channel::kStatus, "counter_value", kLeastInt64, kMostInt64},
            {Channel::kStatus, "latency_max_us", kLeastInt64, kMostInt64},
@@ -88,6 +91,8 @@ TEST_CASE("the values of a state, mode or phase have their names of lcmtypes") {
   using Names = std::vector<std::string_view>;
   CHECK(meanings(Channel::kEstimate, "state") == Names{"searching", "tracking", "lost"});
   CHECK(meanings(Channel::kArmCommand, "mode") == Names{"follow", "hold", "stop", "reset"});
+  CHECK(meanings(Channel::kCameraControl, "mode") ==
+        Names{"pause", "resume", "step", "seek", "speed"});
   CHECK(meanings(Channel::kGame, "phase") ==
         Names{"waiting", "rally", "shot at robot", "goal", "puck stuck", "puck out of view"});
   CHECK(meanings(Channel::kEstimate, "flags").empty());

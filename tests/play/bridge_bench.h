@@ -27,44 +27,42 @@ class BridgeBench {
   std::int64_t sender_utime() const { return now.utime + sender->ahead_us; }
 
   /// A good estimate of a puck there for a test to modify, 300 µs old by its clock.
-  puck_estimate_t estimate(const PuckState& puck) { return estimate(puck, test_camera()); }
-  puck_estimate_t estimate(const PuckState& puck, const Homography& camera) {
+  PublishedEstimate estimate(const PuckState& puck) { return estimate(puck, test_camera()); }
+  PublishedEstimate estimate(const PuckState& puck, const Homography& camera) {
     const Pixel pixel = *camera.to_image(puck.position);
     // The image's velocity, from the point a microsecond later.
     const Pixel next = *camera.to_image({puck.position.x_m + 1e-6 * puck.velocity.x_m_s,
                                          puck.position.y_m + 1e-6 * puck.velocity.y_m_s});
-    puck_estimate_t message{};
+    PublishedEstimate message;
     message.utime = sender_utime() - 100;
     message.session = kTrackerSession;
     message.seq = next_estimate_seq_++;
     message.events_session = 1;
-    message.sensor_us = sensor_us() - 300;
+    message.newest_event.us = sensor_us() - 300;
     message.event_utime = sender_utime() - 300;
-    message.state = puck_estimate_t::STATE_TRACKING;
-    message.flags = puck_estimate_t::FLAG_POSITION;
-    message.x_px = pixel.x;
-    message.y_px = pixel.y;
-    message.vx_px_s = (next.x - pixel.x) * 1e6;
-    message.vy_px_s = (next.y - pixel.y) * 1e6;
+    message.state = TrackState::kTracking;
+    message.position = pixel;
+    message.velocity.x = (next.x - pixel.x) * 1e6;
+    message.velocity.y = (next.y - pixel.y) * 1e6;
     message.covariance[0] = message.covariance[5] = 0.25;
     return message;
   }
 
-  puck_estimate_t lost() {
-    puck_estimate_t message = estimate({{1, 0}, {}});
-    message.state = puck_estimate_t::STATE_LOST;
-    message.flags = 0;
+  PublishedEstimate lost() {
+    PublishedEstimate message = estimate({{1, 0}, {}});
+    message.state = TrackState::kLost;
+    message.position.reset();
     return message;
   }
 
   /// `command_session`: the session that the arm follows.
-  void see_arm(std::int64_t command_session = 0, std::int8_t state = arm_state_t::STATE_IDLE) {
-    arm_state_t message{};
-    message.state = state;
+  void see_arm(std::int64_t command_session = 0, ArmActivity activity = ArmActivity::kIdle) {
+    ArmState message;
+    message.activity = activity;
     message.utime = sender_utime();
     message.session = kArmSession;
     message.seq = next_arm_seq_++;
-    message.command_session = command_session;
+    message.command.session = command_session;
     message.line_min_m = -0.3;
     message.line_max_m = 0.3;
     bridge.hear(message, now, sender);
@@ -109,9 +107,9 @@ class BridgeBench {
   HostNow now{1'700'000'005'000'000, 77'000'000};
   SenderClock sender;
   PlayBridge bridge;
-  std::optional<arm_command_t> command;
-  std::optional<puck_trajectory_t> trajectory;
-  std::optional<game_state_t> game;
+  std::optional<ArmCommand> command;
+  std::optional<TableTrajectory> trajectory;
+  std::optional<GameState> game;
   int commands = 0;
   int trajectories = 0;
   int games = 0;

@@ -20,17 +20,17 @@ class Mischief : public WildValues {
   using WildValues::WildValues;
 
   /// Returns whether the estimate must now be refused, after any earlier ones.
-  bool spoil(puck_estimate_t& e) {
+  bool spoil(PublishedEstimate& e) {
     switch (below(14)) {
       case 0:
-        e.x_px = wild_number(2000);
-        return !std::isfinite(e.x_px) || std::abs(e.x_px) > 1e6;
+        e.position->x = wild_number(2000);
+        return !std::isfinite(e.position->x) || std::abs(e.position->x) > 1e6;
       case 1:
-        e.y_px = wild_number(2000);
-        return !std::isfinite(e.y_px) || e.y_px < -100;
+        e.position->y = wild_number(2000);
+        return !std::isfinite(e.position->y) || e.position->y < -100;
       case 2:
-        e.vx_px_s = wild_number(2000);
-        return !std::isfinite(e.vx_px_s) || std::abs(e.vx_px_s) > 1e6;
+        e.velocity.x = wild_number(2000);
+        return !std::isfinite(e.velocity.x) || std::abs(e.velocity.x) > 1e6;
       case 3:
         e.covariance[5 * below(4)] = wild_number(2000);
         return std::isnan(e.covariance[0] + e.covariance[5] + e.covariance[10] + e.covariance[15]);
@@ -38,17 +38,18 @@ class Mischief : public WildValues {
         e.covariance[1] = e.covariance[4] = 5;  // more than the variances allow
         return true;
       case 5:
-        e.state = static_cast<std::int8_t>(below(3));
-        return e.state != puck_estimate_t::STATE_TRACKING;
+        e.state = static_cast<TrackState>(below(3));
+        return e.state != TrackState::kTracking;
       case 6:
-        e.flags = 0;
+        e.position.reset();
         return true;
       case 7:
-        e.event_utime -= 100'001 + below(1'000'000);
+        *e.event_utime -= 100'001 + below(1'000'000);
         return true;
       case 8:
         e.event_utime = wild_integer();
-        return e.event_utime != 0;
+        if (e.event_utime == 0) e.event_utime.reset();  // not known
+        return e.event_utime.has_value();
       case 9:
         e.utime += (chance(0.5) ? 1 : -1) * (200'001 + below(1'000'000));
         return true;
@@ -59,11 +60,11 @@ class Mischief : public WildValues {
         e.seq -= 1 + below(50);  // late, unless what lies between was refused
         return false;
       case 12:
-        e.sensor_us = chance(0.5) ? wild_integer() : e.sensor_us + below(10'000'000) - 5'000'000;
+        e.newest_event.us =
+            chance(0.5) ? wild_integer() : e.newest_event.us + below(10'000'000) - 5'000'000;
         return false;
       default:
-        e.x_px = between(0, 640);
-        e.y_px = between(100, 480);
+        e.position = Pixel{between(0, 640), between(100, 480)};
         return false;
     }
   }
@@ -105,7 +106,7 @@ TEST_CASE("Whatever arrives, every command is based on a good, live estimate") {
         arm_us = bench.now.monotonic_us;
       }
       if (mischief.chance(0.002)) {
-        head_state_t head{};
+        HeadState head;
         head.session = 5001;
         head.seq = ++head_seq;
         head.yaw_deg = mischief.chance(0.5) ? 3 : 0;
@@ -113,13 +114,13 @@ TEST_CASE("Whatever arrives, every command is based on a good, live estimate") {
         bench.bridge.hear(head, bench.now);
       }
       if (mischief.chance(estimate_rate)) {
-        puck_estimate_t e = bench.estimate(puck.state);
+        PublishedEstimate e = bench.estimate(puck.state);
         const bool must_be_refused = mischief.chance(spoilt) && mischief.spoil(e);
         bench.bridge.hear(e, bench.now, bench.sender);
         if (must_be_refused) {
           ++refused;
         } else {
-          const std::int64_t age_us = e.event_utime == 0 ? 0 : bench.sender_utime() - e.event_utime;
+          const std::int64_t age_us = e.event_utime ? bench.sender_utime() - *e.event_utime : 0;
           good.try_emplace(e.seq, e.session, bench.now.monotonic_us,
                            bench.now.monotonic_us - age_us);
         }
@@ -130,16 +131,16 @@ TEST_CASE("Whatever arrives, every command is based on a good, live estimate") {
       if (!head_is_home) ++blind_steps;
       if (!bench.command) continue;
       ++commands;
-      const arm_command_t& command = *bench.command;
+      const ArmCommand& command = *bench.command;
       REQUIRE(std::abs(command.target_m) <= 0.3);
       REQUIRE(std::abs(command.target_normalised) <= 1);
       REQUIRE(command.arrive_in_us >= 0);
       REQUIRE(command.valid_for_us <= 100'000);
       REQUIRE(head_is_home);
       REQUIRE(bench.now.monotonic_us - arm_us <= 500'000);
-      const auto basis = good.find(command.estimate_seq);
+      const auto basis = good.find(command.estimate.seq);
       REQUIRE(basis != good.end());
-      REQUIRE(command.estimate_session == basis->second.session);
+      REQUIRE(command.estimate.session == basis->second.session);
       REQUIRE(bench.now.monotonic_us - basis->second.at_us <= kMaxAgeUs);
       REQUIRE(bench.now.monotonic_us - basis->second.event_us <= kMaxAgeUs);
     }

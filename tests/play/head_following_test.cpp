@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "common/messaging/conversions.h"
 #include "common/table/table_camera.h"
 #include "tests/play/bridge_bench.h"
 
@@ -21,24 +20,22 @@ class TurningBench {
     return {static_cast<double>(sensor_us % 1'000'000) * 20e-6 - 3, 1, 0, 20, 0, 0};
   }
   void hear_head() {
-    head_state_t message =
-        to_message(pose_at(bench.sensor_us()), {says_time ? bench.sensor_us() : -1});
-    message.session = 5001;
-    message.seq = next_seq_++;
-    bench.bridge.hear(message, bench.now);
+    HeadState head{{0, 5001, next_seq_++}, pose_at(bench.sensor_us())};
+    if (says_time) head.at = Timestamp{bench.sensor_us()};
+    bench.bridge.hear(head, bench.now);
   }
-  puck_estimate_t estimate(const PuckState& puck) {
+  PublishedEstimate estimate(const PuckState& puck) {
     const std::int64_t then_us = bench.sensor_us() - 300;
     const auto seen_at = [&](std::int64_t us) {
       return TableCamera(test_camera(), kCamera).view_at(pose_at(us))->homography();
     };
-    puck_estimate_t message = bench.estimate(puck, seen_at(then_us));
+    PublishedEstimate message = bench.estimate(puck, seen_at(then_us));
     // The turn moves it in the image, too.
     const Pixel next = *seen_at(then_us + 1000)
                             .to_image({puck.position.x_m + 1e-3 * puck.velocity.x_m_s,
                                        puck.position.y_m + 1e-3 * puck.velocity.y_m_s});
-    message.vx_px_s = (next.x - message.x_px) * 1e3;
-    message.vy_px_s = (next.y - message.y_px) * 1e3;
+    message.velocity.x = (next.x - message.position->x) * 1e3;
+    message.velocity.y = (next.y - message.position->y) * 1e3;
     return message;
   }
   // A puck at rest, for `ms`; HEAD every `head_ms`.
@@ -67,11 +64,13 @@ TEST_CASE("The puck keeps its place on the table while the head turns") {
     turning.play(200, head_ms);
     const BridgeBench& bench = turning.bench;
     REQUIRE(bench.trajectory);
-    CHECK(bench.trajectory->head_known == 1);
-    CHECK(bench.trajectory->validity == puck_trajectory_t::VALIDITY_TRACKED);
-    CHECK(std::abs(bench.trajectory->x_m - 1.2) < 1e-3);
-    CHECK(std::abs(bench.trajectory->y_m - 0.3) < 1e-3);
-    CHECK(std::hypot(bench.trajectory->vx_m_s, bench.trajectory->vy_m_s) < 0.02);
+    CHECK(bench.trajectory->head_known);
+    REQUIRE(bench.trajectory->track);
+    CHECK_FALSE(bench.trajectory->is_coasting);
+    const PuckState& puck = bench.trajectory->track->state;
+    CHECK(std::abs(puck.position.x_m - 1.2) < 1e-3);
+    CHECK(std::abs(puck.position.y_m - 0.3) < 1e-3);
+    CHECK(std::hypot(puck.velocity.x_m_s, puck.velocity.y_m_s) < 0.02);
     CHECK(bench.commands > 40);
     CHECK_FALSE(bench.bridge.is_blind_to_head());
   }
@@ -82,8 +81,8 @@ TEST_CASE("A HEAD without sensor time is treated as live") {
   turning.says_time = false;
   turning.play(200, 2);
   REQUIRE(turning.bench.trajectory);
-  CHECK(turning.bench.trajectory->head_known == 1);
-  CHECK(std::abs(turning.bench.trajectory->y_m - 0.3) < 2e-3);
+  CHECK(turning.bench.trajectory->head_known);
+  CHECK(std::abs(turning.bench.trajectory->track->state.position.y_m - 0.3) < 2e-3);
 }
 
 TEST_CASE("After HEAD falls silent the bridge commands nothing after 10 ms, until HEAD returns") {
@@ -96,7 +95,7 @@ TEST_CASE("After HEAD falls silent the bridge commands nothing after 10 ms, unti
   // The first of them had a HEAD, nine more use its extrapolation.
   CHECK(bench.bridge.is_blind_to_head());
   CHECK(bench.bridge.gate().count(EstimateVerdict::kBlind) == 10);
-  CHECK(bench.trajectory->head_known == 0);
+  CHECK_FALSE(bench.trajectory->head_known);
   bench.command.reset();
   turning.play(50, 1000'000);
   CHECK(bench.bridge.is_blind_to_head());
@@ -116,7 +115,7 @@ TEST_CASE("A bridge that needs HEAD commands nothing before the first HEAD") {
                             turning.bench.sender);
   turning.bench.take();
   CHECK_FALSE(turning.bench.command);
-  CHECK(turning.bench.trajectory->head_known == 0);
+  CHECK_FALSE(turning.bench.trajectory->head_known);
   turning.play(50, 1);
   CHECK(turning.bench.command);
 }
@@ -126,10 +125,10 @@ TEST_CASE("A HEAD of another time than the estimates leaves the bridge without c
     CAPTURE(us);
     TurningBench turning;
     turning.play(20, 1);
-    head_state_t message{};
+    HeadState message;
     message.session = 5001;
     message.seq = 1000;
-    message.sensor_us = us;
+    message.at = Timestamp{us};
     turning.bench.bridge.hear(message, turning.bench.now);
     turning.bench.pass(20'000);
     turning.bench.bridge.hear(turning.estimate(TurningBench::kPuck), turning.bench.now,

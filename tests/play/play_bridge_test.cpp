@@ -40,15 +40,15 @@ TEST_CASE("The bridge sends the arm to the crossing of a straight shot") {
   bench.play(motion, puck, 200);
   const Intercept truth = *InterceptPredictor(motion).predict(puck);
   REQUIRE(bench.command);
-  CHECK(bench.command->mode == arm_command_t::MODE_FOLLOW);
+  CHECK(bench.command->mode == CommandMode::kFollow);
   CHECK(bench.command->target_m == doctest::Approx(truth.y_m).epsilon(0.1));
   CHECK(bench.command->target_normalised == doctest::Approx(bench.command->target_m / 0.3));
   CHECK(static_cast<double>(bench.command->arrive_in_us) * 1e-6 ==
         doctest::Approx(truth.in_s).epsilon(0.05));
   CHECK(bench.command->valid_for_us == 100'000);
   CHECK(bench.command->arm_session == BridgeBench::kArmSession);
-  CHECK(bench.command->estimate_session == BridgeBench::kTrackerSession);
-  CHECK(bench.command->estimate_seq >= 196);
+  CHECK(bench.command->estimate.session == BridgeBench::kTrackerSession);
+  CHECK(bench.command->estimate.seq >= 196);
 }
 
 TEST_CASE("The bridge sends the arm to the crossing of a bank shot") {
@@ -58,7 +58,7 @@ TEST_CASE("The bridge sends the arm to the crossing of a bank shot") {
   bench.play(motion, puck, 100);
   const Intercept truth = *InterceptPredictor(motion).predict(puck);
   CHECK(truth.bounces == 1);
-  CHECK(bench.trajectory->crossing_bounces == 1);
+  CHECK(bench.trajectory->crossing->bounces == 1);
   CHECK(bench.command->target_m == doctest::Approx(truth.y_m).epsilon(0.2));
 }
 
@@ -74,7 +74,7 @@ TEST_CASE("A target beyond the end of the arm's line is clamped to that end") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.0, 0.45, -2, 0);
   bench.play(PuckMotion(TableGeometry{}), puck, 200);
-  arm_state_t narrow{};
+  ArmState narrow;
   narrow.utime = bench.sender_utime();
   narrow.session = BridgeBench::kArmSession;
   narrow.seq = 1'000'000;
@@ -154,7 +154,7 @@ TEST_CASE("Without an arm there is no command; a new arm session is answered at 
   bench.earn_trust(puck_at(1, 0, -1, 0));
   bench.take();
   CHECK_FALSE(bench.command);
-  arm_state_t restarted{};
+  ArmState restarted;
   restarted.utime = bench.sender_utime();
   restarted.session = 4242;
   restarted.line_min_m = -0.3;
@@ -180,8 +180,8 @@ TEST_CASE(
     if (target_m) CHECK(bench.command->target_m == *target_m);
     target_m = bench.command->target_m;
 
-    puck_estimate_t stale = bench.estimate({{1.4, 0.1}, {-1, 0.1}});
-    stale.event_utime -= 100'000;
+    PublishedEstimate stale = bench.estimate({{1.4, 0.1}, {-1, 0.1}});
+    *stale.event_utime -= 100'000;
     bench.bridge.hear(stale, bench.now, bench.sender);
     CHECK(bench.bridge.gate().count(EstimateVerdict::kStale) == 1);
     CHECK_FALSE(commands_next(bench));
@@ -193,7 +193,7 @@ TEST_CASE("While the tracker's or the arm's clock is unknown, the bridge command
   bench.sender = std::nullopt;
   for (int i = 0; i < 100; ++i) {
     bench.pass(1000);
-    puck_estimate_t estimate{};
+    PublishedEstimate estimate;
     estimate.utime = bench.now.utime;
     estimate.session = BridgeBench::kTrackerSession;
     estimate.seq = i;
@@ -203,7 +203,7 @@ TEST_CASE("While the tracker's or the arm's clock is unknown, the bridge command
 
   BridgeBench deaf = following();
   deaf.pass(600'000);
-  arm_state_t unknown{};
+  ArmState unknown;
   unknown.utime = deaf.now.utime;
   unknown.session = 4242;
   unknown.line_min_m = -0.3;
@@ -218,7 +218,7 @@ TEST_CASE("While the tracker's or the arm's clock is unknown, the bridge command
 TEST_CASE("An arm in a log is not answered in place of the live one") {
   BridgeBench bench = following();
   bench.pass(600'000);
-  arm_state_t logged{};
+  ArmState logged;
   logged.utime = bench.sender_utime() - 300'000;
   logged.session = 4242;
   logged.line_min_m = -0.3;
@@ -242,24 +242,25 @@ TEST_CASE("Commands end 100 ms after the last good estimate") {
 
 TEST_CASE("Commands end at once on a newest estimate that is not acceptable") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<std::pair<const char*, std::function<void(puck_estimate_t&)>>> spoils{
-      {"lost", [](auto& e) { e.state = puck_estimate_t::STATE_LOST; }},
-      {"searching", [](auto& e) { e.state = puck_estimate_t::STATE_SEARCHING; }},
-      {"no position", [](auto& e) { e.flags = 0; }},
-      {"stale events", [](auto& e) { e.event_utime -= 100'000; }},
-      {"off the table", [](auto& e) { e.y_px = 5; }},
-      {"above the horizon", [](auto& e) { e.y_px = -170; }},
-      {"too fast", [](auto& e) { e.vx_px_s = 1e6; }},
-      {"x not finite", [&](auto& e) { e.x_px = nan; }},
+  const std::vector<std::pair<const char*, std::function<void(PublishedEstimate&)>>> spoils{
+      {"lost", [](auto& e) { e.state = TrackState::kLost; }},
+      {"searching", [](auto& e) { e.state = TrackState::kSearching; }},
+      {"no position", [](auto& e) { e.position.reset(); }},
+      {"stale events", [](auto& e) { *e.event_utime -= 100'000; }},
+      {"off the table", [](auto& e) { e.position->y = 5; }},
+      {"above the horizon", [](auto& e) { e.position->y = -170; }},
+      {"too fast", [](auto& e) { e.velocity.x = 1e6; }},
+      {"x not finite", [&](auto& e) { e.position->x = nan; }},
       {"covariance not finite", [&](auto& e) { e.covariance[7] = nan; }},
       {"no covariance", [](auto& e) { e.covariance[0] = -1; }},
-      {"impossible time", [](auto& e) { e.sensor_us = std::numeric_limits<std::int64_t>::max(); }},
+      {"impossible time",
+       [](auto& e) { e.newest_event.us = std::numeric_limits<std::int64_t>::max(); }},
   };
   for (const auto& spoiled : spoils) {
     CAPTURE(spoiled.first);
     BridgeBench bench = following();
     CHECK(commands_next(bench));
-    puck_estimate_t estimate = bench.estimate({{1.4, 0.1}, {-1, 0.1}});
+    PublishedEstimate estimate = bench.estimate({{1.4, 0.1}, {-1, 0.1}});
     spoiled.second(estimate);
     bench.bridge.hear(estimate, bench.now, bench.sender);
     CHECK_FALSE(commands_next(bench));
@@ -275,8 +276,8 @@ TEST_CASE("A puck of the wrong size for its place is rejected, a missing size is
   const double true_px = std::hypot(right.x - left.x, right.y - left.y);
   const auto used = [&](double width_px) {
     BridgeBench bench;
-    puck_estimate_t seen = bench.estimate({place, {}});
-    seen.width_px = width_px;
+    PublishedEstimate seen = bench.estimate({place, {}});
+    seen.size.width = width_px;
     bench.bridge.hear(seen, bench.now, bench.sender);
     const std::int64_t doubted = bench.bridge.gate().count(EstimateVerdict::kWrongSize);
     CHECK(doubted + bench.bridge.gate().count(EstimateVerdict::kGood) == 1);
@@ -294,19 +295,19 @@ TEST_CASE("A puck of the wrong size for its place is rejected, a missing size is
 
 TEST_CASE("Late, foreign and wrongly dated estimates are dropped, counted and change nothing") {
   BridgeBench bench = following();
-  const auto expect_dropped = [&](puck_estimate_t estimate, EstimateVerdict verdict) {
-    estimate.state = puck_estimate_t::STATE_LOST;  // ends the commands, if accepted
+  const auto expect_dropped = [&](PublishedEstimate estimate, EstimateVerdict verdict) {
+    estimate.state = TrackState::kLost;  // ends the commands, if accepted
     bench.bridge.hear(estimate, bench.now, bench.sender);
     CHECK(bench.bridge.gate().count(verdict) == 1);
     CHECK(commands_next(bench));
   };
-  puck_estimate_t late = bench.lost();
+  PublishedEstimate late = bench.lost();
   late.seq = 10;
   expect_dropped(late, EstimateVerdict::kLate);
-  puck_estimate_t foreign = bench.lost();
+  PublishedEstimate foreign = bench.lost();
   foreign.session = 9;
   expect_dropped(foreign, EstimateVerdict::kOtherPublisher);
-  puck_estimate_t old = bench.lost();
+  PublishedEstimate old = bench.lost();
   old.utime -= 250'000;
   expect_dropped(old, EstimateVerdict::kClock);
 }
@@ -315,14 +316,14 @@ TEST_CASE("A frozen estimate gives commands for 100 ms only, unless the puck res
   for (const bool resting : {false, true}) {
     CAPTURE(resting);
     BridgeBench bench = following();
-    puck_estimate_t frozen = bench.estimate({{1.45, 0.1}, {}});
-    if (resting) frozen.flags |= puck_estimate_t::FLAG_RESTING;
+    PublishedEstimate frozen = bench.estimate({{1.45, 0.1}, {}});
+    if (resting) frozen.resting = true;
     for (int i = 0; i < 300; ++i) {
       bench.pass(1000);
       bench.see_arm();
-      puck_estimate_t again = bench.estimate({{1.45, 0.1}, {}});
-      again.sensor_us = frozen.sensor_us;
-      again.flags = frozen.flags;
+      PublishedEstimate again = bench.estimate({{1.45, 0.1}, {}});
+      again.newest_event.us = frozen.newest_event.us;
+      again.resting = resting;
       bench.bridge.hear(again, bench.now, bench.sender);
     }
     CHECK(commands_next(bench) == resting);
@@ -344,7 +345,7 @@ TEST_CASE("A single jump is an outlier and does not send the arm away") {
 
 TEST_CASE("No commands while the head is turned, and the trajectory reports it") {
   BridgeBench bench = following();
-  head_state_t head{};
+  HeadState head;
   head.session = 5001;
   head.seq = 7;
   head.yaw_deg = 3;
@@ -354,7 +355,7 @@ TEST_CASE("No commands while the head is turned, and the trajectory reports it")
   bench.pass(1000);
   bench.bridge.hear(bench.estimate({{1.4, 0.1}, {-1, 0.1}}), bench.now, bench.sender);
   bench.take();
-  CHECK(bench.trajectory->head_known == 0);
+  CHECK_FALSE(bench.trajectory->head_known);
   CHECK(bench.bridge.gate().count(EstimateVerdict::kBlind) == 1);
   head.yaw_deg = 0.1;
   head.seq = 8;
@@ -365,7 +366,7 @@ TEST_CASE("No commands while the head is turned, and the trajectory reports it")
 
 TEST_CASE("A late HEAD, or another robot's, does not count as the head's return") {
   BridgeBench bench = following();
-  head_state_t head{};
+  HeadState head;
   head.session = 5001;
   head.seq = 7;
   head.yaw_deg = 3;
@@ -385,31 +386,35 @@ TEST_CASE("The trajectory gives the puck on the table in metres, and marks predi
   PuckTrack puck = puck_at(1.5, -0.2, -1, 0.5);
   bench.play(PuckMotion(TableGeometry{}), puck, 200);
   REQUIRE(bench.trajectory);
-  CHECK(bench.trajectory->validity == puck_trajectory_t::VALIDITY_TRACKED);
-  CHECK(bench.trajectory->x_m == doctest::Approx(puck.state.position.x_m).epsilon(0.01));
-  CHECK(bench.trajectory->y_m == doctest::Approx(puck.state.position.y_m).epsilon(0.05));
-  CHECK(bench.trajectory->vx_m_s == doctest::Approx(puck.state.velocity.x_m_s).epsilon(0.05));
-  CHECK(bench.trajectory->crosses == 1);
+  REQUIRE(bench.trajectory->track);
+  CHECK_FALSE(bench.trajectory->is_coasting);
+  const PuckState& seen = bench.trajectory->track->state;
+  CHECK(seen.position.x_m == doctest::Approx(puck.state.position.x_m).epsilon(0.01));
+  CHECK(seen.position.y_m == doctest::Approx(puck.state.position.y_m).epsilon(0.05));
+  CHECK(seen.velocity.x_m_s == doctest::Approx(puck.state.velocity.x_m_s).epsilon(0.05));
+  CHECK(bench.trajectory->crossing);
   CHECK(bench.trajectory->line_x_m == doctest::Approx(0.15 + 0.05 + 0.0325));
-  CHECK(bench.trajectory->path_length == 26);
+  CHECK(bench.trajectory->path.size() == 26);
 
   const auto miss = [&](std::int64_t us) {
     bench.pass(us);
     bench.bridge.hear(bench.lost(), bench.now, bench.sender);
     bench.take();
-    return bench.trajectory->validity;
+    return *bench.trajectory;
   };
-  CHECK(miss(20'000) == puck_trajectory_t::VALIDITY_COASTING);
-  CHECK(miss(90'000) == puck_trajectory_t::VALIDITY_NONE);
+  const TableTrajectory coasting = miss(20'000);
+  CHECK(coasting.track);
+  CHECK(coasting.is_coasting);
+  CHECK_FALSE(miss(90'000).track);
 }
 
 TEST_CASE("When the sensor's time restarts the filter does too") {
   BridgeBench bench = following();
   for (int i = 1; i <= 20; ++i) {
     bench.pass(1000);
-    puck_estimate_t estimate = bench.estimate({{0.9, -0.2}, {}});
+    PublishedEstimate estimate = bench.estimate({{0.9, -0.2}, {}});
     estimate.events_session = 2;
-    estimate.sensor_us = 1000 * i;
+    estimate.newest_event.us = 1000 * i;
     bench.bridge.hear(estimate, bench.now, bench.sender);
   }
   CHECK(commands_next(bench));
@@ -424,10 +429,10 @@ TEST_CASE("An overtaken estimate is used at its own time, and the track is the s
     for (int i = 0; i < 50; ++i) {
       bench.pass(1000);
       puck = motion.advance(puck, 0.001).track;
-      const puck_estimate_t first = bench.estimate(puck.state);
+      const PublishedEstimate first = bench.estimate(puck.state);
       bench.pass(1000);
       puck = motion.advance(puck, 0.001).track;
-      const puck_estimate_t second = bench.estimate(puck.state);
+      const PublishedEstimate second = bench.estimate(puck.state);
       bench.bridge.hear(swaps && i > 0 ? second : first, bench.now, bench.sender);
       bench.bridge.hear(swaps && i > 0 ? first : second, bench.now, bench.sender);
       bench.take();
@@ -436,11 +441,11 @@ TEST_CASE("An overtaken estimate is used at its own time, and the track is the s
     CHECK(bench.bridge.gate().count(EstimateVerdict::kLate) == 0);
     return *bench.trajectory;
   };
-  const puck_trajectory_t in_order = play(false);
-  const puck_trajectory_t swapped = play(true);
-  CHECK(swapped.x_m == in_order.x_m);
-  CHECK(swapped.vy_m_s == in_order.vy_m_s);
-  CHECK(swapped.covariance[10] == in_order.covariance[10]);
+  const TableTrajectory in_order = play(false);
+  const TableTrajectory swapped = play(true);
+  CHECK(swapped.track->state.position.x_m == in_order.track->state.position.x_m);
+  CHECK(swapped.track->state.velocity.y_m_s == in_order.track->state.velocity.y_m_s);
+  CHECK(swapped.track->covariance(2, 2) == in_order.track->covariance(2, 2));
 }
 
 TEST_CASE("An overtaken estimate of another sensor's time, or of future events, changes nothing") {
@@ -450,13 +455,13 @@ TEST_CASE("An overtaken estimate of another sensor's time, or of future events, 
     const PuckMotion motion(TableGeometry{});
     PuckTrack puck = puck_at(1.5, 0.1, -0.2, 0);
     bench.play(motion, puck, 100);
-    puck_estimate_t overtaken = bench.estimate(puck.state);
+    PublishedEstimate overtaken = bench.estimate(puck.state);
     bench.play(motion, puck, 1);
     if (is_other_sensor) {
       overtaken.events_session = 2;
-      overtaken.sensor_us -= 10'000;
+      overtaken.newest_event.us -= 10'000;
     } else {
-      overtaken.sensor_us += 3'000'000;
+      overtaken.newest_event.us += 3'000'000;
     }
     bench.bridge.hear(overtaken, bench.now, bench.sender);
     CHECK(bench.bridge.gate().count(EstimateVerdict::kBelated) == 1);

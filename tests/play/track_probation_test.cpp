@@ -16,14 +16,14 @@ namespace {
 // Shows an estimate each millisecond for `ms`, made by `look` from the true puck. Returns the
 // number of commands sent meanwhile.
 int commands_of(BridgeBench& bench, PuckTrack& puck, int ms,
-                const std::function<void(puck_estimate_t&, int)>& look) {
+                const std::function<void(PublishedEstimate&, int)>& look) {
   const PuckMotion motion(TableGeometry{});
   const int before = bench.commands;
   for (int i = 0; i < ms; ++i) {
     bench.pass(1000);
     puck = motion.advance(puck, 0.001).track;
     bench.see_arm();
-    puck_estimate_t estimate = bench.estimate(puck.state);
+    PublishedEstimate estimate = bench.estimate(puck.state);
     look(estimate, i);
     bench.bridge.hear(estimate, bench.now, bench.sender);
     bench.take();
@@ -32,13 +32,11 @@ int commands_of(BridgeBench& bench, PuckTrack& puck, int ms,
 }
 
 int commands_of(BridgeBench& bench, PuckTrack& puck, int ms) {
-  return commands_of(bench, puck, ms, [](puck_estimate_t&, int) {});
+  return commands_of(bench, puck, ms, [](PublishedEstimate&, int) {});
 }
 
-void move_to(puck_estimate_t& estimate, const TablePoint& place) {
-  const Pixel pixel = *test_camera().to_image(place);
-  estimate.x_px = pixel.x;
-  estimate.y_px = pixel.y;
+void move_to(PublishedEstimate& estimate, const TablePoint& place) {
+  estimate.position = test_camera().to_image(place);
 }
 
 TEST_CASE("A new track moves the arm after its probation") {
@@ -64,7 +62,7 @@ TEST_CASE("A shot whose hit was hidden by the mallet moves the arm at once") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.4, -0.2, 0, 0);
   commands_of(bench, puck, 50);
-  const auto at_mallet = [&](puck_estimate_t& estimate, int ms) {
+  const auto at_mallet = [&](PublishedEstimate& estimate, int ms) {
     move_to(estimate, {1.4 + 0.005 * ms, -0.2});
   };
   commands_of(bench, puck, 16, at_mallet);
@@ -94,9 +92,9 @@ TEST_CASE("A tracker that jumps to and fro never moves the arm, at any stated ce
     BridgeBench bench;
     PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
     int heard = 0;
-    const auto mirror = [&](puck_estimate_t& estimate, int) {
+    const auto mirror = [&](PublishedEstimate& estimate, int) {
       estimate.covariance[0] = estimate.covariance[5] = 1e-12;
-      if (heard++ / every_ms % 2 == 1) estimate.x_px = 640 - estimate.x_px;
+      if (heard++ / every_ms % 2 == 1) estimate.position->x = 640 - estimate.position->x;
     };
     commands_of(bench, puck, 100, mirror);
     CHECK(commands_of(bench, puck, 400, mirror) == 0);
@@ -108,9 +106,9 @@ TEST_CASE("A velocity that contradicts the positions ends the commands, until it
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.3, -1.5, 0);
   commands_of(bench, puck, 50);
-  const auto reverse = [](puck_estimate_t& estimate, int) {
-    estimate.vx_px_s *= -1;
-    estimate.vy_px_s *= -1;
+  const auto reverse = [](PublishedEstimate& estimate, int) {
+    estimate.velocity.x *= -1;
+    estimate.velocity.y *= -1;
   };
   commands_of(bench, puck, 40, reverse);
   CHECK(commands_of(bench, puck, 100, reverse) == 0);
@@ -124,7 +122,7 @@ TEST_CASE("A constant position with a stated velocity ends the commands") {
   PuckTrack puck = puck_at(1.8, 0.3, -4, 0);
   commands_of(bench, puck, 50);
   const TablePoint held = puck.state.position;
-  const auto hold = [&](puck_estimate_t& estimate, int) { move_to(estimate, held); };
+  const auto hold = [&](PublishedEstimate& estimate, int) { move_to(estimate, held); };
   commands_of(bench, puck, 80, hold);
   CHECK(commands_of(bench, puck, 60, hold) == 0);
 }
@@ -132,8 +130,8 @@ TEST_CASE("A constant position with a stated velocity ends the commands") {
 TEST_CASE("A tracker without velocities is accepted") {
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.3, -1.5, 0);
-  CHECK(commands_of(bench, puck, 200, [](puck_estimate_t& estimate, int) {
-          estimate.vx_px_s = estimate.vy_px_s = 0;
+  CHECK(commands_of(bench, puck, 200, [](PublishedEstimate& estimate, int) {
+          estimate.velocity.x = estimate.velocity.y = 0;
         }) > 30);
 }
 
@@ -141,10 +139,10 @@ TEST_CASE("The same estimate under new numbers is counted and moves the arm for 
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
   commands_of(bench, puck, 50);
-  const puck_estimate_t frozen = bench.estimate(puck.state);
-  const auto freeze = [&](puck_estimate_t& estimate, int) {
+  const PublishedEstimate frozen = bench.estimate(puck.state);
+  const auto freeze = [&](PublishedEstimate& estimate, int) {
     move_to(estimate, {1.75, 0.3});
-    estimate.sensor_us = frozen.sensor_us;
+    estimate.newest_event.us = frozen.newest_event.us;
   };
   commands_of(bench, puck, 105, freeze);
   CHECK(commands_of(bench, puck, 200, freeze) == 0);
@@ -155,8 +153,8 @@ TEST_CASE("Sensor time that runs ahead of the clock, or to and fro, is never acc
   BridgeBench bench;
   PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
   commands_of(bench, puck, 50);
-  const auto leap = [](puck_estimate_t& estimate, int i) {
-    if (i % 7 == 0) estimate.sensor_us += 3'600'000'000;
+  const auto leap = [](PublishedEstimate& estimate, int i) {
+    if (i % 7 == 0) estimate.newest_event.us += 3'600'000'000;
   };
   commands_of(bench, puck, 10, leap);
   CHECK(commands_of(bench, puck, 300, leap) == 0);
@@ -165,10 +163,10 @@ TEST_CASE("Sensor time that runs ahead of the clock, or to and fro, is never acc
 TEST_CASE("An estimate of future events, or one with a huge variance, is implausible") {
   struct Spoil {
     const char* name;
-    std::function<void(puck_estimate_t&)> spoil;
+    std::function<void(PublishedEstimate&)> spoil;
   };
   const std::vector<Spoil> spoils{
-      {"events to come", [](auto& e) { e.event_utime += 200'000; }},
+      {"events to come", [](auto& e) { *e.event_utime += 200'000; }},
       {"the last of all times",
        [](auto& e) { e.event_utime = std::numeric_limits<std::int64_t>::max(); }},
       {"unsure of the place", [](auto& e) { e.covariance[0] = 1e9; }},
@@ -179,7 +177,7 @@ TEST_CASE("An estimate of future events, or one with a huge variance, is implaus
     BridgeBench bench;
     PuckTrack puck = puck_at(1.8, 0.3, -1, 0);
     commands_of(bench, puck, 50);
-    CHECK(commands_of(bench, puck, 100, [&](puck_estimate_t& e, int) { spoilt.spoil(e); }) == 0);
+    CHECK(commands_of(bench, puck, 100, [&](PublishedEstimate& e, int) { spoilt.spoil(e); }) == 0);
     CHECK(bench.bridge.gate().count(EstimateVerdict::kImplausible) == 100);
   }
 }
@@ -191,7 +189,7 @@ TEST_CASE("Of two trackers one is followed, the other is counted and causes no m
   const double target_m = bench.command->target_m;
   for (int i = 0; i < 100; ++i) {
     commands_of(bench, puck, 1);
-    puck_estimate_t other = bench.estimate({{0.5, -0.3}, {-1, 0}});
+    PublishedEstimate other = bench.estimate({{0.5, -0.3}, {-1, 0}});
     other.session = 9;
     bench.bridge.hear(other, bench.now, bench.sender);
   }
@@ -203,10 +201,10 @@ TEST_CASE("A bridge notices that the arm follows another bridge") {
   constexpr std::int64_t kOwn = 2001;
   BridgeBench bench;
   const auto arm_follows = [&](std::int64_t session, int ms,
-                               std::int8_t state = arm_state_t::STATE_MOVING) {
+                               ArmActivity activity = ArmActivity::kMoving) {
     for (int i = 0; i < ms; ++i) {
       bench.pass(1000);
-      bench.see_arm(session, state);
+      bench.see_arm(session, activity);
     }
     return bench.bridge.other_commander(kOwn, bench.now);
   };
@@ -217,7 +215,7 @@ TEST_CASE("A bridge notices that the arm follows another bridge") {
   CHECK(arm_follows(kOwn, 1) == 0);
   // A bridge that stopped the arm does not count as followed.
   CHECK(arm_follows(78, 600) == 78);
-  CHECK(arm_follows(78, 600, arm_state_t::STATE_STOPPED) == 0);
+  CHECK(arm_follows(78, 600, ArmActivity::kStopped) == 0);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Traffic run(const EstimateLinkParams& params) {
   Traffic traffic;
   for (std::int64_t now_us = 0; now_us < 200'000'000; now_us += kStepUs) {
     if (link.is_due(now_us)) {
-      puck_estimate_t estimate{};
+      PublishedEstimate estimate;
       estimate.seq = traffic.sent++;
       traffic.arrived.push_back(false);
       link.send(estimate, now_us);

@@ -1,22 +1,18 @@
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <thread>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
-#include <pty.h>
-#include <sys/ioctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "common/messaging/bus.h"
 #include "tests/spy/spy_bench.h"
 #include "tests/support/child_process.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/terminal_process.h"
 #include "tests/support/test_url.h"
 
 namespace puck {
@@ -52,60 +48,10 @@ class Camera {
 };
 
 /// puck-spy in a terminal of its own.
-class SpyInTerminal {
+class SpyInTerminal : public TerminalProcess {
  public:
-  explicit SpyInTerminal(const std::string& lcm_url, const char* type = "xterm") {
-    winsize size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
-    pid_ = forkpty(&terminal_, nullptr, nullptr, &size);
-    REQUIRE(pid_ >= 0);
-    if (pid_ > 0) return;
-    setenv("TERM", type, 1);
-    execl(spy_path().c_str(), "puck-spy", "--lcm-url", lcm_url.c_str(), nullptr);
-    _exit(127);
-  }
-  ~SpyInTerminal() {
-    if (pid_ > 0) {
-      kill(pid_, SIGKILL);
-      waitpid(pid_, nullptr, 0);
-    }
-    close(terminal_);
-  }
-  SpyInTerminal(const SpyInTerminal&) = delete;
-  SpyInTerminal& operator=(const SpyInTerminal&) = delete;
-
-  /// Reads the output until this appears; false if it ends before.
-  bool reads(const std::string& text) {
-    std::string part(4096, 0);
-    while (output_.find(text) == std::string::npos) {
-      ssize_t count = read(terminal_, part.data(), part.size());
-      // Its last output may arrive after the kernel reports its end.
-      if (count <= 0) count = read(terminal_, part.data(), part.size());
-      if (count <= 0) return false;
-      output_.append(part, 0, static_cast<std::size_t>(count));
-    }
-    output_.erase(0, output_.find(text) + text.size());
-    return true;
-  }
-  void type(const std::string& keys) {
-    REQUIRE(write(terminal_, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()));
-  }
-  void resize(unsigned short columns, unsigned short rows) {
-    const winsize size{.ws_row = rows, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
-    REQUIRE(ioctl(terminal_, TIOCSWINSZ, &size) == 0);
-  }
-  void send(int signal) { kill(pid_, signal); }
-  /// The exit code; -1: ended by a signal.
-  int wait() {
-    int status = 0;
-    waitpid(pid_, &status, 0);
-    pid_ = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
- private:
-  int terminal_ = -1;
-  pid_t pid_ = -1;
-  std::string output_;
+  explicit SpyInTerminal(const std::string& lcm_url, const char* type = "xterm")
+      : TerminalProcess({spy_path(), "--lcm-url", lcm_url}, type) {}
 };
 
 }  // namespace

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/bus.h"
 #include "common/messaging/event_packing.h"
-#include "common/messaging/host_time.h"
 
 namespace puck {
 

@@ -13,8 +13,8 @@
 
 #include <lcm/lcm.h>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/bus.h"
-#include "common/messaging/host_time.h"
 
 namespace puck {
 

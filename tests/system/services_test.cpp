@@ -8,8 +8,8 @@
 
 #include <doctest/doctest.h>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/event_packing.h"
-#include "common/messaging/host_time.h"
 #include "common/messaging/message_codec.h"
 #include "tests/support/stuck_pipe.h"
 #include "tests/support/temporary_folder.h"

@@ -11,8 +11,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "common/messages/single_publisher.h"
 #include "common/messaging/bus.h"
-#include "common/messaging/single_publisher.h"
 #include "tests/support/child_process.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"

@@ -13,8 +13,8 @@
 #include <spdlog/sinks/ostream_sink.h>
 
 #include "common/io/pixel_mask_file.h"
+#include "common/messages/host_time.h"
 #include "common/messaging/event_packing.h"
-#include "common/messaging/host_time.h"
 #include "tests/support/service_bench.h"
 #include "tests/support/skewed_machine.h"
 #include "tests/support/temporary_folder.h"

@@ -1,6 +1,7 @@
 #include "common/vision/correlation/correlation.h"
 
 #include <random>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <opencv2/imgproc.hpp>
@@ -55,6 +56,47 @@ TEST_CASE("correlation equals the dense sum at every candidate, even over the pi
       }
     }
   }
+}
+
+TEST_CASE("the bright parts of a row hold every place from which a kernel covers enough grey") {
+  const Region region{100, 50, 200, 120};
+  Image<std::uint8_t> picture(region.width, region.height);
+  for (int y = 40; y < 60; ++y) {
+    for (int x = 90; x < 120; ++x) picture(x, y) = 200;
+  }
+  const KernelBank bank(KernelBankParams{});
+  const EllipseKernel& kernel = bank.nearest({21, 15});
+  constexpr double kLeast = 10 * 200;
+  Correlation correlation;
+  correlation.set_surface(picture.view(), region);
+  int places = 0;
+  for (int y = region.y; y < region.bottom(); ++y) {
+    const Region row{region.x, y, region.width, 1};
+    std::vector<bool> is_bright(static_cast<std::size_t>(row.width));
+    int end = row.x;
+    correlation.for_each_bright_part(kernel, row, kLeast, [&](const Region& part) {
+      REQUIRE(part.x >= end);
+      REQUIRE(part.y == y);
+      end = part.right();
+      places += part.width;
+      for (int x = part.x; x < part.right(); ++x) {
+        is_bright[static_cast<std::size_t>(x - row.x)] = true;
+      }
+    });
+    REQUIRE(end <= row.right());
+    for (int x = row.x; x < row.right(); ++x) {
+      double grey = 0;
+      for (int py = y - kernel.anchor_y(); py < y - kernel.anchor_y() + kernel.height(); ++py) {
+        for (int px = x - kernel.anchor_x(); px < x - kernel.anchor_x() + kernel.width(); ++px) {
+          if (region.contains(px, py)) grey += picture(px - region.x, py - region.y);
+        }
+      }
+      if (grey >= kLeast) REQUIRE(is_bright[static_cast<std::size_t>(x - row.x)]);
+    }
+  }
+  // The square and what a kernel reaches around it, but not the whole picture.
+  CHECK(places > 30 * 20);
+  CHECK(places < region.width * region.height / 3);
 }
 
 TEST_CASE("an earlier picture leaves no trace where the next one is dark") {

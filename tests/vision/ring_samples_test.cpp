@@ -1,5 +1,6 @@
 #include "common/vision/contour/ring_samples.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,6 +31,15 @@ TEST_CASE("a ring's samples are the pixels within reach of it, the rest of it is
     REQUIRE(std::abs(sample.distance_px) < RingSamples::kReachPx + 1);
     REQUIRE(std::hypot(sample.normal_x, sample.normal_y) == doctest::Approx(1).epsilon(1e-3));
   }
+}
+
+TEST_CASE("a ring's bright samples are all that are not dark") {
+  Image<std::uint8_t> picture = grey(100, 100, 0);
+  for (int y = 0; y < 100; ++y) std::fill_n(picture.row(y), 50, std::uint8_t{9});
+  RingSamples samples;
+  samples.gather(picture.view(), {0, 0, 100, 100}, {15, 10, 0, 0}, {49.5, 50});
+  CHECK(2 * samples.bright().size() == samples.near().size());
+  for (const RingSample& sample : samples.bright()) REQUIRE(sample.grey == 9);
 }
 
 TEST_CASE("what lies outside the picture is no sample") {

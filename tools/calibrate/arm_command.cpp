@@ -15,7 +15,7 @@ RobotPart part_of(const std::string& name) {
   return name == "head" ? RobotPart::kHead : RobotPart::kArm;
 }
 
-std::vector<JointPair> read_pairs(const ArmCommand& command) {
+std::vector<JointPair> read_pairs(const ArmFitCommand& command) {
   std::vector<JointPair> pairs =
       command.pairs.extension() == ".tsv"
           ? read_authors_joint_table(command.pairs, part_of(command.part))
@@ -50,7 +50,7 @@ void print(const JointFit& fit, std::size_t rows) {
 
 }  // namespace
 
-void calibrate_arm(const ArmCommand& command, const std::string& typed) {
+void calibrate_arm(const ArmFitCommand& command, const std::string& typed) {
   const std::vector<JointPair> pairs = read_pairs(command);
   const JointFit fit = fit_joint_table(pairs, command.fit);
   write_joint_table_file(command.output, fit.table, typed);

@@ -7,7 +7,7 @@
 
 namespace puck {
 
-struct ArmCommand {
+struct ArmFitCommand {
   std::filesystem::path pairs;
   std::filesystem::path output;
   JointFitParams fit;
@@ -20,6 +20,6 @@ struct ArmCommand {
 /// prints its residuals and the mallet's limits. `typed`: the command line, for a comment in the
 /// file. Throws CsvError or ConfigError, which name the file, or std::invalid_argument for too few
 /// pairs.
-void calibrate_arm(const ArmCommand& command, const std::string& typed);
+void calibrate_arm(const ArmFitCommand& command, const std::string& typed);
 
 }  // namespace puck

@@ -35,7 +35,7 @@ void refuse_to_overwrite(const std::filesystem::path& input, const std::filesyst
                            ": --output would overwrite the input; name another file");
 }
 
-void add_arm_options(CLI::App& command, ArmCommand& arm) {
+void add_arm_options(CLI::App& command, ArmFitCommand& arm) {
   MotionLimits& limits = arm.fit.limits;
   const auto add = [&](const char* name, double& value, const char* what) {
     command.add_option(name, value, what)->check(CLI::Range(1e-3, 1e9))->capture_default_str();
@@ -136,8 +136,7 @@ int run(int argc, char** argv) {
   LagCommand lag;
   CLI::App* lag_app = app.add_subcommand(
       "lag", "Fits the sensor's lag and the offset of the event contour from the annotated size");
-  lag_app->add_option("recording", input, "of any format in docs/formats.md")
-      ->required();
+  lag_app->add_option("recording", input, "of any format in docs/formats.md")->required();
   lag_app->add_option("--truth", lag.truth, "CSV: t_us,x,y,width,height[,visible]")->required();
   lag_app->add_option("--size-model", lag.size_model, "TOML made by puck-calibrate size")
       ->required();
@@ -151,11 +150,10 @@ int run(int argc, char** argv) {
   HotPixelsCommand hot;
   CLI::App* hot_app =
       app.add_subcommand("hot-pixels", "Finds hot pixels and writes a mask of them");
-  hot_app->add_option("recording", input, "of any format in docs/formats.md")
-      ->required();
+  hot_app->add_option("recording", input, "of any format in docs/formats.md")->required();
   add_event_file_options(*hot_app, hot.file);
 
-  ArmCommand arm;
+  ArmFitCommand arm;
   CLI::App* arm_app =
       app.add_subcommand("arm", "Fits the arm's joint angles along the robot's line");
   add_arm_options(*arm_app, arm);

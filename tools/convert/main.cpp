@@ -12,6 +12,7 @@
 #include "tools/command_line/event_file_options.h"
 #include "tools/command_line/event_filter_options.h"
 #include "tools/command_line/flush_stdout.h"
+#include "tools/command_line/log_prefix_option.h"
 #include "tools/command_line/number_range.h"
 #include "tools/command_line/run_tool.h"
 #include "tools/convert/conversion.h"
@@ -73,7 +74,7 @@ int main(int argc, char** argv) {
   app.add_option("--to", options.to, "format to write; without it, from OUT's ending")
       ->check(CLI::IsMember(puck::written_format_names()));
   puck::add_event_file_options(app, options.file);
-  app.add_option("--prefix", options.prefix, "of the channels in an LCM log");
+  puck::add_log_prefix_option(app, options.prefix);
   constexpr double kLongest_s = 1e9;
   app.add_option_function<double>(
          "--start", [&](double seconds) { options.filter.from_us = std::llround(seconds * 1e6); },

@@ -56,6 +56,7 @@ bool take_record(Channel channel, const LogRecord& record, GameLog& log) {
     case Channel::kArmCommand:
     case Channel::kArmState:
     case Channel::kHead:
+    case Channel::kCameraControl:
       break;
   }
   return true;

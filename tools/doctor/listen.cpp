@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 #include "tools/doctor/udp_listener.h"
 #include "tools/doctor/wire_probe.h"
 

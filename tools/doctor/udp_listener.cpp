@@ -10,7 +10,7 @@
 #include <sys/uio.h>
 #include <time.h>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 #include "common/messaging/ipv4.h"
 
 namespace puck {

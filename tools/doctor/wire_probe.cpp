@@ -10,9 +10,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "common/messages/host_time.h"
 #include "common/messaging/channels.h"
 #include "common/messaging/datagram.h"
-#include "common/messaging/host_time.h"
 #include "common/messaging/ipv4.h"
 #include "common/messaging/message_codec.h"
 #include "common/messaging/session_id.h"

@@ -1,6 +1,6 @@
 #include "tools/evaluate/estimate_log.h"
 
-#include "common/messaging/message_codec.h"
+#include "common/messaging/conversions.h"
 
 namespace puck {
 
@@ -10,7 +10,7 @@ EstimateLog::EstimateLog(const std::filesystem::path& path, const std::string& p
       channel_(channel_name(Channel::kEstimate, prefix)),
       events_session_(events_session) {}
 
-bool EstimateLog::next(puck_estimate_t& estimate) {
+bool EstimateLog::next(PublishedEstimate& estimate) {
   while (!began_anew_ && log_.next(record_)) {
     if (record_.channel != channel_) continue;
     if (decode(record_.bytes, estimate)) {

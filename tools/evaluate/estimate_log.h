@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "common/messaging/channels.h"
+#include "common/messages/published_estimate.h"
 #include "common/messaging/log_file.h"
 #include "common/messaging/loss_accounting.h"
 
@@ -19,7 +19,7 @@ class EstimateLog {
               std::int64_t events_session);
 
   /// False at the end of the log and where the tracker restarted with other events.
-  bool next(puck_estimate_t& estimate);
+  bool next(PublishedEstimate& estimate);
 
   std::int64_t repeated() const { return repeated_; }  ///< Without new events.
   /// Lost on the way to the log.

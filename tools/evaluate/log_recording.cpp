@@ -10,7 +10,6 @@
 #include "common/messaging/conversions.h"
 #include "common/messaging/event_log.h"
 #include "common/messaging/log_file.h"
-#include "common/messaging/message_codec.h"
 
 namespace puck {
 
@@ -36,10 +35,10 @@ std::vector<TruthRow> read_truth_log(const std::filesystem::path& path, const st
   LogRecord record;
   const std::string channel = channel_name(Channel::kTruth, prefix);
   while (log.next(record)) {
-    ground_truth_t m;
-    if (record.channel != channel || decode(record.bytes, m)) continue;
-    if (!rows.empty() && m.sensor_us <= rows.back().time.us) continue;
-    rows.push_back(from_message(m));
+    GroundTruth truth;
+    if (record.channel != channel || decode(record.bytes, truth)) continue;
+    if (!rows.empty() && truth.time <= rows.back().time) continue;
+    rows.push_back(truth);
   }
   return rows;
 }

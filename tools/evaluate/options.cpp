@@ -10,6 +10,7 @@
 #include "common/vision/surface/surface.h"
 #include "tools/command_line/event_file_options.h"
 #include "tools/command_line/event_filter_options.h"
+#include "tools/command_line/log_prefix_option.h"
 #include "tools/command_line/number_range.h"
 
 namespace puck {
@@ -156,7 +157,7 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
       ->check(number_range(0, kLongest_s))
       ->needs(picture);
   picture->excludes(fast);
-  app.add_option("--prefix", options.prefix, "prefix of the channels in a log");
+  add_log_prefix_option(app, options.prefix);
   add_event_file_options(app, options.file);
 }
 

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "common/messaging/conversions.h"
-#include "common/messaging/message_codec.h"
 #include "tools/evaluate/estimate_log.h"
 #include "tools/evaluate/log_recording.h"
 #include "tools/evaluate/replay_feed.h"
@@ -15,7 +14,7 @@ namespace {
 
 // The estimate without host times and host name.
 std::vector<std::uint8_t> bytes_of(const PuckEstimate& estimate, SensorSize sensor) {
-  puck_estimate_t message = to_message(estimate, sensor);
+  PublishedEstimate message{{}, estimate, sensor};
   std::vector<std::uint8_t> bytes;
   encode(message, bytes);
   return bytes;
@@ -56,13 +55,14 @@ class Comparer {
   double max_px_ = 0;
 };
 
-void add_notes(const EstimateLog& log, const puck_estimate_t& last, std::int64_t out_of_step,
+void add_notes(const EstimateLog& log, const PublishedEstimate& last, std::int64_t out_of_step,
                std::vector<std::string>& notes) {
   const auto note = [&](std::int64_t count, const std::string& what) {
     if (count > 0) notes.push_back(std::to_string(count) + " " + what);
   };
-  note(last.packets_lost, "packets were lost on the way to the recorded tracker");
-  note(last.events_skipped, "events were skipped by the recorded tracker to reduce its delay");
+  note(last.packets.lost, "packets were lost on the way to the recorded tracker");
+  note(last.packets.events_skipped,
+       "events were skipped by the recorded tracker to reduce its delay");
   note(log.missing(), "estimates are missing in the log, so their queries are unknown");
   note(log.malformed(), "estimates in the log are malformed");
   note(log.of_others(), "estimates in the log are of another tracker, or rest on other events");
@@ -78,23 +78,22 @@ ReplayResult run_replay(EventReader& events, const std::filesystem::path& path,
                         const std::string& prefix, const TrackerSetup& setup,
                         const OnTick& on_tick) {
   EstimateLog log(path, prefix, session_of_event_log(path, prefix));
-  puck_estimate_t recorded{};
+  PublishedEstimate recorded;
   if (!log.next(recorded)) {
     throw LogFileError(path.string() + ": a log without estimates that rest on its events");
   }
   const std::unique_ptr<TrackingAlgorithm> tracker = setup.make(events.sensor_size());
   ReplayFeed feed(events, *tracker);
   Comparer comparer(events.sensor_size());
-  const bool has_start = feed.skip_to_start(recorded.events_applied, {recorded.sensor_us});
+  const bool has_start = feed.skip_to_start(recorded.events_applied, recorded.newest_event);
   std::int64_t out_of_step = 0;
-  puck_estimate_t last{};
+  PublishedEstimate last;
   do {
     last = recorded;
-    PuckEstimate expected = from_message(recorded);
-    if (!feed.feed(recorded.events_applied, expected.newest_event)) ++out_of_step;
+    if (!feed.feed(recorded.events_applied, recorded.newest_event)) ++out_of_step;
     const PuckEstimate again = tracker->estimate();
-    on_tick({expected.newest_event, again, std::nullopt});
-    comparer.add(expected, again);
+    on_tick({recorded.newest_event, again, std::nullopt});
+    comparer.add(recorded, again);
   } while (log.next(recorded));
 
   ReplayResult result{feed.summary(), comparer.comparison()};

@@ -8,6 +8,7 @@
 #include "common/recording/recording.h"
 #include "tools/command_line/event_file_options.h"
 #include "tools/command_line/flush_stdout.h"
+#include "tools/command_line/log_prefix_option.h"
 #include "tools/command_line/run_tool.h"
 #include "tools/info/plots.h"
 #include "tools/info/report.h"
@@ -49,7 +50,7 @@ int main(int argc, char** argv) {
   app.add_flag("--json", options.as_json, "one JSON object on stdout");
   app.add_option("--plots", options.plots,
                  "folder for rate.png and pixels.png; needs python3-matplotlib");
-  app.add_option("--prefix", options.prefix, "of the channels in an LCM log");
+  puck::add_log_prefix_option(app, options.prefix);
   puck::add_event_file_options(app, options.event_file);
   return puck::run_tool(app, argc, argv, "puck-info", [&] { return puck::tell(options) ? 0 : 1; });
 }

@@ -1,7 +1,5 @@
 #include "tools/play/closed_loop.h"
 
-#include "common/messaging/conversions.h"
-
 namespace puck {
 
 ClosedLoop::ClosedLoop(const PlaySetup& setup, std::int64_t seed)
@@ -46,31 +44,26 @@ void ClosedLoop::look() {
 
 void ClosedLoop::send(const PuckEstimate& estimate, std::int64_t extra_us) {
   if (on_estimate_) on_estimate_(estimate);
-  puck_estimate_t message = to_message(estimate, setup_.world.sensor_size);
-  message.utime = host_time_of(now()).utime;
-  message.session = kTrackerSession;
-  message.seq = estimates_++;
-  message.events_session = kCameraSession;
-  message.event_utime = host_time_of(estimate.newest_event).utime;
-  message.flags |= puck_estimate_t::FLAG_LIVE;
-  link_.send(message, now().us, extra_us);
+  PublishedEstimate sent{{host_time_of(now()).utime, kTrackerSession, estimates_++}, estimate};
+  sent.sensor = setup_.world.sensor_size;
+  sent.events_session = kCameraSession;
+  sent.event_utime = host_time_of(estimate.newest_event).utime;
+  sent.is_live = true;
+  link_.send(sent, now().us, extra_us);
 }
 
 void ClosedLoop::deliver() {
   const HostNow now = host_time_of(this->now());
   while (const auto estimate = link_.receive(this->now().us)) {
-    is_tracked_ = estimate->state == puck_estimate_t::STATE_TRACKING;
+    is_tracked_ = estimate->state == TrackState::kTracking;
     bridge_.hear(*estimate, now, kSameClock);
     arm_.controller().hear(*estimate, now, kSameClock);
   }
 }
 
 void ClosedLoop::hear_head() {
-  head_state_t message = to_message(truth().head, now());
-  message.utime = host_time_of(now()).utime;
-  message.session = kCameraSession;
-  message.seq = heads_++;
-  bridge_.hear(message, host_time_of(now()));
+  const HostNow host = host_time_of(now());
+  bridge_.hear({{host.utime, kCameraSession, heads_++}, truth().head, now()}, host);
 }
 
 }  // namespace puck

@@ -39,7 +39,7 @@ class ClosedLoop {
     on_estimate_ = std::move(call);
   }
   /// Called with every TRAJECTORY, which is made only for this call.
-  void on_trajectory(std::function<void(const puck_trajectory_t&)> call) {
+  void on_trajectory(std::function<void(const TableTrajectory&)> call) {
     on_trajectory_ = std::move(call);
   }
 
@@ -56,7 +56,7 @@ class ClosedLoop {
   PlayBridge bridge_;
   SteppedArm arm_;
   std::function<void(const PuckEstimate&)> on_estimate_;
-  std::function<void(const puck_trajectory_t&)> on_trajectory_;
+  std::function<void(const TableTrajectory&)> on_trajectory_;
   std::int64_t estimates_ = 0;
   std::int64_t commands_ = 0;
   std::int64_t heads_ = 0;

@@ -15,19 +15,12 @@ struct Moment {
   std::optional<Intercept> predicted;
 };
 
-std::optional<Intercept> intercept_of(const puck_trajectory_t& message) {
-  if (!message.crosses) return std::nullopt;
-  return Intercept{message.line_x_m,           message.crossing_y_m,     message.crossing_in_s,
-                   message.crossing_speed_m_s, message.crossing_bounces, message.crossing_sigma_y_m,
-                   message.crossing_sigma_t_s};
-}
-
 std::vector<Moment> watch_predictions(const PlaySetup& setup, const ShotFacts& facts) {
   std::vector<Moment> moments;
   ClosedLoop loop(setup, facts.seed);
-  loop.on_trajectory([&](const puck_trajectory_t& message) {
-    const Timestamp t{message.sensor_us};
-    if (t > facts.hit && t < facts.crossing) moments.push_back({t, intercept_of(message)});
+  loop.on_trajectory([&](const TableTrajectory& trajectory) {
+    const Timestamp t = trajectory.at;
+    if (t > facts.hit && t < facts.crossing) moments.push_back({t, trajectory.crossing});
   });
   while (loop.now() < facts.crossing) loop.step();
   return moments;

@@ -41,15 +41,15 @@ bool EstimateLink::is_lost(std::int64_t now_us) {
   return in_burst_;
 }
 
-void EstimateLink::send(const puck_estimate_t& estimate, std::int64_t now_us,
+void EstimateLink::send(const PublishedEstimate& estimate, std::int64_t now_us,
                         std::int64_t extra_us) {
   if (is_lost(now_us)) return;
   under_way_.push_back({now_us + params_.latency_us + extra_us, estimate});
 }
 
-std::optional<puck_estimate_t> EstimateLink::receive(std::int64_t now_us) {
+std::optional<PublishedEstimate> EstimateLink::receive(std::int64_t now_us) {
   if (under_way_.empty() || under_way_.front().arrives_us > now_us) return std::nullopt;
-  const puck_estimate_t estimate = under_way_.front().estimate;
+  const PublishedEstimate estimate = under_way_.front().estimate;
   under_way_.pop_front();
   return estimate;
 }

@@ -4,7 +4,7 @@
 #include <deque>
 #include <optional>
 
-#include "common/messaging/channels.h"
+#include "common/messages/published_estimate.h"
 #include "common/simulation/random.h"
 
 namespace puck {
@@ -27,14 +27,14 @@ class EstimateLink {
   /// Whether to make an estimate at `now_us`; once per period.
   bool is_due(std::int64_t now_us);
   /// Sends an estimate, with `extra_us` more delay than usual.
-  void send(const puck_estimate_t& estimate, std::int64_t now_us, std::int64_t extra_us = 0);
+  void send(const PublishedEstimate& estimate, std::int64_t now_us, std::int64_t extra_us = 0);
   /// The next estimate that has arrived by `now_us`.
-  std::optional<puck_estimate_t> receive(std::int64_t now_us);
+  std::optional<PublishedEstimate> receive(std::int64_t now_us);
 
  private:
   struct Sent {
     std::int64_t arrives_us = 0;
-    puck_estimate_t estimate;
+    PublishedEstimate estimate;
   };
 
   bool is_lost(std::int64_t now_us);

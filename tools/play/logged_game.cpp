@@ -3,9 +3,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "common/messaging/channels.h"
+#include "common/messaging/conversions.h"
 #include "common/messaging/log_file.h"
-#include "common/messaging/message_codec.h"
 
 namespace puck {
 namespace {
@@ -21,8 +20,8 @@ void take(const LogRecord& record, std::optional<Message>& newest) {
 SaveFigures figures_of_log(const std::filesystem::path& path) {
   LogReader reader(path);
   LogRecord record;
-  std::optional<ground_truth_t> truth;
-  std::optional<game_state_t> game;
+  std::optional<GroundTruth> truth;
+  std::optional<GameState> game;
   std::optional<std::int64_t> first_utime;
   std::int64_t last_utime = 0;
   while (reader.next(record)) {
@@ -44,7 +43,7 @@ SaveFigures figures_of_log(const std::filesystem::path& path) {
     figures.believed_saves = game->saves;
     figures.believed_goals = game->goals_against;
   }
-  figures.played_s = static_cast<double>(truth->sensor_us) * 1e-6;
+  figures.played_s = static_cast<double>(truth->time.us) * 1e-6;
   figures.took_s = static_cast<double>(last_utime - first_utime.value_or(last_utime)) * 1e-6;
   return figures;
 }

@@ -43,27 +43,19 @@ class Oracle {
   /// Moves the arm towards the target and returns its position.
   double move(Timestamp now, double target_m) {
     const HostNow host = host_time_of(now);
-    puck_estimate_t estimate{};
-    estimate.utime = host.utime;
-    estimate.session = kTrackerSession;
-    estimate.seq = seq_;
+    PublishedEstimate estimate{{host.utime, kTrackerSession, seq_}};
     estimate.events_session = kCameraSession;
-    estimate.sensor_us = now.us;
-    estimate.state = puck_estimate_t::STATE_TRACKING;
-    estimate.flags = puck_estimate_t::FLAG_POSITION;
-    estimate.flags |= puck_estimate_t::FLAG_LIVE;
+    estimate.newest_event = now;
+    estimate.state = TrackState::kTracking;
+    estimate.position = Pixel{};
+    estimate.is_live = true;
     arm_.controller().hear(estimate, host, kSameClock);
 
-    const arm_state_t state = arm_.controller().state();
-    arm_command_t command{};
-    command.utime = host.utime;
-    command.session = kBridgeSession;
-    command.seq = seq_++;
-    command.mode = arm_command_t::MODE_FOLLOW;
+    const ArmState state = arm_.controller().state();
+    ArmCommand command{{host.utime, kBridgeSession, seq_++}};
     command.target_m = std::clamp(target_m, state.line_min_m, state.line_max_m);
     command.valid_for_us = 100'000;
-    command.estimate_session = kTrackerSession;
-    command.estimate_seq = estimate.seq;
+    command.estimate = estimate.id();
     command.arm_session = kArmSession;
     arm_.controller().hear(command, host, kSameClock);
     arm_.step_until(now);

@@ -5,8 +5,8 @@
 
 #include "common/control/arm_controller.h"
 #include "common/events/timestamp.h"
-#include "common/messaging/clock_offset.h"
-#include "common/messaging/host_now.h"
+#include "common/messages/clock_offset.h"
+#include "common/messages/host_now.h"
 
 namespace puck {
 
@@ -39,10 +39,10 @@ class SteppedArm {
     }
   }
   /// ARM_STATE, if due.
-  std::optional<arm_state_t> next_state(Timestamp now) {
+  std::optional<ArmState> next_state(Timestamp now) {
     if (now < next_state_) return std::nullopt;
     next_state_ = next_state_ + kStatePeriodUs;
-    arm_state_t state = arm_.state();
+    ArmState state = arm_.state();
     state.utime = host_time_of(now).utime;
     state.session = kArmSession;
     state.seq = states_++;

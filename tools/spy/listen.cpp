@@ -4,7 +4,7 @@
 #include <mutex>
 #include <thread>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 #include "tools/spy/spy_model.h"
 #include "tools/spy/spy_view.h"
 #include "tools/spy/terminal.h"

@@ -8,6 +8,8 @@ namespace {
 // Weight of a prior at the start, in bright pixels: stops a drift along an edge.
 constexpr double kInertia = 2;
 
+constexpr double kConverged_px = 0.02;
+
 }  // namespace
 
 RefinedPeak refine_peak(const RingSamples& samples, const PeakRefinementParams& params) {
@@ -21,7 +23,7 @@ RefinedPeak refine_peak(const RingSamples& samples, const PeakRefinementParams& 
     float yy = 0;
     float pull_x = 0;
     float pull_y = 0;
-    for (const RingSample& sample : samples.near()) {
+    for (const RingSample& sample : samples.bright()) {
       const float distance =
           sample.distance_px - sample.normal_x * shift_x - sample.normal_y * shift_y;
       const float u = distance * per_half_width;
@@ -44,10 +46,12 @@ RefinedPeak refine_peak(const RingSamples& samples, const PeakRefinementParams& 
     const double px = pull_x / 255.0 - kInertia * peak.shift.x;
     const double py = pull_y / 255.0 - kInertia * peak.shift.y;
     const double determinant = a * c - b * b;
+    const Pixel before = peak.shift;
     peak.shift.x += (c * px - b * py) / determinant;
     peak.shift.y += (a * py - b * px) / determinant;
     peak.shift.x = std::clamp(peak.shift.x, -params.farthest_px, params.farthest_px);
     peak.shift.y = std::clamp(peak.shift.y, -params.farthest_px, params.farthest_px);
+    if (distance_px(peak.shift, before) < kConverged_px) break;
   }
   return peak;
 }

@@ -54,6 +54,7 @@ double RingSamples::reach_y(const ContourRing& ring) {
 void RingSamples::gather(ImageView<const std::uint8_t> picture, const Region& place,
                          const ContourRing& ring, Pixel centre) {
   near_.clear();
+  bright_ = 0;
   inside_sum_ = 0;
   inside_pixels_ = 0;
   // Also when it is not a number.
@@ -88,6 +89,9 @@ void RingSamples::gather(ImageView<const std::uint8_t> picture, const Region& pl
                        offset.sector});
     }
   }
+  const auto dark = std::partition(near_.begin(), near_.end(),
+                                   [](const RingSample& sample) { return sample.grey > 0; });
+  bright_ = static_cast<std::size_t>(dark - near_.begin());
 }
 
 }  // namespace puck

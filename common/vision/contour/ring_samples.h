@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/vision/contour/puck_contour.h"
@@ -34,11 +36,14 @@ class RingSamples {
               Pixel centre);
 
   const std::vector<RingSample>& near() const { return near_; }
+  /// Those of near() that are not dark.
+  std::span<const RingSample> bright() const { return std::span(near_).first(bright_); }
   double inside_sum() const { return inside_sum_; }
   int inside_pixels() const { return inside_pixels_; }
 
  private:
-  std::vector<RingSample> near_;
+  std::vector<RingSample> near_;  // bright ones first
+  std::size_t bright_ = 0;
   double inside_sum_ = 0;
   int inside_pixels_ = 0;
 };

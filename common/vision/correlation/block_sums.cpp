@@ -100,5 +100,16 @@ std::int64_t BlockSums::most_in(int width, int height) {
   return most;
 }
 
+const std::vector<std::uint32_t>& BlockSums::columns_between(int first, int last) {
+  of_columns_.assign(static_cast<std::size_t>(sums_.width()), 0);
+  const int first_block = std::max(first, 0) / kSide;
+  const int last_block = std::min(blocks_in(std::max(last, 0)), sums_.height());
+  for (int row = first_block; row < last_block; ++row) {
+    const std::uint32_t* sums = sums_.row(row);
+    for (std::size_t x = 0; x < of_columns_.size(); ++x) of_columns_[x] += sums[x];
+  }
+  return of_columns_;
+}
+
 }  // namespace puck
 #endif

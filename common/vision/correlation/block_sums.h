@@ -19,6 +19,10 @@ class BlockSums {
   /// edge: the largest sum of the blocks that such a rectangle can touch.
   std::int64_t most_in(int width, int height);
 
+  /// Upper bounds on the grey between two rows of the picture, the second one excluded, in each
+  /// column of blocks. Valid until the next call.
+  const std::vector<std::uint32_t>& columns_between(int first, int last);
+
  private:
   Image<std::uint32_t> sums_;
   Image<std::uint32_t> of_rows_;

@@ -139,9 +139,13 @@ void Correlation::sum_shapes(const EllipseKernel& kernel, const Region& candidat
   }
 }
 
-double Correlation::lower_bound(const EllipseKernel& kernel) {
+void Correlation::sum_blocks() {
   if (!in_blocks_) blocks_.set_picture(picture_);
   in_blocks_ = true;
+}
+
+double Correlation::lower_bound(const EllipseKernel& kernel) {
+  sum_blocks();
   const bool mirrors_once =
       picture_.width() > 2 * GaussianBlur::kRadius && picture_.height() > 2 * GaussianBlur::kRadius;
   if (blurs_ && !mirrors_once) return kernel.lowest_response();

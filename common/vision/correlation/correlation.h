@@ -45,11 +45,18 @@ class Correlation {
   /// Lower bound on the weighted response at any candidate, without correlating.
   double lower_bound(const EllipseKernel& kernel);
 
+  /// Calls `on_part(const Region&)` with parts of a row of candidates, from left to right: all
+  /// places at which the kernel covers a sum of grey of `least` or more, and some others.
+  template <typename OnPart>
+  void for_each_bright_part(const EllipseKernel& kernel, const Region& row, double least,
+                            const OnPart& on_part);
+
   /// Similarity of the place around pixel (x, y) to a puck: EllipseKernel::contrast.
   double contrast_at(const EllipseKernel& kernel, int x, int y);
 
  private:
   void show(ImageView<const std::uint8_t> picture, const Region& region, bool blurs);
+  void sum_blocks();
   void cover_reach(const EllipseKernel& kernel, const Region& candidates);
   // Returns the lowest response, if the kernel's measure is a sum with whole weights.
   std::optional<double> weigh(const EllipseKernel& kernel, const Region& candidates,
@@ -70,5 +77,32 @@ class Correlation {
   KernelSweep::Totals totals_;
   std::array<KernelSweep::Totals, 3> sums_;
 };
+
+template <typename OnPart>
+void Correlation::for_each_bright_part(const EllipseKernel& kernel, const Region& row, double least,
+                                       const OnPart& on_part) {
+  constexpr int kSide = BlockSums::kSide;
+  sum_blocks();
+  // What the kernel covers from the row's first place, in the picture, and the blur beyond it.
+  const int blur = blurs_ ? GaussianBlur::kRadius : 0;
+  const int top = row.y - kernel.anchor_y() - blur - region_.y;
+  const int left = row.x - kernel.anchor_x() - blur - region_.x;
+  const auto& columns = blocks_.columns_between(top, top + kernel.height() + 2 * blur);
+  Region part{row.x, row.y, 0, 1};
+  for (int x = 0; x < row.width; x += kSide) {
+    const int places = std::min(kSide, row.width - x);
+    const int first = std::max(left + x, 0);
+    const int last = std::min(left + x + places - 1 + kernel.width() + 2 * blur, picture_.width());
+    double grey = 0;
+    for (int i = first / kSide; i * kSide < last; ++i) grey += columns[static_cast<std::size_t>(i)];
+    if (grey >= least) {
+      part.width += places;
+      continue;
+    }
+    if (!part.empty()) on_part(part);
+    part = {row.x + x + places, row.y, 0, 1};
+  }
+  if (!part.empty()) on_part(part);
+}
 
 }  // namespace puck

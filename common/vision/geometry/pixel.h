@@ -12,7 +12,9 @@ struct Pixel {
   friend constexpr bool operator==(Pixel, Pixel) = default;
 };
 
-inline double distance_px(Pixel a, Pixel b) { return std::hypot(a.x - b.x, a.y - b.y); }
+inline double distance_px(Pixel a, Pixel b) {
+  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+}
 
 /// A velocity in the image, px/s.
 struct PixelVelocity {

@@ -44,7 +44,8 @@ EvidencePipeline::EvidencePipeline(SensorSize sensor, const EvidencePipelinePara
                 context_.contour.other_wall_share() != context_.contour.calibrated_wall_share()),
       history_(sensor),
       noise_floor_(sensor),
-      background_(sensor, params.decision.scene_cells) {
+      background_(sensor, params.decision.scene_cells),
+      near_(sensor) {
   all_.reserve(kMostHypotheses);
   missed_.reserve(kMostMissed);
   piece_.reserve(kUsualPiece);
@@ -57,16 +58,18 @@ void EvidencePipeline::take(Timestamp start, std::span<const Event> events) {
     if (i + kFetchedAhead < events.size()) history_.fetch(events[i + kFetchedAhead]);
     const Event& event = events[i];
     const std::int64_t time_us = (start + event.offset_us).us;
-    decide_before(time_us);
+    if (time_us > decided_us_ + kDecision_us) decide_before(time_us);
     now_us_ = std::max(now_us_, time_us);
     noise_floor_.take(event.x, event.y);
     const bool first = history_.is_first(event, time_us);
     if (!puck_.contains(event.x, event.y)) background_.take(event.x, event.y);
-    piece_.push_back({time_us, static_cast<float>(event.x), static_cast<float>(event.y),
-                      event.polarity != 0, first});
-    if (missed_in_.contains(event.x, event.y) && missed_.size() < kMostMissed) {
-      missed_.push_back(piece_.back());
-    }
+    const bool is_near = near_.contains(event.x, event.y);
+    const bool is_missed = missed_in_.contains(event.x, event.y) && missed_.size() < kMostMissed;
+    if (!is_near && !is_missed) continue;
+    const TimedEvent timed{time_us, static_cast<float>(event.x), static_cast<float>(event.y),
+                           event.polarity != 0, first};
+    if (is_near) piece_.push_back(timed);
+    if (is_missed) missed_.push_back(timed);
   }
   for (Hypothesis& hypothesis : all_) hypothesis.take(piece_, context_);
 }
@@ -104,6 +107,15 @@ void EvidencePipeline::decide(std::int64_t time_us) {
   prune(time_us);
   puck_ = is_sure() ? box_of(all_[*main_]) : Region{};
   decided_us_ = time_us;
+  note_near();
+}
+
+// Where hypotheses may take events until the next decision.
+void EvidencePipeline::note_near() {
+  near_.clear();
+  for (const Hypothesis& hypothesis : all_) {
+    near_.add(hypothesis.reach(static_cast<double>(kDecision_us) * 1e-6));
+  }
 }
 
 // Returns whether a packet of evidence was full.
@@ -381,9 +393,13 @@ double EvidencePipeline::reach_px(std::int64_t time_us) const {
 void EvidencePipeline::plan_search(std::int64_t time_us) {
   constexpr std::int64_t kNearPeriod_us = 5'000;
   constexpr std::int64_t kWidePeriod_us = 20'000;
+  constexpr std::int64_t kRarePeriod_us = 5'000;
   constexpr double kReaches = 4;
+  // What has not been seen for longer is searched for less often.
+  constexpr std::int64_t kLately_us = 300'000;
+  const bool was_seen_lately = was_confirmed_ && time_us - seen_us_ < kLately_us;
   if (!missed_in_.empty() || time_us < next_search_us_ || (is_sure() && !explores_)) return;
-  next_search_us_ = time_us + kNearPeriod_us;
+  next_search_us_ = time_us + (was_seen_lately ? kNearPeriod_us : kRarePeriod_us);
   const Region image = Region::all_of(sensor_);
   wanted_ = {.fresh_only = true};
   const bool is_wide = !main_ || time_us >= next_wide_us_;
@@ -452,6 +468,7 @@ void EvidencePipeline::take(const SearchResult& result) {
     if (Hypothesis* added = add(hypothesis, now_us_)) catch_up(*added);
   }
   missed_.clear();
+  note_near();
 }
 
 // What a search found was there when its snapshot was taken.

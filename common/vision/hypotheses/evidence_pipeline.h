@@ -8,6 +8,7 @@
 
 #include "common/vision/geometry/puck_size_model.h"
 #include "common/vision/hypotheses/hypothesis.h"
+#include "common/vision/hypotheses/near_cells.h"
 #include "common/vision/interfaces/tracking_pipeline.h"
 #include "common/vision/scene/background.h"
 #include "common/vision/scene/noise_floor.h"
@@ -53,6 +54,7 @@ class EvidencePipeline final : public TrackingPipeline {
 
   void decide_before(std::int64_t time_us);
   void decide(std::int64_t time_us);
+  void note_near();
   bool weigh(Hypothesis& hypothesis, std::int64_t time_us);
   bool is_seen(std::int64_t time_us) const;
   bool teaches() const;
@@ -88,6 +90,7 @@ class EvidencePipeline final : public TrackingPipeline {
   EventHistory history_;
   NoiseFloor noise_floor_;
   Background background_;
+  NearCells near_;  // to the hypotheses
 
   std::vector<Hypothesis> all_;
   std::optional<std::size_t> main_;
@@ -98,7 +101,7 @@ class EvidencePipeline final : public TrackingPipeline {
   double seen_mark_ = 1;
   std::int64_t seen_us_ = 0;
 
-  std::vector<TimedEvent> piece_;
+  std::vector<TimedEvent> piece_;   // near hypotheses
   std::vector<TimedEvent> missed_;  // since the search began
   Region missed_in_;                // empty: no search runs
   SearchRequest wanted_;

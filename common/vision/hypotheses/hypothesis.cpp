@@ -88,8 +88,21 @@ double Hypothesis::density(const GameTraits& game) const {
   return game.knows_density() ? game.density() : (3 + own_events_) / (3 + own_swept_);
 }
 
+Region Hypothesis::reach(double seconds) const {
+  // By which events may correct the position, and the size change.
+  constexpr double kCorrected_px = 8;
+  const PixelVelocity velocity = filter_.velocity();
+  const Pixel middle{filter_.position().x + velocity.x * seconds / 2,
+                     filter_.position().y - ring_.rise + velocity.y * seconds / 2};
+  const double half_width =
+      ring_.half_width() + areas_.reach_px + std::abs(velocity.x) * seconds / 2 + kCorrected_px;
+  const double half_height =
+      ring_.semi_y + areas_.reach_px + std::abs(velocity.y) * seconds / 2 + kCorrected_px;
+  return Region::around(middle, 2 * static_cast<int>(half_width) + 1,
+                        2 * static_cast<int>(half_height) + 1);
+}
+
 void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext& context) {
-  follow_contour(context);
   const double reach_x = ring_.half_width() + areas_.reach_px;
   const double reach_y = ring_.semi_y + areas_.reach_px;
   const double damping = damping_s();
@@ -101,15 +114,15 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
   const double density_all = density(game) * game.multiplicity();
   const double clutter = std::max(game.noise_px2_s, clutter_px2_s_) + kLeastClutter_px2_s;
   for (const TimedEvent& event : events) {
-    // A fast one moves on in the meantime.
-    const double ahead_s = static_cast<double>(event.time_us - filter_.time_us()) * 1e-6;
+    // In between, the position is extrapolated.
+    constexpr std::int64_t kPredicted_us = 10;
+    const std::int64_t ahead_us = event.time_us - filter_.time_us();
     const PixelVelocity velocity = filter_.velocity();
-    double dx = event.x - filter_.position().x - ahead_s * velocity.x;
-    double dy = event.y - filter_.position().y - ahead_s * velocity.y;
+    const double ahead_s = static_cast<double>(ahead_us) * 1e-6;
+    const double dx = event.x - filter_.position().x - ahead_s * velocity.x;
+    const double dy = event.y - filter_.position().y - ahead_s * velocity.y;
     if (std::abs(dx) > reach_x || std::abs(dy + ring_.rise) > reach_y) continue;
-    filter_.predict(event.time_us, damping);
-    dx = event.x - filter_.position().x;
-    dy = event.y - filter_.position().y;
+    if (ahead_us >= kPredicted_us) filter_.predict(event.time_us, damping);
     const ContourOffset offset = ring_.offset(dx, dy, filter_.growth_px());
     const double normal_speed =
         offset.normal_x * filter_.velocity().x + offset.normal_y * filter_.velocity().y;
@@ -139,11 +152,7 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
     }
     counted_ += 1;
     if (tells && (contrast > 0 ? tone : -tone) < -kKnownTone) continue;
-    const double gate =
-        std::clamp(params.gate_sigma *
-                       std::sqrt(filter_.distance_variance(offset.normal_x, offset.normal_y) + 1),
-                   params.gate_px, std::max(params.gate_px, kLargestGate_px));
-    if (std::abs(distance) >= gate) continue;
+    if (is_beyond_gate(distance, offset, params)) continue;
     // Probability that the event is of the contour: as many as its speed, or the error of that,
     // makes there, against all that happens beside it.
     const double variance = filter_.speed_variance(offset.normal_x, offset.normal_y);
@@ -151,6 +160,15 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
     const double own = density_all * speed / (2 * EvidencePacket::kBand_px);
     filter_.correct(distance, offset.normal_x, offset.normal_y, own / (own + clutter));
   }
+}
+
+bool Hypothesis::is_beyond_gate(double distance, const ContourOffset& offset,
+                                const DecisionParams& params) const {
+  const double squared = distance * distance;
+  if (squared < params.gate_px * params.gate_px) return false;
+  const double variance = filter_.distance_variance(offset.normal_x, offset.normal_y) + 1;
+  return squared >= kLargestGate_px * kLargestGate_px ||
+         squared >= params.gate_sigma * params.gate_sigma * variance;
 }
 
 bool Hypothesis::decide(std::int64_t time_us, const TrackingContext& context) {
@@ -216,7 +234,7 @@ void Hypothesis::sweep(double seconds, SensorSize sensor, double leading_share) 
     ++seen;
     const double gx = u / ring_.semi_x;
     const double gy = v / semi_y - ring_.shear * gx;
-    const double slope = std::hypot(gx, gy);
+    const double slope = std::sqrt(gx * gx + gy * gy);
     // Length of the contour that the point stands for: an ellipse's area element is a·b·dθ.
     const double length = ring_.semi_x * semi_y * slope * 2 * std::numbers::pi / kPoints;
     const double nx = gx / slope;

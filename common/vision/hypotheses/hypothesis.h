@@ -7,6 +7,7 @@
 #include "common/events/sensor_size.h"
 #include "common/vision/contour/contour_filter.h"
 #include "common/vision/contour/puck_contour.h"
+#include "common/vision/geometry/region.h"
 #include "common/vision/hypotheses/decision_params.h"
 #include "common/vision/hypotheses/evidence.h"
 #include "common/vision/hypotheses/puck_belief.h"
@@ -68,6 +69,8 @@ class Hypothesis {
   /// Time constant of its speed.
   double damping_s() const;
   double width_px() const { return 2 * ring_.half_width(); }
+  /// The pixels whose events of the next `seconds` take() may use.
+  Region reach(double seconds) const;
   std::int64_t decided_us() const { return decided_us_; }
   /// The last full packet, and what it said.
   const EvidencePacket& packet() const { return closed_; }
@@ -99,6 +102,8 @@ class Hypothesis {
   bool is_newcomer = true;
 
  private:
+  bool is_beyond_gate(double distance, const ContourOffset& offset,
+                      const DecisionParams& params) const;
   void follow_contour(const TrackingContext& context);
   void sweep(double seconds, SensorSize sensor, double leading_share);
   void measure_clutter(double seconds);

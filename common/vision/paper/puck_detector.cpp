@@ -31,6 +31,10 @@ KernelGeometry fixed_geometry(int height_px) {
   return geometry;
 }
 
+// A puck makes more than so many events, each of which is bright at first, or nothing tells it from
+// noise.
+constexpr double kLeastGrey = 8 * 255;
+
 bool better(const PuckDetector::Detection& a, const PuckDetector::Detection& b) {
   return a.response > b.response;
 }
@@ -90,11 +94,21 @@ void PuckDetector::find_best(Correlation& picture, const EllipseKernel& kernel,
 
 void PuckDetector::find_peaks(Correlation& picture, const Region& where, const KernelBank& bank) {
   responses_.resize(where.width, (where.height + kRowStep - 1) / kRowStep);
+  parts_.clear();
+  // Once, for any number of parts: dark blocks lie between them.
+  constexpr int kLeastApart = 2 * BlockSums::kSide;
+  parts_.reserve(static_cast<std::size_t>(responses_.height() * (where.width / kLeastApart + 1)));
   picture.cover(where.inflated(bank.reach_beyond(where, size_model_)));
   for (int row = 0; row < responses_.height(); ++row) {
     const Region line{where.x, where.y + row * kRowStep, where.width, 1};
-    picture.correlate(bank.nearest(size_model_.at(line.centre())), line, map_);
-    std::copy_n(map_.response.row(0), where.width, responses_.row(row));
+    const EllipseKernel& kernel = bank.nearest(size_model_.at(line.centre()));
+    float* responses = responses_.row(row);
+    std::fill_n(responses, where.width, -std::numeric_limits<float>::infinity());
+    picture.for_each_bright_part(kernel, line, kLeastGrey, [&](const Region& part) {
+      parts_.push_back(part);
+      picture.correlate(kernel, part, map_);
+      std::copy_n(map_.response.row(0), part.width, responses + (part.x - where.x));
+    });
   }
   collect_peaks(where);
   keep_best_apart();
@@ -106,8 +120,9 @@ void PuckDetector::find_peaks(Correlation& picture, const Region& where, const K
 void PuckDetector::collect_peaks(const Region& where) {
   peaks_.clear();
   const auto threshold = static_cast<float>(params_.threshold);
-  for (int y = 0; y < responses_.height(); ++y) {
-    for (int x = 0; x < where.width; ++x) {
+  for (const Region& part : parts_) {
+    const int y = (part.y - where.y) / kRowStep;
+    for (int x = part.x - where.x; x < part.right() - where.x; ++x) {
       const float response = responses_(x, y);
       if (!(response > threshold)) continue;
       bool highest = true;

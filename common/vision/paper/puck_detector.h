@@ -71,7 +71,8 @@ class PuckDetector {
   PuckSizeModel size_model_;
   EllipseKernel fixed_kernel_;
   CorrelationMap map_;
-  Image<float> responses_;  // of the rows of a search
+  Image<float> responses_;     // of the rows of a search
+  std::vector<Region> parts_;  // of these rows, that are bright
   std::vector<Detection> peaks_;
   std::vector<Detection> found_;
 };

@@ -105,7 +105,8 @@ void Background::decide(std::int64_t time_us, double noise_per_pixel_us) {
   for (const Pixel& then : then_) map_.add(then);
   map_.note_noise(noise);
   taken_.clear();
-  stride_ = 1 + seen_ / kMostEvents;
+  stride_ = 1 + seen_ / static_cast<std::int64_t>(kMostEvents);
+  until_taken_ = 1;
   seen_ = 0;
 }
 

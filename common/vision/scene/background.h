@@ -28,7 +28,10 @@ class Background {
 
   /// Takes an event of anywhere in the image, but not of the puck's. Of too many it takes some.
   void take(double x, double y) {
-    if (seen_++ % stride_ == 0 && taken_.size() < kMostEvents) taken_.push_back({x, y});
+    ++seen_;
+    if (--until_taken_ > 0 || taken_.size() == kMostEvents) return;
+    until_taken_ = stride_;
+    taken_.push_back({x, y});
   }
 
   /// To be called at each decision. `noise_per_pixel_us`: NoiseFloor's.
@@ -85,8 +88,9 @@ class Background {
   TurnTrail trail_;
   std::vector<Pixel> taken_;
   std::vector<Pixel> then_;  // where they lie on the map
-  std::uint64_t seen_ = 0;   // in this period
-  std::uint64_t stride_ = 1;
+  std::int64_t seen_ = 0;    // in this period
+  std::int64_t stride_ = 1;  // Of so many events one is taken.
+  std::int64_t until_taken_ = 1;
   std::int64_t aligned_us_ = 0;
   double still_level_ = kStill;  // more than noise has on the map
   Cells activity_{};             // events on the map, fading

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 #include "tests/bench/live/live_measurements.h"
 #include "tests/support/crowd_publisher.h"
 

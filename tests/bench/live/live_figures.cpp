@@ -86,6 +86,8 @@ Json to_json(const LiveFigures& f) {
   json["lcm_lossless_mev_s"] =
       has_transport ? Json(highest_lossless_mev_s(f.transport)) : Json(nullptr);
   json["lcm_lost"] = has_transport ? Json(f.transport.front().lost()) : Json(nullptr);
+  json["lcm_tracker_cpu_percent"] =
+      has_transport ? Json(f.transport.front().cpu.at("puck-tracker")) : Json(nullptr);
   json["lcm_sent_mev_s"] = has_transport ? Json(f.transport.front().sent_mev_s) : Json(nullptr);
   const bool has_network = !f.network_transport.empty();
   json["network_lossless_mev_s"] =

@@ -32,6 +32,7 @@ const std::vector<Bar> kBars{
     {"evt3_decode_mev_s", "EVT3 decoding", kAtLeast, 200, std::nullopt},
     {"packet_decode_mev_s", "decoding of packets", kAtLeast, 500, std::nullopt},
     {"lcm_lossless_mev_s", "camera to estimate through LCM", kAtLeast, 10, 40},
+    {"lcm_tracker_cpu_percent", "the tracker at that rate, of one core", kAtMost, 60, std::nullopt},
     {"lcm_lost", "events lost on that way", kAtMost, 0, std::nullopt},
     {"key_cost_percent", "a key, to the processor time of all", kAtMost, 15, std::nullopt},
     {"key_cost_frame_percent", "the same, a packet a frame", kAtMost, 15, std::nullopt},
@@ -39,6 +40,13 @@ const std::vector<Bar> kBars{
     {"packet_to_estimate_p50_us", "packet to estimate, median", kAtMost, 50, std::nullopt},
     {"packet_to_estimate_p99_us", "packet to estimate, 99 %", kAtMost, 500, std::nullopt},
     {"still_scene_cpu_percent", "a still scene, of one core", kAtMost, 5, std::nullopt},
+    {"load_default_10000kev_core_percent", "surface and tracking, 10 Mev/s, one thread", kAtMost,
+     60, std::nullopt},
+    {"load_default_10000kev_ratio", "the same, to OpenCV's surface alone", kReport, 0,
+     std::nullopt},
+    {"load_lamp_5kev_core_percent", "a flickering lamp, no puck, one thread", kAtMost, 10,
+     std::nullopt},
+    {"load_lamp_5kev_tracked_percent", "and of its time, tracked", kAtMost, 0, std::nullopt},
 };
 
 }  // namespace

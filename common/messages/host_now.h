@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 
 namespace puck {
 

@@ -1,4 +1,4 @@
-#include "common/messaging/host_time.h"
+#include "common/messages/host_time.h"
 
 #include <ctime>
 

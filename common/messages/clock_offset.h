@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/messaging/host_now.h"
+#include "common/messages/host_now.h"
 
 namespace puck {
 

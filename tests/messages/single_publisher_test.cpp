@@ -1,4 +1,4 @@
-#include "common/messaging/single_publisher.h"
+#include "common/messages/single_publisher.h"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,105 @@
+#include "services/camera/camera_request.h"
+
+#include <algorithm>
+
+#include "common/messages/host_time.h"
+#include "common/messaging/conversions.h"
+
+namespace puck {
+namespace {
+
+// STATUS comes every 100 ms.
+constexpr std::int64_t kSilentUs = 400'000;
+constexpr std::int64_t kMaxAgeUs = 200'000;
+
+}  // namespace
+
+void CameraRequest::listen(Bus& bus, StatusReporter& status) {
+  own_session_ = bus.session();
+  status.listen([this, &status](const PeerStatus& heard, const Receipt& receipt) {
+    if (heard.service != "puck-camera") return;
+    const HostNow now{receipt.utime, receipt.monotonic_us};
+    const SenderClock clock = status.clock_of(heard.session);
+    hear(heard, now, freshness_of(heard.utime, now, clock, kMaxAgeUs) == Freshness::kOfNow);
+  });
+}
+
+void CameraRequest::hear(const PeerStatus& status, const HostNow& now, bool is_current) {
+  const std::string name = status.host + ", pid " + std::to_string(status.pid);
+  Camera& camera = cameras_[name];
+  const bool answers = status.counter(kControlSession) == own_session_;
+  // Only a camera that heard us can name our session; its clock does not matter.
+  camera.is_current = is_current || answers;
+  camera.name = name;
+  camera.text = status.state_text;
+  camera.session = status.session;
+  camera.heard_us = now.monotonic_us;
+  camera.position_us = status.counter(kPositionUs).value_or(0);
+  if (!answers) return;
+  const std::int64_t verdict = status.counter(kControlVerdict).value_or(-1);
+  if (verdict < 0 || verdict >= kControlVerdicts) return;
+  camera.has_answered = true;
+  camera.verdict = static_cast<ControlVerdict>(verdict);
+}
+
+bool CameraRequest::speaks(const Camera& camera, const HostNow& now) {
+  return camera.is_current && now.monotonic_us - camera.heard_us <= kSilentUs;
+}
+
+bool CameraRequest::publish(Bus& bus) {
+  const HostNow now = host_now();
+  bool has_any = false;
+  for (auto& [name, camera] : cameras_) {
+    if (!speaks(camera, now)) continue;
+    has_any = true;
+    if (camera.has_answered) continue;
+    if (camera.target_us < 0) {
+      const std::int64_t from_us = is_relative_ ? camera.position_us : 0;
+      camera.target_us = std::max<std::int64_t>(0, from_us + control_.position_us);
+    }
+    CameraControl control = control_;
+    control.camera_session = camera.session;
+    control.position_us = camera.target_us;
+    bus.publish(control);
+  }
+  return has_any;
+}
+
+std::string CameraRequest::why_not() const {
+  const HostNow now = host_now();
+  bool has_any = false;
+  for (const auto& [name, camera] : cameras_) {
+    if (!speaks(camera, now)) continue;
+    has_any = true;
+    if (!camera.has_answered) return "the camera on " + name + " does not answer";
+    if (camera.verdict == ControlVerdict::kSearching) return "the camera on " + name + " searches";
+  }
+  return has_any ? "" : "no puck-camera is heard";
+}
+
+std::string CameraRequest::refusal() const {
+  for (const auto& [name, camera] : cameras_) {
+    const bool is_refused = camera.has_answered && camera.verdict != ControlVerdict::kObeyed &&
+                            camera.verdict != ControlVerdict::kSearching;
+    if (is_refused) return to_string(camera.verdict);
+  }
+  return {};
+}
+
+bool CameraRequest::is_in_progress() const {
+  const HostNow now = host_now();
+  return std::any_of(cameras_.begin(), cameras_.end(), [&](const auto& entry) {
+    const Camera& camera = entry.second;
+    return speaks(camera, now) && camera.has_answered &&
+           camera.verdict == ControlVerdict::kSearching;
+  });
+}
+
+std::string CameraRequest::result() const {
+  for (const auto& [name, camera] : cameras_) {
+    if (camera.has_answered && !camera.text.empty()) return camera.text;
+  }
+  return goal_;
+}
+
+}  // namespace puck

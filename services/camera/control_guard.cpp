@@ -1,0 +1,63 @@
+#include "services/camera/control_guard.h"
+
+namespace puck {
+
+ControlGuard::Judgement ControlGuard::judge(const CameraControl& control,
+                                            std::int64_t camera_session, std::int64_t now_us) {
+  // First, since a seek that was obeyed has changed the camera's session.
+  Sender* sender = find(control.session);
+  if (sender != nullptr && control.request <= sender->request) return Judgement::kRepeat;
+  if (control.camera_session != camera_session) {
+    ++refused_;
+    return Judgement::kOtherCamera;
+  }
+  if (taken_us_ && now_us - *taken_us_ < kPeriodUs) {
+    ++refused_;
+    return Judgement::kTooMany;
+  }
+  taken_us_ = now_us;
+  if (sender == nullptr) {
+    sender = &senders_[next_sender_];
+    next_sender_ = (next_sender_ + 1) % senders_.size();
+  }
+  *sender = {control.session, control.request};
+  answered_session_ = control.session;
+  return Judgement::kTake;
+}
+
+void ControlGuard::answer(ControlVerdict verdict) {
+  verdict_ = verdict;
+  if (verdict == ControlVerdict::kSearching) return;
+  ++(verdict == ControlVerdict::kObeyed ? obeyed_ : refused_);
+}
+
+ControlGuard::Sender* ControlGuard::find(std::int64_t session) {
+  for (Sender& sender : senders_) {
+    if (sender.session == session) return &sender;
+  }
+  return nullptr;
+}
+
+std::optional<ReplayRequest> request_in(const CameraControl& control) {
+  using Kind = ReplayRequest::Kind;
+  switch (control.mode) {
+    case CameraControlMode::kPause:
+      return ReplayRequest{.kind = Kind::kPause};
+    case CameraControlMode::kResume:
+      return ReplayRequest{.kind = Kind::kResume};
+    case CameraControlMode::kStep:
+      if (control.step_us > ReplayRequest::kLongestStepUs) return std::nullopt;
+      return ReplayRequest{.kind = Kind::kStep, .us = control.step_us};
+    case CameraControlMode::kSeek:
+      return ReplayRequest{.kind = Kind::kSeek, .us = control.position_us};
+    case CameraControlMode::kSpeed:
+      if (!(control.speed >= ReplayRequest::kSlowest && control.speed <= ReplayRequest::kFastest)) {
+        return std::nullopt;
+      }
+      return ReplayRequest{.kind = Kind::kSpeed, .speed = control.speed};
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace puck

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "common/messages/camera_control.h"
+#include "services/camera/control_verdict.h"
+#include "services/camera/replay_request.h"
+
+namespace puck {
+
+/// Decides which controls on the bus are requests to this camera, and counts them. One thread.
+class ControlGuard {
+ public:
+  /// At most one request in this time is taken, whoever sends it: a seek costs reading.
+  static constexpr std::int64_t kPeriodUs = 50'000;
+
+  enum class Judgement {
+    kTake,         ///< A new request, which answer() must follow.
+    kRepeat,       ///< Of a request that was taken.
+    kOtherCamera,  ///< For another camera, or an earlier session of this one. Refused.
+    kTooMany,      ///< Came too soon after the last one; a repeat may be taken. Refused.
+  };
+
+  /// `camera_session`: the session that a control must name. `now_us`: CLOCK_MONOTONIC.
+  Judgement judge(const CameraControl& control, std::int64_t camera_session, std::int64_t now_us);
+  /// What became of the request that was taken last; also later, after a search.
+  void answer(ControlVerdict verdict);
+
+  std::int64_t obeyed() const { return obeyed_; }
+  std::int64_t refused() const { return refused_; }
+  /// The sender of the request that was taken last; 0: none yet.
+  std::int64_t answered_session() const { return answered_session_; }
+  ControlVerdict verdict() const { return verdict_; }
+
+ private:
+  /// The newest request that was taken of a sender.
+  struct Sender {
+    std::int64_t session = 0;
+    std::int64_t request = 0;
+  };
+
+  Sender* find(std::int64_t session);
+
+  std::array<Sender, 16> senders_{};  // A ring of the newest ones.
+  std::size_t next_sender_ = 0;
+  std::optional<std::int64_t> taken_us_;
+  std::int64_t obeyed_ = 0;
+  std::int64_t refused_ = 0;
+  std::int64_t answered_session_ = 0;
+  ControlVerdict verdict_ = ControlVerdict::kObeyed;
+};
+
+/// The request in a control; nothing if one of its values is out of range.
+std::optional<ReplayRequest> request_in(const CameraControl& control);
+
+}  // namespace puck

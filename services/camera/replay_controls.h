@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "common/messaging/receipt.h"
+#include "services/camera/control_guard.h"
+#include "services/camera/replay.h"
+#include "services/camera/terminal_keys.h"
+#include "services/launch/service.h"
+
+namespace puck {
+
+/// Lets people control a replay, by keys on the terminal and by messages on the bus, and reports it
+/// in the log and in STATUS. A camera without a replay refuses all. One thread.
+class ReplayControls {
+ public:
+  /// Subscribes, so make it before the bus starts. `replay`: null for a source at its own pace;
+  /// else it must outlive this.
+  ReplayControls(Replay* replay, ServiceContext& context);
+
+  /// Reads keys from now on, if stdin is a terminal.
+  void use_keys();
+  /// Obeys the keys typed since the last call, and tells in STATUS where the replay is.
+  void poll();
+
+  /// The search has ended.
+  void end_search(bool is_found);
+
+  void report(StatusReport& report) const;
+
+ private:
+  void hear(const CameraControl& control, const Receipt& receipt);
+  ControlVerdict obey(const std::optional<ReplayRequest>& request);
+  std::string outcome(ControlVerdict verdict) const;
+  std::string place() const;
+  void show_state();
+
+  Replay* replay_;
+  ServiceContext& context_;
+  ControlGuard guard_;
+  std::optional<TerminalKeys> keys_;
+  bool shows_hold_ = false;        // STATUS tells a pause or a search.
+  bool is_search_of_bus_ = false;  // It was not a key that began the search.
+};
+
+}  // namespace puck
