@@ -11,7 +11,7 @@
 namespace puck {
 namespace {
 
-constexpr std::size_t kRecordBytes = 8;
+constexpr std::size_t kRecordBytes = StampedRun::kRecordBytes;
 // Without a camera's name, the addresses in so much data decide.
 constexpr std::size_t kAddressSampleBytes = 4096;
 
@@ -19,42 +19,33 @@ constexpr SensorSize kDvs128{128, 128};
 constexpr SensorSize kDavis240{240, 180};
 constexpr SensorSize kDavis346{346, 260};
 
-std::uint64_t swapped(std::uint64_t word) {
-  word = (word & 0x00ff00ff00ff00ffU) << 8 | (word >> 8 & 0x00ff00ff00ff00ffU);
-  word = (word & 0x0000ffff0000ffffU) << 16 | (word >> 16 & 0x0000ffff0000ffffU);
-  return word << 32 | word >> 32;
+// Counters wrap after 31 or 32 bits; counting 31 is right for both.
+constexpr int kCountedBits = 31;
+
+// Bit 15 marks a synchronising pulse.
+constexpr StampedLayout kDvs128Layout{
+    .is_big_endian = true,
+    .stamp_bits = kCountedBits,
+    .other_bits = 0xffff8000U,
+    .x = {.shift = 1, .mask = 127, .is_mirrored = true, .last = 127},
+    .y = {.shift = 8, .mask = 127, .is_mirrored = true, .last = 127},
+    .polarity = {.mask = 1, .is_mirrored = true, .last = 1}};
+
+// Bit 31 marks samples of frames and of the IMU, bit 10 external pulses.
+StampedLayout davis_layout(SensorSize sensor) {
+  return {.is_big_endian = true,
+          .stamp_bits = kCountedBits,
+          .other_bits = 0x80000400U,
+          .x = {.shift = 12,
+                .mask = 1023,
+                .is_mirrored = true,
+                .last = static_cast<std::uint32_t>(sensor.width - 1)},
+          .y = {.shift = 22,
+                .mask = 511,
+                .is_mirrored = true,
+                .last = static_cast<std::uint32_t>(sensor.height - 1)},
+          .polarity = {.shift = 11, .mask = 1}};
 }
-
-struct Aedat2Layout {
-  // Counters wrap after 31 or 32 bits; counting 31 is right for both.
-  static constexpr int kStampBits = 31;
-
-  static std::uint32_t stamp(std::uint64_t record) {
-    return static_cast<std::uint32_t>(swapped(record)) & 0x7fffffffU;
-  }
-  static std::uint32_t address(std::uint64_t record) {
-    return static_cast<std::uint32_t>(swapped(record) >> 32);
-  }
-};
-
-struct Dvs128Layout : Aedat2Layout {
-  // Bit 15 marks a synchronising pulse.
-  static bool is_event(std::uint64_t record) { return (address(record) & 0xffff8000U) == 0; }
-  static std::uint32_t x(std::uint64_t record) { return 127U - (address(record) >> 1 & 127U); }
-  static std::uint32_t y(std::uint64_t record) { return 127U - (address(record) >> 8 & 127U); }
-  static std::uint32_t polarity(std::uint64_t record) { return ~address(record) & 1U; }
-};
-
-struct DavisLayout : Aedat2Layout {
-  // Bit 31 marks samples of frames and of the IMU, bit 10 external pulses.
-  static bool is_event(std::uint64_t record) { return (address(record) & 0x80000400U) == 0; }
-  std::uint32_t x(std::uint64_t record) const { return last_x - (address(record) >> 12 & 1023U); }
-  std::uint32_t y(std::uint64_t record) const { return last_y - (address(record) >> 22 & 511U); }
-  static std::uint32_t polarity(std::uint64_t record) { return address(record) >> 11 & 1U; }
-
-  std::uint32_t last_x = 0;
-  std::uint32_t last_y = 0;
-};
 
 // Whether a line, or as much of it as there is, can be of the header: data may begin with `#` too.
 bool is_header_text(std::string_view line) {
@@ -108,8 +99,7 @@ std::optional<SensorSize> sensor_of_header(std::string_view header) {
 
 bool fits_dvs128(std::span<const std::byte> data) {
   for (std::size_t i = 0; i + kRecordBytes <= data.size(); i += kRecordBytes) {
-    const auto record = load_word<std::uint64_t>(data.data() + i);
-    if (Aedat2Layout::address(record) >> 16 != 0) return false;
+    if (AddressRecord(kDvs128Layout, data.data() + i).address >> 16 != 0) return false;
   }
   return true;
 }
@@ -137,16 +127,9 @@ std::optional<StreamStart> begin_aedat2(const StreamHead& head) {
   }
   start.stated_sensor = camera;
   start.repeat = "#!AER-DAT2";
-  start.make_decoder = [](SensorSize sensor,
-                          std::int64_t reorder_us) -> std::unique_ptr<EventDecoder> {
-    if (sensor == kDvs128) {
-      return std::make_unique<StampedRecordDecoder<Dvs128Layout>>(Dvs128Layout{}, sensor,
-                                                                  reorder_us);
-    }
-    DavisLayout layout;
-    layout.last_x = static_cast<std::uint32_t>(sensor.width - 1);
-    layout.last_y = static_cast<std::uint32_t>(sensor.height - 1);
-    return std::make_unique<StampedRecordDecoder<DavisLayout>>(layout, sensor, reorder_us);
+  start.make_decoder = [](SensorSize sensor, std::int64_t reorder_us) {
+    const StampedLayout layout = sensor == kDvs128 ? kDvs128Layout : davis_layout(sensor);
+    return std::make_unique<StampedRecordDecoder>(layout, sensor, reorder_us);
   };
   return start;
 }

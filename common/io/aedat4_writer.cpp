@@ -9,6 +9,7 @@
 
 #include "common/io/aedat4_header.h"
 #include "common/io/event_checks.h"
+#include "common/io/word_assembler.h"
 
 namespace puck {
 namespace {
@@ -16,13 +17,6 @@ namespace {
 constexpr std::size_t kPacketEvents = 16384;
 constexpr std::size_t kPacketRecordBytes = 16;
 constexpr std::size_t kPacketHeadBytes = 32;  // Size, root table and the list's length.
-
-template <typename Word>
-void put_word(std::vector<std::byte>& bytes, Word word) {
-  for (std::size_t i = 0; i < sizeof(Word); ++i) {
-    bytes.push_back(static_cast<std::byte>(word >> (8 * i) & 0xffU));
-  }
-}
 
 void put_text(std::vector<std::byte>& bytes, std::string_view text) {
   for (const char character : text) bytes.push_back(static_cast<std::byte>(character));
@@ -53,16 +47,16 @@ std::string description_of(SensorSize sensor) {
 std::vector<std::byte> header_of(SensorSize sensor) {
   const std::string description = description_of(sensor);
   std::vector<std::byte> bytes;
-  put_word(bytes, static_cast<std::uint32_t>(48 + description.size() + 1));
-  put_word(bytes, std::uint32_t{24});  // The table's offset from here.
+  append_word(bytes, static_cast<std::uint32_t>(48 + description.size() + 1));
+  append_word(bytes, std::uint32_t{24});  // The table's offset from here.
   put_text(bytes, std::string_view("IOHE\0\0\0\0\0\0", 10));
   // Where the fields are in the table: its bytes, then compression, index, description.
-  for (const int value : {10, 20, 4, 12, 8}) put_word(bytes, static_cast<std::uint16_t>(value));
-  put_word(bytes, std::uint32_t{10});  // Back to the list of fields.
-  put_word(bytes, static_cast<std::uint32_t>(Aedat4Packing::kLz4));
-  put_word(bytes, std::uint32_t{12});  // To the text.
-  put_word(bytes, ~std::uint64_t{0});  // No index of packets.
-  put_word(bytes, static_cast<std::uint32_t>(description.size()));
+  for (const int value : {10, 20, 4, 12, 8}) append_word(bytes, static_cast<std::uint16_t>(value));
+  append_word(bytes, std::uint32_t{10});  // Back to the list of fields.
+  append_word(bytes, static_cast<std::uint32_t>(Aedat4Packing::kLz4));
+  append_word(bytes, std::uint32_t{12});  // To the text.
+  append_word(bytes, ~std::uint64_t{0});  // No index of packets.
+  append_word(bytes, static_cast<std::uint32_t>(description.size()));
   put_text(bytes, description);
   bytes.push_back(std::byte{0});
   return bytes;
@@ -71,13 +65,14 @@ std::vector<std::byte> header_of(SensorSize sensor) {
 // The same with one field, a list of events; the events follow.
 std::vector<std::byte> packet_head(std::size_t events) {
   std::vector<std::byte> bytes;
-  put_word(bytes, static_cast<std::uint32_t>(kPacketHeadBytes - 4 + events * kPacketRecordBytes));
-  put_word(bytes, std::uint32_t{16});
+  append_word(bytes,
+              static_cast<std::uint32_t>(kPacketHeadBytes - 4 + events * kPacketRecordBytes));
+  append_word(bytes, std::uint32_t{16});
   put_text(bytes, std::string_view("EVTS\0\0", 6));
-  for (const int value : {6, 8, 4}) put_word(bytes, static_cast<std::uint16_t>(value));
-  put_word(bytes, std::uint32_t{6});
-  put_word(bytes, std::uint32_t{4});
-  put_word(bytes, static_cast<std::uint32_t>(events));
+  for (const int value : {6, 8, 4}) append_word(bytes, static_cast<std::uint16_t>(value));
+  append_word(bytes, std::uint32_t{6});
+  append_word(bytes, std::uint32_t{4});
+  append_word(bytes, static_cast<std::uint32_t>(events));
   return bytes;
 }
 
@@ -110,13 +105,9 @@ void Aedat4Writer::write(const EventPacket& packet) {
     check_event(event, time, sensor_, newest_);
     newest_ = time;
     std::byte* record = content_.data() + kPacketHeadBytes + kPacketRecordBytes * packet_events_;
-    for (std::size_t i = 0; i < 8; ++i) {
-      record[i] = static_cast<std::byte>(static_cast<std::uint64_t>(time.us) >> (8 * i) & 0xffU);
-    }
-    record[8] = static_cast<std::byte>(event.x & 0xff);
-    record[9] = static_cast<std::byte>(event.x >> 8);
-    record[10] = static_cast<std::byte>(event.y & 0xff);
-    record[11] = static_cast<std::byte>(event.y >> 8);
+    store_word(static_cast<std::uint64_t>(time.us), record);
+    store_word(std::uint16_t{event.x}, record + 8);
+    store_word(static_cast<std::uint16_t>(event.y), record + 10);
     record[12] = static_cast<std::byte>(event.polarity);
     if (++packet_events_ == kPacketEvents) write_packet();
   }

@@ -34,12 +34,12 @@ constexpr std::size_t kLongestStart = 6;
 
 }  // namespace
 
-std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
+std::unique_ptr<ByteSource> open_bytes(const std::string& path, const Interruption* interruption) {
   std::error_code error;
   if (path != "-" && std::filesystem::is_directory(path, error)) {
     throw EventFileError(path + ": is a folder; expected an event file");
   }
-  auto bytes = std::make_unique<PeekedBytes>(open_file_bytes(path), kLongestStart);
+  auto bytes = std::make_unique<PeekedBytes>(open_file_bytes(path, interruption), kLongestStart);
   const std::string_view start = bytes->head();
   if (start.starts_with("\x1f\x8b")) return open_gzip_bytes(std::move(bytes));
   if (start.starts_with("\x28\xb5\x2f\xfd")) return open_zstd_bytes(std::move(bytes));

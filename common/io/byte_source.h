@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 
+#include "common/posix/interruption.h"
+
 namespace puck {
 
 /// The bytes of a file, a pipe or standard input, decompressed where they are gzip or zstd. One
@@ -31,7 +33,9 @@ class ByteSource {
   virtual void rewind() = 0;
 };
 
-/// Opens a file; "-" is standard input. Throws EventFileError.
-std::unique_ptr<ByteSource> open_bytes(const std::string& path);
+/// Opens a file; "-" is standard input. `interruption`: a wait for the bytes of a pipe then
+/// throws EventFileError; must outlive the source. Throws EventFileError.
+std::unique_ptr<ByteSource> open_bytes(const std::string& path,
+                                       const Interruption* interruption = nullptr);
 
 }  // namespace puck

@@ -1,10 +1,8 @@
 #include "common/io/cd_word_decoder.h"
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 
-#include "common/events/event_bits.h"
+#include "common/io/word_stream_end.h"
 
 namespace puck {
 
@@ -20,45 +18,33 @@ std::size_t CdWordDecoder::decode(std::span<const std::byte> bytes, EventPacket&
       });
 }
 
-void CdWordDecoder::finish() {
-  EventPacket nothing;
-  sink_.begin(nothing, 0);
-  clock_.finish(sink_);
-  sink_.counters().truncated_bytes += static_cast<std::int64_t>(words_.partial_bytes());
-  words_.reset();
-}
+void CdWordDecoder::finish() { finish_words(words_, clock_, sink_); }
 
-// Decodes events up to the first other word, or the first event that needs the checks of `take`.
-// The event that fills the packet is also left to `take`.
+// Decodes events and time words up to the first that needs the checks of `take`. The event that
+// fills the packet is also left to it.
 std::size_t CdWordDecoder::take_run(std::span<const std::byte> bytes) {
-  if (bytes.size() < sizeof(std::uint32_t) || !clock_.is_steady() || is_data_next()) return 0;
-  // Read from the first word of any type: the packet's free space does not depend on it.
-  const std::uint32_t first_us = low_us(load_word<std::uint32_t>(bytes.data()));
-  const std::size_t room = sink_.room_at(clock_.time_of(first_us));
-  const std::size_t most =
-      std::min({room - (room > 0 ? 1 : 0), kRunEvents, bytes.size() / sizeof(std::uint32_t)});
-  const auto width = static_cast<std::uint32_t>(sink_.sensor().width);
-  const auto height = static_cast<std::uint32_t>(sink_.sensor().height);
-  const std::int64_t base_us = clock_.time_of(0) - sink_.packet_start();
-  std::int64_t newest_us = base_us + first_us;
-
-  std::size_t taken = 0;
-  for (; taken < most; ++taken) {
-    const auto word = load_word<std::uint32_t>(bytes.data() + taken * sizeof(std::uint32_t));
-    const std::uint32_t polarity = (word >> 28) - darker_;
-    const std::uint32_t x = x_of(word);
-    const std::uint32_t y = y_of(word);
-    const std::int64_t offset_us = base_us + low_us(word);
-    if ((polarity > 1) | (x >= width) | (y >= height) | (offset_us < newest_us) |
-        (offset_us > std::numeric_limits<std::uint32_t>::max())) {
-      break;
-    }
-    newest_us = offset_us;
-    run_[taken] =
-        std::bit_cast<Event>(event_bits(x, y, polarity, static_cast<std::uint32_t>(offset_us)));
-  }
-  sink_.append_run({run_.data(), taken});
-  return taken * sizeof(std::uint32_t);
+  if (!clock_.is_steady() || is_data_next()) return 0;
+  const Timestamp base = clock_.time_of(0);
+  const std::int64_t low_us = sink_.newest() > base ? sink_.newest() - base : 0;
+  if (low_us > CdWordRun::kLowUs) return 0;
+  const std::size_t room = sink_.room_at(base + low_us);
+  if (room < 2) return 0;
+  CdWordRun run;
+  run.next = bytes.data();
+  run.end = run.next + static_cast<std::ptrdiff_t>(bytes.size() & ~std::size_t{3});
+  run.out = run_.data();
+  run.full = run.out + std::min(room - 1, kRunEvents);
+  run.width = static_cast<std::uint32_t>(sink_.sensor().width);
+  run.height = static_cast<std::uint32_t>(sink_.sensor().height);
+  run.darker = darker_;
+  run.time_type = time_type_;
+  run.high = clock_.raw();
+  run.offset_us = base - sink_.packet_start();
+  run.low_us = static_cast<std::uint32_t>(low_us);
+  take_cd_words(run);
+  clock_.advance(run.steps);
+  sink_.append_run({run_.data(), run.out});
+  return static_cast<std::size_t>(run.next - bytes.data());
 }
 
 void CdWordDecoder::take_event(std::uint32_t word, bool brighter) {
@@ -66,8 +52,8 @@ void CdWordDecoder::take_event(std::uint32_t word, bool brighter) {
     ++sink_.counters().before_start;
     return;
   }
-  clock_.append(low_us(word), static_cast<int>(x_of(word)), static_cast<int>(y_of(word)), brighter,
-                sink_);
+  clock_.append(CdWordRun::low_us_of(word), static_cast<int>(CdWordRun::x_of(word)),
+                static_cast<int>(CdWordRun::y_of(word)), brighter, sink_);
 }
 
 }  // namespace puck

@@ -13,35 +13,17 @@ namespace {
 constexpr std::size_t kVersionSampleBytes = 4096;
 constexpr std::size_t kKindBytes = 2;
 
-struct DatLayout {
-  static constexpr int kStampBits = 32;
-
-  static std::uint32_t stamp(std::uint64_t record) { return static_cast<std::uint32_t>(record); }
-  static bool is_event(std::uint64_t /*record*/) { return true; }
-  static std::uint32_t address(std::uint64_t record) {
-    return static_cast<std::uint32_t>(record >> 32);
-  }
-};
-
-struct Dat2Layout : DatLayout {
-  static std::uint32_t x(std::uint64_t record) { return address(record) & 0x3fffU; }
-  static std::uint32_t y(std::uint64_t record) { return address(record) >> 14 & 0x3fffU; }
-  static std::uint32_t polarity(std::uint64_t record) { return address(record) >> 28 & 1U; }
-};
-
-struct Dat1Layout : DatLayout {
-  static constexpr int kBits = 18;
-
-  static std::uint32_t x(std::uint64_t record) { return address(record) & 0x1ffU; }
-  static std::uint32_t y(std::uint64_t record) { return address(record) >> 9 & 0xffU; }
-  static std::uint32_t polarity(std::uint64_t record) { return address(record) >> 17 & 1U; }
-};
+constexpr StampedLayout kDat2Layout{.x = {.mask = 0x3fff},
+                                    .y = {.shift = 14, .mask = 0x3fff},
+                                    .polarity = {.shift = 28, .mask = 1}};
+constexpr StampedLayout kDat1Layout{
+    .x = {.mask = 0x1ff}, .y = {.shift = 9, .mask = 0xff}, .polarity = {.shift = 17, .mask = 1}};
 
 bool fits_version_1(std::span<const std::byte> data) {
-  constexpr std::size_t kRecordBytes = 8;
+  constexpr int kBits = 18;
+  constexpr std::size_t kRecordBytes = StampedRun::kRecordBytes;
   for (std::size_t i = 0; i + kRecordBytes <= data.size(); i += kRecordBytes) {
-    const auto record = load_word<std::uint64_t>(data.data() + i);
-    if (Dat1Layout::address(record) >> Dat1Layout::kBits != 0) return false;
+    if (AddressRecord(kDat1Layout, data.data() + i).address >> kBits != 0) return false;
   }
   return true;
 }
@@ -115,12 +97,9 @@ std::optional<StreamStart> begin_dat(const StreamHead& head) {
   }
   start.stated_sensor = stated_sensor(head, *header);
   start.repeat = "% " + header->fields.front().first + " ";
-  start.make_decoder = [version](SensorSize sensor,
-                                 std::int64_t reorder_us) -> std::unique_ptr<EventDecoder> {
-    if (version < 2) {
-      return std::make_unique<StampedRecordDecoder<Dat1Layout>>(Dat1Layout{}, sensor, reorder_us);
-    }
-    return std::make_unique<StampedRecordDecoder<Dat2Layout>>(Dat2Layout{}, sensor, reorder_us);
+  start.make_decoder = [version](SensorSize sensor, std::int64_t reorder_us) {
+    const StampedLayout& layout = version < 2 ? kDat1Layout : kDat2Layout;
+    return std::make_unique<StampedRecordDecoder>(layout, sensor, reorder_us);
   };
   return start;
 }

@@ -1,11 +1,10 @@
 // The layout of the data set DSEC: a list each of x, y, t and p, with t in µs relative to the
 // number /t_offset. Its list ms_to_idx only repeats what the times say.
-#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "common/io/event_reader.h"
 #include "common/io/hdf5_events.h"
-#include "common/io/hdf5_gaps.h"
 
 namespace puck {
 namespace {
@@ -24,10 +23,11 @@ Hdf5DataSet open_numbers(const Hdf5Object& file, const char* path, const std::st
   return list;
 }
 
-class DsecHdf5 final : public Hdf5Events {
+class DsecHdf5 final : public Hdf5EventList {
  public:
   DsecHdf5(Hdf5Object file, const std::string& name)
-      : file_(std::move(file)),
+      : Hdf5EventList("data sets /events/x, y, p and t, elements"),
+        file_(std::move(file)),
         x_(open_numbers(file_, "events/x", name)),
         y_(open_numbers(file_, "events/y", name)),
         p_(open_numbers(file_, "events/p", name)),
@@ -38,9 +38,10 @@ class DsecHdf5 final : public Hdf5Events {
                            std::to_string(p_.elements) + " and " + std::to_string(t_.elements) +
                            " elements; expected the same number");
     }
-    for (const Hdf5DataSet* list : {&x_, &y_, &p_, &t_}) gaps_.add(*list);
+    for (const Hdf5DataSet* list : {&x_, &y_, &p_, &t_}) add_list(*list, kDsecPartEvents);
     if (!has_hdf5_object(file_, "t_offset")) return;
     const Hdf5Object offset(H5Dopen2(file_.id(), "t_offset", H5P_DEFAULT), H5Dclose);
+    if (offset.is_open()) check_hdf5_is_inside(offset, name + ": data set /t_offset");
     const Hdf5Object space(H5Dget_space(offset.id()), H5Sclose);
     if (H5Sget_simple_extent_npoints(space.id()) != 1 ||
         H5Dread(offset.id(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &offset_us_) < 0) {
@@ -48,71 +49,32 @@ class DsecHdf5 final : public Hdf5Events {
     }
   }
 
-  bool next(Part& part) override {
-    part.missing = 0;
-    part.events.clear();
-    if (next_ >= x_.elements) return false;
-    const Hdf5Gaps::Run run = gaps_.run_from(next_, x_.elements);
-    if (run.is_missing) {
-      part.missing = run.end - next_;
-      part.fault = "data sets /events/x, y, p and t, elements from " + std::to_string(next_) +
-                   " on: " + std::to_string(part.missing) + " were never written to the file";
-      next_ = run.end;
-      return true;
-    }
-    const std::uint64_t count = std::min(kDsecPartEvents, run.end - next_);
-    const std::uint64_t first = std::exchange(next_, next_ + count);
-    columns_.resize(count);
-    times_us_.resize(count);
-    part.events.resize(count);
-    part.offset_us = offset_us_;
-    const bool is_read =
-        read_into(part, x_, first, [](EcfEvent& event, std::uint16_t x) { event.x = x; }) &&
-        read_into(part, y_, first, [](EcfEvent& event, std::uint16_t y) { event.y = y; }) &&
-        read_into(part, p_, first,
-                  [](EcfEvent& event, std::uint16_t p) { event.polarity = p > 0 ? 1 : 0; }) &&
-        read_times(part, first);
-    if (!is_read) {
-      part.events.clear();
-      part.missing = count;
-    }
-    return true;
-  }
-
-  void rewind() override { next_ = 0; }
-  double share_read() const override {
-    return x_.elements == 0 ? 1.0 : static_cast<double>(next_) / static_cast<double>(x_.elements);
-  }
   RecordingFacts facts() const override {
     return {"HDF5 (DSEC), " + hdf5_packing(t_), {{"t_offset", std::to_string(offset_us_)}}};
   }
 
  private:
-  // Numbers that do not fit become the nearest that does: below 0 it is 0, as for polarity −1.
-  template <typename Set>
-  bool read_into(Part& part, const Hdf5DataSet& list, std::uint64_t first, Set set) {
-    const std::string cause =
-        read_hdf5_list(list, first, columns_.size(), H5T_NATIVE_UINT16, columns_.data());
-    if (!cause.empty()) return tell_fault(part, list, first, cause);
-    for (std::size_t i = 0; i < columns_.size(); ++i) set(part.events[i], columns_[i]);
-    return true;
+  void read_part(std::uint64_t first, std::uint64_t count, Part& part) override {
+    columns_.resize(count);
+    times_us_.resize(count);
+    part.events.resize(count);
+    part.offset_us = offset_us_;
+    // Numbers that do not fit become the nearest that does: below 0 it is 0, as for polarity −1.
+    const auto read_column = [&](const Hdf5DataSet& list, auto set) {
+      read_list(list, first, count, H5T_NATIVE_UINT16, columns_.data());
+      for (std::size_t i = 0; i < count; ++i) set(part.events[i], columns_[i]);
+    };
+    read_column(x_, [](EcfEvent& event, std::uint16_t x) { event.x = x; });
+    read_column(y_, [](EcfEvent& event, std::uint16_t y) { event.y = y; });
+    read_column(p_, [](EcfEvent& event, std::uint16_t p) { event.polarity = p > 0 ? 1 : 0; });
+    read_list(t_, first, count, H5T_NATIVE_INT64, times_us_.data());
+    for (std::size_t i = 0; i < count; ++i) part.events[i].t_us = times_us_[i];
   }
 
-  bool read_times(Part& part, std::uint64_t first) {
-    const std::string cause =
-        read_hdf5_list(t_, first, times_us_.size(), H5T_NATIVE_INT64, times_us_.data());
-    if (!cause.empty()) return tell_fault(part, t_, first, cause);
-    for (std::size_t i = 0; i < times_us_.size(); ++i) {
-      part.events[i].t_us = times_us_[i];
-    }
-    return true;
-  }
-
-  static bool tell_fault(Part& part, const Hdf5DataSet& list, std::uint64_t first,
-                         const std::string& cause) {
-    part.fault =
-        "data set /" + list.path + ", elements from " + std::to_string(first) + " on: " + cause;
-    return false;
+  static void read_list(const Hdf5DataSet& list, std::uint64_t first, std::uint64_t count,
+                        hid_t memory_type, void* room) {
+    const std::string cause = read_hdf5_list(list, first, count, memory_type, room);
+    if (!cause.empty()) throw std::invalid_argument("/" + list.path + ": " + cause);
   }
 
   Hdf5Object file_;
@@ -120,9 +82,7 @@ class DsecHdf5 final : public Hdf5Events {
   Hdf5DataSet y_;
   Hdf5DataSet p_;
   Hdf5DataSet t_;
-  Hdf5Gaps gaps_;
   std::int64_t offset_us_ = 0;  // To add.
-  std::uint64_t next_ = 0;
   std::vector<std::uint16_t> columns_;
   std::vector<std::int64_t> times_us_;
 };

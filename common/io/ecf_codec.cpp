@@ -146,13 +146,6 @@ void decode_polarities(EcfInput& input, std::span<EcfEvent> events) {
   }
 }
 
-template <typename Word>
-void append(std::vector<std::byte>& bytes, Word word) {
-  for (std::size_t i = 0; i < sizeof(Word); ++i) {
-    bytes.push_back(static_cast<std::byte>(word >> (8 * i) & 0xffU));
-  }
-}
-
 // Number of events from the first one on with its value.
 template <typename Value>
 std::size_t run_length(std::span<const EcfEvent> events, Value value_of) {
@@ -163,19 +156,19 @@ std::size_t run_length(std::span<const EcfEvent> events, Value value_of) {
 
 void encode_times(std::span<const EcfEvent> events, std::vector<std::byte>& bytes) {
   auto t_us = static_cast<std::uint64_t>(events[0].t_us);
-  append(bytes, t_us);
+  append_word(bytes, t_us);
   while (!events.empty()) {
     const std::size_t run = run_length(events, [](const EcfEvent& event) { return event.t_us; });
     std::uint64_t step_us = static_cast<std::uint64_t>(events[0].t_us) - t_us;
     t_us += step_us;
     if (step_us >= kLargeStep) {
       for (; step_us > 0; step_us >>= 4) {
-        append(bytes, static_cast<std::uint8_t>(kLargeStep << 4 | (step_us & 0xfU)));
+        append_word(bytes, static_cast<std::uint8_t>(kLargeStep << 4 | (step_us & 0xfU)));
       }
     }
     const std::size_t code = std::min(run, kLongTimeRun);
-    append(bytes, static_cast<std::uint8_t>(step_us << 4 | code));
-    if (code == kLongTimeRun) append(bytes, static_cast<std::uint16_t>(run));
+    append_word(bytes, static_cast<std::uint8_t>(step_us << 4 | code));
+    if (code == kLongTimeRun) append_word(bytes, static_cast<std::uint16_t>(run));
     events = events.subspan(run);
   }
 }
@@ -187,9 +180,9 @@ void encode_all_packed(std::span<const EcfEvent> events, std::vector<std::byte>&
       const EcfEvent& event = events[i + j];
       packed[j] = static_cast<std::uint32_t>(event.y << 12 | event.x << 1 | event.polarity);
     }
-    append(bytes, packed[0] << 8 | (packed[1] & 0xffU));
-    append(bytes, packed[1] >> 8 << 16 | (packed[2] & 0xffffU));
-    append(bytes, packed[2] >> 16 << 24 | packed[3]);
+    append_word(bytes, packed[0] << 8 | (packed[1] & 0xffU));
+    append_word(bytes, packed[1] >> 8 << 16 | (packed[2] & 0xffffU));
+    append_word(bytes, packed[2] >> 16 << 24 | packed[3]);
   }
 }
 
@@ -199,9 +192,9 @@ void encode_columns_packed(std::span<const EcfEvent> events, std::vector<std::by
     for (std::size_t j = 0; j < 4 && i + j < events.size(); ++j) {
       packed[j] = static_cast<std::uint32_t>(events[i + j].x << 1 | events[i + j].polarity);
     }
-    append(bytes, static_cast<std::uint16_t>(packed[0] << 4 | (packed[1] & 0xfU)));
-    append(bytes, static_cast<std::uint16_t>(packed[1] >> 4 << 8 | (packed[2] & 0xffU)));
-    append(bytes, static_cast<std::uint16_t>(packed[2] >> 8 << 12 | packed[3]));
+    append_word(bytes, static_cast<std::uint16_t>(packed[0] << 4 | (packed[1] & 0xfU)));
+    append_word(bytes, static_cast<std::uint16_t>(packed[1] >> 4 << 8 | (packed[2] & 0xffU)));
+    append_word(bytes, static_cast<std::uint16_t>(packed[2] >> 8 << 12 | packed[3]));
   }
 }
 
@@ -209,8 +202,8 @@ void encode_rows(std::span<const EcfEvent> events, std::vector<std::byte>& bytes
   while (!events.empty()) {
     const std::size_t run = run_length(events, [](const EcfEvent& event) { return event.y; });
     const std::size_t code = std::min(run, kLongRowRun);
-    append(bytes, static_cast<std::uint16_t>(std::size_t{events[0].y} << 5 | code));
-    if (code == kLongRowRun) append(bytes, static_cast<std::uint16_t>(run));
+    append_word(bytes, static_cast<std::uint16_t>(std::size_t{events[0].y} << 5 | code));
+    if (code == kLongRowRun) append_word(bytes, static_cast<std::uint16_t>(run));
     events = events.subspan(run);
   }
 }
@@ -224,7 +217,7 @@ void encode_masked_columns(std::span<const EcfEvent> events, std::vector<std::by
       code |= 1 << (kMaskPixels - j);
       ++i;
     }
-    append(bytes, static_cast<std::uint16_t>(code));
+    append_word(bytes, static_cast<std::uint16_t>(code));
   }
 }
 
@@ -233,8 +226,9 @@ void encode_polarities(std::span<const EcfEvent> events, std::vector<std::byte>&
     const std::size_t run =
         run_length(events, [](const EcfEvent& event) { return event.polarity; });
     const std::size_t code = std::min(run, kLongPolarityRun);
-    append(bytes, static_cast<std::uint8_t>(static_cast<unsigned>(events[0].polarity) << 7 | code));
-    if (code == kLongPolarityRun) append(bytes, static_cast<std::uint16_t>(run));
+    append_word(bytes,
+                static_cast<std::uint8_t>(static_cast<unsigned>(events[0].polarity) << 7 | code));
+    if (code == kLongPolarityRun) append_word(bytes, static_cast<std::uint16_t>(run));
     events = events.subspan(run);
   }
 }
@@ -270,8 +264,8 @@ void decode_ecf(std::span<const std::byte> chunk, std::vector<EcfEvent>& events)
 void encode_ecf(std::span<const EcfEvent> events, std::vector<std::byte>& chunk) {
   chunk.clear();
   if (events.empty()) {
-    append(chunk, kAllPacked);
-    append(chunk, std::uint64_t{0});
+    append_word(chunk, kAllPacked);
+    append_word(chunk, std::uint64_t{0});
     return;
   }
   std::vector<std::byte> rows;
@@ -284,7 +278,7 @@ void encode_ecf(std::span<const EcfEvent> events, std::vector<std::byte>& chunk)
   const bool columns_pack = groups * 6 <= columns.size();
   const bool all_pack = groups * 12 <= rows.size() + std::min(columns.size(), groups * 6);
   const std::uint32_t form = all_pack ? kAllPacked : columns_pack ? kColumnsPacked : 0;
-  append(chunk, static_cast<std::uint32_t>(events.size() << 2 | form));
+  append_word(chunk, static_cast<std::uint32_t>(events.size() << 2 | form));
   encode_times(events, chunk);
   if (all_pack) {
     encode_all_packed(events, chunk);

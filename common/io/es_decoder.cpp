@@ -63,6 +63,7 @@ class EsDecoder final : public EventDecoder {
 
   bool has_backlog() const override { return sink_.has_backlog(); }
   const EventCounters& counters() const override { return sink_.counters(); }
+  Timestamp newest() const override { return sink_.newest(); }
 
  private:
   static constexpr std::size_t kRunEvents = 1024;

@@ -32,6 +32,7 @@ void EsWriter::write(const EventPacket& packet) {
           "Event Stream holds pauses, and a first time, of up to 1 h, got " +
           std::to_string(step_us / 1000000) + " s");
     }
+    pauses_.add(step_us, "Event Stream");
     newest_ = time;
     for (; step_us >= kEsOverflow_us; step_us -= kEsOverflow_us) file_.append("\xff");
     file_.append_word(static_cast<std::uint8_t>(step_us << 1 | event.polarity));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/io/event_checks.h"
 #include "common/io/file_event_writer.h"
 
 namespace puck {
@@ -14,8 +15,12 @@ class EsWriter final : public FileEventWriter {
   /// Writes the header. Throws EventFileError, std::invalid_argument for an invalid sensor.
   EsWriter(const std::filesystem::path& path, SensorSize sensor);
 
-  /// Throws std::invalid_argument also for a pause, or a first time, of more than kLongestPauseUs.
+  /// Throws std::invalid_argument also for a pause, or a first time, of more than kLongestPauseUs,
+  /// and as PauseSum.
   void write(const EventPacket& packet) override;
+
+ private:
+  PauseSum pauses_;
 };
 
 }  // namespace puck

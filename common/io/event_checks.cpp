@@ -25,4 +25,14 @@ void check_event(const Event& event, Timestamp time, SensorSize sensor, Timestam
   }
 }
 
+void PauseSum::add(std::int64_t pause_us, std::string_view format) {
+  ++events_;
+  sum_us_ += pause_us;
+  if (sum_us_ <= kMostUs + events_ * kMostUsAnEvent) return;
+  throw std::invalid_argument(
+      std::string(format) + " holds pauses of up to 24 h in all, and 0.1 s an event more, got " +
+      std::to_string(sum_us_ / 3'600'000'000) + " h in " + std::to_string(events_) +
+      " events: are times damaged? (puck-info lists the gaps)");
+}
+
 }  // namespace puck

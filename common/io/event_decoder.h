@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "common/events/event_packet.h"
 #include "common/events/sensor_size.h"
@@ -51,6 +53,12 @@ class EventDecoder {
   virtual bool has_backlog() const = 0;
 
   virtual const EventCounters& counters() const = 0;
+
+  /// Of all decoded events, also of those in the backlog; only once there is one.
+  virtual Timestamp newest() const = 0;
+
+  /// Remarks on the stream so far, without its name, one line each.
+  virtual std::vector<std::string> notes() const { return {}; }
 };
 
 /// Encodings of Prophesee RAW data. EVT 2.1's legacy form has the halves of each word swapped.

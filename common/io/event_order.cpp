@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/io/event_reader.h"
+#include "common/io/sorted_events.h"
 
 namespace puck {
 namespace {
@@ -78,8 +79,7 @@ void EventOrder::drop_late(EventPacket& packet) {
 bool EventOrder::is_in_order(const EventPacket& packet) const {
   const Timestamp first = packet.time_of(packet.events.front());
   if (first < handed_out_ || (!queue_.empty() && first < newest_)) return false;
-  return std::is_sorted(packet.events.begin(), packet.events.end(),
-                        [](const Event& a, const Event& b) { return a.offset_us < b.offset_us; });
+  return are_sorted(packet.events);
 }
 
 // Sorts the packet's events into the packets that they overlap.

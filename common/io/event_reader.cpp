@@ -67,12 +67,20 @@ bool can_be_read_twice(const std::filesystem::path& path) {
 
 std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
                                              const EventFileOptions& options) {
-  return open_event_bytes(open_bytes(path.string()), path, options);
+  return open_event_bytes(open_bytes(path.string(), options.interruption), path, options);
+}
+
+void check_recording_exists(const std::filesystem::path& path) {
+  std::error_code error;
+  if (path == "-" || std::filesystem::exists(path, error)) return;
+  throw EventFileError(path.string() + ": cannot be opened: " +
+                       (error ? error.message() : "No such file or directory"));
 }
 
 std::unique_ptr<EventReader> open_event_bytes(std::unique_ptr<ByteSource> bytes,
                                               const std::filesystem::path& path,
                                               const EventFileOptions& options) {
+  const std::string name = bytes->name();
   std::vector<std::string> notes;
   std::unique_ptr<EventReader> events;
   try {
@@ -88,7 +96,8 @@ std::unique_ptr<EventReader> open_event_bytes(std::unique_ptr<ByteSource> bytes,
                     ", the next known one that holds all events (--width and --height, or "
                     "camera.width and camera.height, state another)");
   }
-  return std::make_unique<OrderedReader>(std::move(events), options.reorder_us, std::move(notes));
+  return std::make_unique<OrderedReader>(std::move(events), options.reorder_us, name,
+                                         std::move(notes));
 }
 
 }  // namespace puck

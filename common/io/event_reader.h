@@ -55,6 +55,9 @@ struct EventFileOptions {
   /// at the beginning.
   std::string yarp_eye = "auto";
 
+  /// Ends a wait for a pipe; must outlive the reader. Null: none.
+  const Interruption* interruption = nullptr;
+
   static constexpr std::int64_t kUsualReorderUs = 1000;
   static constexpr std::int64_t kMostReorderUs = 1'000'000;
 };
@@ -111,5 +114,8 @@ std::unique_ptr<EventReader> open_event_file(const std::filesystem::path& path,
 std::unique_ptr<EventReader> open_event_bytes(std::unique_ptr<ByteSource> bytes,
                                               const std::filesystem::path& path,
                                               const EventFileOptions& options = {});
+
+/// Throws EventFileError where there is no such file, for tools that read other files first.
+void check_recording_exists(const std::filesystem::path& path);
 
 }  // namespace puck

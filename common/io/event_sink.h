@@ -56,6 +56,8 @@ class EventSink {
   }
   /// Origin of the offsets for `append_run`.
   Timestamp packet_start() const { return packet_->start; }
+  /// Of all accepted events, also of those in the backlog.
+  Timestamp newest() const { return newest_; }
   SensorSize sensor() const { return sensor_; }
 
   /// Appends events without checks: they must be inside the sensor, in order, not older than the

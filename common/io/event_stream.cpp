@@ -1,10 +1,10 @@
 #include "common/io/event_stream.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
+#include "common/io/byte_search.h"
 #include "common/io/reader_warnings.h"
 #include "common/io/sensor_choice.h"
 
@@ -21,19 +21,6 @@ constexpr std::int64_t kLeastShareOfUnknown = 8;
 
 std::string_view text_of_bytes(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-// Where `text` or a beginning of it, cut off by the end, occurs in `bytes`; their size without it.
-std::size_t find_start_of(std::string_view text, std::span<const std::byte> bytes) {
-  const std::string_view all = text_of_bytes(bytes);
-  for (std::size_t at = 0; at < all.size(); ++at) {
-    const void* found = std::memchr(all.data() + at, text.front(), all.size() - at);
-    if (found == nullptr) return all.size();
-    at = static_cast<std::size_t>(static_cast<const char*>(found) - all.data());
-    const std::string_view rest = all.substr(at, text.size());
-    if (rest == text.substr(0, rest.size())) return at;
-  }
-  return all.size();
 }
 
 }  // namespace
@@ -94,6 +81,9 @@ bool EventStream::has_backlog() const {
 std::vector<std::string> EventStream::warnings(bool is_complete) const {
   std::vector<std::string> lines;
   for (const std::string& note : notes_) lines.push_back(name_ + ": " + note);
+  if (decoder_) {
+    for (const std::string& note : decoder_->notes()) lines.push_back(name_ + ": " + note);
+  }
   if (more_notes_ > 0) {
     lines.push_back(name_ + ": " + std::to_string(more_notes_) +
                     " more headers and shifts like these");
@@ -191,23 +181,22 @@ std::size_t EventStream::take_possible_repeat(std::span<const std::byte> bytes, 
 std::size_t EventStream::decode_data(std::span<const std::byte> bytes, EventPacket& packet,
                                      std::size_t max_events) {
   if (!packet.empty()) packet.start = packet.start - shift_us_;
-  const std::size_t events_before = packet.events.size();
   std::size_t taken = 0;
   try {
     taken = decoder_->decode(bytes, packet, max_events);
   } catch (const EventFileError&) {
-    place(packet, events_before);
+    place(packet);
     throw;
   }
-  place(packet, events_before);
+  place(packet);
   bytes_taken_ += static_cast<std::int64_t>(taken);
   data_bytes_ += static_cast<std::int64_t>(taken);
   if (taken > 0 && data_bytes_ == kCheckBytes) is_check_due_ = true;
   return taken;
 }
 
-// Shifts the packet to its place in the time of all parts. Its events from this one on are new.
-void EventStream::place(EventPacket& packet, std::size_t first_new) {
+// Shifts the packet to its place in the time of all parts.
+void EventStream::place(EventPacket& packet) {
   if (packet.empty()) return;
   if (!is_shift_known_) {
     is_shift_known_ = true;
@@ -221,12 +210,7 @@ void EventStream::place(EventPacket& packet, std::size_t first_new) {
     }
   }
   packet.start = packet.start + shift_us_;
-  // Not every packet's last event is its newest.
-  std::uint32_t newest_us = 0;
-  for (std::size_t i = first_new; i < packet.events.size(); ++i) {
-    newest_us = std::max(newest_us, packet.events[i].offset_us);
-  }
-  const Timestamp newest = packet.start + newest_us;
+  const Timestamp newest = decoder_->newest() + shift_us_;
   newest_ = newest_ ? std::max(*newest_, newest) : newest;
 }
 
@@ -245,6 +229,7 @@ bool EventStream::begin_next_part(EventPacket& packet, std::size_t max_events) {
   if (decoder_->has_backlog()) decode_data({}, packet, max_events);
   if (decoder_->has_backlog() || !packet.empty()) return false;
   counters_before_ += decoder_->counters();
+  for (std::string& note : decoder_->notes()) add_note(std::move(note));
   decoder_.reset();
   const auto repeat = std::as_bytes(std::span(start_.repeat));
   early_.erase(early_.begin(), early_.begin() + static_cast<std::ptrdiff_t>(early_used_));

@@ -58,7 +58,7 @@ class EventStream {
   std::size_t decode_data(std::span<const std::byte> bytes, EventPacket& packet,
                           std::size_t max_events);
   void add_note(std::string note);
-  void place(EventPacket& packet, std::size_t first_new);
+  void place(EventPacket& packet);
   bool begin_next_part(EventPacket& packet, std::size_t max_events);
   bool check_words(EventPacket& packet, std::size_t max_events);
   void update_counters();

@@ -29,20 +29,21 @@ struct WrittenFormat {
   std::string_view name;
   std::string_view
       ending;  ///< Of the files that are written so unless another format is asked for.
+  std::string_view usual_ending;  ///< Of files in it, also if the ending alone means another.
   std::string_view what;
 };
 
 inline constexpr std::array<WrittenFormat, 10> kWrittenFormats{{
-    {"evt3", ".raw", "Prophesee RAW, EVT3"},
-    {"evt2", "", "Prophesee RAW, EVT2"},
-    {"evt21", "", "Prophesee RAW, EVT2.1, little-endian words"},
-    {"dat", ".dat", "Prophesee DAT, version 2"},
-    {"hdf5", ".hdf5", "HDF5 in Prophesee's layout, gzip"},
-    {"hdf5-ecf", "", "HDF5 in Prophesee's layout, ECF"},
-    {"aedat4", ".aedat4", "AEDAT4, LZ4"},
-    {"es", ".es", "Event Stream of a DVS"},
-    {"csv", ".csv", "text: t,x,y,p, t in µs"},
-    {"text", ".txt", "text: t x y p, t in µs"},
+    {"evt3", ".raw", ".raw", "Prophesee RAW, EVT3"},
+    {"evt2", "", ".raw", "Prophesee RAW, EVT2"},
+    {"evt21", "", ".raw", "Prophesee RAW, EVT2.1, little-endian words"},
+    {"dat", ".dat", ".dat", "Prophesee DAT, version 2"},
+    {"hdf5", ".hdf5", ".hdf5", "HDF5 in Prophesee's layout, gzip"},
+    {"hdf5-ecf", "", ".hdf5", "HDF5 in Prophesee's layout, ECF"},
+    {"aedat4", ".aedat4", ".aedat4", "AEDAT4, LZ4"},
+    {"es", ".es", ".es", "Event Stream of a DVS"},
+    {"csv", ".csv", ".csv", "text: t,x,y,p, t in µs"},
+    {"text", ".txt", ".txt", "text: t x y p, t in µs"},
 }};
 
 /// The name of the format that the path's ending means; `.h5` is HDF5, too. Throws EventFileError

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "common/events/event_bits.h"
+#include "common/io/event_vector.h"
+#include "common/io/word_stream_end.h"
 
 namespace puck {
 namespace {
@@ -17,8 +19,6 @@ enum class Evt21Type : std::uint32_t {
   kOther = 0xE,
   kContinued = 0xF,
 };
-
-constexpr std::uint32_t kVectorPixels = 32;
 
 /// The parts of a word.
 struct Evt21Word {
@@ -58,13 +58,7 @@ std::size_t Evt21Decoder::decode(std::span<const std::byte> bytes, EventPacket& 
       });
 }
 
-void Evt21Decoder::finish() {
-  EventPacket nothing;
-  sink_.begin(nothing, 0);
-  clock_.finish(sink_);
-  sink_.counters().truncated_bytes += static_cast<std::int64_t>(words_.partial_bytes());
-  words_.reset();
-}
+void Evt21Decoder::finish() { finish_words(words_, clock_, sink_); }
 
 std::optional<Evt21Decoder::Order> Evt21Decoder::likely_order(std::span<const std::byte> data) {
   // Cameras repeat them every few µs. Words with their halves swapped look like vectors.

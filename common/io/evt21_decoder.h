@@ -32,6 +32,7 @@ class Evt21Decoder final : public EventDecoder {
   void finish() override;
   bool has_backlog() const override { return sink_.has_backlog(); }
   const EventCounters& counters() const override { return sink_.counters(); }
+  Timestamp newest() const override { return sink_.newest(); }
 
   /// The order in which more words of `data` are time words; nothing if neither is.
   static std::optional<Order> likely_order(std::span<const std::byte> data);

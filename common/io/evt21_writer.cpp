@@ -3,6 +3,7 @@
 #include <span>
 
 #include "common/io/event_checks.h"
+#include "common/io/event_vector.h"
 #include "common/io/time_words.h"
 
 namespace puck {
@@ -11,15 +12,6 @@ namespace {
 constexpr std::uint64_t kEvt21TimeHigh = std::uint64_t{0x8} << 60;
 constexpr int kEvt21HighBits = 28;
 constexpr int kEvt21LowBits = 6;
-constexpr int kEvt21Pixels = 32;
-
-// Whether the event goes into the same word: time, row, polarity and block of columns are the same,
-// and it comes after the others, so that a reader returns them in this order.
-bool continues(const Event& before, const Event& event) {
-  return event.offset_us == before.offset_us && event.y == before.y &&
-         event.polarity == before.polarity && event.x > before.x &&
-         event.x / kEvt21Pixels == before.x / kEvt21Pixels;
-}
 
 }  // namespace
 
@@ -37,9 +29,9 @@ void Evt21Writer::write(const EventPacket& packet) {
     std::size_t end = i;
     do {
       check_event(events[end], time, sensor_, newest_);
-      mask |= std::uint64_t{1} << (events[end].x % kEvt21Pixels);
+      mask |= std::uint64_t{1} << (events[end].x % kVectorPixels);
       ++end;
-    } while (end < events.size() && continues(events[end - 1], events[end]));
+    } while (end < events.size() && continues_vector(events[end - 1], events[end]));
     newest_ = time;
 
     const std::int64_t high = time.us >> kEvt21LowBits;
@@ -50,7 +42,7 @@ void Evt21Writer::write(const EventPacket& packet) {
       high_ = high;
     }
     const std::uint64_t low_us = static_cast<std::uint64_t>(time.us) & 0x3fU;
-    const auto base = static_cast<std::uint64_t>(first.x / kEvt21Pixels * kEvt21Pixels);
+    const auto base = static_cast<std::uint64_t>(first.x / kVectorPixels * kVectorPixels);
     file_.append_word(std::uint64_t{first.polarity} << 60 | low_us << 54 | base << 43 |
                       std::uint64_t{first.y} << 32 | mask);
     i = end;

@@ -8,7 +8,7 @@ void Evt2Decoder::take(std::uint32_t word) {
     case kDarker + 1:
       take_event(word, word >> 28 != kDarker);
       return;
-    case 0x8:
+    case kTime:
       take_time(word);
       return;
     case 0xA:  // Trigger.

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "common/io/evt3_run.h"
+#include "common/io/word_stream_end.h"
 
 namespace puck {
 std::size_t Evt3Decoder::decode(std::span<const std::byte> bytes, EventPacket& packet,
@@ -18,13 +19,7 @@ std::size_t Evt3Decoder::decode(std::span<const std::byte> bytes, EventPacket& p
       });
 }
 
-void Evt3Decoder::finish() {
-  EventPacket nothing;
-  sink_.begin(nothing, 0);
-  clock_.finish(sink_);
-  sink_.counters().truncated_bytes += static_cast<std::int64_t>(words_.partial_bytes());
-  words_.reset();
-}
+void Evt3Decoder::finish() { finish_words(words_, clock_, sink_); }
 
 // Number of events that a run may write at the newest time and row; 0 where they need `take`.
 std::size_t Evt3Decoder::room_for_run() const {

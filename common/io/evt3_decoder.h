@@ -29,6 +29,7 @@ class Evt3Decoder final : public EventDecoder {
   void finish() override;
   bool has_backlog() const override { return sink_.has_backlog(); }
   const EventCounters& counters() const override { return sink_.counters(); }
+  Timestamp newest() const override { return sink_.newest(); }
 
  private:
   static constexpr std::size_t kRunEvents = 1024;

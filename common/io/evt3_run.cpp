@@ -172,22 +172,53 @@ HWY_INLINE void keep_newest(const std::byte* next, std::uint32_t mask, std::uint
   newest = mask != 0 ? word : newest;
 }
 
-// Writes eight events; a place holds the lower 32 bits of each.
-HWY_INLINE void put_events(WordVector x, WordVector y, std::uint32_t offset_us, Event* out) {
-  const auto offset = hn::Set(Pairs(), offset_us);
-  const auto put = [&](hn::Vec<Pairs> places, Event* to) HWY_ATTR {
+// Writes eight events; a place holds the lower 32 bits of each. Their times are `low` after
+// `high_us`.
+HWY_INLINE void put_events(WordVector x, WordVector y, WordVector low, std::uint32_t high_us,
+                           Event* out) {
+  const auto put = [&](hn::Vec<Pairs> places, hn::Vec<Pairs> low_us, Event* to) HWY_ATTR {
+    const auto offset = hn::Add(low_us, hn::Set(Pairs(), high_us));
     auto* words = reinterpret_cast<std::uint8_t*>(to);
     hn::StoreU(hn::BitCast(Bytes(), hn::InterleaveLower(Pairs(), places, offset)), Bytes(), words);
     hn::StoreU(hn::BitCast(Bytes(), hn::InterleaveUpper(Pairs(), places, offset)), Bytes(),
                words + 16);
   };
-  put(hn::BitCast(Pairs(), hn::InterleaveLower(Words(), x, y)), out);
-  put(hn::BitCast(Pairs(), hn::InterleaveUpper(Words(), x, y)), out + 4);
+  const auto lower = [](WordVector one, WordVector other) HWY_ATTR {
+    return hn::BitCast(Pairs(), hn::InterleaveLower(Words(), one, other));
+  };
+  const auto upper = [](WordVector one, WordVector other) HWY_ATTR {
+    return hn::BitCast(Pairs(), hn::InterleaveUpper(Words(), one, other));
+  };
+  const auto zero = hn::Zero(Words());
+  put(lower(x, y), lower(low, zero), out);
+  put(upper(x, y), upper(low, zero), out + 4);
 }
 
-// Decodes the leading rows, columns and bases among the next eight words. Returns false where the
-// run ends, at an event outside the sensor. The number of words depends on the types alone, so that
-// the next iteration need not wait for the rest.
+// Of each word the newest one of some type up to it, of which `bits` count; before the first of
+// them, `before`.
+HWY_INLINE WordVector newest_of(WordVector word, const Lookup& newest, std::uint32_t before,
+                                std::uint32_t bits) {
+  const Words tag;
+  const auto earlier = hn::And(left_out(newest), hn::Set(tag, static_cast<std::uint16_t>(before)));
+  return hn::And(hn::Or(look_up(word, newest), earlier),
+                 hn::Set(tag, static_cast<std::uint16_t>(bits)));
+}
+
+// Words at whose time, `low`, the clock goes back; `before`: the time before the first.
+HWY_INLINE std::uint32_t backward_times(WordVector low, std::uint32_t before) {
+  alignas(16) static constexpr std::uint16_t kFirst[8] = {0xffff};
+  const Words tag;
+  const SignedWords whole;
+  const auto first =
+      hn::And(hn::Load(tag, kFirst), hn::Set(tag, static_cast<std::uint16_t>(before)));
+  const auto low_before = hn::Or(hn::ShiftLeftLanes<1>(tag, low), first);
+  return bits_of(
+      hn::RebindMask(tag, hn::Gt(hn::BitCast(whole, low_before), hn::BitCast(whole, low))));
+}
+
+// Decodes the leading rows, columns, bases and low times among the next eight words. Returns false
+// where the run ends, at an event outside the sensor or a time that goes back. The number of words
+// depends on the types alone, so that the next iteration need not wait for the rest.
 HWY_INLINE bool take_eight(Evt3Run& run) {
   const Words tag;
   const auto word = hn::LoadU(tag, reinterpret_cast<const std::uint16_t*>(run.next));
@@ -198,13 +229,12 @@ HWY_INLINE bool take_eight(Evt3Run& run) {
   std::uint32_t rows = of_type(Evt3Type::kRow);
   std::uint32_t columns = of_type(Evt3Type::kColumn);
   std::uint32_t bases = of_type(Evt3Type::kVectorBase);
-  const int count = std::countr_one(rows | columns | bases);
+  std::uint32_t times = of_type(Evt3Type::kTimeLow);
+  const int count = std::countr_one(rows | columns | bases | times);
 
   const auto coordinate = hn::Set(tag, static_cast<std::uint16_t>(Evt3Run::kCoordinate));
-  const Lookup& newest_row = kLookups.newest[rows];
-  const auto before =
-      hn::And(left_out(newest_row), hn::Set(tag, static_cast<std::uint16_t>(run.row)));
-  const auto y = hn::And(hn::Or(look_up(word, newest_row), before), coordinate);
+  const auto y = newest_of(word, kLookups.newest[rows], run.row, Evt3Run::kCoordinate);
+  const auto low = newest_of(word, kLookups.newest[times], run.low_us, Evt3Run::kPayload);
   const auto x = hn::And(word, coordinate);
   const auto beyond = [](WordVector place, std::uint32_t size) HWY_ATTR {
     const SignedWords whole;
@@ -213,7 +243,8 @@ HWY_INLINE bool take_eight(Evt3Run& run) {
   const std::uint32_t outside =
       columns & ((1U << count) - 1) &
       bits_of(hn::RebindMask(tag, hn::Or(beyond(x, run.width), beyond(y, run.height))));
-  if (HWY_UNLIKELY(outside != 0)) {
+  const std::uint32_t back = backward_times(low, run.low_us) & ((1U << count) - 1);
+  if (HWY_UNLIKELY((outside | back) != 0)) {
     while (run.take()) {
     }
     return false;
@@ -223,14 +254,17 @@ HWY_INLINE bool take_eight(Evt3Run& run) {
   rows &= taken;
   columns &= taken;
   bases &= taken;
+  times &= taken;
   const auto polarity = hn::ShiftLeft<15 - Evt3Run::kFlagBit>(
       hn::And(word, hn::Set(tag, std::uint16_t{1U << Evt3Run::kFlagBit})));
   const Lookup& packed = kLookups.packed[columns];
-  put_events(look_up(x, packed), look_up(hn::Or(y, polarity), packed),
-             static_cast<std::uint32_t>(run.time() >> 32), run.out);
+  put_events(look_up(x, packed), look_up(hn::Or(y, polarity), packed), look_up(low, packed),
+             static_cast<std::uint32_t>(run.offset_us), run.out);
   run.out += std::popcount(columns);
   keep_newest(run.next, rows, run.row);
   keep_newest(run.next, bases, run.base);
+  keep_newest(run.next, times, run.low_us);
+  run.low_us &= Evt3Run::kPayload;
   run.next += count * Evt3Run::kWordBytes;
   return true;
 }
@@ -250,7 +284,9 @@ void take_words(Evt3Run& run) {
   Evt3Run local = run;
   constexpr std::ptrdiff_t kBytes = kWordsAtOnce * Evt3Run::kWordBytes;
   bool goes_on = true;
-  while (goes_on && local.end - local.next >= kBytes && local.out < local.full) {
+  // Near the longest offset each time is checked.
+  const bool fits_any_time = local.offset_us + Evt3Run::kPayload <= Evt3Run::kLongestOffsetUs;
+  while (goes_on && fits_any_time && local.end - local.next >= kBytes && local.out < local.full) {
     goes_on = take_eight_and_others(local);
   }
   run = local;

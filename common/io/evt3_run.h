@@ -54,11 +54,13 @@ struct Evt3Run {
     return event_bits(0, 0, 0, static_cast<std::uint32_t>(offset_us + low_us));
   }
 
-  /// Whether the next word is a row, a column or a vector base, as nearly all words are.
+  /// Whether the next word is a row, a column, a vector base or a low part of the time, as nearly
+  /// all words are.
   bool is_next_quiet() const {
     constexpr std::uint32_t kQuiet = 1U << static_cast<std::uint32_t>(Evt3Type::kRow) |
                                      1U << static_cast<std::uint32_t>(Evt3Type::kColumn) |
-                                     1U << static_cast<std::uint32_t>(Evt3Type::kVectorBase);
+                                     1U << static_cast<std::uint32_t>(Evt3Type::kVectorBase) |
+                                     1U << static_cast<std::uint32_t>(Evt3Type::kTimeLow);
     return (kQuiet >> (load_word<std::uint16_t>(next) >> 12) & 1U) != 0;
   }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/io/event_checks.h"
+#include "common/io/event_vector.h"
 #include "common/io/time_words.h"
 
 namespace puck {
@@ -12,8 +13,7 @@ namespace {
 constexpr int kLowBits = 12;
 constexpr int kHighBits = 12;
 
-// Sensors write vectors of 32 pixels that begin at a multiple of 32; one costs four words.
-constexpr int kEvt3VectorPixels = 32;
+// A vector costs four words.
 constexpr std::size_t kVectorPays = 5;
 
 }  // namespace
@@ -35,12 +35,8 @@ void Evt3Writer::write(const EventPacket& packet) {
       row_ = first.y;
       put(Evt3Type::kRow, first.y);
     }
-    // Extent of one vector: same time, row and polarity, increasing columns within 32.
     std::size_t end = i + 1;
-    while (end < events.size() && events[end].offset_us == first.offset_us &&
-           events[end].y == first.y && events[end].polarity == first.polarity &&
-           events[end].x > events[end - 1].x &&
-           events[end].x / kEvt3VectorPixels == first.x / kEvt3VectorPixels &&
+    while (end < events.size() && continues_vector(events[end - 1], events[end]) &&
            events[end].x < sensor_.width) {
       ++end;
     }
@@ -55,7 +51,7 @@ void Evt3Writer::write_run(std::span<const Event> run) {
     for (const Event& event : run) put(Evt3Type::kColumn, polarity | event.x);
     return;
   }
-  const std::uint32_t base = run.front().x / kEvt3VectorPixels * kEvt3VectorPixels;
+  const std::uint32_t base = run.front().x / kVectorPixels * kVectorPixels;
   std::uint32_t mask = 0;
   for (const Event& event : run) mask |= 1u << (event.x - base);
   put(Evt3Type::kVectorBase, polarity | base);

@@ -20,7 +20,7 @@ void Evt4Decoder::take(std::uint32_t word) {
     case kDarkerVector + 1:
       vector_ = word;
       return;
-    case 0xE:
+    case kTime:
       take_time(word);
       return;
     case 0x6:  // Monitoring.
@@ -41,10 +41,10 @@ void Evt4Decoder::take_vector(std::uint32_t vector, std::uint32_t mask) {
     return;
   }
   const bool brighter = vector >> 28 != kDarkerVector;
-  const int y = static_cast<int>(y_of(vector));
+  const int y = static_cast<int>(CdWordRun::y_of(vector));
   for (; mask != 0; mask &= mask - 1) {
-    const int x = static_cast<int>(x_of(vector)) + std::countr_zero(mask);
-    clock_.append(low_us(vector), x, y, brighter, sink_);
+    const int x = static_cast<int>(CdWordRun::x_of(vector)) + std::countr_zero(mask);
+    clock_.append(CdWordRun::low_us_of(vector), x, y, brighter, sink_);
   }
 }
 

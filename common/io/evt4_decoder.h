@@ -12,11 +12,12 @@ namespace puck {
 class Evt4Decoder final : public CdWordDecoder {
  public:
   explicit Evt4Decoder(SensorSize sensor, std::int64_t reorder_us = 0)
-      : CdWordDecoder(sensor, reorder_us, kDarker) {}
+      : CdWordDecoder(sensor, reorder_us, kDarker, kTime) {}
 
  private:
   static constexpr std::uint32_t kDarker = 0xA;
   static constexpr std::uint32_t kDarkerVector = 0xC;
+  static constexpr std::uint32_t kTime = 0xE;
 
   void take(std::uint32_t word) override;
   bool is_data_next() const override { return vector_.has_value(); }

@@ -1,9 +1,11 @@
 #include "common/io/file_bytes.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,8 +17,9 @@ namespace {
 
 class FileBytes final : public ByteSource {
  public:
-  explicit FileBytes(const std::string& path)
-      : name_(path == "-" ? "stdin" : path),
+  FileBytes(const std::string& path, const Interruption* interruption)
+      : interruption_(interruption),
+        name_(path == "-" ? "stdin" : path),
         file_(path == "-" ? dup(STDIN_FILENO) : open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     if (!file_.is_open()) {
       throw EventFileError(name_ + ": cannot be opened: " + std::strerror(errno));
@@ -29,6 +32,7 @@ class FileBytes final : public ByteSource {
   std::size_t read(std::span<std::byte> bytes) override {
     std::size_t filled = 0;
     while (filled < bytes.size()) {
+      if (start_ < 0 && interruption_ != nullptr) wait();
       const ssize_t count = ::read(file_.number(), bytes.data() + filled, bytes.size() - filled);
       if (count == 0) break;
       if (count < 0 && errno == EINTR) continue;
@@ -59,6 +63,16 @@ class FileBytes final : public ByteSource {
   }
 
  private:
+  // For bytes, or the end. Throws when it is interrupted.
+  void wait() const {
+    std::array<pollfd, 2> descriptors{
+        {{file_.number(), POLLIN, 0}, {interruption_->number(), POLLIN, 0}}};
+    while (poll(descriptors.data(), descriptors.size(), -1) < 0 && errno == EINTR) {
+    }
+    if (descriptors[1].revents != 0) throw EventFileError(name_ + ": reading was interrupted");
+  }
+
+  const Interruption* interruption_;
   std::string name_;
   FileDescriptor file_;
   off_t start_ = -1;  // Below 0: a pipe.
@@ -66,8 +80,9 @@ class FileBytes final : public ByteSource {
 
 }  // namespace
 
-std::unique_ptr<ByteSource> open_file_bytes(const std::string& path) {
-  return std::make_unique<FileBytes>(path);
+std::unique_ptr<ByteSource> open_file_bytes(const std::string& path,
+                                            const Interruption* interruption) {
+  return std::make_unique<FileBytes>(path, interruption);
 }
 
 }  // namespace puck

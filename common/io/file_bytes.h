@@ -7,7 +7,8 @@
 
 namespace puck {
 
-/// The bytes as they are stored; "-" is standard input. Throws EventFileError.
-std::unique_ptr<ByteSource> open_file_bytes(const std::string& path);
+/// The bytes as they are stored. As open_bytes.
+std::unique_ptr<ByteSource> open_file_bytes(const std::string& path,
+                                            const Interruption* interruption);
 
 }  // namespace puck

@@ -4,8 +4,11 @@
 
 namespace puck {
 
-FilteredReader::FilteredReader(std::unique_ptr<EventReader> events, EventFilterParams params)
-    : events_(std::move(events)), filter_(std::move(params), events_->sensor_size()) {}
+FilteredReader::FilteredReader(std::unique_ptr<EventReader> events, EventFilterParams params,
+                               std::string name)
+    : events_(std::move(events)),
+      filter_(std::move(params), events_->sensor_size()),
+      name_(std::move(name)) {}
 
 bool FilteredReader::read(EventPacket& packet, std::size_t max_events) {
   // An empty packet would signal the end of the file.
@@ -24,8 +27,9 @@ void FilteredReader::rewind() {
 std::vector<std::string> FilteredReader::warnings() const {
   std::vector<std::string> warnings = events_->warnings();
   for (const auto& [count, reason] : left_out().reasons()) {
-    if (count > 0)
-      warnings.push_back(std::to_string(count) + " events " + reason + " are left out");
+    if (count == 0) continue;
+    warnings.push_back(name_ + ": " + std::to_string(count) + " events " + reason +
+                       " are left out");
   }
   return warnings;
 }

@@ -14,8 +14,9 @@ namespace puck {
 /// Another reader's events through a filter.
 class FilteredReader final : public EventReader {
  public:
-  /// Throws std::invalid_argument when the filter does not fit the reader's sensor.
-  FilteredReader(std::unique_ptr<EventReader> events, EventFilterParams params);
+  /// `name`: of the recording, in warnings. Throws std::invalid_argument when the filter does not
+  /// fit the reader's sensor.
+  FilteredReader(std::unique_ptr<EventReader> events, EventFilterParams params, std::string name);
 
   SensorSize sensor_size() const override { return filter_.sensor(); }
   bool read(EventPacket& packet, std::size_t max_events) override;
@@ -31,6 +32,7 @@ class FilteredReader final : public EventReader {
  private:
   std::unique_ptr<EventReader> events_;
   EventFilter filter_;
+  std::string name_;
 };
 
 }  // namespace puck

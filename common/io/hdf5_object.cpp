@@ -58,6 +58,9 @@ void silence_hdf5() {
   // At the process' end HDF5 would unload its filters, and what they hold would count as leaked.
   static const herr_t stays_loaded = H5dont_atexit();
   static_cast<void>(stays_loaded);
+  // A hostile file could otherwise have any other file opened by its links.
+  static const herr_t is_closed = H5Lunregister(H5L_TYPE_EXTERNAL);
+  static_cast<void>(is_closed);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -163,8 +166,8 @@ Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,
                          std::to_string(kMostElements));
   }
   list.elements = elements;
-  const H5D_layout_t layout = H5Pget_layout(creation.id());
-  if (layout == H5D_CHUNKED) {
+  check_hdf5_is_inside(list.object, at);
+  if (H5Pget_layout(creation.id()) == H5D_CHUNKED) {
     hsize_t chunk = 0;
     const std::size_t bytes = H5Tget_size(type.id());
     if (H5Pget_chunk(creation.id(), 1, &chunk) != 1 || chunk == 0 || bytes == 0 ||
@@ -173,9 +176,6 @@ Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,
                            " elements; expected up to 16 MiB");
     }
     list.chunk_elements = chunk;
-  } else if ((layout != H5D_CONTIGUOUS && layout != H5D_COMPACT) ||
-             H5Pget_external_count(creation.id()) != 0) {
-    throw EventFileError(at + " lies in other files; expected it in this one");
   }
   for (int i = 0; i < H5Pget_nfilters(creation.id()); ++i) {
     unsigned flags = 0;
@@ -191,6 +191,14 @@ Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,
   H5Pset_chunk_cache(access.id(), 521, cache_bytes, 1);
   list.object = Hdf5Object(H5Dopen2(file.id(), path.c_str(), access.id()), H5Dclose);
   return list;
+}
+
+void check_hdf5_is_inside(const Hdf5Object& data_set, const std::string& at) {
+  const Hdf5Object creation(H5Dget_create_plist(data_set.id()), H5Pclose);
+  const H5D_layout_t layout = H5Pget_layout(creation.id());
+  const bool is_own = layout == H5D_CHUNKED || layout == H5D_COMPACT ||
+                      (layout == H5D_CONTIGUOUS && H5Pget_external_count(creation.id()) == 0);
+  if (!is_own) throw EventFileError(at + " lies in other files; expected it in this one");
 }
 
 void check_hdf5_filters(const Hdf5DataSet& list, const std::string& name) {

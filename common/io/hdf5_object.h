@@ -78,6 +78,9 @@ std::string hdf5_packing(const Hdf5DataSet& list);
 Hdf5DataSet open_hdf5_list(const Hdf5Object& file, const std::string& path,
                            const std::string& name);
 
+/// Throws EventFileError, with `at` before it, for a data set whose numbers lie in other files.
+void check_hdf5_is_inside(const Hdf5Object& data_set, const std::string& at);
+
 /// Throws EventFileError if the library cannot undo one of the filters.
 void check_hdf5_filters(const Hdf5DataSet& list, const std::string& name);
 

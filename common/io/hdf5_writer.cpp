@@ -121,7 +121,7 @@ class Hdf5Writer final : public EventWriter {
         packing_(packing) {
     silence_hdf5();
     if (path == "-") copied_.emplace("puck-hdf5-");
-    const std::filesystem::path& target = copied_ ? copied_->give_name() : path;
+    const std::filesystem::path target = copied_ ? copied_->give_name() : path;
     // Opened as a plain file first, for the system's words on what is wrong.
     OutputFile(target).flush();
     file_ =
@@ -160,6 +160,7 @@ class Hdf5Writer final : public EventWriter {
         throw std::invalid_argument("HDF5 holds pauses of up to 24 h, got " +
                                     std::to_string((time - newest_) / 1000000) + " s");
       }
+      pauses_.add(time - newest_, "HDF5");
       newest_ = time;
       add_indexes_until(time - *start_);
       block_.push_back({event.x, static_cast<std::uint16_t>(event.y),
@@ -181,7 +182,7 @@ class Hdf5Writer final : public EventWriter {
     events_.reset();
     indexes_.reset();
     file_ = {};
-    if (copied_) copy_to_stdout("/proc/self/fd/" + std::to_string(copied_->number()));
+    if (copied_) copy_to_stdout(copied_->path());
   }
 
  private:
@@ -242,6 +243,7 @@ class Hdf5Writer final : public EventWriter {
   std::optional<GrowingList> indexes_;
   std::optional<Timestamp> start_;
   Timestamp newest_{0};
+  PauseSum pauses_;
   std::uint64_t written_ = 0;
   std::int64_t next_index_us_ = 0;
   std::vector<EcfEvent> block_;

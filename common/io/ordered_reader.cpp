@@ -7,22 +7,23 @@
 namespace puck {
 namespace {
 
-EventOrder make_order(std::int64_t reorder_us) {
+EventOrder make_order(std::int64_t reorder_us, const std::string& name) {
   try {
     return EventOrder(reorder_us);
   } catch (const std::invalid_argument& error) {
-    throw EventFileError(error.what());
+    throw EventFileError(name + ": " + error.what());
   }
 }
 
 }  // namespace
 
 OrderedReader::OrderedReader(std::unique_ptr<EventReader> events, std::int64_t reorder_us,
-                             std::vector<std::string> notes)
+                             std::string name, std::vector<std::string> notes)
     : events_(std::move(events)),
       reorder_us_(reorder_us),
+      name_(std::move(name)),
       notes_(std::move(notes)),
-      order_(make_order(reorder_us)) {}
+      order_(make_order(reorder_us, name_)) {}
 
 bool OrderedReader::read(EventPacket& packet, std::size_t max_events) {
   while (!order_.take(packet, max_events)) {
@@ -48,7 +49,7 @@ std::vector<std::string> OrderedReader::warnings() const {
   std::vector<std::string> warnings = notes_;
   for (std::string& warning : events_->warnings()) warnings.push_back(std::move(warning));
   if (order_.dropped() > 0) {
-    warnings.push_back(std::to_string(order_.dropped()) +
+    warnings.push_back(name_ + ": " + std::to_string(order_.dropped()) +
                        " events out of order dropped: more than " +
                        std::to_string(EventOrder::kMostHeld) + " lie within " +
                        std::to_string(reorder_us_) + " µs");

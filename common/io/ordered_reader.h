@@ -16,8 +16,9 @@ namespace puck {
 /// handed out first.
 class OrderedReader final : public EventReader {
  public:
-  /// `notes`: further warnings. Throws EventFileError for an invalid `reorder_us`.
-  OrderedReader(std::unique_ptr<EventReader> events, std::int64_t reorder_us,
+  /// `name`: of the recording, in messages. `notes`: further warnings. Throws EventFileError for an
+  /// invalid `reorder_us`.
+  OrderedReader(std::unique_ptr<EventReader> events, std::int64_t reorder_us, std::string name,
                 std::vector<std::string> notes);
 
   SensorSize sensor_size() const override { return events_->sensor_size(); }
@@ -33,6 +34,7 @@ class OrderedReader final : public EventReader {
 
   std::unique_ptr<EventReader> events_;
   std::int64_t reorder_us_;
+  std::string name_;
   std::vector<std::string> notes_;
   EventOrder order_;
   EventPacket next_;

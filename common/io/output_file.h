@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/io/word_assembler.h"
 #include "common/posix/file_descriptor.h"
 
 namespace puck {
@@ -23,11 +24,9 @@ class OutputFile {
   /// A number, little-endian.
   template <typename Word>
   void append_word(Word word) {
-    std::array<char, sizeof(Word)> bytes{};
-    for (std::size_t i = 0; i < sizeof(Word); ++i) {
-      bytes[i] = static_cast<char>(word >> (8 * i) & 0xffU);
-    }
-    append({bytes.data(), bytes.size()});
+    std::array<std::byte, sizeof(Word)> bytes{};
+    store_word(word, bytes.data());
+    append({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
   /// Throws EventFileError when it cannot be written.
   void flush();

@@ -6,7 +6,6 @@
 
 #include "common/io/event_reader.h"
 #include "common/io/hdf5_events.h"
-#include "common/io/hdf5_gaps.h"
 #include "common/io/hdf5_gzip.h"
 #include "common/io/parse_number.h"
 
@@ -37,10 +36,11 @@ Unpacking unpacking_of(const Hdf5DataSet& list, hid_t event_type) {
   return Unpacking::kLibrary;
 }
 
-class PropheseeHdf5 final : public Hdf5Events {
+class PropheseeHdf5 final : public Hdf5EventList {
  public:
   PropheseeHdf5(Hdf5Object file, const std::string& name)
-      : file_(std::move(file)),
+      : Hdf5EventList("data set /CD/events, events"),
+        file_(std::move(file)),
         list_(open_hdf5_list(file_, "CD/events", name)),
         type_(prophesee_event_type()),
         unpacking_(unpacking_of(list_, type_.id())) {
@@ -51,40 +51,11 @@ class PropheseeHdf5 final : public Hdf5Events {
       throw EventFileError(name + ": data set /CD/events has chunks of " +
                            std::to_string(list_.chunk_elements) + " events; ECF holds up to 65535");
     }
-    gaps_.add(list_);
+    add_list(list_, list_.chunk_elements > 0 ? list_.chunk_elements : kPlainPartEvents);
     find_offset(name);
     find_sensor(name);
   }
 
-  bool next(Part& part) override {
-    part.missing = 0;
-    part.events.clear();
-    if (next_ >= list_.elements) return false;
-    const Hdf5Gaps::Run run = gaps_.run_from(next_, list_.elements);
-    if (run.is_missing) {
-      take_gap(run.end, part);
-      return true;
-    }
-    const std::uint64_t most = list_.chunk_elements > 0 ? list_.chunk_elements : kPlainPartEvents;
-    const std::uint64_t count = std::min(most, run.end - next_);
-    const std::uint64_t first = std::exchange(next_, next_ + count);
-    try {
-      read_part(first, count, part.events);
-    } catch (const std::invalid_argument& error) {
-      part.events.clear();
-      part.missing = count;
-      part.fault =
-          "data set /CD/events, events from " + std::to_string(first) + " on: " + error.what();
-    }
-    part.offset_us = static_cast<std::int64_t>(-static_cast<std::uint64_t>(offset_us_));
-    return true;
-  }
-
-  void rewind() override { next_ = 0; }
-  double share_read() const override {
-    return list_.elements == 0 ? 1.0
-                               : static_cast<double>(next_) / static_cast<double>(list_.elements);
-  }
   std::optional<SensorSize> sensor_size() const override { return sensor_; }
   RecordingFacts facts() const override {
     return {"HDF5 (Prophesee), " + hdf5_packing(list_),
@@ -137,14 +108,9 @@ class PropheseeHdf5 final : public Hdf5Events {
     }
   }
 
-  void take_gap(std::uint64_t end, Part& part) {
-    part.missing = end - next_;
-    part.fault = "data set /CD/events, events from " + std::to_string(next_) +
-                 " on: " + std::to_string(part.missing) + " were never written to the file";
-    next_ = end;
-  }
-
-  void read_part(std::uint64_t first, std::uint64_t count, std::vector<EcfEvent>& events) {
+  void read_part(std::uint64_t first, std::uint64_t count, Part& part) override {
+    std::vector<EcfEvent>& events = part.events;
+    part.offset_us = static_cast<std::int64_t>(-static_cast<std::uint64_t>(offset_us_));
     // HDF5 leaves chunks as they are that packing would make larger.
     if (unpacking_ == Unpacking::kLibrary || !read_packed(first)) {
       events.resize(count);
@@ -186,13 +152,11 @@ class PropheseeHdf5 final : public Hdf5Events {
 
   Hdf5Object file_;
   Hdf5DataSet list_;
-  Hdf5Gaps gaps_;
   Hdf5Object type_;
   Unpacking unpacking_ = Unpacking::kLibrary;
   Hdf5Gzip gzip_;
   std::int64_t offset_us_ = 0;  // To subtract.
   std::optional<SensorSize> sensor_;
-  std::uint64_t next_ = 0;
   std::vector<std::byte> packed_;
 };
 

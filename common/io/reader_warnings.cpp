@@ -1,5 +1,8 @@
 #include "common/io/reader_warnings.h"
 
+#include <array>
+#include <cstdio>
+
 namespace puck {
 
 std::vector<std::string> reader_warnings(const std::string& name, const EventCounters& counters,
@@ -15,13 +18,24 @@ std::vector<std::string> reader_warnings(const std::string& name, const EventCou
   }
   warn(counters.before_start, "events came before their time or row was known; dropped");
   warn(counters.outside_sensor, "events lie outside the sensor; dropped");
-  warn(counters.backwards,
-       "events come too late to be put in order; dropped");
+  warn(counters.backwards, "events come too late to be put in order; dropped");
   warn(counters.other_data, "records are of other sensors or of the other eye; skipped");
   warn(counters.malformed_words, "words, lines or packets are malformed; skipped");
   warn(counters.time_glitches, "time stamps contradict their neighbours; ignored");
   if (is_complete && counters.events == 0) lines.push_back(name + ": holds no events");
   return lines;
+}
+
+std::optional<std::string> large_loss(const EventCounters& counters) {
+  const std::int64_t lost = counters.before_start + counters.outside_sensor + counters.backwards;
+  const std::int64_t all = counters.events + lost;
+  constexpr std::int64_t kMostShare = 100;
+  if (lost == 0 || lost * kMostShare <= all) return std::nullopt;
+  std::array<char, 120> text{};
+  std::snprintf(text.data(), text.size(),
+                "%.1f %% of its events were left out; what is read of it is incomplete",
+                100.0 * static_cast<double>(lost) / static_cast<double>(all));
+  return text.data();
 }
 
 }  // namespace puck

@@ -15,4 +15,8 @@ std::vector<std::string> reader_warnings(const std::string& name, const EventCou
                                          bool is_complete,
                                          std::optional<std::int64_t> bytes = std::nullopt);
 
+/// Why the reading of a file counts as failed, though it has an end: more than 1 % of its events
+/// were dropped by the reader.
+std::optional<std::string> large_loss(const EventCounters& counters);
+
 }  // namespace puck

@@ -6,7 +6,7 @@
 namespace puck {
 namespace {
 
-constexpr std::size_t kBlockBytes = 262144;
+constexpr std::size_t kBlockBytes = 65536;
 // Enough for some 300,000 lines of text, from which the unit of the times may have to be guessed.
 constexpr std::size_t kFileSampleBytes = std::size_t{8} << 20;
 

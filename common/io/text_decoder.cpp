@@ -1,11 +1,14 @@
 #include "common/io/text_decoder.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <utility>
 
 #include "common/io/event_sink.h"
+#include "common/io/reader_warnings.h"
 #include "common/io/text_format.h"
 #include "common/io/trimmed.h"
 
@@ -14,6 +17,8 @@ namespace {
 
 // A longer line is no event.
 constexpr std::size_t kLongestTextLine = 4096;
+// Late events of one camera are later than that by far less.
+constexpr std::int64_t kJoinedBackUs = 100'000;
 
 class TextDecoder final : public EventDecoder {
  public:
@@ -64,6 +69,18 @@ class TextDecoder final : public EventDecoder {
 
   bool has_backlog() const override { return sink_.has_backlog(); }
   const EventCounters& counters() const override { return sink_.counters(); }
+  Timestamp newest() const override { return sink_.newest(); }
+
+  std::vector<std::string> notes() const override {
+    if (!large_loss(counters()) || longest_back_us_ < kJoinedBackUs) return {};
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+                  "the times go back at line %lld by %.6g s: are two recordings joined? Split the "
+                  "file at that line",
+                  static_cast<long long>(longest_back_line_),
+                  static_cast<double>(longest_back_us_) * 1e-6);
+    return {text.data()};
+  }
 
  private:
   static bool is_comment(std::string_view content) {
@@ -73,6 +90,10 @@ class TextDecoder final : public EventDecoder {
   void take_line(std::string_view line) {
     TextEvent event;
     if (parse_text_event(line, format_, event)) {
+      if (newest_us_ - event.t_us > longest_back_us_) {
+        longest_back_us_ = newest_us_ - event.t_us;
+        longest_back_line_ = line_number_;
+      }
       newest_us_ = std::max(newest_us_, event.t_us);
       sink_.append({event.t_us}, event.x, event.y, event.brighter);
       return;
@@ -96,6 +117,8 @@ class TextDecoder final : public EventDecoder {
   std::string partial_;  // A line whose end has not come.
   std::int64_t line_number_;
   std::int64_t newest_us_ = 0;
+  std::int64_t longest_back_us_ = 0;
+  std::int64_t longest_back_line_ = 0;
 };
 
 }  // namespace

@@ -40,6 +40,12 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   return fields;
 }
 
+// Without the quotes around it.
+std::string_view unquoted(std::string_view field) {
+  const bool is_quoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
+  return is_quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
+}
+
 // Lower case, without quotes; a size behind `@` goes to `size`.
 std::string plain_name(std::string_view field, int& size) {
   std::string name;
@@ -121,8 +127,11 @@ class TextStart {
       if (!line) return head_.is_all;
       const std::string_view content = trimmed(*line);
       if (content.empty()) continue;
+      bool is_complete = true;
       if (content.starts_with("%geometry:")) {
         take_geometry(content);
+      } else if (take_size(*line, is_complete)) {
+        if (!is_complete) return false;
       } else if (content.front() == '#' || content.front() == '%') {
         const std::size_t start = std::min(content.find_first_not_of("#% "), content.size());
         take_names(content.substr(start), true);
@@ -139,6 +148,11 @@ class TextStart {
     }
   }
 
+  [[noreturn]] void refuse_line(const std::string& why, std::string_view content) const {
+    throw EventFileError(head_.name + ":" + std::to_string(line_number_) + ": " + why + ", got \"" +
+                         std::string(content.substr(0, 60)) + "\"");
+  }
+
   void take_geometry(std::string_view content) {
     std::string_view text = content.substr(content.find(':') + 1);
     const std::size_t comma = text.find(',');
@@ -146,20 +160,38 @@ class TextStart {
     if (comma == std::string_view::npos ||
         !parse_number(trimmed(text.substr(0, comma)), sensor.width) ||
         !parse_number(trimmed(text.substr(comma + 1)), sensor.height) || !sensor.is_valid()) {
-      throw EventFileError(head_.name + ":" + std::to_string(line_number_) +
-                           ": expected %geometry:WIDTH,HEIGHT with both from 1 to 2048, got \"" +
-                           std::string(content.substr(0, 60)) + "\"");
+      refuse_line("expected %geometry:WIDTH,HEIGHT with both from 1 to 2048", content);
     }
     if (format_.sensor && *format_.sensor != sensor) {
-      throw EventFileError(head_.name + ":" + std::to_string(line_number_) +
-                           ": expected %geometry once, or the same size again, got \"" +
-                           std::string(content.substr(0, 60)) + "\"");
+      refuse_line("expected %geometry once, or the same size again", content);
     }
     if (format_.sensor) {
       format_.notes.push_back("line " + std::to_string(line_number_) +
                               " repeats %geometry; expected it once");
     }
     format_.sensor = sensor;
+  }
+
+  // A line with the sensor's width and height alone, before lines of four columns. `is_complete`
+  // becomes false while those have not come.
+  bool take_size(std::string_view line, bool& is_complete) {
+    const auto numbers = split(line, '\0');
+    SensorSize sensor;
+    if (numbers.size() != 2 || !parse_number(numbers[0], sensor.width) ||
+        !parse_number(numbers[1], sensor.height) || !sensor.is_valid()) {
+      return false;
+    }
+    const std::string_view rest = head_.text().substr(at_);
+    const std::size_t end = rest.find('\n');
+    is_complete = head_.is_all || end != std::string_view::npos;
+    if (is_complete &&
+        split(rest.substr(0, end), format_.separator).size() != TextFormat::kValues) {
+      return false;
+    }
+    format_.sensor = sensor;
+    // Within a line the two numbers prove nothing.
+    format_.repeat = "\n" + std::string(line) + "\n";
+    return true;
   }
 
   // One that is no blank and stands in the names as in the line behind them: names and columns of
@@ -200,9 +232,7 @@ class TextStart {
     const auto missing = std::count_if(columns.begin(), columns.end(), is_missing);
     if (missing > 0) {
       if (missing == TextFormat::kValues || is_comment) return false;
-      throw EventFileError(head_.name + ":" + std::to_string(line_number_) +
-                           ": expected the names of columns for time, x, y and polarity, got \"" +
-                           std::string(content.substr(0, 60)) + "\"");
+      refuse_line("expected the names of columns for time, x, y and polarity", content);
     }
     for (std::size_t i = 0; i < columns.size(); ++i) format_.columns[i] = *columns[i];
     format_.column_count = fields.size();
@@ -236,6 +266,7 @@ class TextStart {
   // The first line that should be an event; without names, it decides between the usual orders.
   void check_event(std::string_view content, bool is_whole) {
     TextEvent event;
+    format_.has_quotes = content.find('"') != std::string_view::npos;
     // The smallest unit allows the largest numbers.
     TextFormat format = format_;
     format.unit = TimeUnit::kNanoseconds;
@@ -248,11 +279,10 @@ class TextStart {
       format_.description = "x y p t";
       format_.notes.push_back("took the columns as `x y p t`, as the last one holds no polarity");
     } else if (is_whole) {
-      throw EventFileError(
-          head_.name + ":" + std::to_string(line_number_) +
-          ": is neither a header of a known format nor text with one event a line: "
-          "expected `" +
-          format_.description + "`, got \"" + std::string(content.substr(0, 60)) + "\"");
+      refuse_line(
+          "is neither a header of a known format nor text with one event a line: expected `" +
+              format_.description + "`",
+          content);
     }
   }
 
@@ -266,7 +296,7 @@ class TextStart {
       if (content.empty() || content.front() == '#' || content.front() == '%') continue;
       const auto fields = split(content, format_.separator);
       const std::size_t column = format_.columns[TextFormat::kTime];
-      if (column < fields.size()) times.add(fields[column]);
+      if (column < fields.size()) times.add(unquoted(fields[column]));
     }
     return times.unit(head_.name, format_.notes);
   }
@@ -429,27 +459,18 @@ class LineCursor {
 
 }  // namespace
 
-int power_of_ten_us(TimeUnit unit) {
-  switch (unit) {
-    case TimeUnit::kSeconds:
-      return 6;
-    case TimeUnit::kMilliseconds:
-      return 3;
-    case TimeUnit::kMicroseconds:
-      return 0;
-    case TimeUnit::kNanoseconds:
-      break;
-  }
-  return -3;
-}
-
 bool parse_text_event(std::string_view line, const TextFormat& format, TextEvent& event) {
+  if (format.has_quotes && line.find('"') != std::string_view::npos) {
+    std::string plain(line);
+    std::erase(plain, '"');
+    return parse_text_event(plain, format, event);
+  }
   LineCursor cursor(line, format.separator);
   std::size_t found = 0;
   for (std::size_t column = 0; column < format.column_count; ++column) {
     if (column > 0 && !cursor.go_on()) return false;
     if (column == format.columns[TextFormat::kTime]) {
-      if (!cursor.read_time(power_of_ten_us(format.unit), event.t_us)) return false;
+      if (!cursor.read_time(static_cast<int>(format.unit), event.t_us)) return false;
     } else if (column == format.columns[TextFormat::kX]) {
       if (!cursor.read_whole(event.x)) return false;
     } else if (column == format.columns[TextFormat::kY]) {

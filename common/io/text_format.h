@@ -13,11 +13,13 @@
 
 namespace puck {
 
-/// Units of the times in text files.
-enum class TimeUnit : std::uint8_t { kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
-
-/// The power of ten of a unit, in µs: 6 for s, −3 for ns.
-int power_of_ten_us(TimeUnit unit);
+/// Units of the times in text files; the number is the power of ten of the unit in µs.
+enum class TimeUnit : std::int8_t {
+  kSeconds = 6,
+  kMilliseconds = 3,
+  kMicroseconds = 0,
+  kNanoseconds = -3,
+};
 
 /// How a text file with one event a line is laid out.
 struct TextFormat {
@@ -27,7 +29,8 @@ struct TextFormat {
   /// Of each value, the index of its column.
   std::array<std::size_t, kValues> columns{};
   std::size_t column_count = kValues;
-  char separator = '\0';  ///< '\0': any run of blanks, tabs, `,` and `;`.
+  char separator = '\0';    ///< '\0': any run of blanks, tabs, `,` and `;`.
+  bool has_quotes = false;  ///< Around numbers.
   TimeUnit unit = TimeUnit::kMicroseconds;
   std::string description;  ///< As "t x y p", in messages.
 

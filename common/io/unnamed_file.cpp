@@ -44,6 +44,11 @@ const std::filesystem::path& UnnamedFile::give_name() {
   return name_;
 }
 
+std::filesystem::path UnnamedFile::path() {
+  drop_name();
+  return "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(number());
+}
+
 void UnnamedFile::drop_name() {
   if (!name_.empty()) unlink(name_.c_str());
   name_.clear();

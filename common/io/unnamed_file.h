@@ -21,7 +21,11 @@ class UnnamedFile {
 
   int number() const { return file_.number(); }
 
-  /// For libraries that open files by their name only. Throws EventFileError.
+  /// By this path the process and its children can open it, as long as this object lives. Removes
+  /// its name, if it has one.
+  std::filesystem::path path();
+
+  /// For libraries that want a file with a name. Throws EventFileError.
   const std::filesystem::path& give_name();
   void drop_name();
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <vector>
 
 namespace puck {
 
@@ -19,6 +21,20 @@ Word load_word(const std::byte* bytes) {
     }
   }
   return word;
+}
+
+/// A number as little-endian bytes.
+template <typename Word>
+void store_word(Word word, std::byte* bytes) {
+  for (std::size_t i = 0; i < sizeof word; ++i) {
+    bytes[i] = static_cast<std::byte>(word >> (8 * i) & 0xffU);
+  }
+}
+template <typename Word>
+void append_word(std::vector<std::byte>& bytes, Word word) {
+  std::array<std::byte, sizeof word> stored{};
+  store_word(word, stored.data());
+  bytes.insert(bytes.end(), stored.begin(), stored.end());
 }
 
 /// Splits a byte stream, in pieces of any size, into little-endian words.

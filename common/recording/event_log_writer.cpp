@@ -6,7 +6,7 @@
 #include "common/io/event_checks.h"
 #include "common/io/event_reader.h"
 #include "common/io/output_file.h"
-#include "common/io/temporary_path.h"
+#include "common/io/unnamed_file.h"
 #include "common/messaging/channels.h"
 #include "common/messaging/event_packing.h"
 #include "common/messaging/log_file.h"
@@ -71,7 +71,7 @@ class LogOfEvents final : public EventWriter {
   SensorSize sensor_;
   std::string channel_;
   EventPacker packer_;
-  std::optional<TemporaryPath> copied_;
+  std::optional<UnnamedFile> copied_;
   std::optional<LogWriter> log_;
   std::int64_t session_ = random_session();
   std::int64_t seq_ = 0;

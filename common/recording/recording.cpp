@@ -7,7 +7,7 @@
 #include "common/io/byte_source.h"
 #include "common/io/output_file.h"
 #include "common/io/peeked_bytes.h"
-#include "common/io/temporary_path.h"
+#include "common/io/unnamed_file.h"
 #include "common/messaging/log_file.h"
 #include "common/messaging/log_format.h"
 #include "common/recording/event_log_reader.h"
@@ -21,14 +21,19 @@ namespace {
 /// copy stays.
 class CopiedLog final : public EventReader {
  public:
-  CopiedLog(ByteSource& bytes, const std::string& prefix) : copy_("puck-log-") {
-    OutputFile file(copy_.path());
+  CopiedLog(ByteSource& bytes, const std::string& prefix)
+      : copy_("puck-log-"), path_(copy_.path().string()), name_(bytes.name()) {
+    OutputFile file(path_);
     std::vector<std::byte> block(std::size_t{1} << 20);
     while (const std::size_t count = bytes.read(block)) {
       file.append({reinterpret_cast<const char*>(block.data()), count});
     }
     file.flush();
-    events_ = open_event_log(copy_.path(), prefix, EventLog::Sessions::kJoined);
+    try {
+      events_ = open_event_log(path_, prefix, EventLog::Sessions::kJoined);
+    } catch (const LogFileError& error) {
+      throw EventFileError(with_own_name(error.what()));
+    }
   }
 
   SensorSize sensor_size() const override { return events_->sensor_size(); }
@@ -38,11 +43,22 @@ class CopiedLog final : public EventReader {
   void rewind() override { events_->rewind(); }
   const EventCounters& counters() const override { return events_->counters(); }
   RecordingFacts facts() const override { return events_->facts(); }
+  std::vector<std::string> warnings() const override {
+    std::vector<std::string> lines = events_->warnings();
+    for (std::string& line : lines) line = with_own_name(std::move(line));
+    return lines;
+  }
   std::int64_t session_number() const override { return events_->session_number(); }
-  std::vector<std::string> warnings() const override { return events_->warnings(); }
 
  private:
-  TemporaryPath copy_;
+  // A message names the copy at its beginning.
+  std::string with_own_name(std::string message) const {
+    return message.starts_with(path_) ? name_ + message.substr(path_.size()) : message;
+  }
+
+  UnnamedFile copy_;
+  std::string path_;
+  std::string name_;
   std::unique_ptr<EventReader> events_;
 };
 
@@ -54,7 +70,8 @@ std::unique_ptr<EventReader> open_recording(const std::filesystem::path& path,
   try {
     if (path != "-" && is_lcm_log(path))
       return open_event_log(path, prefix, EventLog::Sessions::kJoined);
-    auto bytes = std::make_unique<PeekedBytes>(open_bytes(path.string()), kLogMark.size());
+    auto bytes = std::make_unique<PeekedBytes>(open_bytes(path.string(), options.interruption),
+                                               kLogMark.size());
     if (bytes->head() ==
         std::string_view(reinterpret_cast<const char*>(kLogMark.data()), kLogMark.size()))
       return std::make_unique<CopiedLog>(*bytes, prefix);
@@ -66,6 +83,20 @@ std::unique_ptr<EventReader> open_recording(const std::filesystem::path& path,
 
 std::string_view format_of_recording(const std::filesystem::path& path) {
   return path.extension() == ".lcm" ? kLcmLogFormat : format_of_ending(path);
+}
+
+std::vector<std::string> written_format_names() {
+  std::vector<std::string> names;
+  for (const WrittenFormat& format : kWrittenFormats) names.emplace_back(format.name);
+  names.emplace_back(kLcmLogFormat);
+  return names;
+}
+
+std::string_view usual_ending_of(std::string_view format) {
+  for (const WrittenFormat& each : kWrittenFormats) {
+    if (each.name == format) return each.usual_ending;
+  }
+  return ".lcm";
 }
 
 std::unique_ptr<EventWriter> make_recording_writer(const std::filesystem::path& path,

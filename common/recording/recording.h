@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/io/event_reader.h"
 #include "common/io/event_writer.h"
@@ -22,6 +23,13 @@ std::unique_ptr<EventReader> open_recording(const std::filesystem::path& path,
 
 /// As format_of_ending, and "lcm" for .lcm.
 std::string_view format_of_recording(const std::filesystem::path& path);
+
+/// The names of all formats that can be written.
+std::vector<std::string> written_format_names();
+
+/// The usual ending of files of a format, ".raw" for "evt2". `format`: one of
+/// written_format_names().
+std::string_view usual_ending_of(std::string_view format);
 
 /// As make_event_writer, and "lcm" for LCM logs.
 std::unique_ptr<EventWriter> make_recording_writer(const std::filesystem::path& path,

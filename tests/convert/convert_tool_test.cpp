@@ -1,4 +1,5 @@
 // The real puck-convert.
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -195,6 +196,104 @@ TEST_CASE("an interrupted conversion leaves no file") {
   CHECK(program.wait() == -1);
   CHECK_FALSE(has_part_left(folder));
   CHECK_FALSE(fs::exists(folder / "out.csv"));
+}
+
+TEST_CASE("a conversion of a part ends with it, also where the pipe does not") {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe.raw";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const std::string start = read_text(write_recording(folder / "start.raw", many_events()));
+  ChildProcess program({program_path("puck-convert"), pipe.string(), (folder / "out.csv").string(),
+                        "--seconds", "0.01"});
+  std::ofstream feed(pipe, std::ios::binary);
+  feed << start << std::flush;
+  const auto exit_code = program.wait_for(std::chrono::seconds(30));
+  REQUIRE(exit_code.has_value());
+  CHECK(*exit_code == 0);
+  CHECK(events_in(folder / "out.csv").back().t_us < 30'000);
+}
+
+TEST_CASE("a writer that fails ends a conversion, also where the pipe does not") {
+  if (!fs::exists("/dev/full")) return;
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe.raw";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const std::string start = read_text(write_recording(folder / "start.raw", many_events()));
+  ChildProcess program({program_path("puck-convert"), pipe.string(), "/dev/full", "--to", "csv"},
+                       {.errors = folder / "errors"});
+  std::ofstream feed(pipe, std::ios::binary);
+  feed << start << std::flush;
+  const auto exit_code = program.wait_for(std::chrono::seconds(30));
+  REQUIRE(exit_code.has_value());
+  CHECK(*exit_code == 1);
+  CHECK(contains(read_text(folder / "errors"), "/dev/full: cannot be written: No space left"));
+}
+
+TEST_CASE("a signal ends a conversion that waits for a pipe") {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe.raw";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  for (const bool has_writer : {false, true}) {
+    CAPTURE(has_writer);
+    ChildProcess program(
+        {program_path("puck-convert"), pipe.string(), (folder / "out.csv").string()});
+    std::ofstream feed;
+    if (has_writer) feed.open(pipe, std::ios::binary);
+    program.send(SIGINT);
+    const auto exit_code = program.wait_for(std::chrono::seconds(30));
+    REQUIRE(exit_code.has_value());
+    CHECK(*exit_code == -1);
+  }
+}
+
+TEST_CASE("of two texts joined the first is converted, with exit 1 and the line of the second") {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 400; ++i) text += std::to_string(1000 + 10'001 * i) + " 1 2 1\n";
+  const auto convert_text = [&](const std::string& content) {
+    return convert({folder.write("in.txt", content).string(), (folder / "out.raw").string(),
+                    "--width", "64", "--height", "48"});
+  };
+  const Finished joined = convert_text(text + text);
+  CHECK(joined.exit_code == 1);
+  CHECK(contains(joined.output, "800 events read, 401 written"));
+  CHECK(contains(joined.errors, "the times go back at line 401 by 3.9904 s"));
+  CHECK(contains(joined.errors, "49.9 % of its events were left out"));
+  CHECK(events_in(folder / "out.raw").size() == 401);
+
+  // With the columns' names before each, both are read.
+  const std::string named = "t x y p\n" + text;
+  CHECK(convert_text(named + named).exit_code == 0);
+  CHECK(events_in(folder / "out.raw").size() == 800);
+}
+
+TEST_CASE("a copy of a log has no name, so that a signal leaves nothing of it") {
+  const TemporaryFolder folder;
+  const TemporaryFolder copies;
+  const fs::path pipe = folder / "pipe.lcm";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  REQUIRE(convert({write_recording(folder / "start.raw", many_events()),
+                   (folder / "start.lcm").string()})
+              .exit_code == 0);
+  // To stdout a log is written by way of a copy, too.
+  ChildProcess program({"env", "TMPDIR=" + copies.path().string(), program_path("puck-convert"),
+                        pipe.string(), "-", "--to", "lcm"},
+                       {.output = folder / "out"});
+  std::ofstream feed(pipe, std::ios::binary);
+  feed << read_text(folder / "start.lcm") << std::flush;
+  const auto is_copying = [&] {
+    const fs::path descriptors = "/proc/" + std::to_string(program.pid()) + "/fd";
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(descriptors, error)) {
+      if (contains(fs::read_symlink(entry, error).string(), copies.path().string())) return true;
+    }
+    return false;
+  };
+  wait_until(is_copying);
+  CHECK(is_copying());
+  program.send(SIGKILL);
+  CHECK(program.wait() == -1);
+  CHECK(fs::is_empty(copies.path()));
 }
 
 TEST_CASE("a file can be converted onto itself") {

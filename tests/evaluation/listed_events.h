@@ -32,13 +32,18 @@ class ListedEvents final : public EventReader {
     }
     return true;
   }
-  void rewind() override { next_ = 0; }
+  void rewind() override {
+    next_ = 0;
+    ++rewinds_;
+  }
+  int rewinds() const { return rewinds_; }
   const EventCounters& counters() const override { return counters_; }
   std::vector<std::string> warnings() const override { return {}; }
 
  private:
   std::vector<std::int64_t> times_us_;
   std::size_t next_ = 0;
+  int rewinds_ = 0;
   EventCounters counters_;
 };
 

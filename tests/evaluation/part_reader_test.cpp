@@ -21,10 +21,13 @@ std::unique_ptr<ListedEvents> listed(std::vector<std::int64_t> times_us) {
 TEST_CASE("a part starts at the first event, and excludes its end") {
   const std::vector<std::int64_t> part{1'300, 1'400, 1'500};
   for (const std::size_t most : {std::size_t{1}, std::size_t{2}, std::size_t{100}}) {
-    PartReader events(listed({1'000, 1'299, 1'300, 1'400, 1'500, 1'501, 1'600}),
-                      {.from_us = 300, .length_us = 201});
+    auto source = listed({1'000, 1'299, 1'300, 1'400, 1'500, 1'501, 1'600});
+    const ListedEvents& all = *source;
+    PartReader events(std::move(source), {.from_us = 300, .length_us = 201});
     CHECK(events.begin().us == 1'300);
     CHECK(times_of(events, most) == part);
+    // A pipe can be read once only.
+    CHECK(all.rewinds() == 0);
     events.rewind();
     CHECK(times_of(events, most) == part);
   }

@@ -100,6 +100,15 @@ TEST_CASE("puck-info exits with 1 when something is wrong with the file") {
   CHECK(contains(problems_of(bytes + "\x80\x22"), "outside the sensor"));
   CHECK(contains(problems_of(bytes.substr(0, bytes.find("% end\n") + 6)), "there are no events"));
 
+  // Two texts joined.
+  std::string text;
+  for (int i = 0; i < 400; ++i) text += std::to_string(1000 + 10'001 * i) + " 1 2 1\n";
+  const Finished joined =
+      info({folder.write("joined.txt", text + text).string(), "--width", "64", "--height", "48"});
+  CHECK(joined.exit_code == 1);
+  CHECK(contains(joined.output, "the times go back at line 401 by 3.9904 s"));
+  CHECK(contains(joined.output, "49.9 % of its events were left out"));
+
   CHECK(info({(folder / "none.raw").string()}).exit_code == 1);
   CHECK(info({}).exit_code == 2);
   for (const char* prefix : {"left", "A-B", "ABCDEFGHIJKLMNOPQ"}) {

@@ -22,14 +22,15 @@ TEST_CASE("a filtered reader leaves events out, counts them, and reads to the en
     writer->close();
   }
   const auto reader_with = [&](const EventFilterParams& params) {
-    return FilteredReader(open_event_file(folder / "a.raw"), params);
+    return FilteredReader(open_event_file(folder / "a.raw"), params, "a.raw");
   };
   FilteredReader masked =
       reader_with({.mask = PixelMask({64, 48}, std::vector<PixelPlace>{{9, 5}})});
   const std::vector<PlainEvent> rest(events.begin() + 40, events.end());
   CHECK(read_all(masked, 8) == rest);
   CHECK(masked.left_out().masked == 40);
-  CHECK(masked.warnings() == std::vector<std::string>{"40 events of masked pixels are left out"});
+  CHECK(masked.warnings() ==
+        std::vector<std::string>{"a.raw: 40 events of masked pixels are left out"});
   masked.rewind();
   CHECK(masked.left_out().masked == 0);
   CHECK(read_all(masked, 100) == rest);

@@ -187,7 +187,7 @@ TEST_CASE("HDF5: a damaged chunk read in another thread is told by its cause, no
   CHECK(reader->counters().missing == 5000);
   const auto warnings = reader->warnings();
   CAPTURE(warnings.back());
-  CHECK(contains(warnings.back(), "data set /events/t, elements from 0 on: inflate() failed"));
+  CHECK(contains(warnings.back(), "elements from 0 on: /events/t: inflate() failed"));
 }
 
 TEST_CASE("HDF5: events that were never written are missing, not events at (0, 0)") {
@@ -322,6 +322,59 @@ TEST_CASE("HDF5 of other content is refused with what was expected") {
     file.add("events/t", H5T_IEEE_F64LE, {1, 2});
   }
   CHECK(contains(refusal(), "data set /events/t does not hold whole numbers"));
+}
+
+TEST_CASE("HDF5: no other file is opened through external links and data") {
+  const TemporaryFolder folder;
+  hdf5_of(folder, "hdf5", scattered_events(100));
+  const auto refusal = [&] {
+    return message_of<EventFileError>([&] {
+      open_event_file(folder / "a.h5", {.sensor = {64, 48}});
+    });
+  };
+  // h5py wrote links to made.hdf5 into them: /CD, and /CD/events. Followed, they would be the other
+  // file's events.
+  for (const char* linked : {"linked_group.h5", "linked_events.h5"}) {
+    CAPTURE(linked);
+    std::filesystem::copy_file(event_data(linked), folder / "a.h5",
+                               std::filesystem::copy_options::overwrite_existing);
+    CHECK(contains(refusal(), "is HDF5, but not of events"));
+  }
+
+  {
+    const MadeHdf5 made(folder / "a.h5");
+    for (const char* name : {"events/x", "events/y", "events/p", "events/t"}) {
+      made.add(name, H5T_STD_U16LE, {1, 2});
+    }
+  }
+  const hid_t file = H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  const hsize_t one = 1;
+  const hid_t space = H5Screate_simple(1, &one, nullptr);
+  H5Pset_external(creation, (folder / "made.hdf5").c_str(), 0, 8);
+  H5Dclose(H5Dcreate2(file, "t_offset", H5T_STD_I64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT));
+  H5Sclose(space);
+  H5Pclose(creation);
+  H5Fclose(file);
+  CHECK(contains(refusal(), "data set /t_offset lies in other files"));
+}
+
+TEST_CASE("pauses that a few damaged times make do not fill the disk") {
+  const TemporaryFolder folder;
+  for (const char* format : {"hdf5", "hdf5-ecf", "es"}) {
+    CAPTURE(format);
+    const auto writer = make_event_writer(folder / "a", format, {64, 48});
+    const std::int64_t hour_us = std::int64_t{3600} * 1'000'000;
+    std::string message;
+    for (std::int64_t hour = 0; hour < 30 && message.empty(); ++hour) {
+      message = message_of<std::invalid_argument>([&] {
+        writer->write(packet_of({{hour * hour_us, 1, 1, 1}}));
+      });
+    }
+    CHECK(contains(message,
+                   "holds pauses of up to 24 h in all, and 0.1 s an event more, got 25 h "
+                   "in 26 events: are times damaged?"));
+  }
 }
 
 TEST_CASE("HDF5 in DSEC's layout: times count from t_offset, and polarity -1 is darker") {

@@ -95,6 +95,42 @@ TEST_CASE("text events outside the sensor or back in time are left out and count
   CHECK(reader->warnings().size() == 2);
 }
 
+TEST_CASE("numbers may be quoted") {
+  CHECK(read_text("\"1500029\",\"61\",\"31\",\"1\"\n\"1500038\",\"59\",\"32\",\"0\"\n") ==
+        kTwoEvents);
+  CHECK(read_text("\"t\";\"x\";\"y\";\"p\"\n\"1.500029\";\"61\";\"31\";\"1\"\r\n"
+                  "\"1.500038\"; \"59\"; \"32\"; \"-1\"\r\n") == kTwoEvents);
+}
+
+TEST_CASE("a first line of two numbers before lines of four is the sensor's size") {
+  const TemporaryFolder folder;
+  const std::string text = "240 180\n1500029 61 31 1\n1500038 59 32 0\n";
+  const auto reader = open_event_file(folder.write("sized.txt", text));
+  CHECK(reader->sensor_size() == kTextSensor);
+  CHECK(read_all(*reader) == kTwoEvents);
+  // Joined, the second begins another part.
+  const auto joined = open_event_file(folder.write("joined.txt", text + text));
+  CHECK(read_all(*joined).size() == 4);
+  CHECK(joined->counters().backwards == 0);
+  CHECK(contains(joined->warnings().at(0), "another header at byte"));
+
+  CHECK(contains(refusal_of_text("240 180\n61 31\n"), "got \"240 180\""));
+  CHECK(contains(refusal_of_text("0 180\n1500029 61 31 1\n"), "got \"0 180\""));
+  CHECK(contains(refusal_of_text("240 180\n"), "got \"240 180\""));
+}
+
+TEST_CASE("of two texts joined without a header the line of the second's start is told") {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 400; ++i) text += std::to_string(1000 + 10'001 * i) + " 1 2 1\n";
+  const auto reader =
+      open_event_file(folder.write("joined.txt", text + text), {.sensor = kTextSensor});
+  CHECK(read_all(*reader).size() == 401);
+  CHECK(
+      contains(reader->warnings().at(0),
+               "joined.txt: the times go back at line 401 by 3.9904 s: are two recordings joined"));
+}
+
 TEST_CASE("a truncated text file gives all whole events and a warning") {
   const TemporaryFolder folder;
   const auto reader =

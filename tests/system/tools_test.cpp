@@ -9,6 +9,7 @@
 
 #include "common/io/event_reader.h"
 #include "common/io/event_writer.h"
+#include "tests/support/contains.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/yarp_log_encoder.h"
@@ -100,6 +101,26 @@ TEST_CASE("a simulated recording is calibrated and evaluated, and two runs agree
   CHECK(json["lost_percent"] < 5.0);
   CHECK(json["latency_p50_us"].is_null());
   CHECK(json["throughput_mev_s"].is_null());
+}
+
+TEST_CASE("a part of a pipe is evaluated, which is read once") {
+  const ToolBench bench;
+  const Finished run = run_program({"sh", "-c",
+                                    "cat game.raw | " + program_path("puck-evaluate") +
+                                        " - --start 0.5 --seconds 1 --truth game.truth.csv "
+                                        "--size-model game.toml --json a.json"},
+                                   {.folder = bench.folder.path()});
+  CHECK(run.exit_code == 0);
+  CHECK(Json::parse(read_text(bench.folder / "a.json"))["mean_px"].is_number());
+}
+
+TEST_CASE("a missing recording is told before a missing size model") {
+  const TemporaryFolder folder;
+  const Finished run =
+      run_program({program_path("puck-evaluate"), "none.raw", "--size-model", "none.toml"},
+                  {.folder = folder.path()});
+  CHECK(run.exit_code == 1);
+  CHECK(contains(run.errors, "none.raw: cannot be opened: No such file or directory"));
 }
 
 TEST_CASE("without matplotlib the figures are written, and one line says how to get the charts") {

@@ -100,6 +100,7 @@ class Collector {
 }  // namespace
 
 EvidencePackets collect_evidence(const EvidenceSource& source, EventFileOptions file) {
+  check_recording_exists(source.recording);
   const PuckSizeModel size_model = read_size_model_file(source.size_model);
   file.fallback_sensor = size_model.sensor;
   PipelineParams params = preset_params(Preset::kDefault);

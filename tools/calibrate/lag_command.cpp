@@ -71,6 +71,7 @@ void print(const ContourFit& fit, const ContourSamples& samples) {
 }  // namespace
 
 void calibrate_lag(const LagCommand& command, const std::string& typed) {
+  check_recording_exists(command.recording);
   const PuckSizeModel size_model = read_size_model_file(command.size_model);
   // The fit does not estimate the lean: keep the value that was set by hand.
   const double lean_deg =

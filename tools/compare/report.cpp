@@ -1,8 +1,6 @@
 #include "tools/compare/report.h"
 
-#include <fstream>
-#include <stdexcept>
-
+#include "common/io/text_file.h"
 #include "tools/compare/report_json.h"
 
 namespace puck {
@@ -109,13 +107,6 @@ TextTable simulation_table(const ComparisonReport& report) {
   return table;
 }
 
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
-}
-
 }  // namespace
 
 std::string seeds_text(const PlanOptions& options) {
@@ -140,9 +131,9 @@ void write_report(const ComparisonReport& report, const std::filesystem::path& f
     text += '\n' + table.text();
     markdown += '\n' + table.markdown();
   }
-  write_file(folder / "comparison.txt", text);
-  write_file(folder / "comparison.md", markdown);
-  write_file(folder / "comparison.json", report_json(report).dump(2) + '\n');
+  write_text_file(folder / "comparison.txt", text);
+  write_text_file(folder / "comparison.md", markdown);
+  write_text_file(folder / "comparison.json", report_json(report).dump(2) + '\n');
 }
 
 }  // namespace puck

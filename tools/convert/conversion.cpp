@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/io/reader_warnings.h"
 #include "common/recording/recording.h"
 #include "tools/command_line/progress_bar.h"
 #include "tools/convert/output_place.h"
@@ -61,11 +62,12 @@ void check_result(const Tally& tally, const ConversionFilter& filter, const std:
                            span + "; see --start, --crop and the filters");
 }
 
-Tally pump(EventReader& events, ConversionFilter& filter, EventWriter& writer) {
+Tally pump(EventReader& events, Interruption& interruption, ConversionFilter& filter,
+           EventWriter& writer) {
   Tally tally;
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar("Mev", 1e-6);
-  ReadAhead ahead(events);
+  ReadAhead ahead(events, interruption);
   EventPacket packet;
   bool goes_on = true;
   while (goes_on && ahead.next(packet)) {
@@ -83,18 +85,24 @@ Tally pump(EventReader& events, ConversionFilter& filter, EventWriter& writer) {
 
 }  // namespace
 
-void convert(const ConvertOptions& options) {
+bool convert(const ConvertOptions& options) {
   const std::string name = options.in == "-" ? "stdin" : options.in.string();
-  const auto events = open_recording(options.in, options.file, options.prefix);
+  Interruption interruption;
+  EventFileOptions file = options.file;
+  file.interruption = &interruption;
+  const auto events = open_recording(options.in, file, options.prefix);
   ConversionFilter filter(options.filter, events->sensor_size());
   // Before the place, which has another ending.
   const std::string_view format =
       options.to.empty() ? format_of_recording(options.out) : options.to;
   OutputPlace place(options.out);
-  const auto writer = make_recording_writer(place.path(), format, filter.sensor(), options.prefix);
   Tally tally;
   try {
-    tally = pump(*events, filter, *writer);
+    const auto writer =
+        make_recording_writer(place.path(), format, filter.sensor(), options.prefix);
+    tally = pump(*events, interruption, filter, *writer);
+  } catch (const EventFileError& error) {
+    throw EventFileError(place.with_final_name(error.what()));
   } catch (const std::invalid_argument& error) {
     // Of the writer: a time that the format cannot hold.
     throw std::runtime_error(options.out.string() + ": " + error.what() +
@@ -107,6 +115,9 @@ void convert(const ConvertOptions& options) {
   }
   std::FILE* const out = options.out == "-" ? stderr : stdout;
   std::fprintf(out, "%s\n", closing_line(tally, filter, events->counters()).c_str());
+  const auto loss = large_loss(events->counters());
+  if (loss) std::fprintf(stderr, "puck-convert: %s: %s\n", name.c_str(), loss->c_str());
+  return !loss;
 }
 
 }  // namespace puck

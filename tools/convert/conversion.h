@@ -17,8 +17,9 @@ struct ConvertOptions {
   ConversionFilterParams filter;
 };
 
-/// Converts a recording and prints what was read, written and left out. Throws std::exception with
+/// Converts a recording and prints what was read, written and left out. Returns false where
+/// large_loss finds one, after writing what there is. Throws std::exception with
 /// a one-line message; then there is no output, and an older one stays.
-void convert(const ConvertOptions& options);
+bool convert(const ConvertOptions& options);
 
 }  // namespace puck

@@ -20,13 +20,6 @@
 namespace puck {
 namespace {
 
-std::vector<std::string> written_names() {
-  std::vector<std::string> names;
-  for (const WrittenFormat& format : kWrittenFormats) names.emplace_back(format.name);
-  names.emplace_back(kLcmLogFormat);
-  return names;
-}
-
 std::string format_list() {
   std::string text = "Formats to write (--to), with the ending that means them:\n";
   for (const WrittenFormat& format : kWrittenFormats) {
@@ -79,7 +72,7 @@ int main(int argc, char** argv) {
   app.add_option("IN", options.in, "recording of any format; - is stdin")->required();
   app.add_option("OUT", options.out, "file to write; - is stdout")->required();
   app.add_option("--to", options.to, "format to write; without it, from OUT's ending")
-      ->check(CLI::IsMember(puck::written_names()));
+      ->check(CLI::IsMember(puck::written_format_names()));
   puck::add_event_file_options(app, options.file);
   puck::add_log_prefix_option(app, options.prefix);
   constexpr double kLongest_s = 1e9;
@@ -100,8 +93,8 @@ int main(int argc, char** argv) {
   return puck::run_tool(app, argc, argv, "puck-convert", [&] {
     options.filter.events = filter.with_files();
     picture.apply_to(options.filter.events);
-    puck::convert(options);
+    const bool is_complete = puck::convert(options);
     puck::flush_stdout();
-    return 0;
+    return is_complete ? 0 : 1;
   });
 }

@@ -58,6 +58,11 @@ OutputPlace::~OutputPlace() {
   std::filesystem::remove(part_, ignored);
 }
 
+std::string OutputPlace::with_final_name(std::string message) const {
+  const std::string part = part_.string();
+  return message.starts_with(part) ? final_.string() + message.substr(part.size()) : message;
+}
+
 void OutputPlace::keep() {
   if (part_ == final_) return;
   std::filesystem::rename(part_, final_);

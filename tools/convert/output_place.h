@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace puck {
 
@@ -17,6 +18,9 @@ class OutputPlace {
 
   /// Where to write.
   const std::filesystem::path& path() const { return part_; }
+
+  /// A message of the writer, with the name that the user gave.
+  std::string with_final_name(std::string message) const;
 
   /// Gives the file its final name. Throws std::filesystem::filesystem_error.
   void keep();

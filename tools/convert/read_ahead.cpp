@@ -4,8 +4,10 @@
 
 namespace puck {
 
-ReadAhead::ReadAhead(EventReader& events)
-    : events_(events), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+ReadAhead::ReadAhead(EventReader& events, Interruption& interruption)
+    : events_(events),
+      interruption_(interruption),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 bool ReadAhead::next(EventPacket& packet) {
   std::unique_lock lock(mutex_);
@@ -30,6 +32,7 @@ std::optional<double> ReadAhead::share_read() {
 
 void ReadAhead::stop() {
   thread_.request_stop();
+  interruption_.request();
   thread_.join();
 }
 

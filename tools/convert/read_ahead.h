@@ -11,6 +11,7 @@
 
 #include "common/events/event_packet.h"
 #include "common/io/event_reader.h"
+#include "common/posix/interruption.h"
 
 namespace puck {
 
@@ -20,8 +21,11 @@ class ReadAhead {
  public:
   static constexpr std::size_t kPacketEvents = 16384;
 
-  /// Takes over the reader until the end.
-  explicit ReadAhead(EventReader& events);
+  /// Takes over the reader until the end. `interruption`: ends the reader's wait for a pipe.
+  ReadAhead(EventReader& events, Interruption& interruption);
+  ~ReadAhead() { interruption_.request(); }
+  ReadAhead(const ReadAhead&) = delete;
+  ReadAhead& operator=(const ReadAhead&) = delete;
 
   /// Exchanges `packet`, whose memory is used again, for the next one. Returns false at the end.
   /// Throws what the reader threw, after the packets before it.
@@ -39,6 +43,7 @@ class ReadAhead {
   void run(const std::stop_token& stop);
 
   EventReader& events_;
+  Interruption& interruption_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::deque<EventPacket> full_;

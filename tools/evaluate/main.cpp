@@ -89,6 +89,8 @@ bool evaluate(const EvaluateOptions& options) {
   if (options.replay && !is_log) {
     throw std::invalid_argument("--replay needs a log of LCM, with the estimates to compare with");
   }
+  // Before its size model, which may be missing, too.
+  check_recording_exists(options.events);
   const std::filesystem::path calibration = find_calibration(options.events, options.size_model);
   const PuckSizeModel size_model = read_size_model_file(calibration);
   EventFileOptions file = options.file;
@@ -105,7 +107,8 @@ bool evaluate(const EvaluateOptions& options) {
     begin = part->begin();
     events = std::move(part);
   }
-  events = std::make_unique<FilteredReader>(std::move(events), options.filter.with_files());
+  events = std::make_unique<FilteredReader>(std::move(events), options.filter.with_files(),
+                                            options.events.string());
   if (options.drops_packets) {
     events = std::make_unique<LossyReader>(std::move(events), options.loss);
   }

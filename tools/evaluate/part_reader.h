@@ -21,7 +21,7 @@ struct RecordingPart {
   bool is_whole() const { return from_us == 0 && length_us == kEnd; }
 };
 
-/// A part of another reader's events.
+/// A part of another reader's events, which is read once: it may be a pipe.
 class PartReader final : public EventReader {
  public:
   /// Throws std::invalid_argument if the recording ends before the part.
@@ -38,7 +38,10 @@ class PartReader final : public EventReader {
   Timestamp begin() const { return begin_; }
 
  private:
+  bool next(EventPacket& packet, std::size_t max_events);
+
   std::unique_ptr<EventReader> events_;
+  EventPacket early_;  // Read before the part's begin was known, and reaches into it.
   Timestamp begin_;
   Timestamp end_;  // Exclusive.
 };

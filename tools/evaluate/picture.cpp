@@ -1,11 +1,10 @@
 #include "tools/evaluate/picture.h"
 
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "common/io/text_file.h"
 #include "tools/charts/draw_charts.h"
 
 namespace puck {
@@ -72,10 +71,7 @@ void write_moment(const TrackedMoment& moment, const std::filesystem::path& path
     json["estimate"].update({{"vx", estimate.velocity.x}, {"vy", estimate.velocity.y}});
   }
   if (moment.truth) json["truth"] = ellipse_json(moment.truth->centre, moment.truth->size);
-  std::ofstream file(path);
-  file << json.dump() << '\n';
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+  write_text_file(path, json.dump() + '\n');
 }
 
 void draw_picture(const TrackedMoment& moment, const std::filesystem::path& path) {

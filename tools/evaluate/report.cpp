@@ -1,10 +1,10 @@
 #include "tools/evaluate/report.h"
 
 #include <cstdio>
-#include <fstream>
-#include <stdexcept>
 
 #include <nlohmann/json.hpp>
+
+#include "common/io/text_file.h"
 
 namespace puck {
 namespace {
@@ -107,10 +107,7 @@ void print(const EvaluationReport& report) {
 }
 
 void write_json(const EvaluationReport& report, const std::filesystem::path& path) {
-  std::ofstream file(path);
-  file << to_json(report).dump(2) << '\n';
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+  write_text_file(path, to_json(report).dump(2) + '\n');
 }
 
 }  // namespace puck

@@ -1,10 +1,11 @@
 #include "tools/info/plots.h"
 
-#include <fstream>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
-#include "common/io/temporary_path.h"
+#include "common/io/text_file.h"
+#include "common/io/unnamed_file.h"
 #include "tools/charts/draw_charts.h"
 #include "tools/info/report.h"
 
@@ -17,9 +18,10 @@ void draw_survey(const Survey& survey, const std::filesystem::path& folder) {
     throw std::runtime_error(folder.string() +
                              ": the folder cannot be created: " + error.message());
   }
-  const TemporaryPath json("puck-info-");
-  std::ofstream(json.path(), std::ios::binary) << survey_json(survey, true);
-  draw_charts("info", {json.path().string(), folder.string()});
+  UnnamedFile json("puck-info-");
+  const std::string path = json.path();
+  write_text_file(path, survey_json(survey, true));
+  draw_charts("info", {path, folder.string()});
 }
 
 }  // namespace puck

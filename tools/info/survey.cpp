@@ -4,6 +4,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "common/io/reader_warnings.h"
+
 namespace puck {
 namespace {
 
@@ -48,6 +50,7 @@ void add_problems(Survey& survey) {
   add(counters.outside_sensor, "events lie outside the sensor");
   add(counters.time_glitches, "time stamps contradict their neighbours");
   add(counters.missing, "events are missing");
+  if (const auto loss = large_loss(counters)) survey.problems.push_back(*loss);
   if (counters.events == 0) survey.problems.emplace_back("there are no events");
 }
 

@@ -1,12 +1,12 @@
 #include "tools/play/plots.h"
 
 #include <array>
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "common/io/text_file.h"
 #include "tools/charts/draw_charts.h"
 #include "tools/play/report.h"
 
@@ -36,11 +36,6 @@ nlohmann::json to_json(const PredictionBins& bins) {
   return json;
 }
 
-void close(std::ofstream& file, const std::filesystem::path& path) {
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
-}
-
 }  // namespace
 
 void write_plot(const Sweep& sweep, const std::filesystem::path& folder) {
@@ -53,25 +48,22 @@ void write_plot(const Sweep& sweep, const std::filesystem::path& folder) {
 void write_plot(const std::vector<ShotFacts>& shots, const std::vector<ShotOutcome>& outcomes,
                 const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  std::ofstream file(folder / "shots.csv");
-  file << "speed_m_s,crossing_y_m,fate\n";
+  std::ostringstream rows;
+  rows << "speed_m_s,crossing_y_m,fate\n";
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    file << shots[i].speed_m_s << ',' << shots[i].crossing_y_m << ',' << fate_of(outcomes[i])
+    rows << shots[i].speed_m_s << ',' << shots[i].crossing_y_m << ',' << fate_of(outcomes[i])
          << '\n';
   }
-  close(file, folder / "shots.csv");
+  write_text_file(folder / "shots.csv", rows.str());
   draw_charts("play", {folder, "shots.csv"});
 }
 
 void write_plot(const PredictionReport& report, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const std::string name = "prediction.json";
-  std::ofstream file(folder / name);
-  file << nlohmann::ordered_json{{"direct", to_json(report.direct)},
-                                 {"by a rail", to_json(report.bounced)}}
-              .dump(2)
-       << '\n';
-  close(file, folder / name);
+  const nlohmann::ordered_json json{{"direct", to_json(report.direct)},
+                                    {"by a rail", to_json(report.bounced)}};
+  write_text_file(folder / name, json.dump(2) + '\n');
   draw_charts("play", {folder, name});
 }
 

@@ -1,12 +1,12 @@
 #include "tools/play/report.h"
 
 #include <cstdio>
-#include <fstream>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include <nlohmann/json.hpp>
+
+#include "common/io/text_file.h"
 
 namespace puck {
 namespace {
@@ -40,10 +40,7 @@ Json to_json(const SaveFigures& f) {
 }
 
 void write(const Json& json, const std::filesystem::path& path) {
-  std::ofstream file(path);
-  file << json.dump(2) << '\n';
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+  write_text_file(path, json.dump(2) + '\n');
 }
 
 std::string percent_of(std::int64_t part, std::int64_t of) {

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/recording/recording.h"
 #include "tools/command_line/number_range.h"
 #include "tools/simulate/recording.h"
 #include "tools/simulate/sensor_plots.h"
@@ -36,9 +37,9 @@ int run(int argc, char** argv) {
 
   CLI::App app("Writes an event recording of a simulated game, with exact truth.", "puck-simulate");
   app.set_version_flag("--version", PUCK_VERSION);
-  app.add_option(
-      "--output", settings.output,
-      "base name: writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv, BASE.toml");
+  app.add_option("--output", settings.output,
+                 "base name: writes BASE.raw (or the format's ending), BASE.truth.csv, "
+                 "BASE.annotations.csv, BASE.toml");
   app.add_option("--sensor-checks", settings.sensor_checks,
                  "folder: measures the simulated sensor with the methods for real ones, and "
                  "writes plots there");
@@ -51,7 +52,7 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--moving", settings.moving, "The camera's head turns, as on a robot that plays");
   app.add_option("--format", settings.format, "Format of the event file")
-      ->check(CLI::IsMember({"evt3", "text"}))
+      ->check(CLI::IsMember(written_format_names()))
       ->capture_default_str();
   try {
     app.parse(argc, argv);

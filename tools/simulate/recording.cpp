@@ -9,10 +9,10 @@
 #include "common/calibration/size_calibration.h"
 #include "common/io/annotation_file.h"
 #include "common/io/calibration_text.h"
-#include "common/io/event_writer.h"
 #include "common/io/size_model_file.h"
 #include "common/io/table_file.h"
 #include "common/io/truth_file.h"
+#include "common/recording/recording.h"
 #include "common/simulation/simulated_table.h"
 #include "tools/simulate/marks.h"
 
@@ -71,9 +71,8 @@ class Progress {
 }  // namespace
 
 RecordingSummary record(const SimulateSettings& settings, const SimulationParams& params) {
-  const std::string ending = settings.format == "text" ? ".txt" : ".raw";
-  const auto writer =
-      make_event_writer(settings.output + ending, settings.format, params.sensor_size);
+  const std::string file = settings.output + std::string(usual_ending_of(settings.format));
+  const auto writer = make_recording_writer(file, settings.format, params.sensor_size, "");
   SimulatedTable table(params);
   Progress progress(settings.seconds);
   RecordingSummary summary;

@@ -17,9 +17,9 @@ struct RecordingSummary {
   GameCounts counts;
 };
 
-/// Plays the game and writes BASE.raw (or .txt), BASE.truth.csv, BASE.annotations.csv and
-/// BASE.toml; prints progress to stderr. Throws with a one-line message if a file cannot be
-/// written.
+/// Plays the game and writes BASE.raw (or the format's ending), BASE.truth.csv,
+/// BASE.annotations.csv and BASE.toml; prints progress to stderr. Throws with a one-line message if
+/// a file cannot be written.
 RecordingSummary record(const SimulateSettings& settings, const SimulationParams& params);
 
 }  // namespace puck

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "common/io/text_file.h"
 #include "tools/charts/draw_charts.h"
 #include "tools/simulate/sensor_checks.h"
 
@@ -19,13 +19,13 @@ constexpr std::array<double, 4> kLights_lux{30, 100, 300, 1000};
 /// The measured curves in a file with the columns chart,curve,x,y.
 class CurveFile {
  public:
-  explicit CurveFile(const std::filesystem::path& path) : path_(path), file_(path) {
-    file_ << "chart,curve,x,y\n";
+  explicit CurveFile(const std::filesystem::path& path) : path_(path) {
+    rows_ << "chart,curve,x,y\n";
   }
 
   void add(const std::string& chart, const Curve& curve) {
     for (const Curve::Point& point : curve.points) {
-      file_ << chart << ',' << curve.name << ',' << point.x << ',' << point.y << '\n';
+      rows_ << chart << ',' << curve.name << ',' << point.x << ',' << point.y << '\n';
     }
   }
   // Empirical distribution function, in about kCumulativePoints steps of equal size.
@@ -39,14 +39,11 @@ class CurveFile {
     }
     add(chart, curve);
   }
-  void close() {
-    file_.close();
-    if (!file_) throw std::runtime_error(path_.string() + ": cannot be written");
-  }
+  void write() const { write_text_file(path_, rows_.str()); }
 
  private:
   std::filesystem::path path_;
-  std::ofstream file_;
+  std::ostringstream rows_;
 };
 
 void add_light_dependence(SensorBench::Set set, CurveFile& file) {
@@ -90,7 +87,7 @@ void write_sensor_plots(const SensorBench::Set& set, const std::filesystem::path
   const Conservation conserved = conservation(set);
   file.add("conservation", conserved.light);
   file.add("conservation", conserved.sum);
-  file.close();
+  file.write();
   draw_charts("sensor", {folder});
 }
 
