@@ -393,13 +393,9 @@ double EvidencePipeline::reach_px(std::int64_t time_us) const {
 void EvidencePipeline::plan_search(std::int64_t time_us) {
   constexpr std::int64_t kNearPeriod_us = 5'000;
   constexpr std::int64_t kWidePeriod_us = 20'000;
-  constexpr std::int64_t kRarePeriod_us = 5'000;
   constexpr double kReaches = 4;
-  // What has not been seen for longer is searched for less often.
-  constexpr std::int64_t kLately_us = 300'000;
-  const bool was_seen_lately = was_confirmed_ && time_us - seen_us_ < kLately_us;
   if (!missed_in_.empty() || time_us < next_search_us_ || (is_sure() && !explores_)) return;
-  next_search_us_ = time_us + (was_seen_lately ? kNearPeriod_us : kRarePeriod_us);
+  next_search_us_ = time_us + kNearPeriod_us;
   const Region image = Region::all_of(sensor_);
   wanted_ = {.fresh_only = true};
   const bool is_wide = !main_ || time_us >= next_wide_us_;

@@ -91,6 +91,7 @@ double Hypothesis::density(const GameTraits& game) const {
 Region Hypothesis::reach(double seconds) const {
   // By which events may correct the position, and the size change.
   constexpr double kCorrected_px = 8;
+  constexpr double kFarthest_px = 1e4;
   const PixelVelocity velocity = filter_.velocity();
   const Pixel middle{filter_.position().x + velocity.x * seconds / 2,
                      filter_.position().y - ring_.rise + velocity.y * seconds / 2};
@@ -98,8 +99,8 @@ Region Hypothesis::reach(double seconds) const {
       ring_.half_width() + areas_.reach_px + std::abs(velocity.x) * seconds / 2 + kCorrected_px;
   const double half_height =
       ring_.semi_y + areas_.reach_px + std::abs(velocity.y) * seconds / 2 + kCorrected_px;
-  return Region::around(middle, 2 * static_cast<int>(half_width) + 1,
-                        2 * static_cast<int>(half_height) + 1);
+  return Region::around(middle, 2 * static_cast<int>(std::min(half_width, kFarthest_px)) + 1,
+                        2 * static_cast<int>(std::min(half_height, kFarthest_px)) + 1);
 }
 
 void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext& context) {

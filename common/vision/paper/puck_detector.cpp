@@ -31,8 +31,8 @@ KernelGeometry fixed_geometry(int height_px) {
   return geometry;
 }
 
-// A puck makes more than so many events, each of which is bright at first, or nothing tells it from
-// noise.
+// Grey of as many fresh events as a packet of evidence holds: where a kernel covers less, nothing
+// could be decided.
 constexpr double kLeastGrey = 8 * 255;
 
 bool better(const PuckDetector::Detection& a, const PuckDetector::Detection& b) {
