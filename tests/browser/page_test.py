@@ -196,6 +196,7 @@ class RecordedPage(PageCase):
             for key in keys:
                 if len(key) == 1 and key.isascii():
                     browser.press(key)
+                    time.sleep(0.1)
             browser.press("\ue00c")
             self.check_console(browser)
         self.settle(1)
