@@ -1,11 +1,14 @@
 #include "tools/view/recording/logged_game.h"
 
 #include <cstdint>
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include "common/messaging/log_file.h"
+#include "tests/support/contains.h"
 #include "tests/support/event_log_writer.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/view/recording/recording_run.h"
@@ -31,16 +34,18 @@ puck_estimate_t estimate_at(std::int64_t sensor_us, double x_px, std::int64_t tr
   estimate.flags = puck_estimate_t::FLAG_POSITION;
   estimate.x_px = x_px;
   estimate.width_px = estimate.height_px = 10;
+  estimate.image_width = kLoggedSensor.width;
+  estimate.image_height = kLoggedSensor.height;
   return estimate;
 }
 
 // Events of 0.1 s, and what the services said about them.
 class GameLogFile {
  public:
-  GameLogFile() {
+  explicit GameLogFile(bool has_events = true) {
     EventLogWriter log(path(), kLoggedSensor);
     log.begin_session(3, 1'000'000);
-    log.write(numbered_events(0, 1000, 100));
+    if (has_events) log.write(numbered_events(0, 1000, 100));
     log.write_bytes("PUCK_ESTIMATE", 1'000'001, bytes_of(estimate_at(10'000, 11)));
     log.write_bytes("PUCK_ESTIMATE", 1'000'002, bytes_of(estimate_at(15'000, 99, 8)));
     puck_trajectory_t trajectory{};
@@ -109,6 +114,28 @@ TEST_CASE("a log is shown with what its tracker said, without a size model") {
   run.fill(table, scene);
   REQUIRE(scene.table);
   CHECK(scene.table->puck.state.position.x_m == 1.5);
+}
+
+TEST_CASE("a log without events says so, and shows what its services said to its end") {
+  const GameLogFile file(false);
+  RecordingOptions options;
+  options.recording = file.path();
+  const OpenedRecording recording(options);
+  CHECK(!recording.has_events());
+  CHECK(recording.sensor() == kLoggedSensor);
+  CHECK(recording.trackers() == std::vector<std::string>{kLoggedTracker});
+  REQUIRE(!recording.messages().empty());
+  CHECK(contains(recording.messages()[0].text, "without events"));
+  RecordingRun run(recording);
+  run.choose(0, kLoggedTracker);
+  run.start(recording.first());
+  while (run.step({200'000}) != RecordingRun::Progress::kEnded) continue;
+  CHECK(run.now() >= Timestamp{50'000});
+  CHECK(run.now() < Timestamp{60'000});
+  ViewScene scene;
+  run.fill({}, scene);
+  REQUIRE(scene.tracks[0].estimate);
+  CHECK(scene.tracks[0].estimate->position->x == 22);
 }
 
 }  // namespace

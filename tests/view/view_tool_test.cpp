@@ -66,6 +66,7 @@ TEST_CASE("what cannot be shown or written is said in one line") {
   const std::string empty = folder.write("empty.csv", "t,x,y,p\n");
   for (const Case& bad : {
            Case{{folder / "none.raw", "--png", there}, 1, "none.raw"},
+           Case{{empty, "--width", "32", "--height", "24", "--png", there}, 1, "holds no events"},
            Case{{raw, "--png", there, "--tracker", "best"}, 1, "there is no tracker called best"},
            Case{{raw, "--png", there, "--size", "10x10"}, 1, "--size: expected WIDTHxHEIGHT"},
            Case{{raw, "--png", there, "--start", "5"}, 1, "the recording ends at 0.900 s"},

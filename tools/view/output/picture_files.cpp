@@ -98,6 +98,9 @@ bool advance(RecordingRun& run, Timestamp until) {
 
 int write_pictures(const OpenedRecording& recording,
                    const std::array<std::string, kViewSides>& trackers, const PictureFiles& files) {
+  if (!recording.has_events() && !recording.is_log()) {
+    throw std::invalid_argument("there is no picture without events");
+  }
   RecordingRun run(recording);
   for (int side = 0; side < kViewSides; ++side) {
     run.choose(side, trackers[static_cast<std::size_t>(side)]);

@@ -13,6 +13,9 @@
 namespace puck {
 namespace {
 
+// A later time is damaged.
+constexpr std::int64_t kLongestPause_us = std::int64_t{3600} * 1'000'000;
+
 template <typename Message>
 std::optional<Message> decoded(const LogRecord& record) {
   Message message;
@@ -23,10 +26,13 @@ std::optional<Message> decoded(const LogRecord& record) {
 }  // namespace
 
 LoggedGame::LoggedGame(std::filesystem::path path, std::string prefix)
-    : path_(std::move(path)),
-      prefix_(std::move(prefix)),
-      events_session_(session_of_event_log(path_, prefix_)) {
+    : path_(std::move(path)), prefix_(std::move(prefix)) {
   rewind();
+  try {
+    events_session_ = session_of_event_log(path_, prefix_);
+  } catch (const LogFileError&) {
+    // Without events.
+  }
 }
 
 void LoggedGame::rewind() {
@@ -42,6 +48,10 @@ void LoggedGame::advance_to(Timestamp until) {
   while (find_next() && record_time_ <= until) take_next();
 }
 
+bool LoggedGame::has_more(Timestamp now) {
+  return find_next() && record_time_ - now <= kLongestPause_us;
+}
+
 // Finds the next message that is of use, and its time.
 bool LoggedGame::find_next() {
   while (!has_record_) {
@@ -52,7 +62,9 @@ bool LoggedGame::find_next() {
     switch (*channel) {
       case Channel::kEstimate: {
         const auto estimate = decoded<puck_estimate_t>(record_);
-        if (!estimate || estimate->events_session != events_session_) continue;
+        if (!estimate) continue;
+        if (events_session_ == 0) events_session_ = estimate->events_session;
+        if (estimate->events_session != events_session_) continue;
         if (tracker_session_ == 0) tracker_session_ = estimate->session;
         if (estimate->session != tracker_session_) continue;
         sensor_us = estimate->sensor_us;
@@ -113,6 +125,21 @@ void LoggedGame::take_next() {
     default:
       break;
   }
+}
+
+std::optional<LoggedCamera> camera_of_log(const std::filesystem::path& path,
+                                          const std::string& prefix) {
+  LogReader log(path);
+  LogRecord record;
+  const std::string channel = channel_name(Channel::kEstimate, prefix);
+  while (log.next(record)) {
+    if (record.channel != channel) continue;
+    const auto estimate = decoded<puck_estimate_t>(record);
+    if (!estimate || !is_sensor_time(estimate->sensor_us)) continue;
+    const SensorSize sensor{estimate->image_width, estimate->image_height};
+    if (sensor.is_valid()) return LoggedCamera{sensor, {estimate->sensor_us}};
+  }
+  return std::nullopt;
 }
 
 }  // namespace puck

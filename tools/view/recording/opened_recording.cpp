@@ -1,6 +1,7 @@
 #include "tools/view/recording/opened_recording.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <stdexcept>
 #include <system_error>
@@ -13,6 +14,7 @@
 #include "common/messaging/log_file.h"
 #include "common/recording/event_log_reader.h"
 #include "common/recording/log_recording.h"
+#include "tools/view/recording/logged_game.h"
 
 namespace puck {
 namespace {
@@ -28,6 +30,24 @@ bool is_there(const std::filesystem::path& path) {
   return std::filesystem::exists(path, error);
 }
 
+class NoEvents final : public EventReader {
+ public:
+  explicit NoEvents(SensorSize sensor) : sensor_(sensor) {}
+
+  SensorSize sensor_size() const override { return sensor_; }
+  bool read(EventPacket& packet, std::size_t /*max_events*/) override {
+    packet.events.clear();
+    return false;
+  }
+  void rewind() override {}
+  const EventCounters& counters() const override { return counters_; }
+  std::vector<std::string> warnings() const override { return {}; }
+
+ private:
+  SensorSize sensor_;
+  EventCounters counters_;
+};
+
 }  // namespace
 
 OpenedRecording::OpenedRecording(const RecordingOptions& options) : options_(options) {
@@ -36,15 +56,7 @@ OpenedRecording::OpenedRecording(const RecordingOptions& options) : options_(opt
   }
   is_log_ = is_lcm_log(options_.recording);
   find_size_model();
-  const auto events = open_events();
-  sensor_ = events->sensor_size();
-  EventPacket packet;
-  if (events->read(packet, 1)) {
-    first_ = packet.newest();
-  } else {
-    messages_.push_back({ViewMessage::Level::kError,
-                         options_.recording.string() + " holds no events: nothing can be shown"});
-  }
+  find_first();
   if (size_model_) {
     const PipelineParams params = preset_params(Preset::kDefault);
     for (std::string& doubt : doubts_about(params.sizes_of(*size_model_), sensor_)) {
@@ -55,11 +67,35 @@ OpenedRecording::OpenedRecording(const RecordingOptions& options) : options_(opt
   find_truth();
 }
 
+// Finds the sensor and the time of the first event.
+void OpenedRecording::find_first() {
+  try {
+    const auto events = open_events();
+    sensor_ = events->sensor_size();
+    EventPacket packet;
+    has_events_ = events->read(packet, 1);
+    if (has_events_) first_ = packet.newest();
+  } catch (const EventFileError& error) {
+    const auto camera = is_log_ ? camera_of_log(options_.recording, options_.prefix) : std::nullopt;
+    if (!camera) throw;
+    sensor_ = camera->sensor;
+    first_ = camera->first;
+    messages_.push_back({ViewMessage::Level::kError,
+                         std::string(error.what()) + ": only what the services said is shown"});
+    return;
+  }
+  if (has_events_) return;
+  messages_.push_back({ViewMessage::Level::kError,
+                       options_.recording.string() + " holds no events: nothing can be shown"});
+}
+
 void OpenedRecording::warn(std::string text) {
   messages_.push_back({ViewMessage::Level::kWarning, std::move(text)});
 }
 
 std::unique_ptr<EventReader> OpenedRecording::open_events() const {
+  // Known not to have any.
+  if (!has_events_ && sensor_.is_valid()) return std::make_unique<NoEvents>(sensor_);
   std::unique_ptr<EventReader> events;
   if (is_log_) {
     try {
@@ -130,7 +166,7 @@ void OpenedRecording::find_truth() {
 std::vector<std::string> OpenedRecording::trackers() const {
   std::vector<std::string> names;
   if (is_log_) names.emplace_back(kLoggedTracker);
-  if (!size_model_) return names;
+  if (!size_model_ || !has_events_) return names;
   for (const std::string_view preset : kPresetNames) names.emplace_back(preset);
   for (const Algorithm algorithm : kAlgorithms) {
     // Its presets stand for it.

@@ -39,8 +39,8 @@ inline constexpr const char* kNoTracker = "off";
 /// missing is told in words: events can be seen without it.
 class OpenedRecording {
  public:
-  /// Throws EventFileError when the events cannot be read at all; other exceptions of io for files
-  /// that the options name and that cannot be read.
+  /// Throws EventFileError when neither events can be read nor a log's estimates; other exceptions
+  /// of io for files that the options name and that cannot be read.
   explicit OpenedRecording(const RecordingOptions& options);
 
   /// The recording's events from the first one, once more: for another thread.
@@ -50,8 +50,9 @@ class OpenedRecording {
   const std::string& prefix() const { return options_.prefix; }
   bool is_log() const { return is_log_; }
   SensorSize sensor() const { return sensor_; }
-  /// Of the first event.
+  /// Of the first event; in a log without events, of the first estimate.
   Timestamp first() const { return first_; }
+  bool has_events() const { return has_events_; }
 
   const TruthTrack* truth() const { return truth_ ? &*truth_ : nullptr; }
   std::int64_t truth_gap_us() const { return options_.truth_gap_us; }
@@ -70,6 +71,7 @@ class OpenedRecording {
   std::optional<TrackerSetup> setup_of(const std::string& name) const;
 
  private:
+  void find_first();
   void find_size_model();
   void find_table();
   void find_truth();
@@ -77,6 +79,7 @@ class OpenedRecording {
 
   RecordingOptions options_;
   bool is_log_ = false;
+  bool has_events_ = false;
   SensorSize sensor_;
   Timestamp first_;
   std::optional<TruthTrack> truth_;

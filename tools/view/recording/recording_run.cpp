@@ -67,8 +67,8 @@ RecordingRun::Progress RecordingRun::step(Timestamp until) {
     cutter_->take_until(from_ - 1, piece_);
     return Progress::kAdvanced;
   }
-  // The trackers still get the events since the last tick.
-  if (!next && pending_.empty()) return Progress::kEnded;
+  // The trackers still get the events since the last tick, and a log may go on without events.
+  if (!next && pending_.empty() && !(logged_ && logged_->has_more(now_))) return Progress::kEnded;
   const Timestamp target = std::min(until, next_tick_);
   if (next && *next <= target) {
     cutter_->take_until(target, piece_);

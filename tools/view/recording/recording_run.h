@@ -46,7 +46,7 @@ class RecordingRun {
 
   enum class Progress { kAdvanced, kReached, kEnded };
   /// Does a small piece of the work up to `until`, which is not before now(). kEnded: there are no
-  /// further events, and now() is the time of the last. Throws what reading throws.
+  /// further events, nor messages of a log. Throws what reading throws.
   Progress step(Timestamp until);
 
   /// Time up to which all events are shown.

@@ -41,7 +41,22 @@ class RecordingSource final : public ViewSource {
 
  private:
   using Activity = ViewPlayback::Activity;
-  class Visit;
+
+  // Shorter losses are not jumped to.
+  static constexpr std::int64_t kShortestLoss_us = 10'000;
+
+  // The mutex, for a caller that the worker makes room for.
+  class Visit {
+   public:
+    explicit Visit(RecordingSource& source) {
+      source.waiting_.fetch_add(1, std::memory_order_relaxed);
+      lock_ = std::unique_lock(source.mutex_);
+      source.waiting_.fetch_sub(1, std::memory_order_relaxed);
+    }
+
+   private:
+    std::unique_lock<std::mutex> lock_;
+  };
 
   void work(const std::stop_token& stop);
   // Each returns whether more is to be done at once.
