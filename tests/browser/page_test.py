@@ -288,7 +288,7 @@ class LivePage(PageCase):
         with Browser() as browser:
             browser.open(self.view.url)
             browser.wait("return document.querySelector('#messages button')")
-            browser.press("m")
+            browser.press("a")
             browser.wait("return document.getElementById('messages').textContent"
                          ".includes('services: no STATUS of any service')", seconds=30)
             with self.game:
