@@ -26,7 +26,10 @@ ONLY_ELLIPSE = """
 ELLIPSE = """
   const canvas = document.getElementById(arguments[0]);
   const {width, height} = canvas;
-  const {data} = canvas.getContext('2d').getImageData(0, 0, width, height);
+  const copy = Object.assign(document.createElement('canvas'), {width, height});
+  const context = copy.getContext('2d', {willReadFrequently: true});
+  context.drawImage(canvas, 0, 0);
+  const {data} = context.getImageData(0, 0, width, height);
   const [xs, ys] = [[], []];
   for (let i = 0; i < data.length; i += 4) {
     if (Math.min(data[i], data[i + 1], data[i + 2]) < 200) continue;
