@@ -26,7 +26,10 @@ ONLY_ELLIPSE = """
 ELLIPSE = """
   const canvas = document.getElementById(arguments[0]);
   const {width, height} = canvas;
-  const {data} = canvas.getContext('2d').getImageData(0, 0, width, height);
+  const copy = Object.assign(document.createElement('canvas'), {width, height});
+  const context = copy.getContext('2d', {willReadFrequently: true});
+  context.drawImage(canvas, 0, 0);
+  const {data} = context.getImageData(0, 0, width, height);
   const [xs, ys] = [[], []];
   for (let i = 0; i < data.length; i += 4) {
     if (Math.min(data[i], data[i + 1], data[i + 2]) < 200) continue;
@@ -196,6 +199,7 @@ class RecordedPage(PageCase):
             for key in keys:
                 if len(key) == 1 and key.isascii():
                     browser.press(key)
+                    time.sleep(0.1)
             browser.press("\ue00c")
             self.check_console(browser)
         self.settle(1)
@@ -287,7 +291,7 @@ class LivePage(PageCase):
         with Browser() as browser:
             browser.open(self.view.url)
             browser.wait("return document.querySelector('#messages button')")
-            browser.press("m")
+            browser.press("a")
             browser.wait("return document.getElementById('messages').textContent"
                          ".includes('services: no STATUS of any service')", seconds=30)
             with self.game:

@@ -33,11 +33,13 @@ def main():
         sys.exit(__doc__.strip())
     with tempfile.TemporaryDirectory() as folder, Game(folder) as game, Browser(1060, 620) as browser:
         view = View("--lcm-url", game.bus, log=f"{folder}/view.log")
-        browser.open(view.url)
-        browser.run("document.getElementById('messages').style.display = 'none'")
-        browser.wait(A_SHOT, seconds=150)
-        browser.screenshot(f"{folder}/page.png")
-        view.stop()
+        try:
+            browser.open(view.url)
+            browser.run("document.getElementById('messages').style.display = 'none'")
+            browser.wait(A_SHOT, seconds=150)
+            browser.screenshot(f"{folder}/page.png")
+        finally:
+            view.stop()
         picture = Image.open(f"{folder}/page.png").convert("RGB")
         for colours in (256, 128, 64, 32):
             picture.quantize(colours, dither=Image.Dither.NONE).save(sys.argv[1], optimize=True)

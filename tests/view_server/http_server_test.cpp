@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "tests/support/process_usage.h"
+#include "tests/support/wait_until.h"
 #include "tests/view_server/raw_client.h"
 
 namespace puck {
@@ -18,7 +19,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Answers with the path and the body; `/large` with much, `/held` after a time, `/throws` not.
+/// Answers with the path and the body; `/large` with much, `/held` after a time, `/never` and
+/// `/throws` not.
 class Echo : public HttpHandler {
  public:
   static constexpr std::size_t kLarge = 4 << 20;
@@ -26,6 +28,7 @@ class Echo : public HttpHandler {
   std::optional<HttpReply> answer(const HttpRequest& request, milliseconds waited) override {
     ++asked;
     if (request.path == "/throws") throw std::runtime_error("no such thing");
+    if (request.path == "/never") return std::nullopt;
     if (request.path == "/held" && waited < milliseconds(50)) return std::nullopt;
     if (request.path == "/large") return HttpReply{.body = large_};
     return text_reply(200, request.path + ' ' + request.body);
@@ -82,6 +85,17 @@ TEST_CASE("a request without news is asked again until there is some") {
   Served served;
   CHECK(served.ask(get("/held")).find("/held") != std::string::npos);
   CHECK(served.echo.asked > 2);
+}
+
+TEST_CASE("a waiting request whose browser has given up frees its place") {
+  Served served({.most_connections = 2});
+  for (int i = 0; i < 5; ++i) {
+    RawClient first(served.server.port());
+    first.send(get("/never"));
+    RawClient second(served.server.port());
+    second.send(get("/never"));
+  }
+  CHECK(wait_until([&] { return served.ask(get("/after")).starts_with("HTTP/1.1 200 "); }));
 }
 
 TEST_CASE("an exception of a handler becomes a reply") {

@@ -26,7 +26,7 @@ export function allKeys(view) {
     ...Object.entries(layerNames).map(([name, [key, meaning]]) => [
       [key], key, meaning, () => view.toggleLayer(name)]),
     [['s'], 's', 'services and channels', () => view.toggleServices()],
-    [['m'], 'm', 'all messages or the first', () => view.toggleMessages()],
+    [['a'], 'a', 'all messages or the first', () => view.toggleMessages()],
     [['d'], 'd', 'dark or light', () => view.toggleTheme()],
     [['?'], '?', 'these keys', () => view.toggleHelp()],
     [['Escape'], 'Esc', 'close', () => view.closeAll()],

@@ -3,6 +3,8 @@
 import { getPicture, pause } from './server.js';
 import { settings } from './settings.js';
 
+const kHeld_ms = 60; // A request that is not answered by then waits for news.
+
 export class PictureFeed {
   constructor(canvas, view, side = 0) {
     this.canvas = canvas;
@@ -11,16 +13,25 @@ export class PictureFeed {
     this.side = side;
     this.seen = 0;
     this.shown = 0; // Pictures so far.
+    this.changes = 0; // Of the wishes.
+    this.requested = 0; // Changes that the request knows.
+    this.request = null;
+    this.renewal = null;
     new ResizeObserver(() => this.renew()).observe(canvas);
     document.addEventListener('visibilitychange', () => this.renew());
     this.run();
   }
 
-  // The wishes changed: do not wait for the next event.
+  // The wishes changed: do not wait for the next event. A request that is answered soon is left alone.
   renew() {
     this.seen = 0;
-    if (this.request) this.request.abort();
+    ++this.changes;
     if (this.wake) this.wake();
+    if (this.renewal) return;
+    this.renewal = setTimeout(() => {
+      this.renewal = null;
+      if (this.request && this.requested !== this.changes) this.request.abort();
+    }, kHeld_ms);
   }
 
   get isVisible() {
@@ -48,31 +59,32 @@ export class PictureFeed {
         await new Promise((wake) => { this.wake = wake; });
         continue;
       }
-      this.request = new AbortController();
-      const { signal } = this.request;
-      const picture = await getPicture(this.query(), signal);
-      if (picture && picture.blob) await this.show(picture, signal);
-      else if (!picture && !signal.aborted) await pause(500);
+      const request = new AbortController();
+      this.request = request;
+      const { changes } = this;
+      this.requested = changes;
+      const picture = await getPicture(this.query(), request.signal);
+      this.request = null;
+      if (picture && picture.blob) await this.show(picture, changes);
+      else if (!picture && !request.signal.aborted) await pause(500);
     }
   }
 
-  async show(picture, signal) {
+  async show(picture, changes) {
     let bitmap;
     try {
       bitmap = await createImageBitmap(picture.blob);
     } catch {
       return; // Cut off.
     }
-    if (!signal.aborted) {
-      this.seen = picture.version;
-      if (this.canvas.width !== bitmap.width || this.canvas.height !== bitmap.height) {
-        this.canvas.width = bitmap.width;
-        this.canvas.height = bitmap.height;
-      }
-      this.context.drawImage(bitmap, 0, 0);
-      ++this.shown;
-      this.canvas.dataset.shown = this.shown;
+    if (changes === this.changes) this.seen = picture.version;
+    if (this.canvas.width !== bitmap.width || this.canvas.height !== bitmap.height) {
+      this.canvas.width = bitmap.width;
+      this.canvas.height = bitmap.height;
     }
+    this.context.drawImage(bitmap, 0, 0);
     bitmap.close();
+    ++this.shown;
+    this.canvas.dataset.shown = this.shown;
   }
 }

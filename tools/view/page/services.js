@@ -37,7 +37,7 @@ const latencies = (service) => service.latencies
 
 const kTroubles = /lost|late|reject|dropped|skipped|fail|overflow|malformed|duplicate/;
 const troubles = (service) => service.counters
-  .filter(([name, value]) => value > 0 && kTroubles.test(name))
+  .filter(([name, value]) => value > 0 && kTroubles.test(name) && !name.endsWith('_us'))
   .map(([name, value]) => `${name} ${short(value)}`)
   .join(', ');
 

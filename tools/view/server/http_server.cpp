@@ -1,6 +1,7 @@
 #include "tools/view/server/http_server.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <exception>
 #include <set>
@@ -20,6 +21,7 @@
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/span_body.hpp>
 #include <boost/beast/http/write.hpp>
+#include <sys/socket.h>
 
 #include "tools/view/server/http_parsing.h"
 
@@ -205,10 +207,19 @@ class HttpServer::Impl::Connection : public std::enable_shared_from_this<Connect
       write(*reply);
       return;
     }
+    if (peer_is_gone()) return;
     again_.expires_after(kAskAgain);
     again_.async_wait([self = this->shared_from_this()](const error_code& error) {
       if (!error) self->ask();
     });
+  }
+
+  /// A browser gives up a request whose picture it does not want any more.
+  bool peer_is_gone() {
+    char byte = 0;
+    const ssize_t size =
+        ::recv(stream_.socket().native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+    return size == 0 || (size < 0 && errno != EAGAIN && errno != EWOULDBLOCK);
   }
 
   void write(const HttpReply& reply) {
