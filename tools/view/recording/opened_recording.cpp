@@ -106,7 +106,8 @@ std::unique_ptr<EventReader> OpenedRecording::open_events() const {
   } else {
     events = open_event_file(options_.recording, options_.file);
   }
-  return std::make_unique<FilteredReader>(std::move(events), options_.filter, options_.recording.string());
+  return std::make_unique<FilteredReader>(std::move(events), options_.filter,
+                                          options_.recording.string());
 }
 
 void OpenedRecording::find_size_model() {
