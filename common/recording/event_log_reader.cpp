@@ -3,6 +3,16 @@
 namespace puck {
 namespace {
 
+// An EventReader throws EventFileError only.
+template <typename Action>
+auto as_file_error(Action action) {
+  try {
+    return action();
+  } catch (const LogFileError& error) {
+    throw EventFileError(error.what());
+  }
+}
+
 class EventLogReader final : public EventReader {
  public:
   EventLogReader(const std::filesystem::path& path, const std::string& prefix,
@@ -12,7 +22,7 @@ class EventLogReader final : public EventReader {
   SensorSize sensor_size() const override { return log_.sensor_size(); }
 
   bool read(EventPacket& packet, std::size_t max_events) override {
-    const bool has_events = log_.read(packet, max_events);
+    const bool has_events = as_file_error([&] { return log_.read(packet, max_events); });
     const EventLogCounters& counters = log_.counters();
     counters_.events = counters.events;
     counters_.missing = counters.events_missing + counters.events_dropped;
@@ -21,7 +31,7 @@ class EventLogReader final : public EventReader {
   }
 
   void rewind() override {
-    log_.rewind();
+    as_file_error([&] { log_.rewind(); });
     counters_ = {};
   }
 

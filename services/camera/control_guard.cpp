@@ -6,7 +6,13 @@ ControlGuard::Judgement ControlGuard::judge(const CameraControl& control,
                                             std::int64_t camera_session, std::int64_t now_us) {
   // First, since a seek that was obeyed has changed the camera's session.
   Sender* sender = find(control.session);
-  if (sender != nullptr && control.request <= sender->request) return Judgement::kRepeat;
+  if (sender != nullptr && control.request <= sender->request) {
+    if (sender->is_answered) {
+      answered_session_ = sender->session;
+      verdict_ = sender->verdict;
+    }
+    return Judgement::kRepeat;
+  }
   if (control.camera_session != camera_session) {
     ++refused_;
     return Judgement::kOtherCamera;
@@ -21,11 +27,15 @@ ControlGuard::Judgement ControlGuard::judge(const CameraControl& control,
     next_sender_ = (next_sender_ + 1) % senders_.size();
   }
   *sender = {control.session, control.request};
-  answered_session_ = control.session;
   return Judgement::kTake;
 }
 
-void ControlGuard::answer(ControlVerdict verdict) {
+void ControlGuard::answer(std::int64_t session, ControlVerdict verdict) {
+  if (Sender* sender = find(session)) {
+    sender->verdict = verdict;
+    sender->is_answered = true;
+  }
+  answered_session_ = session;
   verdict_ = verdict;
   if (verdict == ControlVerdict::kSearching) return;
   ++(verdict == ControlVerdict::kObeyed ? obeyed_ : refused_);

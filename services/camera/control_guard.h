@@ -26,12 +26,13 @@ class ControlGuard {
 
   /// `camera_session`: the session that a control must name. `now_us`: CLOCK_MONOTONIC.
   Judgement judge(const CameraControl& control, std::int64_t camera_session, std::int64_t now_us);
-  /// What became of the request that was taken last; also later, after a search.
-  void answer(ControlVerdict verdict);
+  /// What became of the request that was taken of the sender `session`; also later, after a search.
+  /// A repeat of it makes this the answer again.
+  void answer(std::int64_t session, ControlVerdict verdict);
 
   std::int64_t obeyed() const { return obeyed_; }
   std::int64_t refused() const { return refused_; }
-  /// The sender of the request that was taken last; 0: none yet.
+  /// The sender whose request was answered, or repeated, last; 0: none yet.
   std::int64_t answered_session() const { return answered_session_; }
   ControlVerdict verdict() const { return verdict_; }
 
@@ -40,6 +41,8 @@ class ControlGuard {
   struct Sender {
     std::int64_t session = 0;
     std::int64_t request = 0;
+    ControlVerdict verdict = ControlVerdict::kSearching;  // Until answer().
+    bool is_answered = false;
   };
 
   Sender* find(std::int64_t session);

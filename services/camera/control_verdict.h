@@ -13,8 +13,9 @@ enum class ControlVerdict : std::uint8_t {
   kBeyondEnd,     ///< The recording, or the played part of it, ends before the place.
   kNotBegun,      ///< No event has been read yet.
   kInvalid,       ///< A value is out of its range.
+  kUnreadable,    ///< The recording's file cannot be read again.
 };
-inline constexpr std::int64_t kControlVerdicts = 7;
+inline constexpr std::int64_t kControlVerdicts = 8;
 
 /// Counters of STATUS that answer a request: its sender's session, and the number of the verdict.
 inline constexpr const char* kControlSession = "control_session";
@@ -31,8 +32,7 @@ constexpr const char* to_string(ControlVerdict verdict) {
       return "the place is searched for";
     case ControlVerdict::kNoRecording:
       return "only a recording can be controlled: camera.source \"file\" or \"log\", at the pace "
-             "of "
-             "its sensor; this camera may be live";
+             "of its sensor; this camera may be live";
     case ControlVerdict::kReadOnlyOnce:
       return "the recording comes from a pipe and cannot go back; play it from a file";
     case ControlVerdict::kBeyondEnd:
@@ -41,6 +41,8 @@ constexpr const char* to_string(ControlVerdict verdict) {
       return "the recording has not begun yet; try again";
     case ControlVerdict::kInvalid:
       return "the speed must be 0.001 to 1000, a step at most 10 s";
+    case ControlVerdict::kUnreadable:
+      return "the recording cannot be read again; the camera's log says why";
   }
   return "unknown";
 }

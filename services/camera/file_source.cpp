@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 namespace puck {
@@ -147,12 +149,14 @@ ControlVerdict FileSource::seek(std::int64_t position_us) {
   return ControlVerdict::kSearching;
 }
 
-// False for a pipe, which then stays where it is.
+// False for a pipe, which then stays where it is. Throws EventFileError for a damaged file.
 bool FileSource::go_to_start() {
   const EventCounters counters = reader_->counters();
   try {
     reader_->rewind();
   } catch (const EventFileError&) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(params_.file, ignored)) throw;
     return false;
   }
   dropped_before_ += counters.dropped();

@@ -1,5 +1,6 @@
 #include "services/camera/replay_controls.h"
 
+#include <exception>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
@@ -32,7 +33,7 @@ void ReplayControls::poll() {
   if (replay_ == nullptr) return;
   while (const auto request = keys_ ? keys_->read() : std::nullopt) {
     const ControlVerdict verdict = obey(request);
-    if (verdict == ControlVerdict::kSearching) is_search_of_bus_ = false;
+    if (verdict == ControlVerdict::kSearching) search_session_ = 0;
     context_.log.info(outcome(verdict));
   }
   if (keys_ && keys_->was_help_asked()) context_.log.info(TerminalKeys::kHelp);
@@ -44,12 +45,13 @@ void ReplayControls::hear(const CameraControl& control, const Receipt& receipt) 
   if (judgement == ControlGuard::Judgement::kRepeat) return;
   const std::string sender = context_.peers.name_of(control.session);
   if (judgement != ControlGuard::Judgement::kTake) {
-    context_.limited_log.warn("control", fmt::format("{}: {}", sender, why_not_taken(judgement)));
+    context_.limited_log.warn("refused control",
+                              fmt::format("{}: {}", sender, why_not_taken(judgement)));
     return;
   }
   const ControlVerdict verdict = obey(request_in(control));
-  if (verdict == ControlVerdict::kSearching) is_search_of_bus_ = true;
-  guard_.answer(verdict);
+  if (verdict == ControlVerdict::kSearching) search_session_ = control.session;
+  guard_.answer(control.session, verdict);
   context_.limited_log.info("control", fmt::format("{}: {}", sender, outcome(verdict)));
   show_state();
 }
@@ -57,12 +59,19 @@ void ReplayControls::hear(const CameraControl& control, const Receipt& receipt) 
 ControlVerdict ReplayControls::obey(const std::optional<ReplayRequest>& request) {
   if (replay_ == nullptr) return ControlVerdict::kNoRecording;
   if (!request) return ControlVerdict::kInvalid;
-  return replay_->obey(*request, Replay::Clock::now());
+  try {
+    return replay_->obey(*request, Replay::Clock::now());
+  } catch (const std::exception& error) {
+    context_.limited_log.warn("unreadable", error.what());
+    return ControlVerdict::kUnreadable;
+  }
 }
 
 void ReplayControls::end_search(bool is_found) {
   const ControlVerdict verdict = is_found ? ControlVerdict::kObeyed : ControlVerdict::kBeyondEnd;
-  if (std::exchange(is_search_of_bus_, false)) guard_.answer(verdict);
+  if (const std::int64_t sender = std::exchange(search_session_, 0); sender != 0) {
+    guard_.answer(sender, verdict);
+  }
   if (!is_found) context_.limited_log.info("search", outcome(verdict));
   show_state();
 }

@@ -40,8 +40,8 @@ class ReplayControls {
   ServiceContext& context_;
   ControlGuard guard_;
   std::optional<TerminalKeys> keys_;
-  bool shows_hold_ = false;        // STATUS tells a pause or a search.
-  bool is_search_of_bus_ = false;  // It was not a key that began the search.
+  bool shows_hold_ = false;          // STATUS tells a pause or a search.
+  std::int64_t search_session_ = 0;  // The sender who began the search; 0: a key.
 };
 
 }  // namespace puck
