@@ -80,13 +80,15 @@ void OpenedRecording::find_first() {
     if (!camera) throw;
     sensor_ = camera->sensor;
     first_ = camera->first;
-    messages_.push_back({ViewMessage::Level::kError,
-                         std::string(error.what()) + ": only what the services said is shown"});
+    fail(std::string(error.what()) + ": only what the services said is shown");
     return;
   }
-  if (has_events_) return;
-  messages_.push_back({ViewMessage::Level::kError,
-                       options_.recording.string() + " holds no events: nothing can be shown"});
+  if (!has_events_) fail(options_.recording.string() + " holds no events: nothing can be shown");
+}
+
+// Before all warnings.
+void OpenedRecording::fail(std::string text) {
+  messages_.insert(messages_.begin(), {ViewMessage::Level::kError, std::move(text)});
 }
 
 void OpenedRecording::warn(std::string text) {

@@ -75,6 +75,7 @@ class OpenedRecording {
   void find_size_model();
   void find_table();
   void find_truth();
+  void fail(std::string text);
   void warn(std::string text);
 
   RecordingOptions options_;
