@@ -1,6 +1,7 @@
 #include "tools/view/drawing/camera_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include <opencv2/imgproc.hpp>
@@ -81,7 +82,12 @@ void CameraPicture::draw_close_up(const ViewScene& scene, const PictureWishes& w
   const auto& estimate = scene.tracks[static_cast<std::size_t>(wishes.side)].estimate;
   if (!estimate || !estimate->position) return;
   const Pixel puck = *estimate->position;
-  const double longest = std::max({estimate->size.width, estimate->size.height, kLeastPuck_px});
+  const double longest = std::max({kLeastPuck_px, estimate->size.width, estimate->size.height});
+  // Also when one of these is not a number.
+  const bool is_near = longest <= scene.sensor.width + scene.sensor.height &&
+                       std::abs(puck.x) <= 2.0 * scene.sensor.width &&
+                       std::abs(puck.y) <= 2.0 * scene.sensor.height;
+  if (!is_near) return;
   const int side_px =
       static_cast<int>(kCloseUpShare * std::min(frame.size_px.width, frame.size_px.height));
   const int zoom = static_cast<int>(side_px / (kCloseUpSizes * longest));

@@ -101,7 +101,7 @@ void Canvas::rectangle(cv::Point2d from, cv::Point2d to, const Stroke& stroke) {
 void Canvas::ellipse(cv::Point2d centre, cv::Size2d axes, double turn_rad, const Stroke& stroke) {
   if (!(axes.width > 0 && axes.height > 0)) return;
   const double largest_px = std::max(axes.width, axes.height);
-  const int corners = std::clamp(static_cast<int>(largest_px), 24, 180);
+  const int corners = static_cast<int>(std::clamp(largest_px, 24.0, 180.0));
   std::vector<cv::Point2d> points;
   points.reserve(static_cast<std::size_t>(corners));
   const double c = std::cos(turn_rad);
