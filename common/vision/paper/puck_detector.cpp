@@ -31,9 +31,9 @@ KernelGeometry fixed_geometry(int height_px) {
   return geometry;
 }
 
-// Grey of as many fresh events as a packet of evidence holds: where a kernel covers less, nothing
-// could be decided.
-constexpr double kLeastGrey = 8 * 255;
+// Where a kernel covers less, all is dark and its response 0. With few events more a puck that has
+// just come is found too late.
+constexpr double kLeastGrey = 1;
 
 bool better(const PuckDetector::Detection& a, const PuckDetector::Detection& b) {
   return a.response > b.response;
