@@ -53,8 +53,10 @@ fuzz() { # FUZZER; takes the place of the shell that calls it
   local learned=$scratch/learned/$1
   [ "$minutes" -eq 0 ] || learned=$build/corpus/$1
   mkdir -p "$learned"
-  local known=("$scratch/seeds/$1")
-  [ ! -d "tests/fuzz/corpus/$1" ] || known+=("tests/fuzz/corpus/$1")
+  local known=() folder
+  for folder in "$scratch/seeds/$1" "tests/fuzz/corpus/$1"; do
+    [ ! -d "$folder" ] || known+=("$folder")
+  done
   # A small quarantine: inputs come and go by the thousand in a second.
   ASAN_OPTIONS=quarantine_size_mb=16 exec nice "$build/bin/$1" -max_total_time="$seconds" \
     -max_len=4096 -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=128 -print_final_stats=1 \
