@@ -6,11 +6,34 @@
 namespace puck {
 namespace {
 
-static_assert(static_cast<int>(TrackState::kLost) == puck_estimate_t::STATE_LOST);
-static_assert(static_cast<int>(CommandMode::kReset) == arm_command_t::MODE_RESET);
-static_assert(static_cast<int>(CameraControlMode::kSpeed) == camera_control_t::MODE_SPEED);
-static_assert(static_cast<int>(ArmActivity::kFault) == arm_state_t::STATE_FAULT);
-static_assert(static_cast<int>(GamePhase::kPuckOutOfView) == game_state_t::PHASE_PUCK_OUT_OF_VIEW);
+template <typename Enum>
+constexpr bool is(Enum value, int number) {
+  return static_cast<int>(value) == number;
+}
+
+static_assert(is(TrackState::kSearching, puck_estimate_t::STATE_SEARCHING));
+static_assert(is(TrackState::kTracking, puck_estimate_t::STATE_TRACKING));
+static_assert(is(TrackState::kLost, puck_estimate_t::STATE_LOST));
+static_assert(is(CommandMode::kFollow, arm_command_t::MODE_FOLLOW));
+static_assert(is(CommandMode::kHold, arm_command_t::MODE_HOLD));
+static_assert(is(CommandMode::kStop, arm_command_t::MODE_STOP));
+static_assert(is(CommandMode::kReset, arm_command_t::MODE_RESET));
+static_assert(is(CameraControlMode::kPause, camera_control_t::MODE_PAUSE));
+static_assert(is(CameraControlMode::kResume, camera_control_t::MODE_RESUME));
+static_assert(is(CameraControlMode::kStep, camera_control_t::MODE_STEP));
+static_assert(is(CameraControlMode::kSeek, camera_control_t::MODE_SEEK));
+static_assert(is(CameraControlMode::kSpeed, camera_control_t::MODE_SPEED));
+static_assert(is(ArmActivity::kIdle, arm_state_t::STATE_IDLE));
+static_assert(is(ArmActivity::kMoving, arm_state_t::STATE_MOVING));
+static_assert(is(ArmActivity::kHolding, arm_state_t::STATE_HOLDING));
+static_assert(is(ArmActivity::kStopped, arm_state_t::STATE_STOPPED));
+static_assert(is(ArmActivity::kFault, arm_state_t::STATE_FAULT));
+static_assert(is(GamePhase::kWaiting, game_state_t::PHASE_WAITING));
+static_assert(is(GamePhase::kRally, game_state_t::PHASE_RALLY));
+static_assert(is(GamePhase::kShotAtRobot, game_state_t::PHASE_SHOT_AT_ROBOT));
+static_assert(is(GamePhase::kGoal, game_state_t::PHASE_GOAL));
+static_assert(is(GamePhase::kPuckStuck, game_state_t::PHASE_PUCK_STUCK));
+static_assert(is(GamePhase::kPuckOutOfView, game_state_t::PHASE_PUCK_OUT_OF_VIEW));
 
 // Sensor time of HEAD when it is not known.
 constexpr std::int64_t kTimeUnknown = -1;
@@ -216,24 +239,25 @@ arm_state_t to_message(const ArmState& state) {
 }
 
 ArmState from_message(const arm_state_t& message) {
-  return {header_of(message),
-          static_cast<ArmActivity>(message.state),
-          message.reason,
-          message.faults,
-          message.back_end,
-          message.line_x_m,
-          message.line_min_m,
-          message.line_max_m,
-          message.position_m,
-          message.position_normalised,
-          message.velocity_m_s,
-          message.target_m,
-          message.joint_deg,
-          message.joint_velocity_deg_s,
-          {message.command_session, message.command_seq},
-          {message.estimate_session, message.estimate_seq},
-          message.commands_refused,
-          message.estimate_to_motion_us};
+  ArmState state{header_of(message)};
+  state.activity = static_cast<ArmActivity>(message.state);
+  state.reason = message.reason;
+  state.faults = message.faults;
+  state.back_end = message.back_end;
+  state.line_x_m = message.line_x_m;
+  state.line_min_m = message.line_min_m;
+  state.line_max_m = message.line_max_m;
+  state.position_m = message.position_m;
+  state.position_normalised = message.position_normalised;
+  state.velocity_m_s = message.velocity_m_s;
+  state.target_m = message.target_m;
+  state.joint_deg = message.joint_deg;
+  state.joint_velocity_deg_s = message.joint_velocity_deg_s;
+  state.command = {message.command_session, message.command_seq};
+  state.estimate = {message.estimate_session, message.estimate_seq};
+  state.commands_refused = message.commands_refused;
+  state.estimate_to_motion_us = message.estimate_to_motion_us;
+  return state;
 }
 
 game_state_t to_message(const GameState& game) {
