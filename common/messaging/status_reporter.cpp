@@ -58,10 +58,9 @@ const char* to_string(ServiceState state) {
 }
 
 std::optional<std::int64_t> PeerStatus::counter(std::string_view name) const {
-  for (const auto& [counter, value] : counters) {
-    if (counter == name) return value;
-  }
-  return std::nullopt;
+  const auto found = std::find(counter_names.begin(), counter_names.end(), name);
+  if (found == counter_names.end()) return std::nullopt;
+  return counter_values[static_cast<std::size_t>(found - counter_names.begin())];
 }
 
 StatusReporter::StatusReporter(Bus& bus, std::string service)
@@ -121,17 +120,15 @@ void StatusReporter::hear(const service_status_t& status, const Receipt& receipt
   // An early answer gives the new run our clock soon.
   if (pongs_.hear(status, receipt)) due_us_ = std::min(due_us_, soonest_us_);
   if (listeners_.empty()) return;
-  PeerStatus peer{.session = status.session,
-                  .service = status.service,
-                  .host = status.host,
-                  .pid = status.pid,
-                  .state = static_cast<ServiceState>(status.state),
-                  .state_text = status.state_text,
-                  .utime = status.utime,
-                  .counters = {}};
-  for (std::size_t i = 0; i < status.counter_name.size(); ++i) {
-    peer.counters.emplace_back(status.counter_name[i], status.counter_value[i]);
-  }
+  const PeerStatus peer{.session = status.session,
+                        .service = status.service,
+                        .host = status.host,
+                        .pid = status.pid,
+                        .state = static_cast<ServiceState>(status.state),
+                        .state_text = status.state_text,
+                        .utime = status.utime,
+                        .counter_names = status.counter_name,
+                        .counter_values = status.counter_value};
   for (const Listener& listener : listeners_) listener(peer, receipt);
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,7 +45,7 @@ struct StatusReport {
   }
 };
 
-/// A service by its STATUS.
+/// A service by its STATUS. Borrows the counters of the message.
 struct PeerStatus {
   std::int64_t session = 0;
   std::string service;
@@ -53,7 +54,8 @@ struct PeerStatus {
   ServiceState state = ServiceState::kStarting;
   std::string state_text;
   std::int64_t utime = 0;  ///< At publish, by the peer's clock.
-  std::vector<std::pair<std::string, std::int64_t>> counters;
+  std::span<const std::string> counter_names;
+  std::span<const std::int64_t> counter_values;  ///< As many.
 
   /// Nothing if STATUS has no such counter.
   std::optional<std::int64_t> counter(std::string_view name) const;
