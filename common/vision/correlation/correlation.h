@@ -46,10 +46,9 @@ class Correlation {
   double lower_bound(const EllipseKernel& kernel);
 
   /// Calls `on_part(const Region&)` with parts of a row of candidates, from left to right: all
-  /// places at which the kernel covers a sum of grey of `least` or more, and some others.
+  /// places at which the kernel covers more than dark pixels, and some others.
   template <typename OnPart>
-  void for_each_bright_part(const EllipseKernel& kernel, const Region& row, double least,
-                            const OnPart& on_part);
+  void for_each_bright_part(const EllipseKernel& kernel, const Region& row, const OnPart& on_part);
 
   /// Similarity of the place around pixel (x, y) to a puck: EllipseKernel::contrast.
   double contrast_at(const EllipseKernel& kernel, int x, int y);
@@ -79,7 +78,7 @@ class Correlation {
 };
 
 template <typename OnPart>
-void Correlation::for_each_bright_part(const EllipseKernel& kernel, const Region& row, double least,
+void Correlation::for_each_bright_part(const EllipseKernel& kernel, const Region& row,
                                        const OnPart& on_part) {
   constexpr int kSide = BlockSums::kSide;
   sum_blocks();
@@ -93,9 +92,11 @@ void Correlation::for_each_bright_part(const EllipseKernel& kernel, const Region
     const int places = std::min(kSide, row.width - x);
     const int first = std::max(left + x, 0);
     const int last = std::min(left + x + places - 1 + kernel.width() + 2 * blur, picture_.width());
-    double grey = 0;
-    for (int i = first / kSide; i * kSide < last; ++i) grey += columns[static_cast<std::size_t>(i)];
-    if (grey >= least) {
+    bool is_bright = false;
+    for (int i = first / kSide; i * kSide < last; ++i) {
+      is_bright |= columns[static_cast<std::size_t>(i)] > 0;
+    }
+    if (is_bright) {
       part.width += places;
       continue;
     }

@@ -31,10 +31,6 @@ KernelGeometry fixed_geometry(int height_px) {
   return geometry;
 }
 
-// Where a kernel covers less, all is dark and its response 0. With few events more a puck that has
-// just come is found too late.
-constexpr double kLeastGrey = 1;
-
 bool better(const PuckDetector::Detection& a, const PuckDetector::Detection& b) {
   return a.response > b.response;
 }
@@ -103,8 +99,9 @@ void PuckDetector::find_peaks(Correlation& picture, const Region& where, const K
     const Region line{where.x, where.y + row * kRowStep, where.width, 1};
     const EllipseKernel& kernel = bank.nearest(size_model_.at(line.centre()));
     float* responses = responses_.row(row);
+    // Where all is dark the response is 0, which no threshold admits.
     std::fill_n(responses, where.width, -std::numeric_limits<float>::infinity());
-    picture.for_each_bright_part(kernel, line, kLeastGrey, [&](const Region& part) {
+    picture.for_each_bright_part(kernel, line, [&](const Region& part) {
       parts_.push_back(part);
       picture.correlate(kernel, part, map_);
       std::copy_n(map_.response.row(0), part.width, responses + (part.x - where.x));
