@@ -15,18 +15,12 @@ namespace {
 constexpr int kUsageError = 2;
 
 void add_options(CLI::App& app, puck::DoctorOptions& options) {
-  app.add_option("--lcm-url", options.lcm_url, "LCM URL of the bus; overrides the setting lcm.url")
-      ->type_name("URL");
+  puck::add_bus_options(app, options);
   app.add_option("--prefix", options.prefix,
                  "Channel prefix: every channel is called P_PUCK_...; overrides lcm.prefix")
       ->type_name("P");
-  app.add_option("--config", options.config_file,
-                 "TOML file of a service; its [lcm] section and camera.packet_bytes are used")
-      ->type_name("FILE");
-  app.add_option("--set", options.settings,
-                 "One setting of these; overrides the file; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  app.get_option("--config")
+      ->description("TOML file of a service; its [lcm] section and camera.packet_bytes are used");
   app.add_option("--seconds", options.seconds, "Time to listen, s")
       ->check(puck::number_range(0.2, 3600))
       ->capture_default_str();

@@ -1,19 +1,14 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "common/messaging/lcm_url.h"
+#include "tools/command_line/bus_options.h"
 
 namespace puck {
 
 /// From the command line.
-struct DoctorOptions {
-  std::string config_file;
-  std::vector<std::string> settings;  ///< KEY=VALUE
-  std::optional<std::string> lcm_url;
-  std::optional<std::string> prefix;
+struct DoctorOptions : BusOptions {
   double seconds = 2;
   bool json = false;
 };
