@@ -1,6 +1,7 @@
 #include "services/camera/camera_request.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "common/messages/host_time.h"
 #include "common/messaging/conversions.h"
@@ -11,6 +12,9 @@ namespace {
 // STATUS comes every 100 ms.
 constexpr std::int64_t kSilentUs = 400'000;
 constexpr std::int64_t kMaxAgeUs = 200'000;
+// More come from a sender that makes them up.
+constexpr std::size_t kMostCameras = 64;
+constexpr std::int64_t kFarthestUs = 1'000'000'000'000'000;
 
 }  // namespace
 
@@ -26,15 +30,18 @@ void CameraRequest::listen(Bus& bus, StatusReporter& status) {
 
 void CameraRequest::hear(const PeerStatus& status, const HostNow& now, bool is_current) {
   const std::string name = status.host + ", pid " + std::to_string(status.pid);
-  Camera& camera = cameras_[name];
   const bool answers = status.counter(kControlSession) == own_session_;
-  // Only a camera that heard us can name our session; its clock does not matter.
-  camera.is_current = is_current || answers;
+  // Only a camera that heard us can name our session; its clock does not matter. An old STATUS may
+  // be from a log of the same camera.
+  if (!is_current && !answers) return;
+  if (cameras_.size() >= kMostCameras && !cameras_.contains(name)) return;
+  Camera& camera = cameras_[name];
   camera.name = name;
   camera.text = status.state_text;
   camera.session = status.session;
   camera.heard_us = now.monotonic_us;
-  camera.position_us = status.counter(kPositionUs).value_or(0);
+  camera.position_us =
+      std::clamp<std::int64_t>(status.counter(kPositionUs).value_or(0), 0, kFarthestUs);
   if (!answers) return;
   const std::int64_t verdict = status.counter(kControlVerdict).value_or(-1);
   if (verdict < 0 || verdict >= kControlVerdicts) return;
@@ -43,7 +50,7 @@ void CameraRequest::hear(const PeerStatus& status, const HostNow& now, bool is_c
 }
 
 bool CameraRequest::speaks(const Camera& camera, const HostNow& now) {
-  return camera.is_current && now.monotonic_us - camera.heard_us <= kSilentUs;
+  return now.monotonic_us - camera.heard_us <= kSilentUs;
 }
 
 bool CameraRequest::publish(Bus& bus) {

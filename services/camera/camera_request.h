@@ -36,7 +36,6 @@ class CameraRequest final : public OperatorRequest {
     std::int64_t heard_us = 0;
     std::int64_t target_us = -1;  // Of a seek; below 0: not sent yet.
     std::int64_t position_us = 0;
-    bool is_current = false;
     bool has_answered = false;
     ControlVerdict verdict = ControlVerdict::kSearching;
   };

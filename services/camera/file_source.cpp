@@ -64,7 +64,7 @@ bool FileSource::read(EventPacket& packet, std::size_t most) {
   return true;
 }
 
-// What was read last again, if the place sought is in it.
+// Gives what was read last again, if it holds the place of the search.
 bool FileSource::read_next(EventPacket& packet) {
   if (!std::exchange(repeats_latest_, false)) {
     if (!read(packet, kChunkEvents)) return false;
@@ -119,7 +119,7 @@ EventSource::Outcome FileSource::end_of_part(Chunk& chunk) {
   return next(chunk);
 }
 
-// Reads on, to where the source was before a search in vain.
+// Reads on, to where the source was before a search that failed.
 EventSource::Outcome FileSource::return_on(EventPacket& packet) {
   const auto left = static_cast<std::size_t>(return_to_ - events_read_);
   if (left > 0 && read(packet, std::min(left, kChunkEvents))) {

@@ -54,7 +54,7 @@ class Replay {
 
   /// Whether next() of the source searches for a place.
   bool is_searching() const { return sought_us_.has_value(); }
-  /// If it was in vain, the source plays on where it was.
+  /// If it failed, the source plays on where it was.
   void end_search(bool is_found, Clock::time_point now);
 
   /// Where the source is, or is sought, µs since the recording's first event.

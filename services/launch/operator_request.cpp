@@ -1,5 +1,6 @@
 #include "services/launch/operator_request.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <optional>
@@ -10,6 +11,7 @@ namespace puck {
 namespace {
 
 constexpr std::int64_t kGiveUpUs = 1'000'000;
+constexpr std::int64_t kLongestUs = 60'000'000;  // Also while it is being carried out.
 constexpr std::int64_t kPeriodUs = 20'000;
 constexpr std::chrono::milliseconds kHandle{5};
 
@@ -35,9 +37,10 @@ int make_operator_request(const OperatorParams& operation, const BusParams& para
   });
   if (!started) return no_route.empty() ? 1 : fail(operation.program, no_route);
 
-  std::int64_t give_up_us = host_monotonic_us() + kGiveUpUs;
+  const std::int64_t begin_us = host_monotonic_us();
+  std::int64_t give_up_us = begin_us + kGiveUpUs;
   std::optional<std::int64_t> first_sent_us;
-  std::int64_t next_us = host_monotonic_us();
+  std::int64_t next_us = begin_us;
   while (!stop.stop_requested()) {
     bus.handle(kHandle);
     status.poll([](StatusReport&) {});
@@ -54,7 +57,9 @@ int make_operator_request(const OperatorParams& operation, const BusParams& para
       std::printf("%s: %s\n", operation.program.c_str(), request.result().c_str());
       return 0;
     }
-    if (request.is_in_progress()) give_up_us = now_us + kGiveUpUs;
+    if (request.is_in_progress()) {
+      give_up_us = std::min(now_us + kGiveUpUs, begin_us + kLongestUs);
+    }
     if (now_us > give_up_us) break;
   }
   return fail(operation.program,
