@@ -8,7 +8,8 @@
 # --sequences N  of the still and of the moving camera each, 1 to 20 (default 10), and half as many
 #                of each hard scene in tools/compare/scenes
 # --seconds S    length of each (default 30); the hard ones are a third as long, 2 to 10 s
-# --only NAMES   these presets and baselines only
+# --only NAMES   these presets and baselines only; PRESET-tos, -sits or -sae is a preset on another surface
+#                (correlation, paper, reference), which runs only if it is named
 # --scoring R    by our rules (default) or by those of the paper's authors: see puck-evaluate --help
 # --output DIR   for all output (default build/compare): comparison.txt, comparison.md,
 #                comparison.json and the figures as PNG. DIR/results keeps the finished runs,

@@ -6,7 +6,8 @@
 #                 [--programs DIR] [--evidence DIR] [--scale-decision NAME=FACTOR]
 #
 # --json FILE        every run's figures, by the keys of puck-evaluate and `recording`, `contestant`
-# --only NAMES       these presets and algorithms only
+# --only NAMES       these presets and algorithms only; PRESET-tos, -sits or -sae is a preset on another surface
+#                    (correlation, paper, reference), which runs only if it is named
 # --recordings DIR   folder of the recordings (default: PUCK_RECORDINGS, else ../shared/recordings).
 #                    Missing recordings are named and left out
 # --output DIR       for calibrations, figures and logs (default build/real)
@@ -31,6 +32,7 @@ root=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 
 all="default correlation paper reference cluster particle-filter particle-filter-eros"
 read -ra contestants <<<"$all"
+surfaces=$(printf '%s ' {correlation,paper,reference}-{tos,sits,sae})
 only=
 json=
 recordings=${PUCK_RECORDINGS:-$root/../shared/recordings}
@@ -62,7 +64,7 @@ done
 if [ -n "$only" ]; then
   mapfile -t contestants < <(tr , '\n' <<<"$only" | awk '!seen[$0]++')
   for name in "${contestants[@]}"; do
-    case " $all " in *" $name "*) ;; *) refuse "--only takes some of: $all; got '$name'" ;; esac
+    case " $all $surfaces" in *" $name "*) ;; *) refuse "--only takes some of: $all $surfaces; got '$name'" ;; esac
   done
 fi
 require_jobs "$jobs"
@@ -220,6 +222,7 @@ run() { # CONTESTANT LINE-OF-THE-PLAN
       [ -z "$scale" ] || options+=(--scale-decision "$scale")
       ;;
     correlation | paper | reference) options=(--preset "$1") ;;
+    *-tos | *-sits | *-sae) options=(--preset "${1%-*}" --surface "${1#*-}") ;;
     *) options=(--algorithm "$1") ;;
   esac
   "$programs/puck-evaluate" "${fields[@]:2}" "${options[@]}" --json "$name.part" >/dev/null

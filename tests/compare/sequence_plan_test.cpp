@@ -77,7 +77,15 @@ TEST_CASE("selected trackers run on every set, and no others") {
     CHECK(runs(sequence, "cluster"));
   }
   CHECK(latency_sequence(options, 5).contestants.size() == 2);
-  CHECK(latency_sequence({}, 5).contestants.size() == contestants().size());
+}
+
+TEST_CASE("other surfaces run only where they are named") {
+  for (const Sequence& sequence : plan_sequences({})) CHECK(!runs(sequence, "correlation-tos"));
+  for (const Sequence& sequence : plan_sequences({.only = {"correlation", "correlation-tos"}})) {
+    REQUIRE(sequence.contestants.size() == 2);
+    CHECK(sequence.contestants[0].options ==
+          std::vector<std::string>{"--preset", "correlation", "--surface", "tos"});
+  }
 }
 
 TEST_CASE("all presets run on every set, the particle filter where it is affordable") {

@@ -63,7 +63,8 @@ int main(int argc, char** argv) {
                  "of each of them; hard ones are a third as long")
       ->check(puck::number_range(1, 600))
       ->capture_default_str();
-  app.add_option("--only", options.plan.only, "these trackers alone")
+  app.add_option("--only", options.plan.only,
+                 "these trackers alone; correlation-tos and its like run only then")
       ->check(CLI::IsMember(names))
       ->delimiter(',');
   app.add_option("--scoring", options.plan.scoring,

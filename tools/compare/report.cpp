@@ -70,12 +70,14 @@ TextTable set_table(const SequenceSet& set, const ComparisonReport& report) {
 }
 
 TextTable hard_table(const ComparisonReport& report) {
+  std::vector<Contestant> shown = contestants();
+  std::erase_if(shown, [&](const Contestant& each) { return !report.options.includes(each); });
   std::vector<std::string> header{"mean px / lost %"};
-  for (const Contestant& contestant : contestants()) header.push_back(contestant.name);
+  for (const Contestant& contestant : shown) header.push_back(contestant.name);
   TextTable table("All sets at a glance", header);
   for (const SequenceSet& set : sequence_sets()) {
     std::vector<std::string> row{set.title};
-    for (const Contestant& contestant : contestants()) {
+    for (const Contestant& contestant : shown) {
       const Summary s = report.comparison.summary(set.name, contestant.name);
       row.push_back(s.sequences == 0 ? "" : slash(s.mean_px, 2, s.lost_percent, 2));
     }

@@ -101,6 +101,7 @@ Json report_json(const ComparisonReport& report) {
     json["sets"][set.name] = set_json(set, report);
   }
   for (const Contestant& contestant : contestants()) {
+    if (!report.options.includes(contestant)) continue;
     json["latency"][contestant.name] = runs_json(report.latency.runs({"latency"}, contestant.name));
   }
   return json;

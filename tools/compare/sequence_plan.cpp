@@ -12,12 +12,18 @@ constexpr const char* kParticleFilter = "particle-filter";
 }  // namespace
 
 std::vector<Contestant> contestants() {
-  return {{"cluster", {"--algorithm", "cluster"}, 0.05},
-          {kParticleFilter, {"--algorithm", kParticleFilter}, 1.8},
-          {"paper", {"--preset", "paper"}},
-          {"reference", {"--preset", "reference"}},
-          {"correlation", {"--preset", "correlation"}},
-          {"default", {"--preset", "default"}}};
+  std::vector<Contestant> all{{"cluster", {"--algorithm", "cluster"}, 0.05},
+                              {kParticleFilter, {"--algorithm", kParticleFilter}, 1.8}};
+  for (const std::string preset : {"paper", "reference", "correlation"}) {
+    for (const std::string surface : {"tos", "sits", "sae"}) {
+      all.push_back({.name = preset + "-" + surface,
+                     .options = {"--preset", preset, "--surface", surface},
+                     .only_by_name = true});
+    }
+    all.push_back({preset, {"--preset", preset}});
+  }
+  all.push_back({"default", {"--preset", "default"}});
+  return all;
 }
 
 std::vector<SequenceSet> sequence_sets() {
@@ -87,7 +93,8 @@ SequenceSet set_of(const std::vector<SequenceSet>& sets, const std::string& name
 }
 
 bool PlanOptions::includes(const Contestant& contestant) const {
-  return only.empty() || std::find(only.begin(), only.end(), contestant.name) != only.end();
+  if (only.empty()) return !contestant.only_by_name;
+  return std::find(only.begin(), only.end(), contestant.name) != only.end();
 }
 
 int sequences_of(const SequenceSet& set, const PlanOptions& options) {

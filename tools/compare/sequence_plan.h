@@ -6,14 +6,16 @@
 
 namespace puck {
 
-/// A tracker under comparison: a preset or a baseline.
+/// A tracker under comparison: a preset, maybe on another surface, or a baseline.
 struct Contestant {
   std::string name;
   std::vector<std::string> options;  ///< For puck-evaluate.
   double cost = 0.15;                ///< CPU time per second of events, approximate.
+  bool only_by_name = false;         ///< Not run unless PlanOptions::only names it.
 };
 
-/// The presets and the baselines, worst first.
+/// The presets and the baselines, worst first; before each preset that correlates, those of it on
+/// the other surfaces, such as `correlation-tos`.
 std::vector<Contestant> contestants();
 
 /// Sequences that differ in their seeds only.
@@ -39,7 +41,7 @@ struct PlanOptions {
   static constexpr int kMostSequences = 20;
   int sequences = 10;   ///< Of each set that is not hard, 1 to kMostSequences.
   double seconds = 30;  ///< Length of each of these.
-  /// Names of the only contestants; empty: all.
+  /// Names of the only contestants; empty: all but those that run only by name.
   std::vector<std::string> only;
 
   /// `ours` or `paper`: puck-evaluate's --scoring.
