@@ -42,18 +42,13 @@ constexpr std::chrono::seconds kRecovered{1};
 // Shorter silence is normal for a camera.
 constexpr std::chrono::seconds kSilent{1};
 
-bool is_paced(const CameraSettings& settings, const EventSource& source) {
-  if (settings.pace == "auto") return !source.is_live();
-  return settings.pace == "sensor";
-}
-
 }  // namespace
 
 CameraService::CameraService(const CameraSettings& settings, ServiceContext& context)
     : settings_(settings),
       context_(context),
       source_(make_source()),
-      is_paced_(is_paced(settings, *source_)),
+      is_paced_(settings.is_paced()),
       replay_(is_paced_ ? std::make_optional<Replay>(settings.replay, *source_) : std::nullopt),
       controls_(replay_ ? &*replay_ : nullptr, context),
       watch_(context.limited_log),
