@@ -19,6 +19,12 @@ constexpr std::int64_t kIntroductionUs = 50'000;
 constexpr std::size_t kMostCameras = 64;
 constexpr std::int64_t kFarthestUs = 1'000'000'000'000'000;
 
+// A camera's own state stands behind the troubles.
+std::string without_troubles(const std::string& text) {
+  const std::size_t end = text.rfind("; ");
+  return end == std::string::npos ? text : text.substr(end + 2);
+}
+
 }  // namespace
 
 void CameraRequest::listen(Bus& bus, StatusReporter& status) {
@@ -41,7 +47,9 @@ void CameraRequest::hear(const PeerStatus& status, const HostNow& now, bool is_c
   Camera& camera = cameras_[name];
   if (camera.name.empty()) camera.first_heard_us = now.monotonic_us;
   camera.name = name;
-  camera.text = status.state_text;
+  if (const std::string state = without_troubles(status.state_text); !state.empty()) {
+    camera.state = state;
+  }
   camera.session = status.session;
   camera.heard_us = now.monotonic_us;
   const auto position_us = status.counter(kPositionUs);
@@ -110,7 +118,9 @@ std::string CameraRequest::refusal() const {
   }
   const std::string others = list(ControlVerdict::kNoRecording);
   if (is_any_left || others.empty()) return {};
-  return to_string(ControlVerdict::kNoRecording) + (" (" + others + ")");
+  return "no camera on this bus plays a recording: camera.source is not \"file\" or \"log\", or "
+         "camera.pace is \"arrival\" (" +
+         others + ")";
 }
 
 bool CameraRequest::is_in_progress() const {
@@ -134,7 +144,7 @@ std::string CameraRequest::list(ControlVerdict verdict) const {
   for (const auto& [name, camera] : cameras_) {
     if (!camera.is(verdict)) continue;
     if (!text.empty()) text += "; ";
-    text += verdict == ControlVerdict::kObeyed ? camera.text + " (" + name + ")" : name;
+    text += verdict == ControlVerdict::kObeyed ? camera.state + " (" + name + ")" : name;
   }
   return text;
 }

@@ -32,7 +32,7 @@ class CameraRequest final : public OperatorRequest {
  private:
   struct Camera {
     std::string name;          // For people.
-    std::string text;          // Its state.
+    std::string state;         // As in its STATUS, for people.
     std::int64_t session = 0;  // Changes with a seek that is obeyed.
     std::int64_t first_heard_us = 0;
     std::int64_t heard_us = 0;

@@ -138,11 +138,11 @@ bool CameraService::play(std::stop_token stop) {
       const EventSource::Outcome outcome = source_->next(searches ? sought_ : chunk_);
       look_at_source();
       if (outcome == EventSource::Outcome::kEnd) {
-        if (searches) {  // Of a pipe, which cannot return.
-          end_search(true);
-          has_chunk_ = false;
+        if (searches) {  // Of a pipe, which cannot return; what was read before is played.
+          end_search(false);
+        } else if (send_rest(stop)) {
+          return true;
         }
-        if (send_rest(stop)) return true;
         continue;
       }
       if (!take(outcome)) continue;
@@ -388,7 +388,7 @@ void CameraService::show_state() {
   }
   if (!trouble_.empty() && Clock::now() - last_trouble_ <= kRecovered) {
     state = ServiceState::kDegraded;
-    text += (text.empty() ? "" : "; ") + trouble_;
+    text = trouble_ + (text.empty() ? "" : "; " + text);
   }
   context_.status.set_state(state, text);
 }

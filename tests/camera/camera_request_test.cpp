@@ -60,7 +60,7 @@ class Asking {
     status.host = "lab";
     status.pid = pid;
     status.state = service_status_t::STATE_WAITING;
-    status.state_text = "paused at " + std::to_string(pid);
+    status.state_text = "cannot keep up; paused at " + std::to_string(pid);
     if (position_us) {
       status.counter_name = {kPositionUs};
       status.counter_value = {*position_us};
@@ -139,7 +139,8 @@ TEST_CASE("a camera without a recording does not matter beside one that obeyed, 
   asking.hear_camera(1, std::nullopt);
   REQUIRE(asking.serve_until([&] { return !asking.request_.refusal().empty(); }));
   CHECK(asking.request_.refusal() ==
-        std::string(to_string(ControlVerdict::kNoRecording)) + " (lab, pid 1)");
+        "no camera on this bus plays a recording: camera.source is not \"file\" or \"log\", or "
+        "camera.pace is \"arrival\" (lab, pid 1)");
   asking.hear_camera(2, 0);
   asking.hear_camera(4, 0, 0, ControlVerdict::kNoRecording);
   REQUIRE(asking.serve_until([&] { return asking.request_.refusal().empty(); }));

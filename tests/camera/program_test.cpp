@@ -142,7 +142,7 @@ TEST_CASE("beside a live camera the one with a recording obeys and is named") {
   };
   const Finished refused = ask_camera({"--pause"});
   CHECK(refused.exit_code == 1);
-  CHECK(contains(refused.errors, "puck-camera: refused: only a recording can be controlled"));
+  CHECK(contains(refused.errors, "puck-camera: refused: no camera on this bus plays a recording"));
   CHECK(contains(refused.errors, name_of(live)));
 
   ChildProcess camera(playing_command(folder / "a.raw"), {.errors = folder / "log"});

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include "common/messages/single_publisher.h"
 #include "services/camera/control_verdict.h"
@@ -234,6 +235,27 @@ TEST_CASE("a recording that was overwritten refuses to go back, and ends with th
   CHECK(contains(run.log_text_.str(), "the recording cannot be read again"));
 }
 
+TEST_CASE("a place beyond the end of a pipe is refused, and what was read before is played") {
+  const CameraFolder folder;
+  const auto events = even_events(8000, 0, 50);  // One chunk.
+  write_recording(folder / "a.raw", events);
+  const std::filesystem::path pipe = folder / "pipe.raw";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  std::jthread sender([bytes = read_text(folder / "a.raw"), pipe] {
+    std::ofstream(pipe, std::ios::binary) << bytes;
+  });
+  CameraRun run(recording_settings(pipe));
+  run.stop_when_ = [&, told = 0]() mutable {
+    if (std::exchange(told, 1) == 0) run.control(Control::MODE_SEEK, 60'000'000);
+    return false;
+  };
+  run.run();
+  CHECK(run.events_ == events);
+  CHECK(run.packets_.back().session == run.packets_.front().session);
+  CHECK(run.last_counter("control_verdict") ==
+        static_cast<std::int64_t>(ControlVerdict::kBeyondEnd));
+}
+
 TEST_CASE("after its end a recording that waits can go back and is played again") {
   const CameraFolder folder;
   const auto events = even_events(2000, 0, 20);
@@ -271,8 +293,8 @@ TEST_CASE("a pause hides no trouble in STATUS") {
     if (status.state == service_status_t::STATE_RUNNING) return;
     if (is_paused(status)) run.stop_.request_stop();  // The trouble is over.
     if (status.state != service_status_t::STATE_DEGRADED) return;
-    CHECK(contains(status.state_text, "cannot keep up with the sensor's clock"));
-    if (status.state_text.starts_with("paused at ")) is_paused_in_trouble = true;
+    CHECK(status.state_text.starts_with("cannot keep up with the sensor's clock; "));
+    if (contains(status.state_text, "; paused at ")) is_paused_in_trouble = true;
     run.control(Control::MODE_PAUSE);
   };
   run.run();
