@@ -263,6 +263,7 @@ TEST_CASE("after its end a recording that waits can go back and is played again"
   CameraRun run(recording_settings(folder / "a.raw", "at_end = \"wait\"\n"));
   int ended_statuses = 0;
   run.on_status_ = [&](const service_status_t& status) {
+    if (is_paused(status)) run.stop_.request_stop();
     if (status.state_text != "the source has ended") return;
     CHECK(status.state == service_status_t::STATE_WAITING);
     if (run.events_.size() > events.size()) run.stop_.request_stop();
