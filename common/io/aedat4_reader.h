@@ -25,6 +25,7 @@ class Aedat4Reader final : public EventReader {
 
   SensorSize sensor_size() const override { return sensor_; }
   bool read(EventPacket& packet, std::size_t max_events) override;
+  bool can_rewind() const override { return bytes_->can_rewind(); }
   void rewind() override;
   const EventCounters& counters() const override { return sink_.counters(); }
   RecordingFacts facts() const override;

@@ -84,7 +84,11 @@ class EventReader {
   /// EventFileError when the file cannot be read to its end, or holds a line that is not an event.
   virtual bool read(EventPacket& packet, std::size_t max_events) = 0;
 
-  /// Starts again from the first event, with new counters and warnings.
+  /// Whether rewind() works: not for pipes.
+  virtual bool can_rewind() const = 0;
+
+  /// Starts again from the first event, with new counters and warnings. Throws EventFileError where
+  /// it cannot; read() then goes on where it was, or throws too.
   virtual void rewind() = 0;
 
   /// Counts of read and dropped events so far.

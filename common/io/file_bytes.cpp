@@ -56,9 +56,12 @@ class FileBytes final : public ByteSource {
   bool can_rewind() const override { return start_ >= 0; }
 
   void rewind() override {
-    if (!can_rewind() || lseek(file_.number(), start_, SEEK_SET) < 0) {
+    if (!can_rewind()) {
       throw EventFileError(name_ +
                            ": can be read only once, because it is a pipe; expected a file");
+    }
+    if (lseek(file_.number(), start_, SEEK_SET) < 0) {
+      throw EventFileError(name_ + ": cannot be read again: " + std::strerror(errno));
     }
   }
 

@@ -20,6 +20,7 @@ class FilteredReader final : public EventReader {
 
   SensorSize sensor_size() const override { return filter_.sensor(); }
   bool read(EventPacket& packet, std::size_t max_events) override;
+  bool can_rewind() const override { return events_->can_rewind(); }
   void rewind() override;
   /// Of the other reader: what is left out counts as read.
   const EventCounters& counters() const override { return events_->counters(); }

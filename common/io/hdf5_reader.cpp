@@ -86,6 +86,7 @@ class Hdf5Reader final : public EventReader {
     return !packet.empty();
   }
 
+  bool can_rewind() const override { return true; }  // Of a pipe it holds a copy.
   void rewind() override {
     events_->rewind();
     sink_ = EventSink(sensor_, reorder_us_);

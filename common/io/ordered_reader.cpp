@@ -38,7 +38,13 @@ bool OrderedReader::read(EventPacket& packet, std::size_t max_events) {
 }
 
 void OrderedReader::rewind() {
-  events_->rewind();
+  try {
+    events_->rewind();
+  } catch (const EventFileError&) {
+    error_ = std::current_exception();
+    is_finished_ = true;
+    throw;
+  }
   order_ = EventOrder(reorder_us_);
   is_finished_ = false;
   error_ = nullptr;

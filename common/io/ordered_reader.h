@@ -23,6 +23,7 @@ class OrderedReader final : public EventReader {
 
   SensorSize sensor_size() const override { return events_->sensor_size(); }
   bool read(EventPacket& packet, std::size_t max_events) override;
+  bool can_rewind() const override { return events_->can_rewind(); }
   void rewind() override;
   const EventCounters& counters() const override { return counters_; }
   RecordingFacts facts() const override { return events_->facts(); }

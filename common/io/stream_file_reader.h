@@ -20,6 +20,7 @@ class StreamFileReader final : public EventReader {
 
   SensorSize sensor_size() const override { return *stream_->sensor_size(); }
   bool read(EventPacket& packet, std::size_t max_events) override;
+  bool can_rewind() const override { return bytes_->can_rewind(); }
   void rewind() override;
   const EventCounters& counters() const override { return stream_->counters(); }
   RecordingFacts facts() const override { return stream_->facts(); }

@@ -18,7 +18,8 @@ namespace puck {
 /// The text log that yarpdatadumper writes of an IIT event camera's port (`data.log`): one packet a
 /// line, `sequence time [time] AE …`, in one of three encodings:
 ///
-/// - `AE (stamp address stamp address …)`: 24-bit addresses of an ATIS on an iCub. An event is ON if
+/// - `AE (stamp address stamp address …)`: 24-bit addresses of an ATIS on an iCub. An event is ON
+/// if
 ///   bit 0 is zero.
 /// - `AE duration "bytes"`: present records, a 32-bit stamp and a 32-bit address an event. An event
 ///   is ON if bit 0 is set.
@@ -36,6 +37,7 @@ class YarpLogReader final : public EventReader {
 
   SensorSize sensor_size() const override { return sensor_; }
   bool read(EventPacket& packet, std::size_t max_events) override;
+  bool can_rewind() const override { return bytes_.can_rewind(); }
   void rewind() override;
   const EventCounters& counters() const override { return decoder_.counters(); }
   RecordingFacts facts() const override {

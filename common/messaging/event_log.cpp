@@ -46,7 +46,10 @@ void EventLog::rewind() {
   counters_ = {};
   before_ = {};
   // The first packet gives the sensor's size.
-  if (!next_packet()) throw LogFileError(nothing_found());
+  if (!next_packet()) {
+    log_.reset();
+    throw LogFileError(nothing_found());
+  }
 }
 
 std::string EventLog::nothing_found() const {
@@ -57,6 +60,7 @@ std::string EventLog::nothing_found() const {
 
 bool EventLog::read(EventPacket& packet, std::size_t max_events) {
   packet.events.clear();
+  if (!log_) throw LogFileError(nothing_found());
   if (used_ == packet_.events.size() && !next_packet()) return false;
   const std::size_t count = std::min(max_events, packet_.events.size() - used_);
   const auto begin = packet_.events.begin() + static_cast<std::ptrdiff_t>(used_);

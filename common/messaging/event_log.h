@@ -56,6 +56,8 @@ class EventLog {
   /// Replaces the events in `packet` by the next ones: the rest of one packet, at most
   /// `max_events`. Returns false at the end of the log, with `packet` empty.
   bool read(EventPacket& packet, std::size_t max_events);
+  /// Opens the log again. Throws LogFileError if it cannot be opened, and read() then goes on where
+  /// it was; also if it has no events any more, and read() then throws too.
   void rewind();
 
   const EventLogCounters& counters() const { return counters_; }
@@ -75,7 +77,7 @@ class EventLog {
   std::filesystem::path path_;
   std::string channel_;
   Sessions sessions_;
-  std::unique_ptr<LogReader> log_;
+  std::unique_ptr<LogReader> log_;  // Null behind a rewind() that found no events.
   LogRecord record_;
   std::int64_t newest_number_ = 0;  // Of the records.
   bool is_behind_joint_ = false;    // No packet of the appended log has been judged yet.

@@ -30,6 +30,7 @@ class EventLogReader final : public EventReader {
     return has_events;
   }
 
+  bool can_rewind() const override { return true; }
   void rewind() override {
     as_file_error([&] { log_.rewind(); });
     counters_ = {};

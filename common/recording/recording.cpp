@@ -40,6 +40,7 @@ class CopiedLog final : public EventReader {
   bool read(EventPacket& packet, std::size_t max_events) override {
     return events_->read(packet, max_events);
   }
+  bool can_rewind() const override { return true; }
   void rewind() override { events_->rewind(); }
   const EventCounters& counters() const override { return events_->counters(); }
   RecordingFacts facts() const override { return events_->facts(); }

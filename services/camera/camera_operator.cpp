@@ -15,6 +15,8 @@ namespace puck {
 namespace {
 
 constexpr double kLongest_s = 1e9;
+// By then every camera has been heard, unless its STATUS was lost.
+constexpr std::int64_t kAtLeastUs = 100'000;
 
 std::optional<CameraOperator::Place> parse_place(std::string_view text) {
   const bool is_relative = text.starts_with('+') || text.starts_with('-');
@@ -83,7 +85,8 @@ std::optional<int> CameraOperator::run(const BusParams& params, std::stop_token 
     return std::nullopt;
   }
   CameraRequest request(control, seek_ && seek_->is_relative, goal);
-  return make_operator_request({.program = "puck-camera"}, params, request, std::move(stop));
+  return make_operator_request({.program = "puck-camera", .at_least_us = kAtLeastUs}, params,
+                               request, std::move(stop));
 }
 
 }  // namespace puck

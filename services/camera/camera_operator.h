@@ -20,7 +20,8 @@ class CameraOperator {
   void add_options(CLI::App& app);
 
   /// Sends the request until every camera that is heard has answered. Returns exit code 0; 1, with
-  /// the reason on stderr, if one refuses it or none answers within 1 s; nothing without a request.
+  /// the reason on stderr, if a recording refuses it, no camera has a recording, or a camera does
+  /// not answer within 1 s; nothing without a request.
   std::optional<int> run(const BusParams& params, std::stop_token stop) const;
 
   /// A place as on the command line: "12.5", or "+10" and "-1", which count from where the camera

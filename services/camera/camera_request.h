@@ -12,7 +12,8 @@
 namespace puck {
 
 /// A control for every camera on the bus, and their answers in STATUS. A camera counts while it is
-/// heard, its clock is known and its STATUS is current: one in a replayed log never does.
+/// heard, its clock is known and its STATUS is current: one in a replayed log never does. Cameras
+/// without a recording are not asked, and do not matter beside one that obeys.
 class CameraRequest final : public OperatorRequest {
  public:
   /// The control is sent with a session, a request number and, `is_relative`, a position counted
@@ -31,17 +32,22 @@ class CameraRequest final : public OperatorRequest {
  private:
   struct Camera {
     std::string name;          // For people.
-    std::string text;          // Its state.
+    std::string state;         // As in its STATUS, for people.
     std::int64_t session = 0;  // Changes with a seek that is obeyed.
+    std::int64_t first_heard_us = 0;
     std::int64_t heard_us = 0;
     std::int64_t target_us = -1;  // Of a seek; below 0: not sent yet.
     std::int64_t position_us = 0;
     bool has_answered = false;
     ControlVerdict verdict = ControlVerdict::kSearching;
+
+    bool is(ControlVerdict answer) const { return has_answered && verdict == answer; }
   };
 
   void hear(const PeerStatus& status, const HostNow& now, bool is_current);
   static bool speaks(const Camera& camera, const HostNow& now);
+  std::string list(ControlVerdict verdict) const;
+  std::string but_obeyed() const;
 
   CameraControl control_;
   bool is_relative_;

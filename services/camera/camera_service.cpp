@@ -42,18 +42,13 @@ constexpr std::chrono::seconds kRecovered{1};
 // Shorter silence is normal for a camera.
 constexpr std::chrono::seconds kSilent{1};
 
-bool is_paced(const CameraSettings& settings, const EventSource& source) {
-  if (settings.pace == "auto") return !source.is_live();
-  return settings.pace == "sensor";
-}
-
 }  // namespace
 
 CameraService::CameraService(const CameraSettings& settings, ServiceContext& context)
     : settings_(settings),
       context_(context),
       source_(make_source()),
-      is_paced_(is_paced(settings, *source_)),
+      is_paced_(settings.is_paced()),
       replay_(is_paced_ ? std::make_optional<Replay>(settings.replay, *source_) : std::nullopt),
       controls_(replay_ ? &*replay_ : nullptr, context),
       watch_(context.limited_log),
@@ -143,11 +138,11 @@ bool CameraService::play(std::stop_token stop) {
       const EventSource::Outcome outcome = source_->next(searches ? sought_ : chunk_);
       look_at_source();
       if (outcome == EventSource::Outcome::kEnd) {
-        if (searches) {  // Of a pipe, which cannot return.
-          end_search(true);
-          has_chunk_ = false;
+        if (searches) {  // Of a pipe, which cannot return; what was read before is played.
+          end_search(false);
+        } else if (send_rest(stop)) {
+          return true;
         }
-        if (send_rest(stop)) return true;
         continue;
       }
       if (!take(outcome)) continue;
@@ -207,7 +202,7 @@ bool CameraService::is_interrupted(const std::stop_token& stop) const {
 // Returns false after a stop request or for a search; called again, it goes on.
 bool CameraService::send_chunk(std::stop_token stop) {
   if (chunk_.session_from && !begin_session(stop)) return false;
-  note_running();
+  waits_for_.clear();
   last_events_ = Clock::now();
   if (is_paced_ && !replay_->is_begun()) {
     replay_->begin(chunk_.packet.empty() ? chunk_.until : chunk_.packet.start, Clock::now());
@@ -282,20 +277,26 @@ void CameraService::set_ages() {
 
 // Handles messages meanwhile. Returns false after a stop request or for a search.
 bool CameraService::wait_until(Timestamp time, std::stop_token stop) {
-  while (true) {
-    serve_bus();
-    if (is_interrupted(stop)) return false;
+  serve_bus();
+  while (!is_interrupted(stop)) {
     const Clock::time_point now = Clock::now();
     const auto due = replay_->due(time, now);
-    if (due && now >= *due) break;
-    if (due && *due - now > kSilent) {
-      say_gap(time, std::chrono::duration_cast<microseconds>(*due - now));
+    if (due && now >= *due) {
+      gap_end_.reset();
+      note_pace(time);
+      return true;
+    }
+    if (!due) {
+      gap_end_.reset();
+    } else if (gap_end_ || *due - now > kSilent) {
+      wait_through_gap(time, *due);
     }
     std::this_thread::sleep_until(due ? std::min(std::max(*due, now + kShortestSleep), bus_due_)
                                       : bus_due_);
+    serve_bus();
   }
-  note_pace(time);
-  return true;
+  gap_end_.reset();
+  return false;
 }
 
 void CameraService::skip_gap() {
@@ -304,13 +305,15 @@ void CameraService::skip_gap() {
   if (gap_us > 0) context_.log.info("skipped a gap of " + seconds_text(gap_us));
 }
 
-void CameraService::say_gap(Timestamp until, microseconds wait) {
-  const std::string text =
-      fmt::format("for the next events in {:.0f} s", static_cast<double>(wait.count()) * 1e-6);
-  if (std::exchange(gap_told_, until) != until) {
-    context_.log.info("waiting " + text + "; camera.skip_gaps_s skips gaps");
-  }
-  context_.status.set_state(ServiceState::kWaiting, text);
+void CameraService::wait_through_gap(Timestamp until, Clock::time_point due) {
+  gap_end_ = due;
+  if (std::exchange(gap_told_, until) == until) return;
+  context_.log.info("waiting " + gap_text() + "; camera.skip_gaps_s skips gaps");
+}
+
+std::string CameraService::gap_text() const {
+  const std::chrono::duration<double> left = *gap_end_ - Clock::now();
+  return fmt::format("for the next events in {:.0f} s", std::max(0.0, left.count()));
 }
 
 // Handles messages meanwhile. Returns false after a stop request or for a search.
@@ -332,65 +335,62 @@ void CameraService::serve_bus() {
   if (now < bus_due_) return;
   bus_due_ = now + (simulated_ != nullptr ? kBusPeriod : kQuietBusPeriod);
   context_.bus.handle(milliseconds(0));
-  controls_.poll();
+  controls_.poll(has_ended_);
   if (batcher_ && replay_ && replay_->speed() != ages_speed_) set_ages();
+  show_state();
   poll_status(context_, *this);
 }
 
 void CameraService::look_at_source() {
   watch_.look(*source_);
   if (is_paced_) return;
-  if (watch_.overflows()) {
-    note_trouble("drops events: more arrive than can be published");
-  } else {
-    note_recovery();
-  }
+  if (watch_.overflows()) note_trouble("drops events: more arrive than can be published");
 }
 
 void CameraService::say_waiting(const std::string& for_what) {
-  if (for_what.empty()) return;
-  const std::string text = "for " + for_what;
-  if (context_.status.state() == ServiceState::kWaiting && context_.status.state_text() == text) {
-    return;
-  }
-  context_.limited_log.warn("waiting", text);
-  context_.status.set_state(ServiceState::kWaiting, text);
+  if (for_what.empty() || for_what == waits_for_) return;
+  waits_for_ = for_what;
+  context_.limited_log.warn("waiting", "for " + for_what);
 }
 
 void CameraService::note_pace(Timestamp time) {
   const bool has_slipped = replay_->note(time, Clock::now());
-  note_running();
-  if (has_slipped || replay_->lateness_us() > kLateUs) {
-    context_.limited_log.warn(
-        "pace", "cannot keep up: " + std::to_string(replay_->lateness_us() / 1000) + " ms late; " +
-                    std::to_string(replay_->slipped_us() / 1000) +
-                    " ms of delay accepted so far (the time mapping has moved)");
-    note_trouble("cannot keep up with the sensor's clock");
-  } else {
-    note_recovery();
-  }
-}
-
-void CameraService::note_running() {
-  const ServiceState state = context_.status.state();
-  const bool is_paused = replay_ && replay_->is_paused();
-  if ((state == ServiceState::kStarting || state == ServiceState::kWaiting) && !is_paused) {
-    context_.status.set_state(ServiceState::kRunning);
-  }
+  if (!has_slipped && replay_->lateness_us() <= kLateUs) return;
+  context_.limited_log.warn(
+      "pace", "cannot keep up: " + std::to_string(replay_->lateness_us() / 1000) + " ms late; " +
+                  std::to_string(replay_->slipped_us() / 1000) +
+                  " ms of delay accepted so far (the time mapping has moved)");
+  note_trouble("cannot keep up with the sensor's clock");
 }
 
 void CameraService::note_trouble(const std::string& what) {
+  trouble_ = what;
   last_trouble_ = Clock::now();
-  if (context_.status.state() != ServiceState::kDegraded) {
-    context_.status.set_state(ServiceState::kDegraded, what);
-  }
 }
 
-void CameraService::note_recovery() {
-  if (context_.status.state() == ServiceState::kDegraded &&
-      Clock::now() - last_trouble_ > kRecovered) {
-    context_.status.set_state(ServiceState::kRunning);
+// The only place that decides what STATUS tells.
+void CameraService::show_state() {
+  const std::string place = controls_.place();
+  const bool is_searching = replay_ && replay_->is_searching();
+  const bool is_paused = replay_ && replay_->is_paused() && !place.empty();
+  ServiceState state = ServiceState::kWaiting;
+  std::string text = place;
+  if (has_ended_ && !is_searching) {
+    text = "the source has ended";
+  } else if (!is_searching && !is_paused) {
+    if (gap_end_) {
+      text = gap_text();
+    } else if (!waits_for_.empty()) {
+      text = "for " + waits_for_;
+    } else {
+      state = publisher_ ? ServiceState::kRunning : ServiceState::kStarting;
+    }
   }
+  if (!trouble_.empty() && Clock::now() - last_trouble_ <= kRecovered) {
+    state = ServiceState::kDegraded;
+    text = trouble_ + (text.empty() ? "" : "; " + text);
+  }
+  context_.status.set_state(state, text);
 }
 
 void CameraService::publish_batch() {
@@ -423,12 +423,14 @@ void CameraService::publish_truth(const SimulatedTruth& truth) {
 
 // Returns true for a search, false after a stop request.
 bool CameraService::wait_at_end(std::stop_token stop) {
+  has_ended_ = true;
   while (!is_interrupted(stop)) {
-    context_.status.set_state(ServiceState::kWaiting, "the source has ended");
     context_.bus.handle(milliseconds(10));
-    controls_.poll();
+    controls_.poll(has_ended_);
+    show_state();
     poll_status(context_, *this);
   }
+  has_ended_ = false;
   return !stop.stop_requested();
 }
 

@@ -57,14 +57,14 @@ class CameraService final : public Service {
   bool wait_until(Timestamp time, std::stop_token stop);
   bool wait_for_turn(std::stop_token stop);
   void skip_gap();
-  void say_gap(Timestamp until, std::chrono::microseconds wait);
+  void wait_through_gap(Timestamp until, Clock::time_point due);
+  std::string gap_text() const;
   void serve_bus();
   void look_at_source();
   void say_waiting(const std::string& for_what);
   void note_pace(Timestamp time);
-  void note_running();
   void note_trouble(const std::string& what);
-  void note_recovery();
+  void show_state();
   void publish_batch();
   std::int64_t sensor_zero_utime() const;
   std::int64_t events_dropped() const;
@@ -98,7 +98,11 @@ class CameraService final : public Service {
   std::int64_t dropped_before_session_ = 0;
   Clock::time_point batch_began_;
   Clock::time_point bus_due_;
+  std::string trouble_;  // The newest; empty: none yet.
   Clock::time_point last_trouble_;
+  std::string waits_for_;                     // Of a silent stream; empty: it is not silent.
+  std::optional<Clock::time_point> gap_end_;  // While a gap is waited for.
+  bool has_ended_ = false;
   Clock::time_point last_events_;
 };
 

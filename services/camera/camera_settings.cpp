@@ -86,6 +86,37 @@ void read_replay_settings(Config& config, CameraSettings& settings) {
   replay.skip_gaps_us = read_seconds(config, "camera.skip_gaps_s");
 }
 
+// Keys that a source without recorded events, or without a pace, would ignore.
+void check_replay_keys(const Config& config, const CameraSettings& settings) {
+  const auto refuse = [&](bool is_set, const char* key, const char* usual,
+                          const std::string& when) {
+    if (is_set) config.fail_expected(key, std::string(usual) + " when " + when);
+  };
+  const FileSourceParams& file = settings.file;
+  const ReplayParams& replay = settings.replay;
+  if (!settings.is_recorded()) {
+    const std::string when =
+        "camera.source is \"" + settings.source + "\" and not \"file\" or \"log\"";
+    refuse(!file.file.empty(), "camera.file", "\"\"", when);
+    refuse(file.loop, "camera.loop", "false", when);
+    refuse(file.rate_mev_s != 0, "camera.rate_mev_s", "0", when);
+    refuse(file.start_us != 0, "camera.start_s", "0", when);
+    refuse(file.length_us != FileSourceParams::kToEnd, "camera.seconds", "0", when);
+    refuse(replay.paused, "camera.paused", "false", when);
+    refuse(replay.step_us != 0, "camera.step_us", "0", when);
+    refuse(replay.skip_gaps_us != 0, "camera.skip_gaps_s", "0", when);
+  }
+  if (!settings.is_paced()) {
+    const std::string when = settings.pace == "auto" ? "camera.source is \"" + settings.source +
+                                                           "\" and camera.pace \"auto\""
+                                                     : "camera.pace is \"arrival\"";
+    refuse(replay.speed != 1, "camera.speed", "1", when);
+    refuse(replay.paused, "camera.paused", "false", when);
+    refuse(replay.step_us != 0, "camera.step_us", "0", when);
+    refuse(replay.skip_gaps_us != 0, "camera.skip_gaps_s", "0", when);
+  }
+}
+
 void check_simulated(const Config& config, const CameraSettings& settings) {
   if (settings.pace == "arrival") {
     config.fail("camera.pace", "cannot be \"arrival\" for the simulated table");
@@ -140,14 +171,11 @@ CameraSettings read_camera_settings(Config& config) {
   if (settings.packet_bytes != 0 && settings.packet_bytes < EventPackerParams::kMinBytes) {
     config.fail("camera.packet_bytes", "must be 0 or from 256 to 60000");
   }
-  const bool is_file = settings.source == "file" || settings.source == "log";
-  if (is_file && settings.file.file.empty()) {
+  if (settings.is_recorded() && settings.file.file.empty()) {
     config.fail("camera.file",
                 "must name a recording when camera.source is \"" + settings.source + "\"");
   }
-  if (settings.replay.paused && !is_file) {
-    config.fail_expected("camera.paused", "false unless camera.source is \"file\" or \"log\"");
-  }
+  check_replay_keys(config, settings);
   if (settings.source == "simulated") check_simulated(config, settings);
   if (settings.source == "yarp") {
     if (settings.pace == "sensor") {

@@ -18,6 +18,10 @@ struct CameraSettings {
   bool is_recorded() const { return source == "file" || source == "log"; }
   /// Whether the events come when they happen, from another program.
   bool is_stream() const { return source == "stdin" || source == "tcp" || source == "yarp"; }
+  /// Whether events wait for their time; else they are published when they come.
+  bool is_paced() const {
+    return pace == "sensor" || (pace == "auto" && source != "tcp" && source != "yarp");
+  }
   FileSourceParams file;   ///< Its options also hold for streams.
   std::string log_prefix;  ///< Prefix of the channels in a log.
 

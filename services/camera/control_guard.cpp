@@ -1,27 +1,51 @@
 #include "services/camera/control_guard.h"
 
 namespace puck {
+namespace {
+
+std::optional<ControlGuard::Judgement> judge_age(const CameraControl& control, const HostNow& now,
+                                                 const SenderClock& clock) {
+  switch (freshness_of(control.utime, now, clock, ControlGuard::kMaxAgeUs)) {
+    case Freshness::kOld:
+      return ControlGuard::Judgement::kOld;
+    case Freshness::kFromFuture:
+      return ControlGuard::Judgement::kFromFuture;
+    case Freshness::kClockUnknown:
+      return ControlGuard::Judgement::kClockUnknown;
+    case Freshness::kOfNow:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 ControlGuard::Judgement ControlGuard::judge(const CameraControl& control,
-                                            std::int64_t camera_session, std::int64_t now_us) {
-  // First, since a seek that was obeyed has changed the camera's session.
+                                            std::int64_t camera_session, const HostNow& now,
+                                            const SenderClock& clock) {
+  // A seek that was obeyed has changed the camera's session, which its repeats do not know.
   Sender* sender = find(control.session);
-  if (sender != nullptr && control.request <= sender->request) {
+  const bool is_repeat = sender != nullptr && control.request <= sender->request;
+  if (!is_repeat && control.camera_session != camera_session) {
+    ++for_others_;
+    return Judgement::kOtherCamera;
+  }
+  if (const auto refusal = judge_age(control, now, clock)) {
+    ++refused_;
+    return *refusal;
+  }
+  if (is_repeat) {
     if (sender->is_answered) {
       answered_session_ = sender->session;
       verdict_ = sender->verdict;
     }
     return Judgement::kRepeat;
   }
-  if (control.camera_session != camera_session) {
-    ++refused_;
-    return Judgement::kOtherCamera;
-  }
-  if (taken_us_ && now_us - *taken_us_ < kPeriodUs) {
+  if (taken_us_ && now.monotonic_us - *taken_us_ < kPeriodUs) {
     ++refused_;
     return Judgement::kTooMany;
   }
-  taken_us_ = now_us;
+  taken_us_ = now.monotonic_us;
   if (sender == nullptr) {
     sender = &senders_[next_sender_];
     next_sender_ = (next_sender_ + 1) % senders_.size();

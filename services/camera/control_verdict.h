@@ -14,8 +14,9 @@ enum class ControlVerdict : std::uint8_t {
   kNotBegun,      ///< No event has been read yet.
   kInvalid,       ///< A value is out of its range.
   kUnreadable,    ///< The recording's file cannot be read again.
+  kReplaced,      ///< Another request came before the place was found.
 };
-inline constexpr std::int64_t kControlVerdicts = 8;
+inline constexpr std::int64_t kControlVerdicts = 9;
 
 /// Counters of STATUS that answer a request: its sender's session, and the number of the verdict.
 inline constexpr const char* kControlSession = "control_session";
@@ -43,6 +44,8 @@ constexpr const char* to_string(ControlVerdict verdict) {
       return "the speed must be 0.001 to 1000, a step at most 10 s";
     case ControlVerdict::kUnreadable:
       return "the recording cannot be read again; the camera's log says why";
+    case ControlVerdict::kReplaced:
+      return "somebody asked for another place before this one was found";
   }
   return "unknown";
 }

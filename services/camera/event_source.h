@@ -55,14 +55,12 @@ class EventSource {
   /// Nothing until a stream has reported it.
   virtual std::optional<SensorSize> sensor_size() const = 0;
 
-  /// Whether events come when they happen, so that they need no pacing.
-  virtual bool is_live() const { return false; }
-
   /// Whether it is a recording, which seek() moves through.
   virtual bool is_recording() const { return false; }
   /// Begins the search for the events from a position on, µs since the recording's first event.
   /// next() then returns kNothingYet until it has them, or kNotFound. The verdict is kSearching or
-  /// a refusal, after which the source is where it was.
+  /// a refusal, after which the source is where it was. Throws EventFileError if the recording
+  /// cannot be read again; next() then goes on where it was, or throws too.
   virtual ControlVerdict seek(std::int64_t) { return ControlVerdict::kNoRecording; }
   /// The position of a time of the newest chunk.
   virtual std::int64_t position_us(Timestamp time) const { return time.us; }

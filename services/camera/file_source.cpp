@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
-#include <system_error>
 #include <utility>
 
 namespace puck {
@@ -149,16 +147,12 @@ ControlVerdict FileSource::seek(std::int64_t position_us) {
   return ControlVerdict::kSearching;
 }
 
-// False for a pipe, which then stays where it is. Throws EventFileError for a damaged file.
+// False for a pipe, which then stays where it is. Throws EventFileError if a file cannot be read
+// again.
 bool FileSource::go_to_start() {
+  if (!reader_->can_rewind()) return false;
   const EventCounters counters = reader_->counters();
-  try {
-    reader_->rewind();
-  } catch (const EventFileError&) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(params_.file, ignored)) throw;
-    return false;
-  }
+  reader_->rewind();
   dropped_before_ += counters.dropped();
   malformed_before_ += counters.malformed_words;
   events_read_ = 0;

@@ -34,7 +34,6 @@ class LiveSource final : public EventSource {
   /// Throws the source's exception after all earlier chunks were fetched.
   Outcome next(Chunk& chunk) override;
   std::optional<SensorSize> sensor_size() const override { return told().sensor; }
-  bool is_live() const override { return true; }
   std::string waiting_for() const override { return told().waiting_for; }
   std::int64_t events_dropped() const override;
   std::int64_t events_overflowed() const override;

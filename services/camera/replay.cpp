@@ -20,7 +20,7 @@ std::int64_t us_between(Replay::Clock::time_point from, Replay::Clock::time_poin
 }  // namespace
 
 std::string seconds_text(std::int64_t us) {
-  return fmt::format("{:.3f} s", static_cast<double>(us) * 1e-6);
+  return fmt::format("{:.{}f} s", static_cast<double>(us) * 1e-6, us % 1000 == 0 ? 3 : 6);
 }
 
 void Replay::begin(Timestamp time, Clock::time_point now) {

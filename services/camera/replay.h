@@ -50,6 +50,8 @@ class Replay {
   std::int64_t skip_gap(Timestamp first, Clock::time_point now);
 
   bool is_paused() const { return is_paused_; }
+  /// Whether a step that was asked for is not done yet.
+  bool is_stepping() const { return step_end_ || packets_allowed_ > 0; }
   double speed() const { return params_.speed; }
 
   /// Whether next() of the source searches for a place.
@@ -96,7 +98,7 @@ class Replay {
   std::optional<std::int64_t> found_us_;  // Until the source plays on there.
 };
 
-/// A position or duration, as "12.345 s".
+/// A position or duration, as "12.345 s"; "12.345678 s" where it is no whole number of ms.
 std::string seconds_text(std::int64_t us);
 
 }  // namespace puck

@@ -11,9 +11,18 @@ namespace puck {
 namespace {
 
 const char* why_not_taken(ControlGuard::Judgement judgement) {
-  return judgement == ControlGuard::Judgement::kTooMany
-             ? "refused: more than 20 controls a second"
-             : "refused: for another camera, or an earlier session of this one";
+  switch (judgement) {
+    case ControlGuard::Judgement::kOld:
+      return "refused: it was published more than 200 ms ago, as those in a log";
+    case ControlGuard::Judgement::kFromFuture:
+      return "refused: it is stamped with a later time than its sender's clock shows";
+    case ControlGuard::Judgement::kClockUnknown:
+      return "refused: its age is not known, because the sender's STATUS was not heard";
+    case ControlGuard::Judgement::kTooMany:
+      return "refused: more than 20 controls a second";
+    default:
+      return "";
+  }
 }
 
 }  // namespace
@@ -29,51 +38,59 @@ void ReplayControls::use_keys() {
   if (keys_->is_on()) context_.log.info("keys: space pauses, ? shows all");
 }
 
-void ReplayControls::poll() {
+void ReplayControls::poll(bool has_ended) {
   if (replay_ == nullptr) return;
   while (const auto request = keys_ ? keys_->read() : std::nullopt) {
-    const ControlVerdict verdict = obey(request);
-    if (verdict == ControlVerdict::kSearching) search_session_ = 0;
-    context_.log.info(outcome(verdict));
+    const ControlVerdict verdict = obey(request, kKey);
+    tells_step_ = request->kind == ReplayRequest::Kind::kStep && verdict == ControlVerdict::kObeyed;
+    if (!tells_step_) context_.log.info(outcome(verdict));
+  }
+  if (tells_step_ && (has_ended || !replay_->is_stepping())) {
+    tells_step_ = false;
+    context_.log.info(place());
   }
   if (keys_ && keys_->was_help_asked()) context_.log.info(TerminalKeys::kHelp);
-  show_state();
 }
 
 void ReplayControls::hear(const CameraControl& control, const Receipt& receipt) {
-  const auto judgement = guard_.judge(control, context_.bus.session(), receipt.monotonic_us);
-  if (judgement == ControlGuard::Judgement::kRepeat) return;
+  using Judgement = ControlGuard::Judgement;
+  const Judgement judgement =
+      guard_.judge(control, context_.bus.session(), {receipt.utime, receipt.monotonic_us},
+                   context_.status.clock_of(control.session));
+  if (judgement == Judgement::kRepeat || judgement == Judgement::kOtherCamera) return;
   const std::string sender = context_.peers.name_of(control.session);
-  if (judgement != ControlGuard::Judgement::kTake) {
+  if (judgement != Judgement::kTake) {
     context_.limited_log.warn("refused control",
                               fmt::format("{}: {}", sender, why_not_taken(judgement)));
     return;
   }
-  const ControlVerdict verdict = obey(request_in(control));
-  if (verdict == ControlVerdict::kSearching) search_session_ = control.session;
+  const ControlVerdict verdict = obey(request_in(control), control.session);
   guard_.answer(control.session, verdict);
   context_.limited_log.info("control", fmt::format("{}: {}", sender, outcome(verdict)));
-  show_state();
 }
 
-ControlVerdict ReplayControls::obey(const std::optional<ReplayRequest>& request) {
+ControlVerdict ReplayControls::obey(const std::optional<ReplayRequest>& request,
+                                    std::int64_t sender) {
   if (replay_ == nullptr) return ControlVerdict::kNoRecording;
   if (!request) return ControlVerdict::kInvalid;
+  ControlVerdict verdict = ControlVerdict::kUnreadable;
   try {
-    return replay_->obey(*request, Replay::Clock::now());
+    verdict = replay_->obey(*request, Replay::Clock::now());
   } catch (const std::exception& error) {
     context_.limited_log.warn("unreadable", error.what());
-    return ControlVerdict::kUnreadable;
   }
+  if (verdict != ControlVerdict::kSearching) return verdict;
+  const std::int64_t before = std::exchange(search_session_, sender);
+  if (before != kKey && before != sender) guard_.answer(before, ControlVerdict::kReplaced);
+  return verdict;
 }
 
 void ReplayControls::end_search(bool is_found) {
   const ControlVerdict verdict = is_found ? ControlVerdict::kObeyed : ControlVerdict::kBeyondEnd;
-  if (const std::int64_t sender = std::exchange(search_session_, 0); sender != 0) {
+  if (const std::int64_t sender = std::exchange(search_session_, kKey); sender != kKey) {
     guard_.answer(sender, verdict);
   }
   if (!is_found) context_.limited_log.info("search", outcome(verdict));
-  show_state();
 }
 
 std::string ReplayControls::outcome(ControlVerdict verdict) const {
@@ -87,23 +104,13 @@ std::string ReplayControls::outcome(ControlVerdict verdict) const {
 }
 
 std::string ReplayControls::place() const {
-  const std::string position = seconds_text(replay_->position_us(Replay::Clock::now()));
-  if (replay_->is_searching()) return "searching " + position;
-  if (replay_->is_paused()) return "paused at " + position;
-  if (replay_->speed() == 1) return "at " + position;
-  return fmt::format("at {}, speed {:g}", position, replay_->speed());
-}
-
-void ReplayControls::show_state() {
-  if (replay_ == nullptr || !replay_->is_controllable() || !replay_->is_begun()) return;
-  const bool is_held = replay_->is_searching() || replay_->is_paused();
-  // Until the next packet the state stays, but no longer its text.
-  const bool was_held = std::exchange(shows_hold_, is_held);
-  if (is_held || was_held) {
-    context_.status.set_state(ServiceState::kWaiting, place());
-  } else if (context_.status.state() == ServiceState::kRunning) {
-    context_.status.set_state(ServiceState::kRunning, place());
-  }
+  if (replay_ == nullptr || !replay_->is_controllable() || !replay_->is_begun()) return {};
+  const std::int64_t position_us = replay_->position_us(Replay::Clock::now());
+  if (replay_->is_searching()) return "searching " + seconds_text(position_us);
+  if (replay_->is_paused()) return "paused at " + seconds_text(position_us);
+  const std::string position = "at " + seconds_text(position_us / 1000 * 1000);
+  if (replay_->speed() == 1) return position;
+  return fmt::format("{}, speed {:g}", position, replay_->speed());
 }
 
 void ReplayControls::report(StatusReport& report) const {
@@ -119,6 +126,7 @@ void ReplayControls::report(StatusReport& report) const {
   }
   report.add_unless_zero("controls_obeyed", guard_.obeyed());
   report.add_unless_zero("controls_refused", guard_.refused());
+  report.add_unless_zero("controls_for_others", guard_.for_others());
   if (guard_.answered_session() != 0) {
     report.counters.emplace_back(kControlSession, guard_.answered_session());
     report.counters.emplace_back(kControlVerdict, static_cast<std::int64_t>(guard_.verdict()));

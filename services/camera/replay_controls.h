@@ -21,27 +21,30 @@ class ReplayControls {
 
   /// Reads keys from now on, if stdin is a terminal.
   void use_keys();
-  /// Obeys the keys typed since the last call, and tells in STATUS where the replay is.
-  void poll();
+  /// Obeys the keys typed since the last call, and logs what became of them: of a step, when it is
+  /// done, or can not be since the source has ended.
+  void poll(bool has_ended);
 
   /// The search has ended.
   void end_search(bool is_found);
 
+  /// Where the recording is, and whether it is paused or searched; empty without a recording.
+  std::string place() const;
   void report(StatusReport& report) const;
 
  private:
   void hear(const CameraControl& control, const Receipt& receipt);
-  ControlVerdict obey(const std::optional<ReplayRequest>& request);
+  ControlVerdict obey(const std::optional<ReplayRequest>& request, std::int64_t sender);
   std::string outcome(ControlVerdict verdict) const;
-  std::string place() const;
-  void show_state();
+
+  static constexpr std::int64_t kKey = 0;  // A key's place of a sender.
 
   Replay* replay_;
   ServiceContext& context_;
   ControlGuard guard_;
   std::optional<TerminalKeys> keys_;
-  bool shows_hold_ = false;          // STATUS tells a pause or a search.
-  std::int64_t search_session_ = 0;  // The sender who began the search; 0: a key.
+  bool tells_step_ = false;             // A key's step is not logged yet.
+  std::int64_t search_session_ = kKey;  // The sender who began the search.
 };
 
 }  // namespace puck

@@ -20,7 +20,6 @@ class TcpSource final : public EventSource {
 
   Outcome next(Chunk& chunk) override;
   std::optional<SensorSize> sensor_size() const override { return sensor_; }
-  bool is_live() const override { return true; }
   std::string waiting_for() const override;
   std::int64_t events_dropped() const override;
   std::int64_t malformed_words() const override;

@@ -23,7 +23,6 @@ class YarpSource final : public EventSource {
 
   Outcome next(Chunk& chunk) override;
   std::optional<SensorSize> sensor_size() const override { return sensor_; }
-  bool is_live() const override { return true; }
   std::string waiting_for() const override { return port_.waiting_for(); }
   void interrupt() override { port_.interrupt(); }
   std::int64_t events_dropped() const override;

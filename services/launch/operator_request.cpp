@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <optional>
 
+#include <spdlog/fmt/fmt.h>
+
 #include "common/messages/host_time.h"
 
 namespace puck {
 namespace {
 
-constexpr std::int64_t kGiveUpUs = 1'000'000;
-constexpr std::int64_t kLongestUs = 60'000'000;  // Also while it is being carried out.
 constexpr std::int64_t kPeriodUs = 20'000;
 constexpr std::chrono::milliseconds kHandle{5};
 
@@ -38,7 +38,7 @@ int make_operator_request(const OperatorParams& operation, const BusParams& para
   if (!started) return no_route.empty() ? 1 : fail(operation.program, no_route);
 
   const std::int64_t begin_us = host_monotonic_us();
-  std::int64_t give_up_us = begin_us + kGiveUpUs;
+  std::int64_t give_up_us = begin_us + operation.give_up_us;
   std::optional<std::int64_t> first_sent_us;
   std::int64_t next_us = begin_us;
   while (!stop.stop_requested()) {
@@ -49,21 +49,22 @@ int make_operator_request(const OperatorParams& operation, const BusParams& para
       next_us = now_us + kPeriodUs;
       if (request.publish(bus) && !first_sent_us) first_sent_us = now_us;
     }
-    if (const std::string reason = request.refusal(); !reason.empty()) {
+    const bool sent_enough = first_sent_us && now_us - *first_sent_us >= operation.at_least_us;
+    if (const std::string reason = request.refusal(); sent_enough && !reason.empty()) {
       return fail(operation.program, "refused: " + reason);
     }
-    const bool sent_enough = first_sent_us && now_us - *first_sent_us >= operation.at_least_us;
     if (sent_enough && request.why_not().empty()) {
       std::printf("%s: %s\n", operation.program.c_str(), request.result().c_str());
       return 0;
     }
     if (request.is_in_progress()) {
-      give_up_us = std::min(now_us + kGiveUpUs, begin_us + kLongestUs);
+      give_up_us = std::min(now_us + operation.give_up_us, begin_us + operation.longest_us);
     }
     if (now_us > give_up_us) break;
   }
   return fail(operation.program,
-              "not confirmed to be " + request.goal() + " within 1 s: " + request.why_not());
+              fmt::format("not confirmed to be {} within {:.2g} s: {}", request.goal(),
+                          static_cast<double>(give_up_us - begin_us) * 1e-6, request.why_not()));
 }
 
 }  // namespace puck

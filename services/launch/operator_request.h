@@ -33,11 +33,13 @@ class OperatorRequest {
 
 struct OperatorParams {
   std::string program;           ///< Before its messages: puck-arm.
-  std::int64_t at_least_us = 0;  ///< So long it is published, also if it is confirmed earlier.
+  std::int64_t at_least_us = 0;  ///< So long it is published, also if it is answered earlier.
+  std::int64_t give_up_us = 1'000'000;   ///< Without a confirmation …
+  std::int64_t longest_us = 60'000'000;  ///< … or, while it is being carried out, after this time.
 };
 
 /// Publishes the request every 20 ms until it is confirmed. Returns the exit code: 0 with the
-/// result on stdout; 1 with the reason on stderr if it is refused, or not confirmed within 1 s.
+/// result on stdout; 1 with the reason on stderr if it is refused, or not confirmed in time.
 int make_operator_request(const OperatorParams& operation, const BusParams& params,
                           OperatorRequest& request, std::stop_token stop);
 

@@ -304,8 +304,24 @@ TEST_CASE("impossible settings are refused with their key") {
   CHECK(contains(refusal("[camera]\npacket_bytes = 100\n"), "camera.toml:2: camera.packet_bytes"));
   CHECK(contains(refusal("[camera]\nlog_prefix = \"left\"\n"),
                  "camera.log_prefix must be up to 16 of A-Z, 0-9 and _, got \"left\""));
-  CHECK(contains(refusal("[camera]\npaused = true\n"),
-                 "camera.paused must be false unless camera.source is \"file\" or \"log\""));
+  for (const std::string key : {"start_s = 1.0", "seconds = 2.0", "loop = true", "paused = true",
+                                "rate_mev_s = 0.5", "step_us = 1000", "skip_gaps_s = 2.0"}) {
+    const std::string name = "camera." + key.substr(0, key.find(' ')) + " must be ";
+    for (const std::string source : {"simulated", "stdin", "tcp"}) {
+      const std::string said = refusal("[camera]\nsource = \"" + source + "\"\n" + key + "\n");
+      CAPTURE(said);
+      CHECK(contains(said, name));
+      CHECK(
+          contains(said, " when camera.source is \"" + source + "\" and not \"file\" or \"log\""));
+    }
+  }
+  CHECK(contains(refusal("[camera]\nfile = \"game.raw\"\n"),
+                 "camera.file must be \"\" when camera.source is \"simulated\""));
+  CHECK(contains(refusal("[camera]\nsource = \"tcp\"\nspeed = 2.0\n"),
+                 "camera.speed must be 1 when camera.source is \"tcp\" and camera.pace \"auto\""));
+  CHECK(contains(refusal("[camera]\nsource = \"file\"\nfile = \"a.raw\"\npace = \"arrival\"\n"
+                         "paused = true\n"),
+                 "camera.paused must be false when camera.pace is \"arrival\", got true"));
   CHECK(contains(refusal("[camera]\nstep_us = 10000001\n"), "camera.step_us"));
   CHECK(contains(refusal("[camera]\nflush_us = 5\n"), "must be an integer from 50 to 100000"));
   CHECK(

@@ -34,7 +34,6 @@ class ScriptedSource final : public EventSource {
     return Outcome::kEvents;
   }
   std::optional<SensorSize> sensor_size() const override { return SensorSize{64, 48}; }
-  bool is_live() const override { return true; }
   std::int64_t events_dropped() const override { return 3; }
   std::vector<std::string> warnings() const override { return {"all is well"}; }
 

@@ -1,14 +1,17 @@
 // What people ask of a recording that is played: pauses, steps, speeds and places.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include "common/messages/single_publisher.h"
 #include "services/camera/control_verdict.h"
@@ -16,6 +19,7 @@
 #include "tests/camera/camera_run.h"
 #include "tests/camera/tcp_server.h"
 #include "tests/support/contains.h"
+#include "tests/support/event_log_writer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace puck {
@@ -190,21 +194,112 @@ TEST_CASE("a place beyond the end is refused, and the recording plays on without
   CHECK(contains(run.log_text_.str(), "refused: the recording, or the part that is played, ends"));
 }
 
+TEST_CASE("a log that has vanished refuses to go back with the reason, and plays on") {
+  const CameraFolder folder;
+  std::vector<SeenEvent> events;
+  {
+    EventLogWriter log(folder / "a.lcm", {64, 48}, "PUCK_EVENTS");
+    for (int i = 0; i < 300; ++i) {
+      log.write(numbered_events(1000 * i, 40));
+      append_seen(numbered_events(1000 * i, 40), events);
+    }
+  }
+  CameraRun run("[camera]\nsource = \"log\"\nfile = \"" + (folder / "a.lcm").string() + "\"\n");
+  run.stop_when_ = [&, told = 0]() mutable {
+    if (run.events_.size() > 4000 && std::exchange(told, 1) == 0) {
+      std::filesystem::remove(folder / "a.lcm");
+      run.control(Control::MODE_SEEK, 0);
+    }
+    return false;
+  };
+  run.run();
+  CHECK(run.events_ == events);
+  CHECK(run.packets_.back().session == run.packets_.front().session);
+  CHECK(run.last_counter("control_verdict") ==
+        static_cast<std::int64_t>(ControlVerdict::kUnreadable));
+  CHECK(contains(run.log_text_.str(), "a.lcm: cannot be read: No such file or directory"));
+}
+
+TEST_CASE("a recording that was overwritten refuses to go back, and ends with the reason") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", even_events(30'000, 0, 10));
+  CameraRun run(recording_settings(folder / "a.raw"));
+  run.stop_when_ = [&, told = 0]() mutable {
+    if (run.events_.size() > 10'000 && std::exchange(told, 1) == 0) {
+      std::ofstream(folder / "a.raw") << "no events";
+      run.control(Control::MODE_SEEK, 0);
+    }
+    return false;
+  };
+  CHECK_THROWS_WITH(run.run(), doctest::Contains("a.raw: "));
+  CHECK(contains(run.log_text_.str(), "the recording cannot be read again"));
+}
+
+TEST_CASE("a place beyond the end of a pipe is refused, and what was read before is played") {
+  const CameraFolder folder;
+  const auto events = even_events(8000, 0, 50);  // One chunk.
+  write_recording(folder / "a.raw", events);
+  const std::filesystem::path pipe = folder / "pipe.raw";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  std::jthread sender([bytes = read_text(folder / "a.raw"), pipe] {
+    std::ofstream(pipe, std::ios::binary) << bytes;
+  });
+  CameraRun run(recording_settings(pipe));
+  run.stop_when_ = [&, told = 0]() mutable {
+    if (std::exchange(told, 1) == 0) run.control(Control::MODE_SEEK, 60'000'000);
+    return false;
+  };
+  run.run();
+  CHECK(run.events_ == events);
+  CHECK(run.packets_.back().session == run.packets_.front().session);
+  CHECK(run.last_counter("control_verdict") ==
+        static_cast<std::int64_t>(ControlVerdict::kBeyondEnd));
+}
+
 TEST_CASE("after its end a recording that waits can go back and is played again") {
   const CameraFolder folder;
   const auto events = even_events(2000, 0, 20);
   write_recording(folder / "a.raw", events);
   CameraRun run(recording_settings(folder / "a.raw", "at_end = \"wait\"\n"));
-  bool has_sought = false;
+  int ended_statuses = 0;
   run.on_status_ = [&](const service_status_t& status) {
+    if (is_paused(status)) run.stop_.request_stop();
     if (status.state_text != "the source has ended") return;
+    CHECK(status.state == service_status_t::STATE_WAITING);
     if (run.events_.size() > events.size()) run.stop_.request_stop();
-    if (std::exchange(has_sought, true)) return;
+    // A pause does not hide the end.
+    if (++ended_statuses == 1) run.control(Control::MODE_PAUSE);
+    if (ended_statuses == 3) run.control(Control::MODE_RESUME);
+    if (ended_statuses != 5) return;
     CHECK(run.events_ == events);
     run.control(Control::MODE_SEEK, 20'000);
   };
   run.run();
+  CHECK(run.last_counter("controls_obeyed") == 3);
   CHECK(session_events(run, run.bus_.session()) == part(events, 20'000));
+}
+
+TEST_CASE("a pause hides no trouble in STATUS") {
+  const CameraFolder folder;
+  write_recording(folder / "a.raw", even_events(30'000, 0, 10));
+  CameraRun run(recording_settings(folder / "a.raw"));
+  run.stop_when_ = [&, told = 0]() mutable {
+    if (run.events_.size() > 3000 && std::exchange(told, 1) == 0) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    }
+    return false;
+  };
+  bool is_paused_in_trouble = false;
+  run.on_status_ = [&](const service_status_t& status) {
+    if (status.state == service_status_t::STATE_RUNNING) return;
+    if (is_paused(status)) run.stop_.request_stop();  // The trouble is over.
+    if (status.state != service_status_t::STATE_DEGRADED) return;
+    CHECK(status.state_text.starts_with("cannot keep up with the sensor's clock; "));
+    if (contains(status.state_text, "; paused at ")) is_paused_in_trouble = true;
+    run.control(Control::MODE_PAUSE);
+  };
+  run.run();
+  CHECK(is_paused_in_trouble);
 }
 
 TEST_CASE("another speed holds from its control on, and sensor time has no fixed zero then") {
@@ -257,7 +352,8 @@ TEST_CASE("controls that are absurd, foreign or too frequent are counted, and ch
   run.run();
   CHECK(run.events_ == events);
   CHECK(run.packets_.back().session == run.packets_.front().session);
-  CHECK(run.last_counter("controls_refused") == 52);
+  CHECK(run.last_counter("controls_refused") == 51);
+  CHECK(run.last_counter("controls_for_others") == 1);
   CHECK(run.last_counter("controls_obeyed") == std::nullopt);
 }
 

@@ -149,6 +149,7 @@ TEST_CASE("a recording from a pipe goes on, but not back") {
   REQUIRE(source.seek(1'500'000) == ControlVerdict::kSearching);
   REQUIRE(next_events(source, chunk) == Outcome::kEvents);
   CHECK(first_time_us(chunk) == 2'500'000);
+  std::filesystem::remove(pipe.path());
   CHECK(source.seek(0) == ControlVerdict::kReadOnlyOnce);
   // Within what was read last it can.
   REQUIRE(source.seek(1'490'000) == ControlVerdict::kSearching);

@@ -133,7 +133,6 @@ TEST_CASE("a TCP source reconnects after a break, a refusal and garbage, and tim
 
   const TcpServer server;
   TcpSource source(connect_to_server("127.0.0.1", server.port()), {});
-  CHECK(source.is_live());
   EventSource::Chunk chunk;
   CHECK(source.next(chunk) == EventSource::Outcome::kNothingYet);
   CHECK(source.waiting_for().find("127.0.0.1:") != std::string::npos);

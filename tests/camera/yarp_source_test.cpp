@@ -85,7 +85,6 @@ TEST_CASE("a camera's port gives the events of a log of its messages, in each fo
     CHECK(expected.size() == 50 * kPacketsInLog);
     TestEventPort camera("/atis3/AE:o");
     YarpSource source(reading(camera), eye_options());
-    CHECK(source.is_live());
     CHECK(source.sensor_size() == kEye);
     std::vector<SeenEvent> events;
     take_until(source, events, [&] { return camera.readers() == 1; });

@@ -32,6 +32,7 @@ class ListedEvents final : public EventReader {
     }
     return true;
   }
+  bool can_rewind() const override { return true; }
   void rewind() override {
     next_ = 0;
     ++rewinds_;

@@ -113,6 +113,25 @@ std::vector<PlainEvent> hard_events(SensorSize sensor, std::int64_t start_us) {
   return events;
 }
 
+TEST_CASE("a file whose content was replaced is not read on after a failed rewind") {
+  const TemporaryFolder folder;
+  std::vector<PlainEvent> events;
+  for (int i = 0; i < 50'000; ++i) events.push_back({i * 50, i % 64, i % 48, 1});
+  for (const std::string name : {"a.raw", "a.aedat4"}) {
+    CAPTURE(name);
+    const auto writer = make_event_writer(folder / name, "", {64, 48});
+    writer->write(packet_of(events));
+    writer->close();
+    const auto reader = open_event_file(folder / name);
+    CHECK(reader->can_rewind());
+    EventPacket packet;
+    REQUIRE(reader->read(packet, 1));
+    folder.write(name, "no events");
+    CHECK_THROWS_AS(reader->rewind(), EventFileError);
+    CHECK_THROWS_AS(read_all(*reader), EventFileError);
+  }
+}
+
 TEST_CASE("written events are read back to the bit") {
   const TemporaryFolder folder;
   for (const WrittenFormat& format : kWrittenFormats) {

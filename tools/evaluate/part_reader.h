@@ -29,6 +29,7 @@ class PartReader final : public EventReader {
 
   SensorSize sensor_size() const override { return events_->sensor_size(); }
   bool read(EventPacket& packet, std::size_t max_events) override;
+  bool can_rewind() const override { return events_->can_rewind(); }
   void rewind() override;
   /// Of the other reader: events before the part count as read.
   const EventCounters& counters() const override { return events_->counters(); }

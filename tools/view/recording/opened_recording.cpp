@@ -39,6 +39,7 @@ class NoEvents final : public EventReader {
     packet.events.clear();
     return false;
   }
+  bool can_rewind() const override { return true; }
   void rewind() override {}
   const EventCounters& counters() const override { return counters_; }
   std::vector<std::string> warnings() const override { return {}; }
