@@ -22,7 +22,7 @@ ClusterTrackerParams puck_cluster_params() {
 ClusterTracker::ClusterTracker(SensorSize sensor, const ClusterTrackerParams& params,
                                const PuckSizeModel& size_model, const PipelineParams& detection)
     : params_(params),
-      size_model_(detection.sizes_of(size_model)),
+      size_model_(search_params(detection).sizes_of(size_model)),
       detector_(std::in_place, sensor, detection, size_model) {
   require_share("cluster.position_share", params.position_share);
   require_share("cluster.shape_share", params.shape_share);

@@ -35,7 +35,7 @@ int events_to_keep(int held, double used, const ParticleFilterParams& params) {
 ParticleFilter::ParticleFilter(SensorSize sensor, const ParticleFilterParams& params,
                                const PuckSizeModel& size_model, const PipelineParams& detection)
     : params_(params),
-      size_model_(detection.sizes_of(size_model)),
+      size_model_(search_params(detection).sizes_of(size_model)),
       search_(Search{{sensor, detection, size_model}, EventWindow(kHistoryEvents)}),
       template_(params.shape),
       set_(sensor, params.set),

@@ -11,8 +11,8 @@ ParticleFilterEros::ParticleFilterEros(SensorSize sensor, const ParticleFilterEr
                                        const PuckSizeModel& size_model,
                                        const PipelineParams& detection)
     : params_(params),
-      size_model_(detection.sizes_of(size_model)),
-      surface_(sensor, detection.eros),
+      size_model_(search_params(detection).sizes_of(size_model)),
+      surface_(sensor, search_params(detection).eros),
       detector_(std::in_place, sensor, detection, size_model),
       template_(params.shape),
       set_(sensor, params.set),

@@ -44,7 +44,7 @@ class ContourSamples {
   /// the given one.
   PuckContour contour(ContourCalibration calibration) const {
     calibration.lean_deg = lean_deg_;
-    return {sensor_, size_model_, calibration, true};
+    return {sensor_, size_model_, calibration};
   }
   /// Windows of 2 ms in which truth gives the motion of a fast enough puck, and those of them in
   /// which the contour fired and its surroundings did not.

@@ -21,10 +21,11 @@ class LiveTracker {
   /// std::invalid_argument, naming the key, when a parameter is out of range.
   LiveTracker(SensorSize sensor, const PipelineParams& params, const PuckSizeModel& size_model,
               const TrackingThreadParams& thread_params, TrackingThread::Publish publish)
-      : surface_(sensor, params.surface_params(),
-                 {.roi_only = params.roi_only, .keeps_fresh = params.follows_contour}),
+      : surface_(sensor, search_params(params).surface_params(),
+                 {.roi_only = is_roi_only(params), .keeps_fresh = searches_fresh(params)}),
         thread_(surface_, make_pipeline(sensor, params, size_model),
-                PuckSearch(sensor, params, size_model), thread_params, std::move(publish)) {}
+                PuckSearch(sensor, search_params(params), size_model), thread_params,
+                std::move(publish)) {}
 
   /// Event thread only. Applies a packet, which must not be empty. `more_waiting`: other packets
   /// are waiting, so the step is left to the tracking thread.

@@ -44,26 +44,30 @@ std::optional<Algorithm> algorithm_from(std::string_view name) {
 
 PipelineParams TrackerSetup::pipeline_params() const {
   PipelineParams params = preset_params(preset);
-  if (detection_region) params.detector.region = *detection_region;
-  params.surface = surface;
-  params.contour = contour;
-  params.roi_only = roi_only;
-  params.search_delay_us = search_delay_us;
-  if ((evidence || decision) && (algorithm != Algorithm::kPuck || preset != Preset::kDefault)) {
+  SearchParams& search = search_params(params);
+  if (detection_region) search.detector.region = *detection_region;
+  search.surface = surface;
+  search.contour = contour;
+  search.search_delay_us = search_delay_us;
+  const bool is_puck = algorithm == Algorithm::kPuck;
+  auto* hypotheses = is_puck ? std::get_if<HypothesesParams>(&params) : nullptr;
+  auto* correlation = is_puck ? std::get_if<PuckPipelineParams>(&params) : nullptr;
+  if ((evidence || decision) && hypotheses == nullptr) {
     throw std::invalid_argument(std::string(evidence ? "--evidence" : "--scale-decision") +
                                 " needs preset default, the only one that weighs evidence");
   }
-  if (evidence) params.evidence = *evidence;
-  if (decision) params.decision = *decision;
-  if (surface != SurfaceKind::kEros &&
-      (algorithm != Algorithm::kPuck || preset == Preset::kDefault)) {
+  if (evidence) hypotheses->evidence = *evidence;
+  if (decision) hypotheses->decision = *decision;
+  if (surface != SurfaceKind::kEros && correlation == nullptr) {
     throw std::invalid_argument(
         "--surface needs preset correlation, paper or reference: the other trackers need eros");
   }
-  if (roi_only && algorithm != Algorithm::kPuck) {
-    throw std::invalid_argument("--roi-only needs algorithm puck: the others have no such region");
+  if (roi_only && correlation == nullptr) {
+    throw std::invalid_argument(
+        "--roi-only needs preset correlation, paper or reference: the others need every event");
   }
-  if (search_delay_us > 0 && algorithm != Algorithm::kPuck) {
+  if (roi_only) correlation->roi_only = true;
+  if (search_delay_us > 0 && !is_puck) {
     throw std::invalid_argument("--search-delay needs algorithm puck: the others make no searches");
   }
   return params;

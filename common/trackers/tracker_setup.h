@@ -35,8 +35,8 @@ struct TrackerSetup {
   std::optional<EvidenceParams> evidence;  ///< Instead of what preset default has built in.
   std::optional<DecisionParams> decision;  ///< Instead of its built-in numbers.
   std::optional<Region> detection_region;  ///< Instead of the preset's.
-  bool roi_only = false;                   ///< PipelineParams::roi_only.
-  std::int64_t search_delay_us = 0;        ///< PipelineParams::search_delay_us.
+  bool roi_only = false;                   ///< PuckPipelineParams::roi_only.
+  std::int64_t search_delay_us = 0;        ///< SearchParams::search_delay_us.
 
   /// The preset's parameters with these changes. Throws std::invalid_argument for what the preset
   /// or the algorithm does not have.

@@ -5,19 +5,6 @@
 #include "common/vision/paper/paper_presets.h"
 
 namespace puck {
-namespace {
-
-// Correlation searches, contour filters follow. Evidence decides on each candidate of the search,
-// so that false candidates are acceptable.
-PipelineParams contour() {
-  PipelineParams params{correlation_params()};
-  params.detector.threshold = 0.2;
-  params.follows_contour = true;
-  return params;
-}
-
-}  // namespace
-
 const char* to_string(Preset preset) {
   return kPresetNames.at(static_cast<std::size_t>(preset)).data();
 }
@@ -28,18 +15,25 @@ std::optional<Preset> preset_from(std::string_view name) {
   return static_cast<Preset>(found - kPresetNames.begin());
 }
 
+HypothesesParams default_params() {
+  HypothesesParams params{correlation_params()};
+  // Evidence decides on each candidate of the search, so that false candidates are acceptable.
+  params.detector.threshold = 0.2;
+  return params;
+}
+
 PipelineParams preset_params(Preset preset) {
   switch (preset) {
     case Preset::kPaper:
-      return {paper_params()};
+      return paper_params();
     case Preset::kReference:
-      return {reference_params()};
+      return reference_params();
     case Preset::kCorrelation:
-      return {correlation_params()};
+      return correlation_params();
     case Preset::kDefault:
       break;
   }
-  return contour();
+  return default_params();
 }
 
 }  // namespace puck

@@ -22,6 +22,9 @@ inline constexpr std::array<std::string_view, 4> kPresetNames{"default", "correl
 const char* to_string(Preset preset);
 std::optional<Preset> preset_from(std::string_view name);
 
+/// The others are in paper_presets.h.
+HypothesesParams default_params();
+
 PipelineParams preset_params(Preset preset);
 
 }  // namespace puck

@@ -13,12 +13,12 @@ SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
 SurfaceTracker::SurfaceTracker(SensorSize sensor, const PipelineParams& params,
                                const PuckSizeModel& size_model,
                                std::unique_ptr<TrackingPipeline> pipeline)
-    : surface_(sensor, params.surface_params()),
+    : surface_(sensor, search_params(params).surface_params()),
       pipeline_(std::move(pipeline)),
-      search_(sensor, params, size_model),
-      roi_only_(params.roi_only && !pipeline_->needs_events()),
-      search_delay_us_(params.search_delay_us) {
-  if (params.follows_contour) fresh_.emplace(sensor);
+      search_(sensor, search_params(params), size_model),
+      roi_only_(is_roi_only(params) && !pipeline_->needs_events()),
+      search_delay_us_(search_params(params).search_delay_us) {
+  if (searches_fresh(params)) fresh_.emplace(sensor);
 }
 
 void SurfaceTracker::update(const EventPacket& packet) {

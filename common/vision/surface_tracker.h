@@ -15,7 +15,7 @@ namespace puck {
 
 /// PUCK in one thread: surface, pipeline and searches, one after the other. Live, each of the three
 /// has a thread of its own (runtime/). The result of a search is delivered at once, or after
-/// PipelineParams::search_delay_us, so the same events and calls give the same estimates, to the
+/// SearchParams::search_delay_us, so the same events and calls give the same estimates, to the
 /// bit.
 class SurfaceTracker final : public TrackingAlgorithm {
  public:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "common/io/contour_calibration_file.h"
 #include "common/io/evidence_file.h"
@@ -15,10 +16,11 @@ namespace puck {
 namespace {
 
 void read_surface(Config& config, PipelineParams& pipeline) {
-  std::string name = to_string(pipeline.surface);
+  SurfaceKind& surface = search_params(pipeline).surface;
+  std::string name = to_string(surface);
   config.read_choice("tracker.surface", name, kSurfaceNames);
-  pipeline.surface = surface_kind_from(name).value();
-  if (pipeline.follows_contour && pipeline.surface != SurfaceKind::kEros) {
+  surface = surface_kind_from(name).value();
+  if (std::holds_alternative<HypothesesParams>(pipeline) && surface != SurfaceKind::kEros) {
     config.fail("tracker.surface",
                 "of preset \"default\" must be \"eros\"; \"correlation\", \"paper\" and "
                 "\"reference\" take the others");
@@ -53,20 +55,26 @@ TrackerServiceParams read_tracker_params(Config& config) {
   config.read_choice("tracker.preset", preset, kPresetNames);
   params.pipeline = preset_params(preset_from(preset).value());
 
-  PipelineParams& pipeline = params.pipeline;
-  read_surface(config, pipeline);
-  config.read("tracker.half_width_px", pipeline.eros.half_width_px, 1, 8);
-  config.read("tracker.decay", pipeline.eros.decay, 0.01, 0.999);
-  config.read("tracker.roi_only", pipeline.roi_only);
-  read_detection_region(config, pipeline.detector.region);
-  config.read("tracker.detection_threshold", pipeline.detector.threshold, 0, 1e9);
-  config.read("tracker.region_factor", pipeline.tracker.region_factor, 1, 20);
-  config.read("tracker.prior_sigma", pipeline.tracker.prior_sigma, 0.05, 10);
-  config.read("tracker.lose", pipeline.loss.enabled);
-  config.read("tracker.lowest_score", pipeline.loss.lowest_score, 0, 1);
-  config.read("tracker.lowest_start_score", pipeline.loss.lowest_start_score, 0, 1);
-  read_milliseconds(config, "tracker.coast_ms", pipeline.loss.coast_us);
-  read_milliseconds(config, "tracker.search_period_ms", pipeline.loss.search_period_us);
+  read_surface(config, params.pipeline);
+  SearchParams& search = search_params(params.pipeline);
+  config.read("tracker.half_width_px", search.eros.half_width_px, 1, 8);
+  config.read("tracker.decay", search.eros.decay, 0.01, 0.999);
+  read_detection_region(config, search.detector.region);
+  config.read("tracker.detection_threshold", search.detector.threshold, 0, 1e9);
+
+  // Preset default does not use these.
+  PuckPipelineParams unused = correlation_params();
+  auto* correlation = std::get_if<PuckPipelineParams>(&params.pipeline);
+  PuckPipelineParams& paper = correlation != nullptr ? *correlation : unused;
+  config.read("tracker.roi_only", paper.roi_only);
+  config.read("tracker.region_factor", paper.tracker.region_factor, 1, 20);
+  config.read("tracker.prior_sigma", paper.tracker.prior_sigma, 0.05, 10);
+  config.read("tracker.lose", paper.loss.enabled);
+  config.read("tracker.lowest_score", paper.loss.lowest_score, 0, 1);
+  config.read("tracker.lowest_start_score", paper.loss.lowest_start_score, 0, 1);
+  read_milliseconds(config, "tracker.coast_ms", paper.loss.coast_us);
+  read_milliseconds(config, "tracker.search_period_ms", paper.loss.search_period_us);
+
   config.read("tracker.reproducible", params.reproducible);
   config.read("tracker.max_publish_hz", params.thread.max_publish_hz, 1, 100'000);
 
@@ -76,16 +84,17 @@ TrackerServiceParams read_tracker_params(Config& config) {
       size_model.empty() ? authors_static_size_model() : read_size_model_file(size_model);
   params.has_own_size_model = !size_model.empty();
   if (params.has_own_size_model) {
-    pipeline.contour = read_contour_calibration(size_model).value_or(ContourCalibration{});
+    search.contour = read_contour_calibration(size_model).value_or(ContourCalibration{});
   }
 
   std::string evidence;
   config.read("tracker.evidence", evidence);
   if (!evidence.empty()) {
-    if (preset != "default") {
+    auto* hypotheses = std::get_if<HypothesesParams>(&params.pipeline);
+    if (hypotheses == nullptr) {
       config.fail("tracker.evidence", "must be \"\", except for preset \"default\"");
     }
-    pipeline.evidence = read_evidence_file(evidence);
+    hypotheses->evidence = read_evidence_file(evidence);
   }
 
   std::string hot_pixel_mask;

@@ -121,10 +121,10 @@ void TrackerService::begin_track(const EventPacketView& packet) {
                                 packet.width, packet.height));
   check_calibration(sensor);
   PipelineParams pipeline = params_.pipeline;
-  const Region& wanted = pipeline.detector.region;
+  Region& wanted = search_params(pipeline).detector.region;
   if (!wanted.empty() && wanted.intersect(Region::all_of(sensor)).empty()) {
     context_.log.error("tracker.detection_region lies outside the sensor; searching all of it");
-    pipeline.detector.region = {};
+    wanted = {};
   }
   const auto publish_it = [this, sensor](const TrackedEstimate& tracked) {
     publish(tracked, sensor);
@@ -149,7 +149,7 @@ void TrackerService::check_calibration(SensorSize sensor) {
         "tracker.size_model is empty: the puck's size is that of the paper authors' table; name a "
         "file made by puck-calibrate size");
   }
-  const PuckSizeModel sizes = params_.pipeline.sizes_of(params_.size_model);
+  const PuckSizeModel sizes = search_params(params_.pipeline).sizes_of(params_.size_model);
   for (const std::string& doubt : doubts_about(sizes, sensor)) {
     context_.log.warn("tracker.size_model: " + doubt);
   }

@@ -156,7 +156,7 @@ class Load {
         std::filesystem::path(PUCK_SOURCE_DIR) / "config/calibration/simulated_size.toml";
     size_model_ = read_size_model_file(calibration);
     if (const auto contour = read_contour_calibration(calibration)) {
-      params_.contour = *contour;
+      search_params(params_).contour = *contour;
     }
     restart();
   }

@@ -13,6 +13,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "common/vision/correlation/kernel_bank.h"
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_tracker.h"
 #include "common/vision/presets.h"
 #include "common/vision/surface/surface.h"
@@ -34,7 +35,7 @@ constexpr Distance kDistances[] = {{"far", 19, 11}, {"mid", 41, 31}, {"near", 65
 
 // What both forms of a step work with.
 struct Task {
-  PipelineParams params = preset_params(Preset::kReference);
+  PuckPipelineParams params = reference_params();
   PuckSizeModel size_model;
   std::vector<SurfaceSnapshot> surfaces;
   Region region;
@@ -79,7 +80,7 @@ Task task_at(const Distance& distance) {
   task.size_model.width_0 = distance.canvas_width - kernels.margin_x_px;
   task.size_model.height_0 = distance.canvas_height - kernels.margin_y_px;
   const KernelBank bank(kernels);
-  const PuckTracker tracker(kSensor, task.params.tracker, task.size_model, task.params.contour);
+  const PuckTracker tracker(kSensor, task.params.tracker, task.size_model, std::nullopt);
   task.region = tracker.region_around(kExpected, bank);
   const int margin = task.params.tracker.reach_margin_px;
   task.window = Region{static_cast<int>(kExpected.x) - distance.canvas_width / 2,
@@ -97,7 +98,7 @@ class Ours {
   explicit Ours(const Task& task)
       : region_(task.region),
         bank_(task.params.kernels),
-        tracker_(kSensor, task.params.tracker, task.size_model, task.params.contour) {}
+        tracker_(kSensor, task.params.tracker, task.size_model, std::nullopt) {}
 
   Pixel step(const SurfaceSnapshot& surface) {
     return tracker_.step(surface, region_, kExpected, bank_).position;

@@ -9,6 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_pipeline.h"
 #include "common/vision/presets.h"
 #include "common/vision/surface/surface.h"
@@ -43,7 +44,7 @@ std::vector<Event> events_around(double diameter_px) {
 }
 
 void measure(benchmark::State& state, int kernel_px) {
-  PipelineParams params = preset_params(Preset::kReference);
+  PuckPipelineParams params = reference_params();
   params.kernels.smallest_px = 9;
   params.kernels.largest_px = 87;
   params.kernels.margin_x_px = kKernelMarginPx;

@@ -55,7 +55,7 @@ TEST_CASE("only the presets that correlate take another surface than EROS") {
   other.surface = SurfaceKind::kTos;
   CHECK_THROWS_AS(other.pipeline_params(), std::invalid_argument);
   other.preset = Preset::kPaper;
-  CHECK(other.pipeline_params().surface == SurfaceKind::kTos);
+  CHECK(search_params(other.pipeline_params()).surface == SurfaceKind::kTos);
   other.algorithm = Algorithm::kParticleFilterEros;
   CHECK_THROWS_AS(other.pipeline_params(), std::invalid_argument);
 }

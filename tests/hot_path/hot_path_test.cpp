@@ -124,7 +124,7 @@ TEST_CASE("a second of tracking allocates nothing, in either thread") {
     CAPTURE(static_cast<int>(preset));
     PipelineParams params = preset_params(preset);
     // Everywhere, not only where the authors' robot had it.
-    params.detector.region = {};
+    search_params(params).detector.region = {};
     Said said;
     LiveTracker tracker(kSensor, params, kSizeModel,
                         {.max_publish_hz = 100'000,
@@ -175,7 +175,7 @@ TEST_CASE("events and copies of any surface allocate nothing, even the first") {
 }
 
 TEST_CASE("search results of any number and age are taken without an allocation") {
-  const auto pipeline = make_pipeline(kSensor, preset_params(Preset::kDefault), kSizeModel);
+  const auto pipeline = make_pipeline(kSensor, default_params(), kSizeModel);
   const EventPacket packet = packet_of(1);
   pipeline->take(packet.start, packet.events);
   SearchResult result{packet.newest(), pipeline->search_wanted(), {}};

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "common/runtime/live_tracker.h"
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
 #include "tests/support/wait_until.h"
@@ -43,7 +44,7 @@ struct Publishers {
 };
 
 LiveTracker tracker_for(Publishers& publishers) {
-  return LiveTracker(kSensor, preset_params(Preset::kCorrelation), kSizeModel,
+  return LiveTracker(kSensor, correlation_params(), kSizeModel,
                      {.max_publish_hz = 100'000,
                       .heartbeat = std::chrono::seconds(10),
                       // On a busy machine or under a sanitizer a step is slow.

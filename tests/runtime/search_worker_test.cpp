@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_search.h"
 #include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
@@ -16,7 +17,7 @@ namespace {
 using test::kSizeModel;
 
 PuckSearch search_for(SensorSize sensor) {
-  return PuckSearch(sensor, preset_params(Preset::kCorrelation), kSizeModel);
+  return PuckSearch(sensor, correlation_params(), kSizeModel);
 }
 
 SearchResult result_of(SearchWorker& worker, SharedSurface& surface) {
@@ -33,7 +34,7 @@ SearchResult result_of(SearchWorker& worker, SharedSurface& surface) {
 
 TEST_CASE("a worker finds the same as an immediate search, near and far, repeatedly") {
   constexpr SensorSize kSensor{320, 240};
-  const ErosParams eros = preset_params(Preset::kCorrelation).eros;
+  const ErosParams eros = correlation_params().eros;
   SharedSurface shared(kSensor, eros);
   Surface alone(kSensor, eros);
   SearchWorker worker(search_for(kSensor));
@@ -66,7 +67,7 @@ TEST_CASE("a worker finds the same as an immediate search, near and far, repeate
 
 TEST_CASE("a small search is made at once, urgent or not, and known to be small") {
   constexpr SensorSize kSensor{320, 240};
-  SharedSurface shared(kSensor, preset_params(Preset::kCorrelation).eros);
+  SharedSurface shared(kSensor, correlation_params().eros);
   SearchWorker worker(search_for(kSensor));
   const SearchRequest near{Region::around({160, 120}, 41, 41)};
   REQUIRE(worker.is_small(near));
@@ -78,7 +79,7 @@ TEST_CASE("a small search is made at once, urgent or not, and known to be small"
 
 TEST_CASE("a worker limited to recent pixels does not see a puck of 40 ms ago") {
   constexpr SensorSize kSensor{320, 240};
-  SharedSurface shared(kSensor, preset_params(Preset::kCorrelation).eros);
+  SharedSurface shared(kSensor, correlation_params().eros);
   SearchWorker worker(search_for(kSensor));
   const Pixel puck{150, 60};
   shared.update({{0}, test::contour_events(kSensor, puck, kSizeModel.at(puck), 150)}, {});

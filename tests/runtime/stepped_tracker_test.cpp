@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
 #include "tests/support/wait_until.h"
@@ -74,8 +75,7 @@ TEST_CASE("every estimate of a stepped tracker is reproducible to the bit from i
 
 TEST_CASE("a stepped tracker answers the last packet in time, and repeats itself in silence") {
   Published published;
-  SteppedTracker stepped(kSensor, preset_params(Preset::kCorrelation), kSizeModel,
-                         {.max_publish_hz = 50},
+  SteppedTracker stepped(kSensor, correlation_params(), kSizeModel, {.max_publish_hz = 50},
                          [&](const TrackedEstimate& tracked) { published.add(tracked); });
   stepped.update(packet_number(1), received_now());
   REQUIRE(published.count() == 1);

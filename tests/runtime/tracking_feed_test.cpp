@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "common/runtime/tracking_thread.h"
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_search.h"
 #include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
@@ -156,7 +157,7 @@ TEST_CASE("tracking and its heartbeat continue during a search of a large surfac
   // long as a step, with some twenty steps in between.
   constexpr SensorSize kLarge{SensorSize::kMax, SensorSize::kMax};
   constexpr int kManySteps = 60;
-  const PipelineParams params = preset_params(Preset::kCorrelation);
+  const PuckPipelineParams params = correlation_params();
   SharedSurface surface(kLarge, params.eros);
   Published published;
   Life life;
@@ -176,7 +177,7 @@ TEST_CASE("tracking and its heartbeat continue during a search of a large surfac
 }
 
 TEST_CASE("the result of a search is published even without new events") {
-  const PipelineParams params = preset_params(Preset::kCorrelation);
+  const PuckPipelineParams params = correlation_params();
   // A small region is searched at once, a large one by the worker.
   for (const SensorSize sensor : {SensorSize{120, 100}, SensorSize{640, 480}}) {
     CAPTURE(sensor.width);

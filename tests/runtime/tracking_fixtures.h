@@ -8,6 +8,7 @@
 
 #include "common/runtime/tracking_thread.h"
 #include "common/vision/make_pipeline.h"
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_search.h"
 #include "common/vision/presets.h"
 
@@ -39,11 +40,9 @@ class Published {
 };
 
 inline std::unique_ptr<TrackingPipeline> default_pipeline() {
-  return make_pipeline(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
+  return make_pipeline(kSensor, correlation_params(), kSizeModel);
 }
 
-inline PuckSearch default_search() {
-  return PuckSearch(kSensor, preset_params(Preset::kCorrelation), kSizeModel);
-}
+inline PuckSearch default_search() { return PuckSearch(kSensor, correlation_params(), kSizeModel); }
 
 }  // namespace puck::test

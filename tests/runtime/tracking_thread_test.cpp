@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
 #include "tests/support/wait_until.h"
@@ -20,7 +21,7 @@ using namespace test;
 }  // namespace
 
 TEST_CASE("the two threads follow the puck and stamp estimates with their newest packet") {
-  const PipelineParams params = preset_params(Preset::kCorrelation);
+  const PuckPipelineParams params = correlation_params();
   SharedSurface surface(kSensor, params.eros);
   Published published;
   const TrackingThread thread(surface, default_pipeline(), default_search(), {},

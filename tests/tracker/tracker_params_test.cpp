@@ -1,11 +1,13 @@
 #include "services/tracker/tracker_params.h"
 
 #include <string>
+#include <variant>
 
 #include <doctest/doctest.h>
 
 #include "common/io/evidence_file.h"
 #include "common/messaging/bus_settings.h"
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
@@ -32,19 +34,25 @@ TEST_CASE("config/tracker.toml shows every key with its default") {
     CAPTURE(std::string(key));
     CHECK(only_keys.has(std::string("tracker.") + key));
   }
-  CHECK(shown.pipeline.surface == defaults.pipeline.surface);
-  CHECK(shown.pipeline.eros.half_width_px == defaults.pipeline.eros.half_width_px);
-  CHECK(shown.pipeline.eros.decay == defaults.pipeline.eros.decay);
-  CHECK(shown.pipeline.detector.region.empty() == defaults.pipeline.detector.region.empty());
-  CHECK(shown.pipeline.detector.threshold == defaults.pipeline.detector.threshold);
-  CHECK(shown.pipeline.tracker.region_factor == defaults.pipeline.tracker.region_factor);
-  CHECK(shown.pipeline.tracker.prior_sigma == defaults.pipeline.tracker.prior_sigma);
-  CHECK(shown.pipeline.loss.enabled == defaults.pipeline.loss.enabled);
-  CHECK(shown.pipeline.loss.lowest_score == defaults.pipeline.loss.lowest_score);
-  CHECK(shown.pipeline.loss.lowest_start_score == defaults.pipeline.loss.lowest_start_score);
-  CHECK(shown.pipeline.loss.coast_us == defaults.pipeline.loss.coast_us);
-  CHECK(shown.pipeline.loss.search_period_us == defaults.pipeline.loss.search_period_us);
+  const SearchParams& search = search_params(shown.pipeline);
+  CHECK(search.surface == default_params().surface);
+  CHECK(search.eros.half_width_px == default_params().eros.half_width_px);
+  CHECK(search.eros.decay == default_params().eros.decay);
+  CHECK(search.detector.region.empty());
+  CHECK(search.detector.threshold == default_params().detector.threshold);
   CHECK(shown.thread.max_publish_hz == defaults.thread.max_publish_hz);
+  // The keys that preset default does not use.
+  config.override_with("tracker.preset=correlation");
+  const PuckPipelineParams paper =
+      std::get<PuckPipelineParams>(read_tracker_params(config).pipeline);
+  const PuckPipelineParams expected = correlation_params();
+  CHECK(paper.tracker.region_factor == expected.tracker.region_factor);
+  CHECK(paper.tracker.prior_sigma == expected.tracker.prior_sigma);
+  CHECK(paper.loss.enabled == expected.loss.enabled);
+  CHECK(paper.loss.lowest_score == expected.loss.lowest_score);
+  CHECK(paper.loss.lowest_start_score == expected.loss.lowest_start_score);
+  CHECK(paper.loss.coast_us == expected.loss.coast_us);
+  CHECK(paper.loss.search_period_us == expected.loss.search_period_us);
 }
 
 TEST_CASE("a preset gives the defaults and keys override them") {
@@ -52,12 +60,13 @@ TEST_CASE("a preset gives the defaults and keys override them") {
   config.override_with("tracker.preset=reference");
   config.override_with("tracker.half_width_px=5");
   config.override_with("tracker.detection_region=[10, 20, 30, 40]");
-  const TrackerServiceParams params = read_tracker_params(config);
-  CHECK(params.pipeline.eros.half_width_px == 5);
-  CHECK(params.pipeline.eros.decay == preset_params(Preset::kReference).eros.decay);
-  CHECK(params.pipeline.detector.region == Region{10, 20, 30, 40});
-  CHECK(params.pipeline.detector.threshold == 3000);
-  CHECK_FALSE(params.pipeline.loss.enabled);
+  const PuckPipelineParams params =
+      std::get<PuckPipelineParams>(read_tracker_params(config).pipeline);
+  CHECK(params.eros.half_width_px == 5);
+  CHECK(params.eros.decay == reference_params().eros.decay);
+  CHECK(params.detector.region == Region{10, 20, 30, 40});
+  CHECK(params.detector.threshold == 3000);
+  CHECK_FALSE(params.loss.enabled);
 }
 
 TEST_CASE("evidence is read from its file, by preset default only") {
@@ -67,7 +76,8 @@ TEST_CASE("evidence is read from its file, by preset default only") {
   write_evidence_file(folder / "evidence.toml", evidence, "made by hand");
   Config config;
   config.override_with("tracker.evidence=\"" + (folder / "evidence.toml").string() + "\"");
-  CHECK(read_tracker_params(config).pipeline.evidence.place_puck == evidence.place_puck);
+  const PipelineParams pipeline = read_tracker_params(config).pipeline;
+  CHECK(std::get<HypothesesParams>(pipeline).evidence.place_puck == evidence.place_puck);
   config.override_with("tracker.preset=\"correlation\"");
   CHECK_THROWS_WITH_AS(read_tracker_params(config),
                        doctest::Contains("must be \"\", except for preset \"default\""),
@@ -90,7 +100,7 @@ TEST_CASE("the presets that correlate take every surface, and default only EROS"
       if (preset == "default" && surface != SurfaceKind::kEros) {
         CHECK_THROWS_AS(read_tracker_params(config), ConfigError);
       } else {
-        CHECK(read_tracker_params(config).pipeline.surface == surface);
+        CHECK(search_params(read_tracker_params(config).pipeline).surface == surface);
       }
     }
   }

@@ -33,7 +33,7 @@ class DiscRecording {
     PuckSizeModel model;
     model.width_0 = kDiscSize.width;
     model.height_0 = kDiscSize.height;
-    const PuckContour contour(kDiscSensor, model, {}, false);
+    const PuckContour contour(kDiscSensor, model, {});
     const Pixel origin = disc_at(0);
     MovingContour disc(contour, origin, {100, 0});
     const auto writer = make_event_writer(path(), "", kDiscSensor);

@@ -70,7 +70,7 @@ TEST_CASE("a rectangle's bound counts only blocks that it can touch") {
 
 TEST_CASE("no response is below the blocks' bound, blurred or not") {
   for (const Preset preset : {Preset::kReference, Preset::kPaper}) {
-    const KernelBank bank(preset_params(preset).kernels);
+    const KernelBank bank(search_params(preset_params(preset)).kernels);
     for (const PuckSize size : {PuckSize{9, 9}, {21, 13}, {45, 39}}) {
       const EllipseKernel& kernel = bank.nearest(size);
       for (const int side : {5, 9, 30, 70}) {

@@ -17,8 +17,8 @@ inline constexpr PuckSizeModel kTableSizeModel{16, 0, 0.08, 8, 0, 0.08};
 /// glides, rests, jumps or hides.
 class ContourTable {
  public:
-  explicit ContourTable(const PipelineParams& params = preset_params(Preset::kDefault),
-                        std::uint32_t seed = 1, const PuckSizeModel& size_model = kTableSizeModel)
+  explicit ContourTable(const HypothesesParams& params = default_params(), std::uint32_t seed = 1,
+                        const PuckSizeModel& size_model = kTableSizeModel)
       : contour_(kTableSensor, size_model, exact(), true),
         tracker_(kTableSensor, with_exact(params), size_model),
         random_(seed) {}
@@ -97,7 +97,7 @@ class ContourTable {
 
  private:
   static ContourCalibration exact() { return {0, 0, 0}; }
-  static PipelineParams with_exact(PipelineParams params) {
+  static HypothesesParams with_exact(HypothesesParams params) {
     params.contour = exact();
     return params;
   }

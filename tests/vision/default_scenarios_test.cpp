@@ -37,7 +37,7 @@ TEST_CASE("a moving puck is found without help and followed to a fraction of a p
 }
 
 TEST_CASE("a fast puck is found by searches whose answers come late") {
-  PipelineParams params = preset_params(Preset::kDefault);
+  HypothesesParams params = default_params();
   params.search_delay_us = 15'000;
   Table table(params);
   table.glide({1500, 300}, 100);
@@ -91,7 +91,7 @@ TEST_CASE("a puck that rests in noise keeps its place for half a minute, and is 
   constexpr int kSeconds = kIsSanitized ? 8 : 30;
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     CAPTURE(seed);
-    Table table(preset_params(Preset::kDefault), seed);
+    Table table(default_params(), seed);
     table.glide({600, 100}, 200);
     table.glide({200, 30}, 50);
     table.glide({80, 10}, 50);
@@ -111,7 +111,7 @@ TEST_CASE(
     "a puck that comes to rest slowly is not left for a mallet, and is followed from its hit on") {
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     CAPTURE(seed);
-    Table table(preset_params(Preset::kDefault), seed);
+    Table table(default_params(), seed);
     table.come_to_rest();
     REQUIRE(table.estimate().resting);
     CHECK(table.error_px() < 1);
@@ -126,7 +126,7 @@ TEST_CASE(
 }
 
 // Whether a puck that comes to rest before a noisy sensor, 3 Hz a pixel, is tracked all the while.
-bool rests_in_noise(const PipelineParams& params, std::uint32_t seed) {
+bool rests_in_noise(const HypothesesParams& params, std::uint32_t seed) {
   Table table(params, seed);
   table.noise_a_ms = 230;
   table.come_to_rest();
@@ -140,14 +140,14 @@ bool rests_in_noise(const PipelineParams& params, std::uint32_t seed) {
 TEST_CASE("a puck at rest is not lost in the sensor's noise" * kNotYet) {
   for (std::uint32_t seed = 1; seed <= std::min(kSeeds, 2u); ++seed) {
     CAPTURE(seed);
-    CHECK(rests_in_noise(preset_params(Preset::kDefault), seed));
+    CHECK(rests_in_noise(default_params(), seed));
   }
 }
 
 TEST_CASE("a puck that is covered at rest is lost, or stays where it is") {
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     CAPTURE(seed);
-    Table table(preset_params(Preset::kDefault), seed);
+    Table table(default_params(), seed);
     table.come_to_rest();
     REQUIRE(table.estimate().state == TrackState::kTracking);
     for (int i = 0; i < 30; ++i) {
@@ -161,7 +161,7 @@ TEST_CASE("a puck that is covered at rest is lost, or stays where it is") {
 TEST_CASE("a mallet that trembles beside a puck at rest for 3 s does not lead the track away") {
   for (std::uint32_t seed = 1; seed <= std::min(kSeeds, 2u); ++seed) {
     CAPTURE(seed);
-    Table table(preset_params(Preset::kDefault), seed);
+    Table table(default_params(), seed);
     table.come_to_rest();
     for (int i = 0; i < 60; ++i) {
       table.approach({0, -26}, {0, 200}, 10);
@@ -177,7 +177,7 @@ TEST_CASE("a mallet that trembles beside a puck at rest for 3 s does not lead th
 // back for 60 ms; 100 if it is lost.
 double worst_px_beside_mallet(double beside_px, int down_ms, PixelVelocity back,
                               std::uint32_t seed) {
-  Table table(preset_params(Preset::kDefault), seed);
+  Table table(default_params(), seed);
   table.come_to_rest();
   table.approach({beside_px, -70}, {0, 500}, down_ms);
   const Pixel nearest{beside_px, -70 + 0.5 * down_ms};
@@ -209,7 +209,7 @@ TEST_CASE("a mallet that touches a puck at rest and draws back does not take the
 TEST_CASE("a faint puck is followed when it sets off slowly") {
   for (std::uint32_t seed = 1; seed <= std::min(kSeeds, 2u); ++seed) {
     CAPTURE(seed);
-    Table table(preset_params(Preset::kDefault), seed);
+    Table table(default_params(), seed);
     table.density = 1;
     table.come_to_rest();
     double worst_px = 0;
@@ -307,10 +307,10 @@ PuckSizeModel half_face_model() {
 
 TEST_CASE("a puck is followed whose side wall makes events below the face that was annotated") {
   const PuckSizeModel model = half_face_model();
-  REQUIRE(PuckContour(kTableSensor, model, {0, 0, 0}, true).other_wall_share() < -0.1);
+  REQUIRE(PuckContour(kTableSensor, model, {0, 0, 0}).other_wall_share() < -0.1);
   for (const bool has_wall : {false, true}) {
     CAPTURE(has_wall);
-    Table table(preset_params(Preset::kDefault), 1, model);
+    Table table(default_params(), 1, model);
     if (has_wall) table.show_other_wall();
     CHECK(table.glide({700, 200}, 300) < 0.2);
     CHECK(table.estimate().state == TrackState::kTracking);
@@ -319,8 +319,8 @@ TEST_CASE("a puck is followed whose side wall makes events below the face that w
 
 TEST_CASE("the same events give the same estimates, however often one asks") {
   const auto run = [](int asks) {
-    SurfaceTracker tracker(kTableSensor, preset_params(Preset::kDefault), kTableSizeModel);
-    const PuckContour contour(kTableSensor, kTableSizeModel, {}, true);
+    SurfaceTracker tracker(kTableSensor, default_params(), kTableSizeModel);
+    const PuckContour contour(kTableSensor, kTableSizeModel, {});
     test::MovingContour puck(contour, {60, 100}, {700, 200});
     PuckEstimate last;
     for (int i = 0; i < 100; ++i) {

@@ -13,6 +13,7 @@
 #include "common/vision/correlation/gaussian_blur.h"
 #include "common/vision/correlation/kernel_bank.h"
 #include "common/vision/correlation/plain_sums.h"
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/simd_targets.h"
@@ -103,7 +104,7 @@ void check_sums(const PlainSums& expected) {
 TEST_CASE("on every instruction set the sums over a kernel's shapes equal those pixel by pixel") {
   std::vector<KernelBank> banks;
   for (const Preset preset : {Preset::kReference, Preset::kPaper, Preset::kCorrelation}) {
-    banks.emplace_back(preset_params(preset).kernels);
+    banks.emplace_back(search_params(preset_params(preset)).kernels);
   }
   std::vector<PlainSums> expected;
   unsigned seed = 1;
@@ -124,7 +125,7 @@ TEST_CASE("on every instruction set the sums over a kernel's shapes equal those 
 }
 
 TEST_CASE("on every instruction set a white picture with the largest kernels does not overflow") {
-  const KernelBank bank(preset_params(Preset::kCorrelation).kernels);
+  const KernelBank bank(correlation_params().kernels);
   const EllipseKernel& largest = bank.nearest({1e9, 1e9});
   REQUIRE(largest.width() == 91);
   KernelProfile profile;
@@ -152,7 +153,7 @@ TEST_CASE("on every instruction set a white picture with the largest kernels doe
 TEST_CASE("on every instruction set a blurred surface gives the same responses, even at borders") {
   const Image<std::uint8_t> surface = test::noise(90, 70, 3);
   const Region place{20, 10, 90, 70};
-  const KernelBank bank(preset_params(Preset::kReference).kernels);
+  const KernelBank bank(reference_params().kernels);
   GaussianBlur blur;
   Image<std::uint8_t> blurred;
   blur.apply(surface.view(), blurred);

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "common/io/event_reader.h"
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_tracker.h"
 #include "common/vision/presets.h"
 #include "common/vision/surface/surface.h"
@@ -24,8 +25,8 @@ struct Agreement {
   int all = 0;
 };
 
-PipelineParams reference_of_one_maximum() {
-  PipelineParams params = preset_params(Preset::kReference);
+PuckPipelineParams reference_of_one_maximum() {
+  PuckPipelineParams params = reference_params();
   params.tracker.quantised = false;
   params.kernels.smallest_px = 7;
   params.kernels.size_scale = 1;
@@ -33,12 +34,12 @@ PipelineParams reference_of_one_maximum() {
 }
 
 void compare_at(Surface& surface, Pixel expected, PuckSize size, Agreement& agreement) {
-  const PipelineParams params = reference_of_one_maximum();
+  const PuckPipelineParams params = reference_of_one_maximum();
   PuckSizeModel model;
   model.width_0 = size.width;
   model.height_0 = size.height;
   const KernelBank bank(params.kernels);
-  PuckTracker tracker(surface.size(), params.tracker, model, params.contour);
+  PuckTracker tracker(surface.size(), params.tracker, model, std::nullopt);
   const Region region = tracker.region_around(expected, bank);
   SurfaceSnapshot snapshot;
   surface.snapshot(region, snapshot);
@@ -86,7 +87,7 @@ TEST_CASE("the step finds OpenCV's maximum on random surfaces, except for a rare
   std::mt19937 random(8);
   Agreement agreement;
   for (int round = 0; round < kRounds; ++round) {
-    Surface surface({240, 200}, preset_params(Preset::kReference).eros);
+    Surface surface({240, 200}, reference_params().eros);
     for (int i = 0; i < 200 << (round % 8); ++i) {
       surface.update(Event{static_cast<std::uint16_t>(random() % 240),
                            static_cast<std::uint16_t>(random() % 200), 1, 0});
@@ -104,7 +105,7 @@ TEST_CASE("the step finds OpenCV's maximum on surfaces of real recordings") {
   Agreement agreement;
   for (const char* file : {"driving_gen41_1280x720_evt3.raw", "sparklers_gen31_640x480_evt2.raw"}) {
     const auto events = open_event_file(*recordings / file);
-    Surface surface(events->sensor_size(), preset_params(Preset::kReference).eros);
+    Surface surface(events->sensor_size(), reference_params().eros);
     EventPacket packet;
     for (int i = 0; i < kPackets && events->read(packet, 50'000); ++i) {
       surface.update(packet);

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
 #include "common/vision/surface/surface.h"
 #include "common/vision/surface_tracker.h"
@@ -221,7 +222,7 @@ TEST_CASE("correlation tracks a moving puck on every surface") {
   for (const SurfaceKind kind :
        {SurfaceKind::kEros, SurfaceKind::kTos, SurfaceKind::kSits, SurfaceKind::kSae}) {
     CAPTURE(std::string(to_string(kind)));
-    PipelineParams params = preset_params(Preset::kCorrelation);
+    PuckPipelineParams params = correlation_params();
     params.surface = kind;
     SurfaceTracker tracker(test::kSensor, params, test::kSizeModel);
     PuckEstimate estimate;
@@ -239,7 +240,7 @@ TEST_CASE("correlation tracks a moving puck on every surface") {
 }
 
 TEST_CASE("preset default refuses the other surfaces") {
-  PipelineParams params = preset_params(Preset::kDefault);
+  HypothesesParams params = default_params();
   params.surface = SurfaceKind::kTos;
   CHECK_THROWS_AS(SurfaceTracker(test::kSensor, params, test::kSizeModel), std::invalid_argument);
 }

@@ -9,7 +9,7 @@
 namespace puck {
 
 TEST_CASE("preset reference has the constants of the authors' code") {
-  const PipelineParams p = preset_params(Preset::kReference);
+  const PuckPipelineParams p = reference_params();
   CHECK(p.eros.half_width_px == 3);
   CHECK(p.eros.decay == doctest::Approx(0.7197).epsilon(1e-4));
   CHECK(p.eros.rounding == ErosRounding::kTruncateEachStep);
@@ -44,14 +44,14 @@ TEST_CASE("preset reference has the constants of the authors' code") {
   CHECK_FALSE(p.tracker.sub_pixel);
   CHECK_FALSE(p.loss.enabled);
   CHECK_FALSE(p.predicts);
-  CHECK_FALSE(p.tracker.ring.enabled);
+  CHECK_FALSE(p.ring.has_value());
   CHECK_FALSE(p.lead.enabled);
   CHECK(p.motion.measurement_sigma_px == 0.7);
   CHECK(p.motion.surprise_sigmas == 0);
 }
 
 TEST_CASE("preset paper has the constants of the paper's text") {
-  const PipelineParams p = preset_params(Preset::kPaper);
+  const PuckPipelineParams p = paper_params();
   CHECK(p.eros.half_width_px == 5);
   CHECK(p.eros.decay == doctest::Approx(std::pow(0.3, 1.0 / p.eros.half_width_px)));
   CHECK(p.eros.rounding == ErosRounding::kNearest);
@@ -80,26 +80,24 @@ TEST_CASE("preset paper has the constants of the paper's text") {
   CHECK_FALSE(p.tracker.sub_pixel);
   CHECK_FALSE(p.loss.enabled);
   CHECK_FALSE(p.predicts);
-  CHECK_FALSE(p.tracker.ring.enabled);
+  CHECK_FALSE(p.ring.has_value());
   CHECK_FALSE(p.lead.enabled);
   CHECK(p.motion.measurement_sigma_px == 0.7);
   CHECK(p.motion.surprise_sigmas == 0);
 }
 
 TEST_CASE("preset correlation has every improvement, paper and reference none of them") {
-  for (const Preset preset : {Preset::kPaper, Preset::kReference, Preset::kCorrelation}) {
-    const PipelineParams p = preset_params(preset);
-    const bool has = preset == Preset::kCorrelation;
-    CHECK(p.tracker.ring.enabled == has);
+  for (const PuckPipelineParams& p : {paper_params(), reference_params(), correlation_params()}) {
+    const bool has = p.sizes_by_disc;
+    CHECK(p.ring.has_value() == has);
     CHECK(p.lead.enabled == has);
-    CHECK(p.trail.enabled == has);
     CHECK(p.predicts == has);
     CHECK((p.motion.surprise_sigmas > 0) == has);
   }
 }
 
 TEST_CASE("the authors' size models give the sizes of their code") {
-  const KernelBank bank(preset_params(Preset::kReference).kernels);
+  const KernelBank bank(reference_params().kernels);
   const auto size_at = [&](const PuckSizeModel& model, double y) {
     const PuckSize size = bank.nominal(model.at({320, y}));
     return std::pair{size.width, size.height};
@@ -119,13 +117,13 @@ TEST_CASE("the authors' size models give the sizes of their code") {
 TEST_CASE("The paper's presets use Equation (2), the others the disc where there is one") {
   PuckSizeModel model = authors_static_size_model();
   model.disc = DiscModel{.width_0 = 10, .width_y = 0.1, .face_on_px = 60};
-  const auto goes_by_disc = [&](const PipelineParams& params) {
+  const auto goes_by_disc = [&](const SearchParams& params) {
     return params.sizes_of(model).disc.has_value();
   };
-  CHECK_FALSE(goes_by_disc(preset_params(Preset::kPaper)));
-  CHECK_FALSE(goes_by_disc(preset_params(Preset::kReference)));
-  CHECK(goes_by_disc(preset_params(Preset::kCorrelation)));
-  CHECK(goes_by_disc(preset_params(Preset::kDefault)));
+  CHECK_FALSE(goes_by_disc(paper_params()));
+  CHECK_FALSE(goes_by_disc(reference_params()));
+  CHECK(goes_by_disc(correlation_params()));
+  CHECK(goes_by_disc(default_params()));
 }
 
 TEST_CASE("presets are found by their names") {

@@ -24,7 +24,7 @@ constexpr DiscModel kDisc{.width_0 = 20,
 constexpr ContourCalibration kExact{0, 0, 0};
 
 TEST_CASE("The distance from the contour is exact along the axes and outward normals are unit") {
-  const ContourRing ring = PuckContour(kOddWidthSensor, kFlat, kExact, true).ring_at({320, 240}, 0);
+  const ContourRing ring = PuckContour(kOddWidthSensor, kFlat, kExact).ring_at({320, 240}, 0);
   CHECK(ring.offset(18, 0, 0).distance_px == doctest::Approx(3));
   CHECK(ring.offset(18, 0, 0).normal_x == doctest::Approx(1));
   CHECK(ring.offset(0, -8, 0).distance_px == doctest::Approx(-2));
@@ -43,7 +43,7 @@ TEST_CASE("The centre of a ring lies inside, even with straight sides") {
 }
 
 TEST_CASE("The twelve sectors of a ring cover 30 degrees each") {
-  const ContourRing ring = PuckContour(kOddWidthSensor, kFlat, kExact, true).ring_at({320, 240}, 0);
+  const ContourRing ring = PuckContour(kOddWidthSensor, kFlat, kExact).ring_at({320, 240}, 0);
   std::array<int, kContourSectors> counts{};
   for (int degree = 0; degree < 360; ++degree) {
     const double angle = (degree + 0.5) * std::numbers::pi / 180;
@@ -54,7 +54,7 @@ TEST_CASE("The twelve sectors of a ring cover 30 degrees each") {
 }
 
 TEST_CASE("Beside the middle the ring is sheared by perspective, and keeps its width") {
-  const PuckContour contour(kOddWidthSensor, kPlane, kExact, true);
+  const PuckContour contour(kOddWidthSensor, kPlane, kExact);
   const Pixel beside{520, 200};
   const ContourRing ring = contour.ring_at(beside, 0);
   // The horizon is at row −200, the middle at column 320: 200 px aside, 400 px below.
@@ -65,8 +65,7 @@ TEST_CASE("Beside the middle the ring is sheared by perspective, and keeps its w
 }
 
 TEST_CASE("Without a slope in the size model there is no horizon and no shear") {
-  CHECK(PuckContour(kOddWidthSensor, kFlat, kExact, true).ring_at({600, 240}, 0).shear == 0);
-  CHECK(PuckContour(kOddWidthSensor, kPlane, kExact, false).ring_at({600, 240}, 0).shear == 0);
+  CHECK(PuckContour(kOddWidthSensor, kFlat, kExact).ring_at({600, 240}, 0).shear == 0);
 }
 
 TEST_CASE("An ellipse rotated in its box equals the ring of that box and lean") {
@@ -85,8 +84,7 @@ TEST_CASE("An ellipse rotated in its box equals the ring of that box and lean") 
   box.height_0 = 2 * std::hypot(kLong * std::sin(lean), kShort * std::cos(lean));
   ContourCalibration calibration = kExact;
   calibration.lean_deg = kLean_deg;
-  const ContourRing ring =
-      PuckContour(kOddWidthSensor, box, calibration, true).ring_at({320, 240}, 0);
+  const ContourRing ring = PuckContour(kOddWidthSensor, box, calibration).ring_at({320, 240}, 0);
   for (int i = 0; i < 12; ++i) {
     const Pixel place = at(2 * std::numbers::pi * i / 12);
     CHECK(ring.offset(place.x, place.y, 0).distance_px == doctest::Approx(0));
@@ -104,7 +102,7 @@ TEST_CASE("A ring with a lean too large for its box stays within the box") {
       ContourCalibration calibration = kExact;
       calibration.lean_deg = 40;
       const ContourRing ring =
-          PuckContour(kOddWidthSensor, box, calibration, true).ring_at({320, 240}, wall_share);
+          PuckContour(kOddWidthSensor, box, calibration).ring_at({320, 240}, wall_share);
       CHECK(ring.semi_x >= 2);
       CHECK(std::hypot(ring.semi_x, ring.shear * ring.semi_y) <=
             doctest::Approx(std::max(size.width / 2, 2.0)));
@@ -116,7 +114,7 @@ TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   const PuckSize size = model.disc->at({600, 240});
-  const ContourRing ring = PuckContour(kOddWidthSensor, model, kExact, true).ring_at({600, 240}, 0);
+  const ContourRing ring = PuckContour(kOddWidthSensor, model, kExact).ring_at({600, 240}, 0);
   CHECK(ring.semi_y == doctest::Approx(size.height / 2));
   // The width is zero at row -200; the side wall is not sheared.
   const double of_disc = (size.height - model.wall_of_width() * size.width) / size.height;
@@ -125,33 +123,33 @@ TEST_CASE("Where the disc is known, horizon and sizes are the disc's") {
 
 TEST_CASE("A side wall without events leaves a lower ring, higher up") {
   const ContourRing ring =
-      PuckContour(kOddWidthSensor, kFlat, {0, 0.2, 1}, true).ring_at({320, 240}, 0.2);
+      PuckContour(kOddWidthSensor, kFlat, {0, 0.2, 1}).ring_at({320, 240}, 0.2);
   CHECK(ring.semi_x == doctest::Approx(15.5));
   CHECK(ring.semi_y == doctest::Approx((21 - 0.2 * 31) / 2));
   CHECK(ring.rise == doctest::Approx(0.1 * 31));
 }
 
 TEST_CASE("The other assumption on the side wall is the opposite of the calibrated one") {
-  CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0, 0}, true).other_wall_share() > 0.1);
-  CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0.15, 0}, true).other_wall_share() == 0);
-  CHECK(PuckContour(kOddWidthSensor, kFlat, {0, -0.15, 0}, true).other_wall_share() == 0);
+  CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0, 0}).other_wall_share() > 0.1);
+  CHECK(PuckContour(kOddWidthSensor, kFlat, {0, 0.15, 0}).other_wall_share() == 0);
+  CHECK(PuckContour(kOddWidthSensor, kFlat, {0, -0.15, 0}).other_wall_share() == 0);
 }
 
 TEST_CASE("The other assumption on the side wall depends on the annotations' outline") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   const double tilted = std::cos(model.disc->tilt_deg() * std::numbers::pi / 180);
-  CHECK(PuckContour(kOddWidthSensor, model, kExact, true).other_wall_share() ==
+  CHECK(PuckContour(kOddWidthSensor, model, kExact).other_wall_share() ==
         doctest::Approx(0.2 * tilted));
 
   // A wall in the calibration is not omitted, however thin.
   model.disc->thickness = 0.1;
   const double thin = model.wall_of_width();
-  CHECK(PuckContour(kOddWidthSensor, model, {0, thin, 0}, true).other_wall_share() == 0);
+  CHECK(PuckContour(kOddWidthSensor, model, {0, thin, 0}).other_wall_share() == 0);
 
   // Annotations of the face alone: the wall extends below it, and the face's upper edge stays.
   model.disc->thickness = 0.03;
-  const PuckContour contour(kOddWidthSensor, model, kExact, true);
+  const PuckContour contour(kOddWidthSensor, model, kExact);
   const ContourRing face = contour.ring_at({320, 240}, 0);
   const ContourRing both = contour.ring_at({320, 240}, contour.other_wall_share());
   CHECK(both.semi_y > face.semi_y + 2);
@@ -168,7 +166,7 @@ TEST_CASE("A wall visible below the face extends its outline downwards") {
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   model.disc->thickness = 0;
-  const PuckContour contour(kOddWidthSensor, model, {0, -0.3, 0}, true);
+  const PuckContour contour(kOddWidthSensor, model, {0, -0.3, 0});
   for (const Pixel centre : {Pixel{320, 240}, {600, 240}, {20, 300}}) {
     CAPTURE(centre.x);
     const ContourRing face = contour.ring_at(centre, 0);
@@ -219,7 +217,7 @@ TEST_CASE("An omitted wall has an ordinary puck's height, scaled by its place") 
   PuckSizeModel model = kFlat;
   model.disc = kDisc;
   model.disc->thickness = 0;
-  const PuckContour contour(kOddWidthSensor, model, kExact, true);
+  const PuckContour contour(kOddWidthSensor, model, kExact);
   const double share = contour.other_wall_share();
   CHECK(share == -model.ordinary_wall());
   CHECK(contour.is_other_wall(share));
@@ -234,7 +232,7 @@ TEST_CASE("An omitted wall has an ordinary puck's height, scaled by its place") 
     CHECK(place.y - lower.y == doctest::Approx(-ring.rise));
   }
   // A calibrated share applies to the whole image.
-  const PuckContour calibrated(kOddWidthSensor, model, {0, -0.2, 0}, true);
+  const PuckContour calibrated(kOddWidthSensor, model, {0, -0.2, 0});
   for (const Pixel place : {Pixel{320, 60}, {320, 420}}) {
     CHECK(calibrated.ring_at(place, -0.2).rise ==
           doctest::Approx(-0.1 * calibrated.size_at(place).width));
@@ -242,7 +240,7 @@ TEST_CASE("An omitted wall has an ordinary puck's height, scaled by its place") 
 }
 
 TEST_CASE("A size model without any size still gives a ring") {
-  const PuckContour contour(kOddWidthSensor, {-50, 0, 0, -20, 0, 0}, kExact, true);
+  const PuckContour contour(kOddWidthSensor, {-50, 0, 0, -20, 0, 0}, kExact);
   const ContourRing ring = contour.ring_at({320, 240}, 0);
   CHECK(ring.semi_x >= 1);
   CHECK(ring.semi_y >= 1);

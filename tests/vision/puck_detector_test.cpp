@@ -31,7 +31,7 @@ void draw_ring(Image<std::uint8_t>& picture, const EllipseKernel& kernel, int x,
 }  // namespace
 
 TEST_CASE("the fixed detection kernel has the zones of the authors' code and their threshold") {
-  const PipelineParams params = preset_params(Preset::kReference);
+  const PuckPipelineParams params = reference_params();
   const KernelBank bank(params.kernels);
   PuckDetector detector(params.detector, authors_static_size_model());
   // A fully lit annulus of 172 pixels gives the largest response: 43,860.
@@ -51,7 +51,7 @@ TEST_CASE("the fixed detection kernel has the zones of the authors' code and the
 }
 
 TEST_CASE("a response up to the threshold is no detection") {
-  PipelineParams params = preset_params(Preset::kReference);
+  PuckPipelineParams params = reference_params();
   const KernelBank bank(params.kernels);
   Image<std::uint8_t> picture(640, 480);
   for (int x = 296; x < 308; ++x) picture(x, 190) = 250;  // 12 pixels: 3000 at the very best
@@ -65,7 +65,7 @@ TEST_CASE("a response up to the threshold is no detection") {
 }
 
 TEST_CASE("a search with the size of each row finds the puck near and far") {
-  const PipelineParams params = preset_params(Preset::kCorrelation);
+  const PuckPipelineParams params = correlation_params();
   const KernelBank bank(params.kernels);
   const PuckSizeModel model{17, 0, 0.09, 8, 0, 0.09};
   for (const Pixel truth : {Pixel{101, 31}, {320, 190}, {500, 401}}) {
@@ -84,7 +84,7 @@ TEST_CASE("a search with the size of each row finds the puck near and far") {
 }
 
 TEST_CASE("a search finds every puck, best first, and no place twice") {
-  const PipelineParams params = preset_params(Preset::kCorrelation);
+  const PuckPipelineParams params = correlation_params();
   const KernelBank bank(params.kernels);
   const PuckSizeModel model{25, 0, 0, 17, 0, 0};
   const EllipseKernel& ring = bank.nearest(model.at({}));
@@ -117,7 +117,7 @@ TEST_CASE("a search finds every puck, best first, and no place twice") {
 }
 
 TEST_CASE("an empty region gives no detection") {
-  const PipelineParams params = preset_params(Preset::kCorrelation);
+  const PuckPipelineParams params = correlation_params();
   const KernelBank bank(params.kernels);
   PuckDetector detector(params.detector, authors_static_size_model());
   Correlation correlation;

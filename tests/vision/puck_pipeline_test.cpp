@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
 #include "tests/support/sanitizers.h"
@@ -100,12 +101,12 @@ TEST_CASE("there is no detection on an empty surface or in clutter without a rin
     CHECK(nothing.state == TrackState::kSearching);
     CHECK_FALSE(nothing.position.has_value());
   }
-  Scene scene(preset_params(Preset::kCorrelation));
+  Scene scene(correlation_params());
   for (int i = 0; i < kSteps; ++i) CHECK_FALSE(scene.show_clutter().position.has_value());
 }
 
 TEST_CASE("the soft ring follows a drawn contour to a tenth of a pixel") {
-  PipelineParams params = preset_params(Preset::kCorrelation);
+  PuckPipelineParams params = correlation_params();
   // Drawn events have no lag, no trail, and lie on the annotated contour.
   params.lead.enabled = false;
   params.contour.grow_px = 0;
@@ -121,7 +122,7 @@ TEST_CASE("the soft ring follows a drawn contour to a tenth of a pixel") {
 
 TEST_CASE("half a ring is no puck, for any time") {
   constexpr int kSteps = kIsSanitized ? 50 : 300;  // Each searches the whole image.
-  Scene scene(preset_params(Preset::kCorrelation));
+  Scene scene(correlation_params());
   int tracked = 0;
   for (int i = 0; i < kSteps; ++i) {
     if (scene.show_upper_half({200 + 0.5 * i, 190}).state == TrackState::kTracking) ++tracked;
@@ -130,7 +131,7 @@ TEST_CASE("half a ring is no puck, for any time") {
 }
 
 TEST_CASE("the default estimate has its velocity") {
-  Scene scene(preset_params(Preset::kCorrelation));
+  Scene scene(correlation_params());
   PuckEstimate estimate;
   for (int i = 0; i < 200; ++i) estimate = scene.show({200 + 1.0 * i, 190 + 0.5 * i});
   CHECK(estimate.velocity.x == doctest::Approx(1000).epsilon(0.1));
@@ -141,7 +142,7 @@ TEST_CASE("the default estimate has its velocity") {
 }
 
 TEST_CASE("a puck that stops is still tracked, and reported as resting") {
-  Scene scene(preset_params(Preset::kCorrelation));
+  Scene scene(correlation_params());
   for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
   PuckEstimate estimate;
   for (int i = 0; i < 300; ++i) estimate = scene.show({300, 190});
@@ -153,7 +154,7 @@ TEST_CASE("a puck that stops is still tracked, and reported as resting") {
 }
 
 TEST_CASE("a puck that vanishes is lost soon after and found again elsewhere") {
-  Scene scene(preset_params(Preset::kCorrelation));
+  Scene scene(correlation_params());
   for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
   PuckEstimate estimate;
   int lost_after_ms = 0;
@@ -171,7 +172,7 @@ TEST_CASE("a puck that vanishes is lost soon after and found again elsewhere") {
 }
 
 TEST_CASE("the paper's tracker never reports a loss") {
-  Scene scene(preset_params(Preset::kPaper));
+  Scene scene(paper_params());
   for (int i = 0; i < 100; ++i) scene.show({200 + 1.0 * i, 190});
   PuckEstimate estimate;
   for (int i = 0; i < 200; ++i) estimate = scene.show_clutter();
@@ -179,8 +180,8 @@ TEST_CASE("the paper's tracker never reports a loss") {
 }
 
 TEST_CASE("the same events give the same estimates to the bit") {
-  Scene first(preset_params(Preset::kCorrelation));
-  Scene second(preset_params(Preset::kCorrelation));
+  Scene first(correlation_params());
+  Scene second(correlation_params());
   for (int i = 0; i < 150; ++i) {
     const Pixel truth{300 + 0.7 * i, 200 + 0.2 * i};
     const PuckEstimate a = first.show(truth);
@@ -192,7 +193,7 @@ TEST_CASE("the same events give the same estimates to the bit") {
 }
 
 TEST_CASE("a size model with impossible sizes is clamped, and does not crash the tracker") {
-  PipelineParams params = preset_params(Preset::kCorrelation);
+  PuckPipelineParams params = correlation_params();
   for (const PuckSizeModel& model :
        {PuckSizeModel{1e9, 0, 0, 1e9, 0, 0}, PuckSizeModel{-50, 0, 0, -50, 0, 0},
         PuckSizeModel{std::nan(""), 0, 0, std::nan(""), 0, 0}}) {
@@ -208,7 +209,7 @@ TEST_CASE("a size model with impossible sizes is clamped, and does not crash the
 }
 
 TEST_CASE("the puck is followed to the image's border and the region stays inside the image") {
-  Scene scene(preset_params(Preset::kCorrelation));
+  Scene scene(correlation_params());
   for (int i = 0; i <= 330; ++i) {
     const PuckEstimate estimate = scene.show({320 + 1.0 * i, 190});
     const Region inside = estimate.region.intersect(Region::all_of(kSensor));
@@ -218,7 +219,7 @@ TEST_CASE("the puck is followed to the image's border and the region stays insid
 }
 
 TEST_CASE("an estimate names its region: ROI_d first, then ROI_t around the puck") {
-  Scene scene(preset_params(Preset::kReference));
+  Scene scene(reference_params());
   CHECK(scene.show({300, 190}).region == Region{60, 150, 500, 80});
   const Region first = scene.show({300, 190}).region;
   CHECK(first.width == 49);
@@ -229,7 +230,7 @@ TEST_CASE("an estimate names its region: ROI_d first, then ROI_t around the puck
 }
 
 TEST_CASE("a detection region outside the sensor is refused") {
-  PipelineParams params = preset_params(Preset::kReference);
+  PuckPipelineParams params = reference_params();
   params.detector.region = {700, 10, 20, 20};
   CHECK_THROWS_AS(PuckPipeline(kSensor, params, kSizeModel), std::invalid_argument);
 }

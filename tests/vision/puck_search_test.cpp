@@ -15,13 +15,11 @@ using test::kSensor;
 using test::kSizeModel;
 
 PuckSearch search_of(Preset preset) {
-  const PipelineParams params = preset_params(preset);
-  return PuckSearch(kSensor, params, kSizeModel);
+  return PuckSearch(kSensor, search_params(preset_params(preset)), kSizeModel);
 }
 
 SearchResult search_for_puck_at(Pixel truth, const Region& where, Preset preset) {
-  const PipelineParams params = preset_params(preset);
-  Surface surface(kSensor, params.eros);
+  Surface surface(kSensor, search_params(preset_params(preset)).eros);
   surface.update(
       EventPacket{{7000}, test::contour_events(kSensor, truth, kSizeModel.at(truth), 200)});
   PuckSearch search = search_of(preset);
@@ -53,9 +51,9 @@ TEST_CASE("a search finds the puck anywhere, and gives the same on a part of the
 TEST_CASE("a puck with another side wall than calibrated is found by a search for it") {
   for (const double calibrated : {0.0, 0.165}) {
     CAPTURE(calibrated);
-    PipelineParams params = preset_params(Preset::kDefault);
+    HypothesesParams params = default_params();
     params.contour.wall_share = calibrated;
-    const PuckContour contour(kSensor, kSizeModel, params.contour, true);
+    const PuckContour contour(kSensor, kSizeModel, params.contour);
     PuckSearch search(kSensor, params, kSizeModel);
     for (const Pixel truth : {Pixel{200, 60}, {320, 190}, {330, 400}}) {
       CAPTURE(truth.x);

@@ -18,11 +18,7 @@ constexpr PuckSizeModel kTablePlane{20, 0, 0.1, 7, 0, 0.1};
 constexpr PuckSizeModel kModelOfRow140{34, 0, 0, 21, 0, 0};
 constexpr ContourCalibration kAsAnnotated{0, 0, 0};
 
-SoftRing ring_with(const PuckSizeModel& model, bool sheared) {
-  SoftRingParams params;
-  params.sheared = sheared;
-  return {kSensor, params, model, kAsAnnotated};
-}
+SoftRing ring_with(const PuckSizeModel& model) { return {kSensor, {}, model, kAsAnnotated}; }
 
 double error_px(const SoftRing::Fit& fit, Pixel truth) {
   return std::hypot(fit.position.x - truth.x, fit.position.y - truth.y);
@@ -34,7 +30,7 @@ TEST_CASE("a ring is fitted where its picture lies in the image") {
   const Pixel truth{319.8, 140.3};
   const auto picture = test::draw_ring(80, 60, {{truth.x - 280, truth.y - 110}, 17, 10.5, 0});
   const SoftRing::Fit fit =
-      ring_with(kModelOfRow140, true).fit(picture.view(), {280, 110, 80, 60}, {319, 141});
+      ring_with(kModelOfRow140).fit(picture.view(), {280, 110, 80, 60}, {319, 141});
   CHECK(error_px(fit, truth) < 0.05);
   CHECK(fit.score > 0.8);
 }
@@ -48,29 +44,18 @@ TEST_CASE("the shear of a puck beside the middle is known from the plane") {
   const auto picture =
       test::draw_ring(100, 60, {{truth.x - 470, truth.y - 110}, semi_x, semi_y, shear});
   const Region place{470, 110, 100, 60};
-  const double sheared = ring_with(kTablePlane, true).fit(picture.view(), place, {519, 140}).score;
-  const double upright = ring_with(kTablePlane, false).fit(picture.view(), place, {519, 140}).score;
+  const double sheared = ring_with(kTablePlane).fit(picture.view(), place, {519, 140}).score;
+  const double upright = ring_with(kModelOfRow140).fit(picture.view(), place, {519, 140}).score;
   CHECK(sheared > upright + 0.05);
 }
 
-TEST_CASE("without a slope there is no plane and no shear") {
-  const auto picture = test::draw_ring(100, 60, {{50, 30}, 17, 10.5, 0});
-  const Region place{540, 410, 100, 60};
-  const SoftRing::Fit sheared =
-      ring_with(kModelOfRow140, true).fit(picture.view(), place, {590, 440});
-  const SoftRing::Fit upright =
-      ring_with(kModelOfRow140, false).fit(picture.view(), place, {590, 440});
-  CHECK(sheared.position == upright.position);
-  CHECK(sheared.score == upright.score);
-}
-
 TEST_CASE("parameters that cannot be are refused with their key") {
-  SoftRingParams params;
-  params.refinement.half_width_px = 0;
+  PeakRefinementParams params;
+  params.half_width_px = 0;
   CHECK_THROWS_WITH_AS(SoftRing(kSensor, params, kModelOfRow140, kAsAnnotated),
                        doctest::Contains("half_width_px"), std::invalid_argument);
   params = {};
-  params.refinement.iterations = 0;
+  params.iterations = 0;
   CHECK_THROWS_WITH_AS(SoftRing(kSensor, params, kModelOfRow140, kAsAnnotated),
                        doctest::Contains("iterations"), std::invalid_argument);
 }

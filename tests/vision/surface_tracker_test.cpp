@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "common/vision/interfaces/event_pieces.h"
+#include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
 #include "tests/vision/puck_picture.h"
 
@@ -55,10 +56,10 @@ class Recorder final : public TrackingPipeline {
 SurfaceTracker tracker_with(Record& record, bool needs_events, std::int64_t period_us,
                             const SearchRequest& search, bool roi_only = false,
                             std::int64_t search_delay_us = 0) {
-  PipelineParams params = preset_params(Preset::kCorrelation);
-  params.roi_only = roi_only;
-  params.search_delay_us = search_delay_us;
-  params.follows_contour = true;  // so that recent pixels are recorded
+  PipelineParams params = default_params();  // so that recent pixels are recorded
+  if (roi_only) params = correlation_params();
+  if (roi_only) std::get<PuckPipelineParams>(params).roi_only = true;
+  search_params(params).search_delay_us = search_delay_us;
   return SurfaceTracker(kSmallSensor, params, kSmallSizeModel,
                         std::make_unique<Recorder>(record, needs_events, period_us, search));
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,8 +13,6 @@
 #include "common/io/contour_calibration_file.h"
 #include "common/io/size_model_file.h"
 #include "common/io/truth_file.h"
-#include "common/vision/hypotheses/evidence_pipeline.h"
-#include "common/vision/paper/puck_detector.h"
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
 
@@ -103,7 +100,7 @@ EvidencePackets collect_evidence(const EvidenceSource& source, EventFileOptions 
   check_recording_exists(source.recording);
   const PuckSizeModel size_model = read_size_model_file(source.size_model);
   file.fallback_sensor = size_model.sensor;
-  PipelineParams params = preset_params(Preset::kDefault);
+  HypothesesParams params = default_params();
   params.contour = read_contour_calibration(source.size_model).value_or(ContourCalibration{});
   Collector collector(source, TruthTrack(read_truth_file(source.truth)));
   const auto events = open_event_file(source.recording, file);
@@ -112,15 +109,10 @@ EvidencePackets collect_evidence(const EvidenceSource& source, EventFileOptions 
   for (const std::string& doubt : doubts_about(sizes, sensor)) {
     std::fprintf(stderr, "puck-calibrate: %s: %s\n", source.size_model.c_str(), doubt.c_str());
   }
-  const EvidencePipelineParams explorer{
-      .calibration = params.contour,
-      .explores = true,
-      .on_packet = [&](const Hypothesis& hypothesis, const GameTraits& game) {
-        collector.add(hypothesis, game);
-      }};
-  SurfaceTracker tracker(sensor, params, size_model,
-                         std::make_unique<EvidencePipeline>(
-                             sensor, explorer, detection_region(sensor, params.detector), sizes));
+  params.on_packet = [&](const Hypothesis& hypothesis, const GameTraits& game) {
+    collector.add(hypothesis, game);
+  };
+  SurfaceTracker tracker(sensor, params, size_model);
   EventPacket packet;
   while (events->read(packet, EventReader::kUsualEvents)) tracker.update(packet);
   return collector.take_result();

@@ -125,7 +125,8 @@ bool evaluate(const EvaluateOptions& options) {
   if (options.replay && setup.algorithm != Algorithm::kPuck) {
     throw std::invalid_argument("--replay needs algorithm puck, the only one of puck-tracker");
   }
-  warn(doubts_about(setup.pipeline_params().sizes_of(setup.size_model), events->sensor_size()));
+  warn(doubts_about(search_params(setup.pipeline_params()).sizes_of(setup.size_model),
+                    events->sensor_size()));
   if (!options.detection_region.empty()) {
     setup.detection_region = parse_region(options.detection_region);
   }

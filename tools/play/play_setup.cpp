@@ -15,7 +15,7 @@ PlaySetup default_setup(const std::filesystem::path& calibration) {
     setup.bridge.motion = with_constants(setup.bridge.motion, *setup.table.motion);
   }
   setup.arm.track.camera_is_real = false;
-  setup.tracker = preset_params(Preset::kDefault);
+  setup.tracker = default_params();
   setup.tracker.contour = read_contour_calibration(size_file).value_or(ContourCalibration{});
   setup.size_model = read_size_model_file(size_file);
   return setup;

@@ -29,7 +29,7 @@ struct PlaySetup {
   TableCalibration table{Homography({1, 0, 0, 0, 1, 0, 0, 0, 1}), {}};
   PlayBridgeParams bridge;
   ArmControllerParams arm;
-  PipelineParams tracker;
+  HypothesesParams tracker;
   PuckSizeModel size_model;
   EstimateSource source = EstimateSource::kTruth;
   EstimateErrorParams errors;

@@ -27,16 +27,15 @@ double ContourRing::outside_area(double half_width_px, double reach_px) const {
 }
 
 PuckContour::PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
-                         const ContourCalibration& calibration, bool sheared)
+                         const ContourCalibration& calibration)
     : sensor_(sensor),
       size_model_(size_model),
       calibration_(calibration),
       other_wall_share_(calibration.other_wall_share(size_model)),
       middle_column_((sensor.width - 1) / 2.0),
-      tangent_of_twice_lean_(std::tan(2 * calibration.lean_deg * std::numbers::pi / 180)),
-      sheared_(sheared && size_model.is_plane()) {
+      tangent_of_twice_lean_(std::tan(2 * calibration.lean_deg * std::numbers::pi / 180)) {
   // On a plane a disc's width shrinks linearly to zero at the horizon.
-  if (sheared_) horizon_row_ = size_model.horizon_row(middle_column_);
+  if (size_model.is_plane()) horizon_row_ = size_model.horizon_row(middle_column_);
 }
 
 ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
@@ -52,8 +51,8 @@ ContourRing PuckContour::ring_at(Pixel centre, double wall_share) const {
   if (share < 0) {
     ring.half_wall = std::clamp(-share * width / 2, 0.0, ring.semi_y - kSmallestSemi_px);
   }
-  const double below_horizon = centre.y - horizon_row_;
-  if (sheared_ && below_horizon > width) {
+  const double below_horizon = centre.y - horizon_row_.value_or(centre.y);
+  if (horizon_row_ && below_horizon > width) {
     // The shear applies to the disc, not to the wall below it.
     const double disc_height = silhouette - size_model_.wall_of_width() * width;
     const double drawn_out = height - 2 * ring.half_wall;

@@ -97,7 +97,7 @@ struct ContourRing {
 class PuckContour {
  public:
   PuckContour(SensorSize sensor, const PuckSizeModel& size_model,
-              const ContourCalibration& calibration, bool sheared);
+              const ContourCalibration& calibration);
 
   /// `wall_share`: height that the ring lacks, as a share of its width, because the puck's side
   /// wall makes no events; below 0 if the ring is taller because the annotations leave the wall
@@ -139,9 +139,8 @@ class PuckContour {
   ContourCalibration calibration_;
   double other_wall_share_ = 0;
   double middle_column_ = 0;
-  double horizon_row_ = 0;
+  std::optional<double> horizon_row_;  // of a plane
   double tangent_of_twice_lean_ = 0;
-  bool sheared_ = false;
 };
 
 }  // namespace puck

@@ -15,17 +15,16 @@ constexpr double kFarShift_px = 0.5;
 
 }  // namespace
 
-SoftRing::SoftRing(SensorSize sensor, const SoftRingParams& params, const PuckSizeModel& size_model,
-                   const ContourCalibration& calibration, bool other_wall)
-    : refinement_(params.refinement),
-      contour_(sensor, size_model, calibration, params.sheared),
-      other_wall_(other_wall) {
+SoftRing::SoftRing(SensorSize sensor, const PeakRefinementParams& refinement,
+                   const PuckSizeModel& size_model, const ContourCalibration& calibration,
+                   bool other_wall)
+    : refinement_(refinement), contour_(sensor, size_model, calibration), other_wall_(other_wall) {
   if (!(refinement_.half_width_px > 0)) {
-    throw std::invalid_argument("tracker.ring.refinement.half_width_px must be above 0, got " +
+    throw std::invalid_argument("ring.half_width_px must be above 0, got " +
                                 std::to_string(refinement_.half_width_px));
   }
   if (refinement_.iterations < 1) {
-    throw std::invalid_argument("tracker.ring.refinement.iterations must be at least 1, got " +
+    throw std::invalid_argument("ring.iterations must be at least 1, got " +
                                 std::to_string(refinement_.iterations));
   }
 }

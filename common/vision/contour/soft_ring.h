@@ -12,15 +12,8 @@
 
 namespace puck {
 
-/// The soft ring at the true contour, which finishes what the kernels' hard rings begin.
-struct SoftRingParams {
-  bool enabled = false;
-  /// The ring is sheared as the table's perspective asks, where the size model has a slope.
-  bool sheared = true;
-  PeakRefinementParams refinement;
-};
-
-/// Measures a puck's place to a fraction of a pixel, and how much it looks like a puck.
+/// The soft ring at the true contour, which finishes what the kernels' hard rings begin: measures a
+/// puck's place to a fraction of a pixel, and how much it looks like a puck.
 class SoftRing {
  public:
   struct Fit {
@@ -31,8 +24,9 @@ class SoftRing {
   };
 
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
-  SoftRing(SensorSize sensor, const SoftRingParams& params, const PuckSizeModel& size_model,
-           const ContourCalibration& calibration, bool other_wall = false);
+  SoftRing(SensorSize sensor, const PeakRefinementParams& refinement,
+           const PuckSizeModel& size_model, const ContourCalibration& calibration,
+           bool other_wall = false);
 
   /// Begins at `start`, which should be at most about a pixel off. `place` is where the picture, a
   /// surface as it was copied, lies in the image.

@@ -32,9 +32,8 @@ EvidencePipeline::EvidencePipeline(SensorSize sensor, const EvidencePipelinePara
                                    const Region& detection_region, const PuckSizeModel& size_model)
     : sensor_(sensor),
       detection_region_(detection_region),
-      explores_(params.explores),
       on_packet_(params.on_packet),
-      context_{.contour = PuckContour(sensor, size_model, params.calibration, true),
+      context_{.contour = PuckContour(sensor, size_model, params.calibration),
                .filter = {},
                .evidence = params.evidence,
                .decision = params.decision,
@@ -394,7 +393,7 @@ void EvidencePipeline::plan_search(std::int64_t time_us) {
   constexpr std::int64_t kNearPeriod_us = 5'000;
   constexpr std::int64_t kWidePeriod_us = 20'000;
   constexpr double kReaches = 4;
-  if (!missed_in_.empty() || time_us < next_search_us_ || (is_sure() && !explores_)) return;
+  if (!missed_in_.empty() || time_us < next_search_us_ || (is_sure() && !on_packet_)) return;
   next_search_us_ = time_us + kNearPeriod_us;
   const Region image = Region::all_of(sensor_);
   wanted_ = {.fresh_only = true};
@@ -532,7 +531,7 @@ void EvidencePipeline::prune(std::int64_t time_us) {
     const std::int64_t age_us = time_us - hypothesis.born_us();
     bool gone = is_outside(hypothesis);
     if (gone && i == main_) left_image_ = nearest_in_image(hypothesis.filter().position(), sensor_);
-    gone |= explores_ && age_us > kExplored_us;
+    gone |= on_packet_ && age_us > kExplored_us;
     if (i != main_) {
       gone |= age_us > params.settled_us && hypothesis.belief().odds() < kHopeless;
       gone |= time_us - hypothesis.heard_us() >

@@ -17,17 +17,15 @@
 namespace puck {
 
 /// Called with a hypothesis whose packet() has just become full, and the game's traits at that
-/// time.
+/// time: for examples of evidence.
 using PacketObserver = std::function<void(const Hypothesis&, const GameTraits&)>;
 
 struct EvidencePipelineParams {
   ContourCalibration calibration;
   EvidenceParams evidence;
   DecisionParams decision;
-  /// Examines everything that resembles a puck: searches all the time and removes each hypothesis
-  /// after 0.1 s.
-  bool explores = false;
-  /// For every full packet of every hypothesis; may be empty.
+  /// If set, the tracker examines everything that resembles a puck: it searches all the time and
+  /// removes each hypothesis after 0.1 s.
   PacketObserver on_packet;
 };
 
@@ -83,7 +81,6 @@ class EvidencePipeline final : public TrackingPipeline {
 
   SensorSize sensor_;
   Region detection_region_;
-  bool explores_;
   PacketObserver on_packet_;
   TrackingContext context_;
   bool has_wall_;  // which may make events or not

@@ -18,6 +18,8 @@ constexpr double kTelling_sigma = 1.5;
 constexpr double kKnownTone = 0.4;
 constexpr double kToneMass = 5;
 constexpr double kLargestGate_px = 5;
+// Events after their pixels' first ones between two decisions, of more some stand for all.
+constexpr int kMostRepeats = 50;
 // Time constants of the speed: of a puck that is seen, and of one that is not.
 constexpr double kSeenDamping_s = 1;
 constexpr double kUnseenDamping_s = 0.1;
@@ -123,6 +125,8 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
     const double dx = event.x - filter_.position().x - ahead_s * velocity.x;
     const double dy = event.y - filter_.position().y - ahead_s * velocity.y;
     if (std::abs(dx) > reach_x || std::abs(dy + ring_.rise) > reach_y) continue;
+    if (!event.first && ++repeats_ % stride_ != 0) continue;
+    const int count = event.first ? 1 : stride_;
     if (ahead_us >= kPredicted_us) filter_.predict(event.time_us, damping);
     const ContourOffset offset = ring_.offset(dx, dy, filter_.growth_px());
     const double normal_speed =
@@ -138,9 +142,9 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
     // evidence for a puck.
     const double plain = distance + std::max(filter_.growth_px() - filter_.slack_px(), 0.0);
     const bool on_ring = std::abs(plain) < EvidencePacket::kBand_px;
-    if (!on_ring) beside_ += 1;
+    if (!on_ring) beside_ += count;
     if (!event.first) {
-      if (on_ring) open_.ring_repeats += 1;
+      if (on_ring) open_.ring_repeats += count;
     } else if (on_ring) {
       open_.ring += 1;
       open_.sectors[static_cast<std::size_t>(offset.sector)] += 1;
@@ -151,7 +155,7 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
     } else {
       (plain < 0 ? open_.inside : open_.outside) += 1;
     }
-    counted_ += 1;
+    counted_ += count;
     if (tells && (contrast > 0 ? tone : -tone) < -kKnownTone) continue;
     if (is_beyond_gate(distance, offset, params)) continue;
     // Probability that the event is of the contour: as many as its speed, or the error of that,
@@ -159,7 +163,7 @@ void Hypothesis::take(std::span<const TimedEvent> events, const TrackingContext&
     const double variance = filter_.speed_variance(offset.normal_x, offset.normal_y);
     const double speed = std::sqrt(std::max(normal_speed * normal_speed + variance, 0.0));
     const double own = density_all * speed / (2 * EvidencePacket::kBand_px);
-    filter_.correct(distance, offset.normal_x, offset.normal_y, own / (own + clutter));
+    filter_.correct(distance, offset.normal_x, offset.normal_y, count * own / (own + clutter));
   }
 }
 
@@ -178,6 +182,8 @@ bool Hypothesis::decide(std::int64_t time_us, const TrackingContext& context) {
   follow_contour(context);
   const double seconds = static_cast<double>(time_us - decided_us_) * 1e-6;
   decided_us_ = time_us;
+  stride_ = 1 + repeats_ / kMostRepeats;
+  repeats_ = 0;
   recent_events_ = counted_;
   counted_ = 0;
   open_.seconds += seconds;

@@ -127,6 +127,10 @@ class Hypothesis {
   std::int64_t heard_us_;
   int packets_ = 0;
   double recent_events_ = 0;
+  // A pixel's events after its first say little more of an edge: where there are many, one stands
+  // for so many.
+  int stride_ = 1;
+  int repeats_ = 0;  // since the last decision
   // Since the last decision: events near the contour, and those of them that are not on it.
   double counted_ = 0;
   double beside_ = 0;

@@ -19,7 +19,7 @@ struct SearchRequest {
   /// Searches for a puck with the opposite assumption on whether its side wall makes events
   /// (ContourCalibration::other_wall_share): its contour has another height.
   bool other_wall = false;
-  /// Uses only recently active edges (FreshPixels), if available (PipelineParams::follows_contour).
+  /// Uses only recently active edges (FreshPixels), where the caller keeps them.
   bool fresh_only = false;
 
   friend bool operator==(const SearchRequest&, const SearchRequest&) = default;

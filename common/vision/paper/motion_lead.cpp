@@ -7,7 +7,6 @@
 namespace puck {
 
 void EdgeTrail::learn(double spread_px, double speed_px_s, Timestamp time) {
-  if (!params_.enabled) return;
   const double elapsed_ms = static_cast<double>(time - learned_at_) * 1e-3;
   learned_at_ = time;
   const double blur_px = params_.blur_us * 1e-6 * speed_px_s;
@@ -19,12 +18,11 @@ void EdgeTrail::learn(double spread_px, double speed_px_s, Timestamp time) {
 }
 
 LedPosition lead_forward(Pixel position, PixelVelocity velocity,
-                         const std::array<double, 16>& covariance, double lag_us,
-                         double trail, const MotionLeadParams& params) {
+                         const std::array<double, 16>& covariance, double lag_us, double trail,
+                         const MotionLeadParams& params) {
   LedPosition led{position, covariance};
   if (!params.enabled) return led;
-  const double per_speed =
-      1 / std::hypot(std::hypot(velocity.x, velocity.y), params.slow_px_s);
+  const double per_speed = 1 / std::hypot(std::hypot(velocity.x, velocity.y), params.slow_px_s);
   const double longer = 1 + params.trail_gain * trail;
   const double lead_s =
       (lag_us + longer * params.edge_us) * 1e-6 + longer * params.edge_px * per_speed;

@@ -8,8 +8,6 @@
 namespace puck {
 
 struct EdgeTrailParams {
-  /// Off: the trail is taken to be that of a dark puck.
-  bool enabled = false;
   /// How widely the ring's grey is spread across the contour where pucks make many events a pixel,
   /// clutter included, px …
   double short_px = 0.85;
@@ -70,7 +68,7 @@ struct LedPosition {
 /// Moves a position forward to where the puck is by now. `lag_us`: the sensor's. `trail`:
 /// EdgeTrail::length. What is not known of velocity and lags goes into the covariance.
 LedPosition lead_forward(Pixel position, PixelVelocity velocity,
-                         const std::array<double, 16>& covariance, double lag_us,
-                         double trail, const MotionLeadParams& params);
+                         const std::array<double, 16>& covariance, double lag_us, double trail,
+                         const MotionLeadParams& params);
 
 }  // namespace puck

@@ -70,11 +70,10 @@ PuckPipelineParams correlation_params() {
   // Small, because the prediction centres it.
   params.tracker.region_factor = 2;
   params.tracker.sub_pixel = true;
-  params.tracker.ring.enabled = true;
+  params.ring.emplace();
   params.motion.measurement_sigma_px = 0.2;
   params.motion.surprise_sigmas = 6;
   params.lead.enabled = true;
-  params.trail.enabled = true;
   params.loss.lowest_score = 0.55;
   params.loss.lowest_start_score = 0.6;
   params.loss.search_period_us = 3'000;

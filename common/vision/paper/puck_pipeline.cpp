@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "common/vision/correlation/gaussian_blur.h"
 #include "common/vision/geometry/image_bounds.h"
 
 namespace puck {
@@ -19,27 +20,13 @@ double speed_of(PixelVelocity velocity) { return std::hypot(velocity.x, velocity
 
 }  // namespace
 
-SurfaceParams PuckPipelineParams::surface_params() const {
-  switch (surface) {
-    case SurfaceKind::kEros:
-      break;
-    case SurfaceKind::kTos:
-      return TosParams{};
-    case SurfaceKind::kSits:
-      return SitsParams{};
-    case SurfaceKind::kSae:
-      return SaeParams{};
-  }
-  return eros;
-}
-
 PuckPipeline::PuckPipeline(SensorSize sensor, const PuckPipelineParams& params,
                            const PuckSizeModel& size_model)
     : sensor_(sensor),
       params_(params),
       size_model_(size_model),
       kernels_(params.kernels),
-      tracker_(sensor, params.tracker, size_model, params.contour),
+      tracker_(sensor, params.tracker, size_model, params.make_ring(sensor, size_model)),
       motion_(params.motion),
       trail_(params.trail),
       detection_region_(detection_region(sensor, params.detector)) {

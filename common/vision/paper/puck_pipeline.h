@@ -5,17 +5,14 @@
 #include <span>
 
 #include "common/events/sensor_size.h"
-#include "common/vision/contour/contour_calibration.h"
-#include "common/vision/correlation/gaussian_blur.h"
 #include "common/vision/correlation/kernel_bank.h"
 #include "common/vision/geometry/puck_size_model.h"
 #include "common/vision/interfaces/puck_estimate.h"
 #include "common/vision/interfaces/tracking_pipeline.h"
 #include "common/vision/paper/motion_lead.h"
 #include "common/vision/paper/pixel_motion.h"
-#include "common/vision/paper/puck_detector.h"
 #include "common/vision/paper/puck_tracker.h"
-#include "common/vision/surface/surface.h"
+#include "common/vision/paper/search_params.h"
 
 namespace puck {
 
@@ -37,35 +34,16 @@ struct LossParams {
   double search_growth_px_s = 3'000;
 };
 
-/// Settings of the paper's method and of what refines it, with the surface that it reads.
-struct PuckPipelineParams {
-  ErosParams eros;
-  /// EROS has the settings above, the others have the defaults of SurfaceParams.
-  SurfaceKind surface = SurfaceKind::kEros;
-  SurfaceParams surface_params() const;
+/// Settings of the paper's method and of what refines it.
+struct PuckPipelineParams : SearchParams {
   /// While there is a track, only the next step's region of the surface is kept up to date: an
   /// optimisation that the paper names but did not test. Elsewhere no puck can be found then.
   bool roi_only = false;
-  /// Offline (SurfaceTracker): sensor time from a search's snapshot to its result, µs. Live, the
-  /// result comes when the search is done.
-  std::int64_t search_delay_us = 0;
-  KernelBankParams kernels;
-  DetectorParams detector;
   TrackerParams tracker;
   PixelMotionParams motion;
   LossParams loss;
   MotionLeadParams lead;
   EdgeTrailParams trail;
-  /// Of the followed contour and of the correlation's soft ring.
-  ContourCalibration contour;
-  /// Puck sizes are those of a disc in perspective, where calibrated; otherwise, as in the paper,
-  /// those of Equation (2).
-  bool sizes_by_disc = false;
-  /// The size model in use.
-  PuckSizeModel sizes_of(PuckSizeModel model) const {
-    if (!sizes_by_disc) model.disc.reset();
-    return model;
-  }
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
   /// the filtered position is published.
   bool predicts = false;

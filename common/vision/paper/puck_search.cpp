@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/vision/correlation/gaussian_blur.h"
+
 namespace puck {
 namespace {
 
@@ -13,19 +15,18 @@ PuckSizeModel lowered(PuckSizeModel model, double share_of_width) {
 
 }  // namespace
 
-PuckSearch::Look::Look(SensorSize sensor, const PuckPipelineParams& params,
+PuckSearch::Look::Look(SensorSize sensor, const SearchParams& params,
                        const PuckSizeModel& size_model, double kernel_wall_share, bool other_wall)
     : contour_size(lowered(size_model, kernel_wall_share)),
       rise_of_width(kernel_wall_share / 2),
       detector(params.detector, contour_size),
-      ring(sensor, params.tracker.ring, size_model, params.contour, other_wall) {}
+      ring(params.make_ring(sensor, size_model, other_wall)) {}
 
 // The kernels of the calibrated wall have the puck's size, as in the paper.
-PuckSearch::PuckSearch(SensorSize sensor, const PuckPipelineParams& params,
+PuckSearch::PuckSearch(SensorSize sensor, const SearchParams& params,
                        const PuckSizeModel& size_model)
     : sensor_(sensor),
       kernels_(params.kernels),
-      has_ring_(params.tracker.ring.enabled),
       calibrated_(sensor, params, params.sizes_of(size_model), 0, false),
       other_wall_(sensor, params, params.sizes_of(size_model),
                   params.contour.other_wall_share(params.sizes_of(size_model)), true) {}
@@ -57,9 +58,9 @@ SearchCandidate PuckSearch::candidate_at(const SurfaceSnapshot& snapshot, Look& 
                                          Pixel detected) {
   const PuckSize size = look.contour_size.at(detected);
   const Pixel centre{detected.x, detected.y + look.rise_of_width * size.width};
-  if (has_ring_) {
+  if (look.ring) {
     // As the tracker's step: finer, and with the tracker's score.
-    const SoftRing::Fit fit = look.ring.fit(snapshot.grey.view(), snapshot.region, centre);
+    const SoftRing::Fit fit = look.ring->fit(snapshot.grey.view(), snapshot.region, centre);
     return {fit.position, fit.score};
   }
   // The contrast is comparable between presets, unlike the detection kernel's response.

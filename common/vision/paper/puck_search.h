@@ -1,14 +1,13 @@
 #pragma once
 
+#include <optional>
+
 #include "common/events/sensor_size.h"
-#include "common/vision/contour/soft_ring.h"
 #include "common/vision/correlation/correlation.h"
-#include "common/vision/correlation/gaussian_blur.h"
 #include "common/vision/correlation/kernel_bank.h"
 #include "common/vision/geometry/puck_size_model.h"
 #include "common/vision/interfaces/tracking_pipeline.h"
-#include "common/vision/paper/puck_detector.h"
-#include "common/vision/paper/puck_pipeline.h"
+#include "common/vision/paper/search_params.h"
 #include "common/vision/surface/surface_snapshot.h"
 
 namespace puck {
@@ -17,9 +16,9 @@ namespace puck {
 /// gives the same result, to the bit. One thread at a time.
 class PuckSearch {
  public:
-  /// Uses the tracker's kernels and ring. Throws std::invalid_argument, naming the key, when a
+  /// Throws std::invalid_argument, naming the key, when a
   /// parameter is out of range.
-  PuckSearch(SensorSize sensor, const PuckPipelineParams& params, const PuckSizeModel& size_model);
+  PuckSearch(SensorSize sensor, const SearchParams& params, const PuckSizeModel& size_model);
 
   /// The part of the surface that a search of `search` needs: with the reach of kernels on its
   /// border and that of the blur.
@@ -31,20 +30,19 @@ class PuckSearch {
  private:
   /// Appearance of a puck under one of the two assumptions on its side wall.
   struct Look {
-    Look(SensorSize sensor, const PuckPipelineParams& params, const PuckSizeModel& size_model,
+    Look(SensorSize sensor, const SearchParams& params, const PuckSizeModel& size_model,
          double kernel_wall_share, bool other_wall);
 
     PuckSizeModel contour_size;  ///< Of the contour that the kernels show.
     double rise_of_width;        ///< Height of its centre above the puck's.
     PuckDetector detector;
-    SoftRing ring;
+    std::optional<SoftRing> ring;
   };
 
   SearchCandidate candidate_at(const SurfaceSnapshot& snapshot, Look& look, Pixel detected);
 
   SensorSize sensor_;
   KernelBank kernels_;
-  bool has_ring_;
   Look calibrated_;
   Look other_wall_;
   Correlation picture_;

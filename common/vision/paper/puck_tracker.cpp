@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace puck {
 namespace {
@@ -23,11 +24,8 @@ double parabola_offset(double before, double middle, double after) {
 }  // namespace
 
 PuckTracker::PuckTracker(SensorSize sensor, const TrackerParams& params,
-                         const PuckSizeModel& size_model, const ContourCalibration& calibration)
-    : sensor_(sensor),
-      params_(params),
-      size_model_(size_model),
-      ring_(sensor, params.ring, size_model, calibration) {
+                         const PuckSizeModel& size_model, std::optional<SoftRing> ring)
+    : sensor_(sensor), params_(params), size_model_(size_model), ring_(std::move(ring)) {
   const auto require_positive = [](const char* key, double value) {
     if (!(value > 0)) {
       throw std::invalid_argument(std::string(key) + " must be above 0, got " +
@@ -89,8 +87,8 @@ PuckTracker::Step PuckTracker::step(const SurfaceSnapshot& surface, const Region
       result.position.y += parabola_offset(r(x, y - 1), r(x, y), r(x, y + 1));
     }
   }
-  if (params_.ring.enabled) {
-    const SoftRing::Fit fit = ring_.fit(surface.grey.view(), surface.region, result.position);
+  if (ring_) {
+    const SoftRing::Fit fit = ring_->fit(surface.grey.view(), surface.region, result.position);
     result.position = fit.position;
     result.score = fit.score;
     result.spread_px = fit.spread_px;

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "common/events/sensor_size.h"
-#include "common/vision/contour/contour_calibration.h"
 #include "common/vision/contour/soft_ring.h"
 #include "common/vision/correlation/correlation.h"
 #include "common/vision/correlation/kernel_bank.h"
@@ -37,8 +36,6 @@ struct TrackerParams {
   bool quantised = false;
   /// A parabola through the peak's neighbours places it between pixels.
   bool sub_pixel = false;
-  /// A soft ring at the true contour refines the peak between pixels; its score is then the step's.
-  SoftRingParams ring;
   MeasurementNoiseParams noise;
 };
 
@@ -55,9 +52,10 @@ class PuckTracker {
     double spread_px = 0;                   ///< The soft ring's.
   };
 
-  /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
+  /// `ring`, if any, refines the peak between pixels; its score is then the step's. Throws
+  /// std::invalid_argument, naming the key, when a parameter is out of range.
   PuckTracker(SensorSize sensor, const TrackerParams& params, const PuckSizeModel& size_model,
-              const ContourCalibration& calibration);
+              std::optional<SoftRing> ring);
 
   /// ROI_t around a position, not cut off at the sensor's border, but never larger than the sensor.
   Region whole_region_around(Pixel position, const KernelBank& bank) const;
@@ -81,7 +79,7 @@ class PuckTracker {
   SensorSize sensor_;
   TrackerParams params_;
   PuckSizeModel size_model_;
-  SoftRing ring_;
+  std::optional<SoftRing> ring_;
   Correlation picture_;
   CorrelationMap map_;
   GaussianTable columns_;

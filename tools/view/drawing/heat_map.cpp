@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/vision/presets.h"
+#include "common/vision/paper/paper_presets.h"
 
 namespace puck {
 namespace {
@@ -13,8 +13,8 @@ constexpr int kBand_px = 8;
 }  // namespace
 
 HeatMap::HeatMap(const PuckSizeModel& size_model)
-    : size_model_(preset_params(Preset::kCorrelation).sizes_of(size_model)),
-      kernels_(preset_params(Preset::kCorrelation).kernels) {}
+    : size_model_(correlation_params().sizes_of(size_model)),
+      kernels_(correlation_params().kernels) {}
 
 void HeatMap::fill(const Image<std::uint8_t>& surface, Image<std::uint8_t>& heat) {
   const Region all{0, 0, surface.width(), surface.height()};

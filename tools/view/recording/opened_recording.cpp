@@ -59,8 +59,7 @@ OpenedRecording::OpenedRecording(const RecordingOptions& options) : options_(opt
   find_size_model();
   find_first();
   if (size_model_) {
-    const PipelineParams params = preset_params(Preset::kDefault);
-    for (std::string& doubt : doubts_about(params.sizes_of(*size_model_), sensor_)) {
+    for (std::string& doubt : doubts_about(default_params().sizes_of(*size_model_), sensor_)) {
       warn(std::move(doubt));
     }
   }
