@@ -25,7 +25,7 @@ void LiveSurface::update(const EventPacket& packet, std::int64_t now_us) {
 
 void LiveSurface::fill(ViewScene& scene, std::int64_t now_us) {
   wanted_us_ = now_us;
-  if (!surface_) surface_.emplace(sensor_, preset_params(Preset::kDefault).surface_params());
+  if (!surface_) surface_.emplace(sensor_, default_params().surface_params());
   surface_->snapshot(Region::all_of(sensor_), snapshot_);
   scene.surface = snapshot_.grey;
 }

@@ -25,12 +25,13 @@ std::int64_t us_of(const Call& call) {
 }  // namespace
 
 SideRun::SideRun(const OpenedRecording& recording, const std::string& name)
-    : recording_(recording), surface_(preset_params(Preset::kDefault).surface_params()) {
+    : recording_(recording), surface_(default_params().surface_params()) {
   const std::optional<TrackerSetup> setup = recording.setup_of(name);
   if (name != kNoTracker) track_.name = name;
   if (!setup) return;
   tracker_ = setup->make(recording.sensor());
-  if (setup->algorithm == Algorithm::kPuck) surface_ = setup->pipeline_params().surface_params();
+  if (setup->algorithm == Algorithm::kPuck)
+    surface_ = search_params(setup->pipeline_params()).surface_params();
   if (recording.table() != nullptr) table_.emplace(*recording.table(), recording.sensor());
 }
 
