@@ -17,8 +17,12 @@ class NoiseFloor {
  public:
   explicit NoiseFloor(SensorSize sensor);
 
-  /// Takes an event of anywhere in the image.
-  void take(int x, int y) { ++counts_[cells_.cell_of(x, y)]; }
+  /// Takes an event of anywhere in the image. Returns its cell.
+  std::size_t take(int x, int y) {
+    const std::size_t cell = cells_.cell_of(x, y);
+    ++counts_[cell];
+    return cell;
+  }
 
   /// To be called at each decision. Of times without decisions, and of a moment after them, nothing
   /// is learned.
@@ -26,6 +30,7 @@ class NoiseFloor {
 
   /// Events of a pixel in a µs; 0 while it is not known.
   double per_pixel_us() const { return rate_; }
+  double per_cell_us() const { return rate_ * pixels_a_cell_; }
 
  private:
   void learn();
