@@ -38,7 +38,7 @@ export class Player {
   }
 
   seek(seconds) {
-    const last = this.timeline ? this.timeline.seconds : Infinity;
+    const last = this.timeline?.seconds || Infinity;
     return this.send('seek', { value: Math.min(Math.max(seconds, 0), last) });
   }
 
@@ -61,6 +61,8 @@ export class Player {
     else if (activity === 'ended') text += ' end';
     else if (this.isPlaying && speed > 0 && reached < 0.8 * speed) text += ` (${reached.toPrecision(2)} ×)`;
     byId('position').textContent = text;
+    byId('timeline').setAttribute('aria-valuenow', state.seconds.toFixed(1));
+    byId('timeline').setAttribute('aria-valuemax', this.timeline ? this.timeline.seconds.toFixed(1) : 0);
     this.draw();
   }
 
