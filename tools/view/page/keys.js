@@ -26,7 +26,7 @@ export function allKeys(view) {
     ...Object.entries(layerNames).map(([name, [key, meaning]]) => [
       [key], key, meaning, () => view.toggleLayer(name)]),
     [['i'], 'i', 'save the picture as PNG', () => view.savePicture()],
-    [['s'], 's', 'services and channels', () => view.toggleServices()],
+    [['s'], 's', 'services and channels of the live bus', () => view.toggleServices()],
     [['a'], 'a', 'all messages or the first', () => view.toggleMessages()],
     [['d'], 'd', 'dark or light', () => view.toggleTheme()],
     [['?'], '?', 'these keys', () => view.toggleHelp()],

@@ -87,7 +87,10 @@ class View {
     dialog.onclick = () => dialog.close();
   }
 
-  toggleServices() { byId('services').hidden = !byId('services').hidden; }
+  toggleServices() {
+    // A recording has none.
+    byId('services').hidden = byId('services-button').hidden || !byId('services').hidden;
+  }
 
   toggleMessages() {
     this.allMessages = !this.allMessages;
