@@ -52,7 +52,7 @@ class LoggedGame {
   std::optional<ViewTable> table_;
 };
 
-/// What the estimates in a log tell of the camera, the first one's.
+/// What the estimates in a log tell of the camera.
 struct LoggedCamera {
   SensorSize sensor;
   Timestamp first;  ///< Sensor time of the estimate.
