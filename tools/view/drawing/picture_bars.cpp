@@ -16,7 +16,7 @@ namespace {
 constexpr double kBarText_px = 11;
 constexpr double kLegend_px = 9;
 constexpr double kGap_px = 22;
-constexpr double kLegendGap_px = 16;
+constexpr double kLeastLegendGap_px = 8;
 constexpr int kRow_px = 20;
 constexpr int kRowMargin_px = 6;
 constexpr double kBarSide_px = 12;
@@ -91,23 +91,32 @@ void draw_sample(const LegendEntry& entry, double x, double y, Canvas& canvas) {
   }
 }
 
-// With the gap behind it.
 double width_of(const LegendEntry& entry) {
-  return kSample_px + Canvas::text_width(entry.words, kLegend_px) + kLegendGap_px;
+  return kSample_px + Canvas::text_width(entry.words, kLegend_px);
+}
+
+// Narrow if all entries are then in one row.
+double gap_of(const std::vector<LegendEntry>& entries, int width_px) {
+  double total = 1.5 * kBarSide_px;
+  for (const LegendEntry& entry : entries) total += width_of(entry);
+  const double gap =
+      (width_px - total) / static_cast<double>(std::max<std::size_t>(entries.size(), 2) - 1);
+  return gap >= kLeastLegendGap_px ? std::min(gap, kGap_px) : kGap_px;
 }
 
 // The row of each entry.
 std::vector<int> rows_of(const std::vector<LegendEntry>& entries, int width_px) {
   std::vector<int> rows;
+  const double gap = gap_of(entries, width_px);
   int row = 0;
   double x = kBarSide_px;
   for (const LegendEntry& entry : entries) {
-    if (x > kBarSide_px && x + width_of(entry) - kLegendGap_px > width_px) {
+    if (x > kBarSide_px && x + width_of(entry) > width_px) {
       x = kBarSide_px;
       ++row;
     }
     rows.push_back(row);
-    x += width_of(entry);
+    x += width_of(entry) + gap;
   }
   return rows;
 }
@@ -151,6 +160,7 @@ void draw_legend(const std::vector<LegendEntry>& entries, const Palette& palette
   const int top = std::max(0, picture.rows - legend_height_px(entries, picture.cols));
   picture.rowRange(top, picture.rows).setTo(palette.bar);
   const std::vector<int> rows = rows_of(entries, picture.cols);
+  const double gap = gap_of(entries, picture.cols);
   Canvas canvas(picture);
   double x = kBarSide_px;
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -158,7 +168,7 @@ void draw_legend(const std::vector<LegendEntry>& entries, const Palette& palette
     const double y = top + (kRow_px + kRowMargin_px) / 2.0 + rows[i] * kRow_px;
     draw_sample(entries[i], x, y, canvas);
     canvas.text(entries[i].words, {x + kSample_px, y}, kLegend_px, palette.quiet);
-    x += width_of(entries[i]);
+    x += width_of(entries[i]) + gap;
   }
 }
 

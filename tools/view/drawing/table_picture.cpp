@@ -88,6 +88,14 @@ class TableDrawing {
                      .dash_px = doubtful ? 4.0 : 0.0});
   }
 
+  // At the table's upper side.
+  void note(const std::string& words, const cv::Scalar& colour) {
+    const TableGeometry& g = table_.geometry;
+    const double half = (is_upright_ ? g.length_m : g.width_m) / 2 * scale_;
+    canvas_.text(words, middle_ - cv::Point2d(0, half - 14), kNote_px, colour,
+                 Canvas::Align::kMiddle);
+  }
+
   void draw_surface() {
     const TableGeometry& g = table_.geometry;
     const double half = g.width_m / 2;
@@ -181,14 +189,12 @@ class TableDrawing {
     canvas_.filled_circle(at({x, crossing.y_m}), 4, palette_.covariance);
     char words[60];
     std::snprintf(words, sizeof words, "crosses in %.2f s", crossing.in_s);
-    canvas_.label(words, at({x, crossing.y_m}) + cv::Point2d(12, -16), kNote_px,
-                  palette_.covariance, palette_.bar);
+    note(words, palette_.covariance);
   }
 
   void draw_puck() {
     if (table_.validity == ViewTable::Validity::kNone) {
-      canvas_.text("no track on the table", middle_ - cv::Point2d(0, 0.25 * scale_), kNote_px,
-                   palette_.doubt, Canvas::Align::kMiddle);
+      note("no track on the table", palette_.doubt);
       return;
     }
     const bool coasts = table_.validity == ViewTable::Validity::kCoasting;
