@@ -20,6 +20,8 @@ constexpr double kLeastLegendGap_px = 8;
 constexpr int kRow_px = 20;
 constexpr int kRowMargin_px = 6;
 constexpr double kBarSide_px = 12;
+// As AccuracyScore's.
+constexpr double kLost_px = 20;
 // Width of a sample of the legend, with the gap behind it.
 constexpr double kSample_px = 18;
 
@@ -133,7 +135,8 @@ void write_bar(const ViewScene& scene, const PictureWishes& wishes, Canvas& canv
     words.emplace_back(track.name, palette.quiet);
     words.emplace_back(state_words(track, scene.time), doubtful ? palette.doubt : palette.words);
     if (const auto error = error_px(track, scene.truth)) {
-      words.emplace_back(number_words("error %.2f px", *error), palette.words);
+      words.emplace_back(number_words("error %.2f px", *error),
+                         *error > kLost_px ? palette.doubt : palette.words);
     }
     if (track.estimate && track.estimate->position) {
       const PixelVelocity v = track.estimate->velocity;

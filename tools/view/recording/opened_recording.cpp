@@ -130,8 +130,8 @@ void OpenedRecording::find_size_model() {
   if (!is_of_other) {
     options_.file.fallback_sensor = size_model_->sensor;
   } else if (!is_log_) {
-    warn("no size model of this recording: the trackers take the puck's size from " +
-         path.string() + "; give its own with --size-model, made by puck-calibrate size");
+    warn("no size model of this recording: the trackers use " + path.string() +
+         "; make its own with puck-calibrate size, and give --size-model");
   }
 }
 
