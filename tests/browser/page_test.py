@@ -1,12 +1,16 @@
 """The page in a real browser: from a log, from the live bus, and with browsers that misbehave."""
 
 import json
+import os
 import socket
 import tempfile
 import threading
 import time
 import unittest
 import urllib.request
+from pathlib import Path
+
+from PIL import Image
 
 from game import Game, View
 from web_driver import Browser
@@ -186,6 +190,22 @@ class RecordedPage(PageCase):
             browser.wait("return document.getElementById('picture-1').hidden")
             self.check_console(browser)
 
+    def test_the_picture_is_saved_by_the_browser_as_png(self):
+        self.settle(2)
+        with tempfile.TemporaryDirectory() as downloads, Browser() as browser:
+            browser.keep_downloads(downloads)
+            browser.open(self.view.url)
+            browser.wait(SHOWN, "picture-0")
+            browser.press("i")
+            saved = Path(downloads, "game-0002.0000s.png")
+            end = time.monotonic() + 20
+            while not saved.exists():
+                self.assertLess(time.monotonic(), end, os.listdir(downloads))
+                time.sleep(0.05)
+            with Image.open(saved) as picture:
+                shown = browser.run("const {width, height} = document.getElementById('picture-0'); return [width, height]")
+                self.assertEqual(list(picture.size), shown)
+
     def test_every_key_is_in_the_help_and_does_something_without_an_error(self):
         with Browser() as browser:
             browser.open(self.view.url)
@@ -290,8 +310,6 @@ class LivePage(PageCase):
     def test_a_silent_bus_is_told_as_puck_doctor_tells_it_and_a_game_appears(self):
         with Browser() as browser:
             browser.open(self.view.url)
-            browser.wait("return document.querySelector('#messages button')")
-            browser.press("a")
             browser.wait("return document.getElementById('messages').textContent"
                          ".includes('services: no STATUS of any service')", seconds=30)
             with self.game:

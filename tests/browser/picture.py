@@ -31,7 +31,7 @@ A_SHOT = """
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__.strip())
-    with tempfile.TemporaryDirectory() as folder, Game(folder) as game, Browser(1060, 620) as browser:
+    with tempfile.TemporaryDirectory() as folder, Game(folder) as game, Browser(1120, 640) as browser:
         view = View("--lcm-url", game.bus, log=f"{folder}/view.log")
         try:
             browser.open(view.url)
@@ -42,7 +42,10 @@ def main():
             view.stop()
         picture = Image.open(f"{folder}/page.png").convert("RGB")
         for colours in (256, 128, 64, 32):
-            picture.quantize(colours, dither=Image.Dither.NONE).save(sys.argv[1], optimize=True)
+            # Keeps colours of few pixels, such as those of the marks.
+            reduced = picture.quantize(colours, Image.Quantize.MAXCOVERAGE, kmeans=2,
+                                       dither=Image.Dither.NONE)
+            reduced.save(sys.argv[1], optimize=True)
             if os.path.getsize(sys.argv[1]) <= MOST_BYTES:
                 break
 

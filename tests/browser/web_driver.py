@@ -57,10 +57,8 @@ class Browser:
             "goog:loggingPrefs": {"browser": "ALL"}}}})
         self.session = f"/session/{made['sessionId']}"
         width, height = self.size
-        self._call("POST", f"{self.session}/goog/cdp/execute", {
-            "cmd": "Emulation.setDeviceMetricsOverride",
-            "params": {"width": width, "height": height, "deviceScaleFactor": 1,
-                       "mobile": False}})
+        self._control("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                      deviceScaleFactor=1, mobile=False)
 
     def _call(self, method, path, body=None):
         data = None if body is None else json.dumps(body).encode()
@@ -71,6 +69,13 @@ class Browser:
                 return json.load(reply)["value"]
         except urllib.error.HTTPError as error:
             raise AssertionError(json.load(error)["value"]["message"]) from error
+
+    def _control(self, command, **parameters):
+        """A command of Chromium's own protocol."""
+        self._call("POST", f"{self.session}/goog/cdp/execute", {"cmd": command, "params": parameters})
+
+    def keep_downloads(self, folder):
+        self._control("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
 
     def open(self, url):
         self._call("POST", f"{self.session}/url", {"url": url})

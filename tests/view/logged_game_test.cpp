@@ -122,6 +122,7 @@ TEST_CASE("a log without events says so, and shows what its services said to its
   options.recording = file.path();
   const OpenedRecording recording(options);
   CHECK(!recording.has_events());
+  CHECK(recording.last() == Timestamp{50'000});
   CHECK(recording.sensor() == kLoggedSensor);
   CHECK(recording.trackers() == std::vector<std::string>{kLoggedTracker});
   REQUIRE(!recording.messages().empty());

@@ -30,7 +30,7 @@ LiveFacts with_events() { return {.sensor = {640, 480}, .events_age_us = 1000}; 
 TEST_CASE("a bus without messages is told after 2 s, with what puck-doctor says") {
   MonitorBench bench;
   CHECK(live_messages(bench.model.snapshot(1'900'000), {}).empty());
-  CHECK(says(bench, 2'100'000, "no message has arrived on this bus; asking puck-doctor why"));
+  CHECK(says(bench, 2'100'000, "no message arrives on this bus; asking puck-doctor why"));
   CHECK(says(bench, 2'100'000, "under the prefix LEFT", {.prefix = "LEFT"}));
   const std::vector<ViewMessage> doctor{{ViewMessage::Level::kError, "route: none"}};
   CHECK(says(bench, 2'100'000, "route: none", {.doctor = doctor}));

@@ -62,7 +62,7 @@ struct LiveBench {
     REQUIRE(view.fill(wishes, 1'000'000, scene));
     return scene;
   }
-  ViewState state(Timestamp since = {}, std::int64_t run = -1) const {
+  ViewState state(Timestamp since = {}, std::int64_t run = -1) {
     ViewState state;
     view.add_to(state, since, run, 1'000'000);
     return state;
@@ -96,6 +96,18 @@ TEST_CASE("a scene has the events, the newest estimate and its trail") {
   // A point every 2 ms.
   CHECK(scene.tracks[0].trail.size() == 10);
   CHECK(scene.tracks[1].name.empty());
+}
+
+TEST_CASE("the last estimate of a tracker that fell silent is no track") {
+  LiveBench bench;
+  bench.events(1000, 5, 6);
+  bench.estimate(2000, 100);
+  bench.events(400'000, 5, 6);
+  CHECK(bench.scene().tracks[0].estimate);
+  bench.events(600'000, 5, 6);
+  CHECK_FALSE(bench.scene().tracks[0].estimate);
+  CHECK_FALSE(bench.state().estimates[0]);
+  CHECK_FALSE(bench.state().samples.back().tracks[0].position);
 }
 
 TEST_CASE("of two cameras the first is shown, and the second once the first is silent") {

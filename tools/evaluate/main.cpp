@@ -24,7 +24,6 @@
 #include "tools/evaluate/lossy_reader.h"
 #include "tools/evaluate/options.h"
 #include "tools/evaluate/part_reader.h"
-#include "tools/evaluate/picture_taker.h"
 #include "tools/evaluate/plots.h"
 #include "tools/evaluate/replay.h"
 #include "tools/evaluate/report.h"
@@ -156,8 +155,6 @@ bool evaluate(const EvaluateOptions& options) {
   }
   std::optional<TickFile> ticks;
   if (!options.csv.empty()) ticks.emplace(options.csv);
-  std::optional<PictureTaker> picture;
-  if (!options.picture.empty()) picture.emplace(options.picture, options.picture_at_s, *events);
 
   EvaluationReport report;
   report.algorithm = options.algorithm;
@@ -167,7 +164,6 @@ bool evaluate(const EvaluateOptions& options) {
       [&](const EvaluatedTick& tick) {
         scoring.add(tick);
         if (ticks) ticks->add(tick);
-        if (picture) picture->add(tick);
       },
       scoring.marks());
   warn(events->warnings());
@@ -176,7 +172,6 @@ bool evaluate(const EvaluateOptions& options) {
   if (ticks) ticks->close();
   print(report);
   if (!options.json.empty()) write_json(report, options.json);
-  if (picture) draw_picture(picture->moment(*events, report.run, scoring.truth()), picture->path());
   // Without a scored tick there is nothing to plot; a warning was printed.
   const bool has_ticks = report.errors && report.errors->estimates > 0;
   if (has_ticks && !options.curves.empty()) write_curves(scoring.samples(), options.curves);

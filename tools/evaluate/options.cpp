@@ -153,13 +153,6 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
                  "write charts and their data, as PNG and CSV, into this folder");
   app.add_option("--curves", options.curves,
                  "write within.csv and score.csv, data of these charts, into this folder");
-  auto* picture =
-      app.add_option("--picture", options.picture, "write a picture of the tracked puck here: PNG");
-  app.add_option("--picture-at", options.picture_at_s,
-                 "seconds after the first event (default: when the tracked puck is fastest)")
-      ->check(number_range(0, kLongest_s))
-      ->needs(picture);
-  picture->excludes(fast);
   add_log_prefix_option(app, options.prefix);
   add_event_file_options(app, options.file);
 }

@@ -26,8 +26,6 @@ struct EvaluateOptions {
   std::filesystem::path csv;
   std::filesystem::path curves;
   std::filesystem::path plots;
-  std::filesystem::path picture;
-  std::optional<double> picture_at_s;
   std::string algorithm = "puck";
   std::string preset = "default";
   std::string surface = "eros";

@@ -111,20 +111,32 @@ PictureWishes wishes_for(const std::string& shown, PictureWishes wishes) {
   return wishes;
 }
 
+// Under this heading of --help: all options without one so far.
+void name_group(CLI::App& app, const char* heading) {
+  for (CLI::Option* option : app.get_options()) {
+    const bool is_named = option->get_group() != "Options" || option == app.get_help_ptr();
+    if (!is_named && !option->get_positional()) option->group(heading);
+  }
+}
+
 }  // namespace
 
 void add_options(CLI::App& app, ViewOptions& options) {
   app.add_option(
       "SOURCE", options.recording.recording,
       "recording of any format in docs/formats.md, or LCM log; without it, the live bus");
-  add_recording_options(app, options);
-  add_picture_options(app, options);
   app.add_option("--listen", options.listen,
                  "address and port of the page; on any other than this machine's own, it needs the "
                  "token in the printed URL")
       ->type_name("ADDRESS:PORT")
       ->capture_default_str();
+  name_group(app, "Page");
+  add_recording_options(app, options);
+  name_group(app, "Recordings and logs");
+  add_picture_options(app, options);
+  name_group(app, "Pictures and videos without a browser");
   add_bus_options(app, options.bus);
+  name_group(app, "Live bus");
 }
 
 RecordingOptions recording_options(const ViewOptions& options) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -123,7 +124,9 @@ void CameraPicture::draw_close_up(const ViewScene& scene, const PictureWishes& w
 void CameraPicture::draw(const ViewScene& scene, const PictureWishes& wishes, cv::Mat& picture) {
   const Palette& palette = palette_of(wishes.theme);
   const int top = wishes.layers.words ? kTopBar_px : 0;
-  const int bottom = wishes.layers.legend ? kBottomBar_px : 0;
+  std::vector<LegendEntry> legend;
+  if (wishes.layers.legend) legend = camera_legend(scene, wishes);
+  const int bottom = legend_height_px(legend, picture.cols);
   const cv::Rect part(0, top, picture.cols, std::max(1, picture.rows - top - bottom));
   const SensorFrame frame = SensorFrame::inside(part, scene.sensor);
   Canvas canvas(picture);
@@ -149,11 +152,7 @@ void CameraPicture::draw(const ViewScene& scene, const PictureWishes& wishes, cv
     cv::rectangle(picture, {0, 0, picture.cols, top}, palette.bar, cv::FILLED);
     write_bar(scene, wishes, canvas, picture.cols);
   }
-  if (bottom > 0) {
-    const int y = picture.rows - bottom;
-    cv::rectangle(picture, {0, y, picture.cols, bottom}, palette.bar, cv::FILLED);
-    draw_legend(scene, wishes, canvas, picture.cols, y + bottom / 2.0);
-  }
+  draw_legend(legend, palette, picture);
 }
 
 }  // namespace puck

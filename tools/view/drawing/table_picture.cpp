@@ -10,6 +10,7 @@
 
 #include "tools/view/drawing/canvas.h"
 #include "tools/view/drawing/palette.h"
+#include "tools/view/drawing/picture_bars.h"
 
 namespace puck {
 namespace {
@@ -33,7 +34,9 @@ class TableDrawing {
         palette_(palette_of(wishes.theme)),
         picture_(picture),
         canvas_(picture),
-        part_(0, kScoreBar_px, picture.cols, std::max(1, picture.rows - kScoreBar_px)) {
+        legend_(legend_of(table, wishes, picture)),
+        part_(0, kScoreBar_px, picture.cols,
+              std::max(1, picture.rows - kScoreBar_px - legend_height_px(legend_, picture.cols))) {
     const TableGeometry& g = table.geometry;
     is_upright_ = part_.height > part_.width;
     const double across = is_upright_ ? g.width_m : g.length_m;
@@ -45,15 +48,33 @@ class TableDrawing {
 
   void draw() {
     draw_surface();
-    draw_score();
     draw_path();
     draw_robot();
     draw_puck();
     // Above the estimate's thicker line, which it may equal.
     if (table_.truth) ring(*table_.truth, palette_.truth, 1, false);
+    // Above marks that leave the table.
+    draw_score();
+    draw_legend(legend_, palette_, picture_);
   }
 
  private:
+  // Empty where it would take too much of the picture.
+  static std::vector<LegendEntry> legend_of(const ViewTable& table, const PictureWishes& wishes,
+                                            const cv::Mat& picture) {
+    using Sample = LegendEntry::Sample;
+    const Palette& palette = palette_of(wishes.theme);
+    std::vector<LegendEntry> entries{{Sample::kRing, palette.estimate, "puck"},
+                                     {Sample::kLine, palette.trail, "path"},
+                                     {Sample::kLine, palette.covariance, "crossing"}};
+    if (table.mallet_y_m) entries.push_back({Sample::kRing, palette.darker, "mallet"});
+    if (table.truth) entries.push_back({Sample::kRing, palette.truth, "truth"});
+    if (!wishes.layers.legend || legend_height_px(entries, picture.cols) > picture.rows / 6) {
+      entries.clear();
+    }
+    return entries;
+  }
+
   cv::Point2d at(TablePoint place) const {
     const double along = (place.x_m - table_.geometry.length_m / 2) * scale_;
     const double left = place.y_m * scale_;
@@ -65,6 +86,14 @@ class TableDrawing {
                     {.colour = doubtful ? mixed(palette_.background, colour, 0.6) : colour,
                      .width_px = width_px,
                      .dash_px = doubtful ? 4.0 : 0.0});
+  }
+
+  // At the table's upper side.
+  void note(const std::string& words, const cv::Scalar& colour) {
+    const TableGeometry& g = table_.geometry;
+    const double half = (is_upright_ ? g.length_m : g.width_m) / 2 * scale_;
+    canvas_.text(words, middle_ - cv::Point2d(0, half - 14), kNote_px, colour,
+                 Canvas::Align::kMiddle);
   }
 
   void draw_surface() {
@@ -159,16 +188,13 @@ class TableDrawing {
     canvas_.line(at({x, crossing.y_m + 2 * sigma}), at({x, crossing.y_m - 2 * sigma}), stroke);
     canvas_.filled_circle(at({x, crossing.y_m}), 4, palette_.covariance);
     char words[60];
-    std::snprintf(words, sizeof words, "in %.2f s", crossing.in_s);
-    canvas_.label(words, at({x, crossing.y_m}) + cv::Point2d(12, -16), kNote_px,
-                  palette_.covariance, palette_.bar);
+    std::snprintf(words, sizeof words, "crosses in %.2f s", crossing.in_s);
+    note(words, palette_.covariance);
   }
 
   void draw_puck() {
     if (table_.validity == ViewTable::Validity::kNone) {
-      canvas_.text("no track on the table",
-                   {part_.x + part_.width / 2.0, part_.y + 18.0 + kMargin_m * scale_}, kNote_px,
-                   palette_.doubt, Canvas::Align::kMiddle);
+      note("no track on the table", palette_.doubt);
       return;
     }
     const bool coasts = table_.validity == ViewTable::Validity::kCoasting;
@@ -188,6 +214,7 @@ class TableDrawing {
   const Palette& palette_;
   cv::Mat& picture_;
   Canvas canvas_;
+  std::vector<LegendEntry> legend_;
   cv::Rect part_;
   double scale_ = 1;
   bool is_upright_ = false;

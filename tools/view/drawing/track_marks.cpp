@@ -164,7 +164,7 @@ bool has_region(const ViewTrack& track, SensorSize sensor) {
 }
 
 std::string state_words(const ViewTrack& track, Timestamp now) {
-  if (!track.estimate) return "no estimate yet";
+  if (!track.estimate) return "no estimate";
   const PuckEstimate& estimate = *track.estimate;
   if (estimate.left_image) return "left the image";
   switch (estimate.state) {

@@ -89,7 +89,7 @@ std::vector<ViewMessage> doctor_messages(const std::string& report) {
     const bool is_wrong = verdict == "wrong";
     std::string text = text_in(finding, "check") + ": " + text_in(finding, "text");
     const std::string mend = text_in(finding, "mend");
-    if (!mend.empty()) text += (is_wrong ? ". To mend it: " : ". Maybe: ") + mend;
+    if (!mend.empty()) text += (is_wrong ? ". To mend it: " : ": ") + mend;
     messages.push_back(
         {is_wrong ? ViewMessage::Level::kError : ViewMessage::Level::kWarning, text});
   }

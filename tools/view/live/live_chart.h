@@ -17,7 +17,8 @@ class LiveChart {
  public:
   /// Events up to `newest`.
   void add_events(Timestamp newest, std::int64_t count);
-  void set_estimate(const PuckEstimate& estimate) { estimate_ = estimate; }
+  /// Empty: the tracker fell silent.
+  void set_estimate(const std::optional<PuckEstimate>& estimate) { estimate_ = estimate; }
   void add_truth(const TruthRow& truth) { truth_.add(truth); }
 
   /// Ends all periods up to `time`, with the values known by now.

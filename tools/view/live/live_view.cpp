@@ -11,6 +11,8 @@ namespace {
 constexpr const char* kTrackName = "puck-tracker";
 // The camera's own packets are at most a few ms late.
 constexpr std::int64_t kBackInTime_us = 1'000'000;
+// A tracker publishes at least every 20 ms.
+constexpr std::int64_t kOldEstimate_us = 500'000;
 // Estimates may come 5000 times a second.
 constexpr std::int64_t kTrailStep_us = 2'000;
 
@@ -36,6 +38,7 @@ void LiveView::take(const EventPacketView& packet, std::int64_t now_us) {
   if (is_new || events_.sensor() != sensor || time_ - newest > kBackInTime_us) begin_run(sensor);
   if (packet.count == 0) return;
   events_heard_us_ = now_us;
+  forget_old_estimate(now_us);
   unpack(packet, packet_);
   events_.update(packet_);
   surface_.update(packet_, now_us);
@@ -48,6 +51,7 @@ void LiveView::take(const puck_estimate_t& message, std::int64_t now_us) {
   tracker_sensor_ = {message.image_width, message.image_height};
   if (!is_known(sensor_) && is_known(tracker_sensor_)) begin_run(tracker_sensor_);
   estimate_ = from_message(message);
+  estimate_heard_us_ = now_us;
   if (message.packet_received_utime != 0) {
     packet_to_estimate_.add(message.utime - message.packet_received_utime, now_us);
   }
@@ -69,6 +73,7 @@ void LiveView::take(const ground_truth_t& message, std::int64_t now_us) {
 
 bool LiveView::fill(const PictureWishes& wishes, std::int64_t now_us, ViewScene& scene) {
   if (!is_known(sensor_)) return false;
+  forget_old_estimate(now_us);
   scene.sensor = sensor_;
   scene.time = time_;
   scene.seconds = in_seconds(time_);
@@ -91,8 +96,8 @@ bool LiveView::fill(const PictureWishes& wishes, std::int64_t now_us, ViewScene&
   return true;
 }
 
-void LiveView::add_to(ViewState& state, Timestamp since, std::int64_t run,
-                      std::int64_t now_us) const {
+void LiveView::add_to(ViewState& state, Timestamp since, std::int64_t run, std::int64_t now_us) {
+  forget_old_estimate(now_us);
   state.is_live = true;
   state.sensor = sensor_;
   state.time = time_;
@@ -123,6 +128,13 @@ void LiveView::begin_run(SensorSize sensor) {
   estimate_.reset();
   trail_.clear();
   chart_.clear();
+}
+
+// It would look like a track that is believed.
+void LiveView::forget_old_estimate(std::int64_t now_us) {
+  if (!estimate_ || now_us - estimate_heard_us_ < kOldEstimate_us) return;
+  estimate_.reset();
+  chart_.set_estimate(estimate_);
 }
 
 void LiveView::add_to_trail(const PuckEstimate& estimate) {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "common/events/event_packet.h"
-#include "common/messaging/event_packet_view.h"
 #include "common/messages/single_publisher.h"
+#include "common/messaging/event_packet_view.h"
 #include "puck/puck_estimate_t.hpp"
 #include "tools/view/interface/newest_events.h"
 #include "tools/view/interface/picture_wishes.h"
@@ -35,7 +35,7 @@ class LiveView {
   bool fill(const PictureWishes& wishes, std::int64_t now_us, ViewScene& scene);
 
   /// Fills in all but source, services, channels and messages. Samples as ViewSource::state().
-  void add_to(ViewState& state, Timestamp since, std::int64_t run, std::int64_t now_us) const;
+  void add_to(ViewState& state, Timestamp since, std::int64_t run, std::int64_t now_us);
 
   /// Sensor size by the estimates, if it differs from the camera's.
   std::optional<SensorSize> other_sensor() const;
@@ -46,6 +46,7 @@ class LiveView {
  private:
   void begin_run(SensorSize sensor);
   void add_to_trail(const PuckEstimate& estimate);
+  void forget_old_estimate(std::int64_t now_us);
 
   SinglePublisher cameras_;
   SinglePublisher trackers_;
@@ -56,7 +57,8 @@ class LiveView {
   std::optional<std::int64_t> events_heard_us_;
   EventPacket packet_;  // Keeps its memory.
   NewestEvents events_;
-  std::optional<PuckEstimate> estimate_;
+  std::optional<PuckEstimate> estimate_;  // Empty also when the tracker has fallen silent.
+  std::int64_t estimate_heard_us_ = 0;
   std::deque<ViewTrack::TrailPoint> trail_;
   LiveSurface surface_;
   LiveChart chart_;

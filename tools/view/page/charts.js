@@ -127,7 +127,7 @@ export function drawCharts(canvas, state, feed) {
   for (const axis of ['x', 'y']) {
     const truth = samples[`truth_${axis}`];
     charts.push({
-      name: `${axis} [px]`,
+      name: axis === 'x' ? 'x [px], last 10 s' : 'y [px]',
       values: range([truth, ...samples[axis]], 4),
       text: px,
       parts: [
@@ -167,7 +167,7 @@ export function drawCharts(canvas, state, feed) {
     parts: [[short(state.events_per_s), colour.words]],
     draw(plot) { plot.line(samples.time_us, samples.events_per_s, colour.words); },
   });
-  const latency = latencyChart(feed, colour);
+  const latency = latencyChart(feed, colour, width > 300);
   if (latency) charts.push(latency);
 
   const each = height / charts.length;
@@ -191,7 +191,7 @@ export function drawCharts(canvas, state, feed) {
 }
 
 // The first latency that was measured, by the wall clock.
-function latencyChart(feed, colour) {
+function latencyChart(feed, colour, isWide) {
   const { latencies } = feed;
   const last = latencies.at(-1);
   const at = last ? last.rows.findIndex((row) => row.p50_us !== null) : -1;
@@ -205,12 +205,13 @@ function latencyChart(feed, colour) {
   });
   const [lowest, highest] = range([column('p99_us'), column('p50_us')], 0);
   return {
-    name: `${row.name}: median, 99 %`,
+    name: row.name,
     span: [last.at - kSpan_us / 1e3, last.at],
     values: [Math.floor(lowest), Math.max(Math.ceil(highest), Math.floor(lowest) + 1)],
     text: (value) => inMicroseconds(Math.round(10 ** value)),
-    parts: [[inMicroseconds(row.p50_us), colour.words],
-      ...(row.p99_us === null ? [] : [[inMicroseconds(row.p99_us), colour.accent]])],
+    parts: [[(isWide ? 'median ' : '') + inMicroseconds(row.p50_us), colour.words],
+      ...(row.p99_us === null ? []
+        : [[(isWide ? '99 % ' : '') + inMicroseconds(row.p99_us), colour.accent]])],
     draw(plot) {
       plot.line(times, column('p99_us'), colour.accent, { dash: [4, 3], gap: 2000 });
       plot.line(times, column('p50_us'), colour.words, { gap: 2000 });

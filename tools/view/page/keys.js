@@ -21,16 +21,24 @@ export function allKeys(view) {
     [['1'], '1', 'events', () => view.choose('events')],
     [['2'], '2', 'surface', () => view.choose('surface')],
     [['3'], '3', 'heat map', () => view.choose('heat')],
-    [['+', '='], '+', 'longer window', () => view.changeWindow(1)],
-    [['-'], '-', 'shorter window', () => view.changeWindow(-1)],
+    [['+', '='], '+', 'events of a longer time', () => view.changeWindow(1)],
+    [['-'], '-', 'events of a shorter time', () => view.changeWindow(-1)],
     ...Object.entries(layerNames).map(([name, [key, meaning]]) => [
       [key], key, meaning, () => view.toggleLayer(name)]),
-    [['s'], 's', 'services and channels', () => view.toggleServices()],
+    [['i'], 'i', 'save the picture as PNG', () => view.savePicture()],
+    [['s'], 's', 'services and channels of the live bus', () => view.toggleServices()],
     [['a'], 'a', 'all messages or the first', () => view.toggleMessages()],
     [['d'], 'd', 'dark or light', () => view.toggleTheme()],
     [['?'], '?', 'these keys', () => view.toggleHelp()],
     [['Escape'], 'Esc', 'close', () => view.closeAll()],
   ];
+}
+
+// What a browser does with this key where a control was reached by keyboard.
+function isForControl({ key, target }) {
+  if (!target.matches('button, select, input, summary')) return false;
+  if (target.matches('select, input') && key.length > 1) return true;
+  return key === ' ' && target.matches(':focus-visible');
 }
 
 export function listenToKeys(keys) {
@@ -39,8 +47,7 @@ export function listenToKeys(keys) {
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const action = actions.get(event.key.length === 1 ? event.key.toLowerCase() : event.key);
-    const isField = ['SELECT', 'INPUT'].includes(event.target.tagName);
-    if (!action || (isField && (event.key.startsWith('Arrow') || event.key.length > 1))) return;
+    if (!action || isForControl(event)) return;
     event.preventDefault();
     if (event.target !== document.body) event.target.blur();
     action();

@@ -15,7 +15,6 @@ import { StateFeed } from './state.js';
 
 const byId = (id) => document.getElementById(id);
 const kOff = 'off';
-const kFewMessages = 2; // Shown at first, with a button for all.
 
 class View {
   constructor() {
@@ -65,6 +64,7 @@ class View {
     byId('window').max = windowSteps;
     byId('window').oninput = (event) => change({ windowUs: windowOfStep(Number(event.target.value)) });
     byId('theme-button').onclick = () => this.toggleTheme();
+    byId('save-button').onclick = () => this.savePicture();
     byId('help-button').onclick = () => this.toggleHelp();
     byId('services-button').onclick = () => this.toggleServices();
     for (const side of [0, 1]) {
@@ -84,13 +84,40 @@ class View {
     const dialog = byId('help');
     if (dialog.open) dialog.close();
     else dialog.showModal();
+    dialog.onclick = () => dialog.close();
   }
 
-  toggleServices() { byId('services').hidden = !byId('services').hidden; }
+  toggleServices() {
+    // A recording has none.
+    byId('services').hidden = byId('services-button').hidden || !byId('services').hidden;
+  }
 
   toggleMessages() {
     this.allMessages = !this.allMessages;
     this.showMessages();
+  }
+
+  // The camera's pictures, side by side, into the browser's folder of downloads.
+  savePicture() {
+    const canvases = ['picture-0', 'picture-1'].map(byId)
+      .filter((canvas) => !canvas.hidden && canvas.dataset.shown);
+    if (canvases.length === 0) return;
+    const sheet = document.createElement('canvas');
+    sheet.width = canvases.reduce((width, canvas) => width + canvas.width, 0);
+    sheet.height = canvases[0].height;
+    let x = 0;
+    for (const canvas of canvases) {
+      sheet.getContext('2d').drawImage(canvas, x, 0);
+      x += canvas.width;
+    }
+    const source = this.state.playback ? this.state.source.replace(/\.[^.]*$/, '') : 'live';
+    sheet.toBlob((blob) => {
+      const link = document.createElement('a');
+      link.href = URL.createObjectURL(blob);
+      link.download = `${source}-${this.state.seconds.toFixed(4).padStart(9, '0')}s.png`;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10e3);
+    });
   }
 
   closeAll() {
@@ -119,6 +146,7 @@ class View {
     for (const box of byId('layers').querySelectorAll('input')) {
       box.checked = !settings.hidden.includes(box.dataset.layer);
     }
+    byId('window-group').hidden = settings.backdrop !== 'events';
     byId('window').value = stepOfWindow(settings.windowUs);
     byId('window-text').textContent = inMicroseconds(settings.windowUs);
     for (const feed of this.feeds) feed.renew();
@@ -127,9 +155,10 @@ class View {
 
   show(state, feed) {
     this.state = state;
-    byId('source').textContent = state.source;
+    // Without what every LCM URL begins and ends with.
+    byId('source').textContent = state.source.replace('udpm://', '').replace(/\?[^ ,]*/, '');
     byId('source').title = state.source;
-    document.title = `puck-view: ${state.source}`;
+    document.title = `puck-view: ${byId('source').textContent}`;
     byId('clock').textContent = `${state.seconds.toFixed(2)} s`;
     byId('rate').textContent = `${short(state.events_per_s)} ev/s`;
     this.showTrack(state);
@@ -143,14 +172,11 @@ class View {
   showTrack(state) {
     const estimate = state.estimates[0];
     const chip = byId('track');
-    chip.hidden = !estimate;
-    if (!estimate) return;
-    const name = estimate.coasting ? 'coasting' : estimate.state;
-    const error = state.errors_px[0];
-    chip.dataset.state = name;
-    chip.textContent = name + (estimate.resting ? ', resting' : '')
-      + (estimate.left_image ? ', left the image' : '')
-      + (error === null ? '' : `, ${error.toFixed(2)} px off`);
+    chip.hidden = !state.chosen[0] || state.chosen[0] === kOff;
+    const name = !estimate ? 'no estimate' : estimate.coasting ? 'coasting' : estimate.state;
+    chip.dataset.state = estimate ? name : 'lost';
+    chip.textContent = name + (estimate?.resting ? ', at rest' : '')
+      + (estimate?.left_image ? ', left the image' : '');
   }
 
   showTrackers(state) {
@@ -171,19 +197,22 @@ class View {
     const messages = [...(this.state ? this.state.messages : [])];
     if (this.controlProblem) messages.unshift({ level: 'warning', text: this.controlProblem });
     if (this.connectionProblem) messages.unshift({ level: 'error', text: this.connectionProblem });
-    const key = JSON.stringify([messages, this.allMessages]);
+    // Where there is no picture, there is room.
+    const isPictured = Boolean(byId('picture-0').dataset.shown);
+    const key = JSON.stringify([messages, this.allMessages, isPictured]);
     if (key === this.shownMessages) return;
     this.shownMessages = key;
-    const count = this.allMessages ? messages.length : kFewMessages;
+    const count = this.allMessages || !isPictured ? messages.length : 1;
     byId('messages').replaceChildren(...messages.slice(0, count).map(({ level, text }) => {
       const line = document.createElement('p');
       line.dataset.level = level;
       line.textContent = text;
       return line;
     }));
-    if (messages.length <= kFewMessages) return;
-    const more = byId('messages').appendChild(document.createElement('button'));
-    more.textContent = this.allMessages ? 'fewer' : `${messages.length - kFewMessages} more`;
+    if (messages.length < 2 || !isPictured) return;
+    const more = byId('messages').firstChild.appendChild(document.createElement('button'));
+    more.textContent = this.allMessages ? 'fewer' : `${messages.length - 1} more`;
+    more.title = 'All messages or the first (a)';
     more.onclick = () => this.toggleMessages();
   }
 }

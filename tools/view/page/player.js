@@ -38,7 +38,7 @@ export class Player {
   }
 
   seek(seconds) {
-    const last = this.timeline ? this.timeline.seconds : Infinity;
+    const last = this.timeline?.seconds || Infinity;
     return this.send('seek', { value: Math.min(Math.max(seconds, 0), last) });
   }
 
@@ -59,8 +59,10 @@ export class Player {
     let text = `${state.seconds.toFixed(3)} s`;
     if (activity === 'seeking' || activity === 'searching') text += ` ${activity} …`;
     else if (activity === 'ended') text += ' end';
-    else if (this.isPlaying && speed > 0 && reached < 0.8 * speed) text += ` (${reached.toPrecision(2)} ×)`;
+    else if (this.isPlaying && reached > 0 && reached < 0.8 * speed) text += ` (${reached.toPrecision(2)} ×)`;
     byId('position').textContent = text;
+    byId('timeline').setAttribute('aria-valuenow', state.seconds.toFixed(1));
+    byId('timeline').setAttribute('aria-valuemax', this.timeline ? this.timeline.seconds.toFixed(1) : 0);
     this.draw();
   }
 

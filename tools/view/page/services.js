@@ -9,18 +9,14 @@ function element(name, text = '', className = '') {
   return made;
 }
 
-// `columns`: [head, cell(row), isNumber].
+// `columns`: [head, cell(row), class].
 function table(rows, columns, isBad) {
   const made = element('table');
   const head = made.appendChild(element('tr'));
-  for (const [name, , isNumber] of columns) {
-    head.append(element('th', name, isNumber ? 'number' : ''));
-  }
+  for (const [name, , kind] of columns) head.append(element('th', name, kind));
   for (const row of rows) {
     const line = made.appendChild(element('tr', '', isBad(row) ? 'bad' : ''));
-    for (const [, cell, isNumber] of columns) {
-      line.append(element('td', cell(row), isNumber ? 'number' : ''));
-    }
+    for (const [, cell, kind] of columns) line.append(element('td', cell(row), kind));
   }
   return made;
 }
@@ -32,7 +28,7 @@ function uptime(seconds) {
 
 const latencies = (service) => service.latencies
   .filter((one) => one.p50_us !== null)
-  .map((one) => `${one.name}: ${inMicroseconds(one.p50_us)}, 99 % ${inMicroseconds(one.p99_us)}`)
+  .map((one) => `${one.name}: ${inMicroseconds(one.p50_us)}, ${inMicroseconds(one.p99_us)}`)
   .join('\n');
 
 const kTroubles = /lost|late|reject|dropped|skipped|fail|overflow|malformed|duplicate/;
@@ -41,14 +37,17 @@ const troubles = (service) => service.counters
   .map(([name, value]) => `${name} ${short(value)}`)
   .join(', ');
 
+const counted = (count, name) => `${count || 'no'} ${name}${count === 1 ? '' : 's'}`;
+
 export function showServices(button, panel, state) {
   const { services, channels } = state;
   button.hidden = services.length === 0 && channels.length === 0;
   const ill = services.filter((one) => !one.healthy).length
     + channels.filter((one) => one.trouble).length;
-  button.textContent = `${ill ? '✕' : '✓'} ${services.length} ${services.length === 1 ? 'service' : 'services'}`
-    + (ill ? `, ${ill} with trouble` : '');
-  button.className = ill ? 'bad' : '';
+  const isBad = ill > 0 || services.length === 0;
+  button.textContent = `${isBad ? '✕' : '✓'} ${counted(services.length, 'service')}`
+    + (ill ? `, ${counted(ill, 'problem')}` : '');
+  button.className = isBad ? 'bad' : '';
   if (panel.hidden) return;
   panel.replaceChildren(
     element('h2', 'Services'),
@@ -56,20 +55,20 @@ export function showServices(button, panel, state) {
       ['service', (one) => `${one.healthy ? '' : '✕ '}${one.name}`],
       ['state', (one) => one.state + (one.state_text ? `: ${one.state_text}` : '')],
       ['host', (one) => `${one.host} ${one.pid}`],
-      ['up', (one) => uptime(one.uptime_s), true],
+      ['up', (one) => uptime(one.uptime_s), 'number'],
       ['losses', troubles],
-      ['latencies', latencies],
+      ['latencies: median, 99 %', latencies, 'lines'],
     ], (one) => !one.healthy),
     element('h2', 'Channels, as received here'),
     table(channels, [
       ['channel', (one) => `${one.trouble ? '✕ ' : ''}${one.name}`],
-      ['messages/s', (one) => short(one.messages_per_s), true],
-      ['bytes/s', (one) => short(one.bytes_per_s), true],
-      ['received', (one) => short(one.received), true],
-      ['lost', (one) => short(one.lost), true],
-      ['late', (one) => short(one.late), true],
-      ['malformed', (one) => short(one.malformed), true],
-      ['age', (one) => (one.age_s === null ? '–' : `${one.age_s} s`), true],
+      ['messages/s', (one) => short(one.messages_per_s), 'number'],
+      ['bytes/s', (one) => short(one.bytes_per_s), 'number'],
+      ['received', (one) => short(one.received), 'number'],
+      ['lost', (one) => short(one.lost), 'number'],
+      ['late', (one) => short(one.late), 'number'],
+      ['malformed', (one) => short(one.malformed), 'number'],
+      ['age', (one) => (one.age_s === null ? '–' : `${one.age_s} s`), 'number'],
     ], (one) => one.trouble),
   );
 }

@@ -132,14 +132,20 @@ std::optional<LoggedCamera> camera_of_log(const std::filesystem::path& path,
   LogReader log(path);
   LogRecord record;
   const std::string channel = channel_name(Channel::kEstimate, prefix);
+  std::optional<LoggedCamera> camera;
+  std::int64_t session = 0;
   while (log.next(record)) {
     if (record.channel != channel) continue;
     const auto estimate = decoded<puck_estimate_t>(record);
     if (!estimate || !is_sensor_time(Timestamp{estimate->sensor_us})) continue;
     const SensorSize sensor{estimate->image_width, estimate->image_height};
-    if (sensor.is_valid()) return LoggedCamera{sensor, {estimate->sensor_us}};
+    const Timestamp time{estimate->sensor_us};
+    if (!camera && sensor.is_valid()) camera = {sensor, time, time};
+    // A tracker names none before its first events.
+    if (session == 0) session = estimate->events_session;
+    if (camera && estimate->events_session == session) camera->last = std::max(camera->last, time);
   }
-  return std::nullopt;
+  return camera;
 }
 
 }  // namespace puck

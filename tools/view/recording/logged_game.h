@@ -52,10 +52,11 @@ class LoggedGame {
   std::optional<ViewTable> table_;
 };
 
-/// What the first estimate in a log tells of the camera.
+/// What the estimates in a log tell of the camera.
 struct LoggedCamera {
   SensorSize sensor;
   Timestamp first;  ///< Sensor time of the estimate.
+  Timestamp last;   ///< Of the last one.
 };
 
 /// Nothing in a log without estimates. Throws LogFileError.

@@ -80,6 +80,7 @@ void OpenedRecording::find_first() {
     if (!camera) throw;
     sensor_ = camera->sensor;
     first_ = camera->first;
+    last_ = camera->last;
     fail(std::string(error.what()) + ": only what the services said is shown");
     return;
   }
@@ -129,8 +130,8 @@ void OpenedRecording::find_size_model() {
   if (!is_of_other) {
     options_.file.fallback_sensor = size_model_->sensor;
   } else if (!is_log_) {
-    warn("the trackers expect a puck as large as " + path.string() +
-         " says: give this recording's own with --size-model");
+    warn("no size model of this recording: the trackers use " + path.string() +
+         "; make its own with puck-calibrate size, and give --size-model");
   }
 }
 

@@ -53,6 +53,8 @@ class OpenedRecording {
   /// Of the first event; in a log without events, of the first estimate.
   Timestamp first() const { return first_; }
   bool has_events() const { return has_events_; }
+  /// In a log without events: of the last estimate.
+  Timestamp last() const { return last_; }
 
   const TruthTrack* truth() const { return truth_ ? &*truth_ : nullptr; }
   std::int64_t truth_gap_us() const { return options_.truth_gap_us; }
@@ -83,6 +85,7 @@ class OpenedRecording {
   bool has_events_ = false;
   SensorSize sensor_;
   Timestamp first_;
+  Timestamp last_;
   std::optional<TruthTrack> truth_;
   std::optional<PuckSizeModel> size_model_;
   ContourCalibration contour_;

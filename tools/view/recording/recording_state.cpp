@@ -41,8 +41,8 @@ ViewState RecordingSource::state(Timestamp since, std::int64_t run) {
     state.errors_px[at] = side.error_px();
     const LatencySummary work = side.work();
     if (work.samples == 0) continue;
-    state.latencies.push_back({side.track().name + ": work for 1 ms of the recording", work.p50_us,
-                               work.p99_us, work.max_us});
+    state.latencies.push_back(
+        {side.track().name + ": work per ms of recording", work.p50_us, work.p99_us, work.max_us});
   }
   const auto& samples = run_.samples();
   double events = 0;
@@ -81,7 +81,8 @@ void RecordingSource::add_messages(ViewState& state) const {
     }
   }
   if (activity_ == Activity::kEnded && fault_.empty()) {
-    messages.push_back({Level::kInfo, words("the recording ends at %.3f s", state.seconds)});
+    messages.push_back(
+        {Level::kInfo, words("the recording ends at %.3f s: play starts it again", state.seconds)});
   }
   const bool runs_tracker =
       std::any_of(state.chosen.begin(), state.chosen.end(),
@@ -89,7 +90,7 @@ void RecordingSource::add_messages(ViewState& state) const {
   if (runs_tracker && started_at_ > run_.first()) {
     messages.push_back(
         {Level::kInfo,
-         words("the trackers started anew at %.3f s: before that they have seen nothing",
+         words("after the jump, trackers and score began at %.3f s: they know nothing from before",
                static_cast<double>(started_at_ - run_.first()) * 1e-6)});
   }
 }
@@ -97,6 +98,10 @@ void RecordingSource::add_messages(ViewState& state) const {
 ViewTimeline RecordingSource::timeline() {
   ViewTimeline timeline;
   scan_.fill(timeline);
+  if (!recording_->has_events()) {
+    timeline.first = recording_->first();
+    timeline.last = recording_->last();
+  }
   const Visit visit(*this);
   for (int i = 0; i < kViewSides; ++i) {
     timeline.losses[static_cast<std::size_t>(i)] = run_.losses(i).spans();
