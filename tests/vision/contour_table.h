@@ -19,7 +19,7 @@ class ContourTable {
  public:
   explicit ContourTable(const HypothesesParams& params = default_params(), std::uint32_t seed = 1,
                         const PuckSizeModel& size_model = kTableSizeModel)
-      : contour_(kTableSensor, size_model, exact(), true),
+      : contour_(kTableSensor, size_model, exact()),
         tracker_(kTableSensor, with_exact(params), size_model),
         random_(seed) {}
 
