@@ -1,7 +1,6 @@
 // Cost of surface and tracking together, in one thread: the pipeline as offline, with as many
 // estimates a second as a tracker publishes. The base is the textbook's surface alone, k = 5.
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -19,6 +18,7 @@
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
 #include "tests/bench/bench_streams.h"
+#include "tests/bench/busy_game.h"
 #include "tests/bench/eros_textbook.h"
 
 namespace puck {
@@ -37,14 +37,8 @@ struct Packets {
   std::vector<EventPacket> packets;
 };
 
-struct TimedPixel {
-  std::int64_t time_us = 0;
-  Event event;
-};
-
 Packets packed(SensorSize sensor, std::vector<TimedPixel> events) {
-  std::stable_sort(events.begin(), events.end(),
-                   [](const TimedPixel& a, const TimedPixel& b) { return a.time_us < b.time_us; });
+  sort_by_time(events);
   Packets all{sensor, {}};
   const std::int64_t begin_us = events.front().time_us;
   for (TimedPixel& timed : events) {
@@ -60,37 +54,10 @@ Packets packed(SensorSize sensor, std::vector<TimedPixel> events) {
   return all;
 }
 
-std::vector<TimedPixel> timed(const EventPacket& packet) {
-  std::vector<TimedPixel> events;
-  events.reserve(packet.events.size());
-  for (const Event& event : packet.events) {
-    events.push_back({(packet.start + event.offset_us).us, event});
-  }
-  return events;
-}
-
-// The simulated game at its own speed, as a sensor would see it that makes so many events: each
-// event is repeated within about a ms, or only some are kept.
 Packets game_at(int kev_s) {
-  constexpr double kRepeat_us = 500;
   constexpr std::size_t kMost = 12'000'000;
   const BenchEvents scene = load(BenchStream::kScene);
-  const std::vector<TimedPixel> events = timed(scene.packet);
-  const auto span_us = static_cast<double>(events.back().time_us - events.front().time_us);
-  const double times = kev_s * 1e-3 / (static_cast<double>(events.size()) / span_us);
-  std::mt19937 random(2);
-  std::exponential_distribution<double> delay_us(1 / kRepeat_us);
-  std::vector<TimedPixel> changed;
-  double owed = 0;
-  for (const TimedPixel& event : events) {
-    if (changed.size() > kMost) break;
-    owed += times;
-    for (bool repeats = false; owed >= 1; owed -= 1, repeats = true) {
-      changed.push_back(event);
-      if (repeats) changed.back().time_us += std::llround(delay_us(random));
-    }
-  }
-  return packed(scene.sensor, std::move(changed));
+  return packed(scene.sensor, busy_game(scene.packet, kev_s * 1e-3, kMost));
 }
 
 // Events of pixels in a part of the image at random times, for 2 s.

@@ -86,9 +86,11 @@ Json to_json(const LiveFigures& f) {
   json["lcm_lossless_mev_s"] =
       has_transport ? Json(highest_lossless_mev_s(f.transport)) : Json(nullptr);
   json["lcm_lost"] = has_transport ? Json(f.transport.front().lost()) : Json(nullptr);
-  json["lcm_tracker_cpu_percent"] =
-      has_transport ? Json(f.transport.front().cpu.at("puck-tracker")) : Json(nullptr);
   json["lcm_sent_mev_s"] = has_transport ? Json(f.transport.front().sent_mev_s) : Json(nullptr);
+  const bool has_busy = !f.busy.empty();
+  json["busy_lossless_mev_s"] = has_busy ? Json(highest_lossless_mev_s(f.busy)) : Json(nullptr);
+  json["busy_tracker_cpu_percent"] =
+      has_busy ? Json(f.busy.front().cpu.at("puck-tracker")) : Json(nullptr);
   const bool has_network = !f.network_transport.empty();
   json["network_lossless_mev_s"] =
       has_network ? Json(highest_lossless_mev_s(f.network_transport)) : Json(nullptr);
@@ -137,6 +139,11 @@ void print(const LiveFigures& f) {
     std::printf("Camera to tracker over LCM, %s in a loop\n", f.recording.c_str());
     for (const TransportRun& run : f.transport) print(run);
     print_highest(f.transport);
+  }
+  if (!f.busy.empty()) {
+    std::printf("The game at its own speed, as a sensor with many events would see it\n");
+    for (const TransportRun& run : f.busy) print(run);
+    print_highest(f.busy);
   }
   print_network(f);
   for (const KeyCost& cost : f.key) print(cost);

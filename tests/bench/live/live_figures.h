@@ -67,6 +67,7 @@ struct FloodRun {
 struct LiveFigures {
   std::string recording;  ///< Of the transport's runs.
   std::vector<TransportRun> transport;
+  std::vector<TransportRun> busy;               ///< The game at its own speed with many events.
   std::vector<TransportRun> network_transport;  ///< With the camera on another machine.
   std::optional<LatencySummary> network_packet_to_estimate;
   std::vector<KeyCost> key;                          ///< Large packets, and those of one frame.

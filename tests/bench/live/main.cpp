@@ -51,6 +51,15 @@ void measure(const LiveSetup& setup, const Options& options) {
       if (!figures.transport.back().carried_all()) break;
     }
   }
+  if (options.wants("busy")) {
+    for (const double rate : {10.0, 20.0}) {
+      const auto time = rate > 10 ? sustained : brief;
+      std::printf("busy game of %.0f Mev/s for %lld s\n", rate,
+                  static_cast<long long>(time.count()));
+      const Recording busy = write_busy_game(game, rate, folder.path());
+      figures.busy.push_back(measure_transport(setup, busy, rate, time));
+    }
+  }
   if (options.wants("network")) {
     std::printf("transport between two machines\n");
     try {
@@ -108,8 +117,8 @@ int run(int argc, char** argv) {
       ->delimiter(',')
       ->capture_default_str();
   app.add_option("--only", options.only,
-                 "Parts to measure: transport, network, key, latency, still, flood")
-      ->check(CLI::IsMember({"transport", "network", "key", "latency", "still", "flood"}))
+                 "Parts to measure: transport, busy, network, key, latency, still, flood")
+      ->check(CLI::IsMember({"transport", "busy", "network", "key", "latency", "still", "flood"}))
       ->delimiter(',');
   app.add_option("--source", options.source, "Root of the project, where config/ is")
       ->capture_default_str();

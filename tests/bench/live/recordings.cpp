@@ -5,9 +5,11 @@
 #include <random>
 #include <stdexcept>
 
+#include "common/io/event_reader.h"
 #include "common/io/event_writer.h"
 #include "common/io/size_model_file.h"
 #include "common/vision/geometry/puck_size_model.h"
+#include "tests/bench/busy_game.h"
 
 namespace puck {
 namespace {
@@ -91,6 +93,32 @@ Recording write_still_scene(const LiveSetup& setup, const std::filesystem::path&
   }
   writer->close();
   return scene;
+}
+
+Recording write_busy_game(const Recording& game, double rate_mev_s,
+                          const std::filesystem::path& folder) {
+  constexpr double kLength_us = 2e6;
+  // About what the simulated game has in that time.
+  constexpr std::size_t kEvents = 2'000'000;
+  const auto reader = open_event_file(game.file);
+  EventPacket packet;
+  reader->read(packet, kEvents);
+  const Recording busy{folder / "busy.raw", "busy game"};
+  const auto writer = make_event_writer(busy.file, "evt3", reader->sensor_size());
+  EventPacket part;
+  for (const TimedPixel& next :
+       busy_game(packet, rate_mev_s, static_cast<std::size_t>(rate_mev_s * kLength_us))) {
+    constexpr std::int64_t kPart_us = 10'000;
+    if (part.empty() || next.time_us >= part.start.us + kPart_us) {
+      if (!part.empty()) writer->write(part);
+      part = {{next.time_us}, {}};
+    }
+    part.events.push_back(next.event);
+    part.events.back().offset_us = static_cast<std::uint32_t>(next.time_us - part.start.us);
+  }
+  writer->write(part);
+  writer->close();
+  return busy;
 }
 
 std::vector<std::string> looped_at(const Recording& recording, double rate_mev_s) {

@@ -29,6 +29,10 @@ Recording write_still_scene(const LiveSetup& setup, const std::filesystem::path&
 /// Time at which the puck of that scene comes to rest, s.
 inline constexpr double kStillSceneRests_s = 1.5;
 
+/// Writes 2 s of a game at its own speed with so many events (tests/bench/busy_game.h) to `folder`.
+Recording write_busy_game(const Recording& game, double rate_mev_s,
+                          const std::filesystem::path& folder);
+
 /// Settings of a camera that plays a recording over and over, with its times stretched.
 std::vector<std::string> looped_at(const Recording& recording, double rate_mev_s);
 
