@@ -59,7 +59,7 @@ void EvidencePipeline::take(Timestamp start, std::span<const Event> events) {
     const std::int64_t time_us = (start + event.offset_us).us;
     if (time_us > decided_us_ + kDecision_us) decide_before(time_us);
     now_us_ = std::max(now_us_, time_us);
-    ++since_search_[noise_floor_.take(event.x, event.y)];
+    noise_floor_.take(event.x, event.y);
     const bool first = history_.is_first(event, time_us);
     if (!puck_.contains(event.x, event.y)) background_.take(event.x, event.y);
     const bool is_near = near_.contains(event.x, event.y);
@@ -389,29 +389,19 @@ double EvidencePipeline::reach_px(std::int64_t time_us) const {
   return params.reach_px + params.reach_px_s * static_cast<double>(time_us - seen_us_) * 1e-6;
 }
 
-// Whether the sensor's noise explains what came since the last search in each cell of the image, so
-// that there is nothing new to find. The noise is known from the quietest cells. What is too faint
-// to tell is found by a search now and then.
-bool EvidencePipeline::is_quiet(std::int64_t time_us) const {
-  constexpr std::int64_t kLongest_us = 100'000;
-  constexpr double kNoises = 1.5;
-  constexpr double kSigmas = 6;
-  const std::int64_t passed_us = time_us - searched_us_;
-  const double made = noise_floor_.per_cell_us() * static_cast<double>(passed_us);
-  const double most = kNoises * made + kSigmas * std::sqrt(made);
-  return passed_us < kLongest_us && std::all_of(since_search_.begin(), since_search_.end(),
-                                                [&](int events) { return events < most; });
-}
-
 void EvidencePipeline::plan_search(std::int64_t time_us) {
   constexpr std::int64_t kNearPeriod_us = 5'000;
   constexpr std::int64_t kWidePeriod_us = 20'000;
+  constexpr std::int64_t kQuiet_us = 100'000;
+  constexpr std::int64_t kQuietPeriod_us = 100'000;
   constexpr double kReaches = 4;
   if (!missed_in_.empty() || time_us < next_search_us_ || (is_sure() && !on_packet_)) return;
-  if (is_quiet(time_us)) return;
+  // For a while nothing has come but noise: there is nothing new to find, or it is too faint to
+  // tell.
+  const bool is_quiet = noise_floor_.quiet_us(time_us) > kQuiet_us;
+  if (is_quiet && time_us < searched_us_ + kQuietPeriod_us) return;
   next_search_us_ = time_us + kNearPeriod_us;
   searched_us_ = time_us;
-  since_search_ = {};
   const Region image = Region::all_of(sensor_);
   wanted_ = {.fresh_only = true};
   const bool is_wide = !main_ || time_us >= next_wide_us_;

@@ -11,7 +11,6 @@
 #include "common/vision/hypotheses/near_cells.h"
 #include "common/vision/interfaces/tracking_pipeline.h"
 #include "common/vision/scene/background.h"
-#include "common/vision/scene/image_cells.h"
 #include "common/vision/scene/noise_floor.h"
 #include "common/vision/surface/event_history.h"
 
@@ -74,7 +73,6 @@ class EvidencePipeline final : public TrackingPipeline {
   void remove(std::size_t index);
   void offer_siblings(std::int64_t time_us);
   double reach_px(std::int64_t time_us) const;
-  bool is_quiet(std::int64_t time_us) const;
   void plan_search(std::int64_t time_us);
   void merge(std::int64_t time_us);
   void prune(std::int64_t time_us);
@@ -106,7 +104,6 @@ class EvidencePipeline final : public TrackingPipeline {
   SearchRequest wanted_;
   std::int64_t next_search_us_ = 0;
   std::int64_t searched_us_ = 0;
-  std::array<int, ImageCells::kCount> since_search_{};  // events
   std::int64_t next_wide_us_ = 0;
   std::int64_t next_manoeuvre_us_ = 0;
   std::int64_t next_wall_us_ = 0;

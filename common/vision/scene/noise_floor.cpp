@@ -1,6 +1,7 @@
 #include "common/vision/scene/noise_floor.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace puck {
 namespace {
@@ -16,6 +17,11 @@ constexpr double kQuietShare = 0.2;
 // Of a change, what is believed after each period.
 constexpr double kRise = 0.1;
 constexpr double kFall = 0.5;
+// A part of the image has more events than noise makes: by this factor, so many standard deviations
+// of the noise, and so many events. The factor is for parts that are not among the quietest.
+constexpr double kActiveFactor = 1.2;
+constexpr double kActive_sigma = 6;
+constexpr double kActiveEvents = 4;
 
 }  // namespace
 
@@ -29,10 +35,17 @@ void NoiseFloor::decide(std::int64_t time_us) {
   counted_us_ = is_gapless ? counted_us_ + passed_us : -kLeadIn_us;
   decided_us_ = time_us;
   if (counted_us_ < 0) counts_ = {};
+  if (counted_us_ < 0 || !is_explained()) active_us_ = time_us;
   if (counted_us_ < kCountingPeriod_us) return;
   learn();
   counts_ = {};
   counted_us_ = 0;
+}
+
+bool NoiseFloor::is_explained() const {
+  const double made = rate_ * pixels_a_cell_ * static_cast<double>(counted_us_);
+  const double most = kActiveFactor * made + kActive_sigma * std::sqrt(made) + kActiveEvents;
+  return is_known_ && *std::max_element(counts_.begin(), counts_.end()) <= most;
 }
 
 void NoiseFloor::learn() {

@@ -17,12 +17,8 @@ class NoiseFloor {
  public:
   explicit NoiseFloor(SensorSize sensor);
 
-  /// Takes an event of anywhere in the image. Returns its cell.
-  std::size_t take(int x, int y) {
-    const std::size_t cell = cells_.cell_of(x, y);
-    ++counts_[cell];
-    return cell;
-  }
+  /// Takes an event of anywhere in the image.
+  void take(int x, int y) { ++counts_[cells_.cell_of(x, y)]; }
 
   /// To be called at each decision. Of times without decisions, and of a moment after them, nothing
   /// is learned.
@@ -30,16 +26,21 @@ class NoiseFloor {
 
   /// Events of a pixel in a µs; 0 while it is not known.
   double per_pixel_us() const { return rate_; }
-  double per_cell_us() const { return rate_ * pixels_a_cell_; }
+
+  /// For how long, until the last decision, noise has explained all events in every part of the
+  /// image, µs.
+  std::int64_t quiet_us(std::int64_t time_us) const { return time_us - active_us_; }
 
  private:
   void learn();
+  bool is_explained() const;
 
   double pixels_a_cell_;
   ImageCells cells_;
   std::array<int, ImageCells::kCount> counts_{};
   std::int64_t decided_us_ = std::numeric_limits<std::int64_t>::min() / 2;
   std::int64_t counted_us_ = 0;  // below 0: not to be counted yet
+  std::int64_t active_us_ = 0;   // when more happened last
   double rate_ = 0;
   bool is_known_ = false;
 };
