@@ -18,9 +18,8 @@ namespace puck {
 /// The text log that yarpdatadumper writes of an IIT event camera's port (`data.log`): one packet a
 /// line, `sequence time [time] AE …`, in one of three encodings:
 ///
-/// - `AE (stamp address stamp address …)`: 24-bit addresses of an ATIS on an iCub. An event is ON
-/// if
-///   bit 0 is zero.
+/// - `AE (stamp address stamp address …)`: 24-bit addresses of an ATIS on an iCub. An event
+///   is ON if bit 0 is zero.
 /// - `AE duration "bytes"`: present records, a 32-bit stamp and a 32-bit address an event. An event
 ///   is ON if bit 0 is set.
 /// - The same without stamps: a packet's events are spread evenly over its duration, which ends at

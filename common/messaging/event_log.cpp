@@ -196,7 +196,7 @@ std::vector<std::string> EventLog::problems() const {
            : "left out: published by another camera");
   tell(counters_.packets_missing, "missing; together with late packets, " +
                                       std::to_string(counters_.events_missing) + " events");
-  if (log_->damage()) {
+  if (log_ && log_->damage()) {
     problems.push_back(path_.string() + ": " + *log_->damage() + "; " +
                        std::to_string(log_->bytes_skipped()) + " bytes skipped");
   }

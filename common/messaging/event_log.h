@@ -77,7 +77,7 @@ class EventLog {
   std::filesystem::path path_;
   std::string channel_;
   Sessions sessions_;
-  std::unique_ptr<LogReader> log_;  // Null behind a rewind() that found no events.
+  std::unique_ptr<LogReader> log_;  // Null after a rewind() that found no events.
   LogRecord record_;
   std::int64_t newest_number_ = 0;  // Of the records.
   bool is_behind_joint_ = false;    // No packet of the appended log has been judged yet.

@@ -64,7 +64,8 @@ PipelineParams TrackerSetup::pipeline_params() const {
   }
   if (roi_only && correlation == nullptr) {
     throw std::invalid_argument(
-        "--roi-only needs preset correlation, paper or reference: the others need every event");
+        "--roi-only needs algorithm puck with preset correlation, paper or reference: the others "
+        "need every event");
   }
   if (roi_only) correlation->roi_only = true;
   if (search_delay_us > 0 && !is_puck) {

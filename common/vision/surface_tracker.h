@@ -15,8 +15,7 @@ namespace puck {
 
 /// PUCK in one thread: surface, pipeline and searches, one after the other. Live, each of the three
 /// has a thread of its own (runtime/). The result of a search is delivered at once, or after
-/// SearchParams::search_delay_us, so the same events and calls give the same estimates, to the
-/// bit.
+/// SearchParams::search_delay_us, so the same events and calls give the same estimates, to the bit.
 class SurfaceTracker final : public TrackingAlgorithm {
  public:
   /// Throws std::invalid_argument, naming the key, when a parameter is out of range.

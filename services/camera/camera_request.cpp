@@ -40,8 +40,8 @@ void CameraRequest::listen(Bus& bus, StatusReporter& status) {
 void CameraRequest::hear(const PeerStatus& status, const HostNow& now, bool is_current) {
   const std::string name = status.host + ", pid " + std::to_string(status.pid);
   const bool answers = status.counter(kControlSession) == own_session_;
-  // Only a camera that heard us can name our session; its clock does not matter. An old STATUS may
-  // be from a log of the same camera.
+  // No log can name our session, whatever the clocks. Another old STATUS may be from a log of the
+  // same camera.
   if (!is_current && !answers) return;
   if (cameras_.size() >= kMostCameras && !cameras_.contains(name)) return;
   Camera& camera = cameras_[name];

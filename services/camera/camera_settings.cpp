@@ -104,7 +104,6 @@ void check_replay_keys(const Config& config, const CameraSettings& settings) {
     refuse(file.length_us != FileSourceParams::kToEnd, "camera.seconds", "0", when);
     refuse(replay.paused, "camera.paused", "false", when);
     refuse(replay.step_us != 0, "camera.step_us", "0", when);
-    refuse(replay.skip_gaps_us != 0, "camera.skip_gaps_s", "0", when);
   }
   if (!settings.is_paced()) {
     const std::string when = settings.pace == "auto" ? "camera.source is \"" + settings.source +

@@ -21,8 +21,8 @@ class ReplayControls {
 
   /// Reads keys from now on, if stdin is a terminal.
   void use_keys();
-  /// Obeys the keys typed since the last call, and logs what became of them: of a step, when it is
-  /// done, or can not be since the source has ended.
+  /// Obeys the keys typed since the last call, and logs what became of them: of a step, when it
+  /// is done, or the source has ended before.
   void poll(bool has_ended);
 
   /// The search has ended.

@@ -15,7 +15,6 @@
 #include "common/vision/correlation/kernel_bank.h"
 #include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_tracker.h"
-#include "common/vision/presets.h"
 #include "common/vision/surface/surface.h"
 
 namespace puck {

@@ -11,7 +11,6 @@
 
 #include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_pipeline.h"
-#include "common/vision/presets.h"
 #include "common/vision/surface/surface.h"
 
 namespace puck {

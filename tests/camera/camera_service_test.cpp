@@ -305,7 +305,7 @@ TEST_CASE("impossible settings are refused with their key") {
   CHECK(contains(refusal("[camera]\nlog_prefix = \"left\"\n"),
                  "camera.log_prefix must be up to 16 of A-Z, 0-9 and _, got \"left\""));
   for (const std::string key : {"start_s = 1.0", "seconds = 2.0", "loop = true", "paused = true",
-                                "rate_mev_s = 0.5", "step_us = 1000", "skip_gaps_s = 2.0"}) {
+                                "rate_mev_s = 0.5", "step_us = 1000"}) {
     const std::string name = "camera." + key.substr(0, key.find(' ')) + " must be ";
     for (const std::string source : {"simulated", "stdin", "tcp"}) {
       const std::string said = refusal("[camera]\nsource = \"" + source + "\"\n" + key + "\n");

@@ -81,6 +81,7 @@ TEST_CASE("selected trackers run on every set, and no others") {
 
 TEST_CASE("other surfaces run only where they are named") {
   for (const Sequence& sequence : plan_sequences({})) CHECK(!runs(sequence, "correlation-tos"));
+  CHECK(latency_sequence({}, 5).contestants.size() == 6);
   for (const Sequence& sequence : plan_sequences({.only = {"correlation", "correlation-tos"}})) {
     REQUIRE(sequence.contestants.size() == 2);
     CHECK(sequence.contestants[0].options ==

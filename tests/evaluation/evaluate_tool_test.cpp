@@ -60,6 +60,14 @@ TEST_CASE("only the presets that correlate take another surface than EROS") {
   CHECK_THROWS_AS(other.pipeline_params(), std::invalid_argument);
 }
 
+TEST_CASE("only the presets that correlate can keep a region of the surface alone") {
+  TrackerSetup other = setup();
+  other.roi_only = true;
+  CHECK_THROWS_AS(other.pipeline_params(), std::invalid_argument);
+  other.preset = Preset::kReference;
+  CHECK(is_roi_only(other.pipeline_params()));
+}
+
 TEST_CASE("in a pause of a recording an estimate is requested at every tick") {
   const TemporaryFolder folder;
   const auto events = open_event_file(recording_with_pause(folder, 1'000'000));

@@ -7,7 +7,6 @@
 
 #include "common/runtime/live_tracker.h"
 #include "common/vision/paper/paper_presets.h"
-#include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
 #include "tests/support/wait_until.h"
 #include "tests/vision/puck_picture.h"

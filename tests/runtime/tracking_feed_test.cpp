@@ -9,7 +9,6 @@
 #include "common/runtime/tracking_thread.h"
 #include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_search.h"
-#include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
 #include "tests/support/wait_until.h"
 #include "tests/vision/puck_picture.h"

@@ -10,7 +10,6 @@
 #include "common/vision/make_pipeline.h"
 #include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_search.h"
-#include "common/vision/presets.h"
 
 namespace puck::test {
 

@@ -7,7 +7,6 @@
 #include <doctest/doctest.h>
 
 #include "common/vision/paper/paper_presets.h"
-#include "common/vision/presets.h"
 #include "tests/runtime/tracking_fixtures.h"
 #include "tests/support/wait_until.h"
 #include "tests/vision/puck_picture.h"

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
 #include "tests/vision/contour_table.h"
+#include "tests/vision/random_numbers.h"
 
 namespace puck {
 namespace {
@@ -55,6 +58,52 @@ TEST_CASE("an observed tracker forgets each hypothesis after 0.1 s and begins ne
   CHECK(oldest_us > 0);
   CHECK(oldest_us < 200'000);
   CHECK(last_born_us > 200'000);
+}
+
+// Counts the searches in 100 ms of events at random, `events_a_ms` of them all over the image.
+class SearchCount {
+ public:
+  int in_100_ms(int events_a_ms) {
+    int searches = 0;
+    for (int i = 0; i < 100; ++i) {
+      std::vector<Event> events;
+      for (int n = 0; n < events_a_ms; ++n) {
+        events.push_back({static_cast<std::uint16_t>(random_.below(320)),
+                          static_cast<std::uint16_t>(random_.below(240)), 0, 500});
+      }
+      pipeline_->take({time_us_}, events);
+      time_us_ += 1'000;
+      SurfaceSnapshot nothing;
+      nothing.newest_event = {time_us_};
+      pipeline_->step(nothing);
+      const SearchRequest wanted = pipeline_->search_wanted();
+      if (wanted.region.empty()) continue;
+      ++searches;
+      pipeline_->take(SearchResult{{time_us_}, wanted, {}});
+    }
+    return searches;
+  }
+
+ private:
+  std::unique_ptr<TrackingPipeline> pipeline_ =
+      make_pipeline(kTableSensor, default_params(), kTableSizeModel);
+  std::int64_t time_us_ = 0;
+  test::RandomNumbers random_;
+};
+
+TEST_CASE("searches are rare while nothing but noise comes, and frequent again at once") {
+  SearchCount count;
+  CHECK(count.in_100_ms(10) > 10);
+  for (int i = 0; i < 5; ++i) count.in_100_ms(10);
+  CHECK(count.in_100_ms(10) <= 2);
+  CHECK(count.in_100_ms(100) > 10);
+}
+
+TEST_CASE("a puck is as well followed where each pixel makes many events of an edge") {
+  test::ContourTable table;
+  table.density = 60;
+  CHECK(table.glide({400, 60}, 200) < 0.5);
+  CHECK(table.estimate().state == TrackState::kTracking);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ class Noisy {
     }
   }
   void wait(std::int64_t duration_us) { time_us_ += duration_us; }
+  std::int64_t quiet_us() const { return floor.quiet_us(time_us_); }
   double hz() const { return floor.per_pixel_us() * 1e6; }
 
   NoiseFloor floor{kNoisySensor};
@@ -49,6 +50,15 @@ TEST_CASE("The noise of a sensor is known after 60 ms, and before that it is non
   CHECK(sensor.hz() == doctest::Approx(kHz).epsilon(0.2));
   sensor.run(1'000, kEvents_a_ms);
   CHECK(sensor.hz() == doctest::Approx(kHz).epsilon(0.15));
+}
+
+TEST_CASE("Noise alone is quiet, and what moves in a small part of the image is not") {
+  Noisy sensor;
+  sensor.run(2'000, kEvents_a_ms);
+  CHECK(sensor.quiet_us() > 1'000'000);
+  sensor.busy_columns = 1;
+  sensor.run(20, kEvents_a_ms);
+  CHECK(sensor.quiet_us() < 1'000);
 }
 
 TEST_CASE("What moves in most of the image is no noise") {

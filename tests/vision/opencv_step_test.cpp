@@ -10,7 +10,6 @@
 #include "common/io/event_reader.h"
 #include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_tracker.h"
-#include "common/vision/presets.h"
 #include "common/vision/surface/surface.h"
 #include "tests/support/recordings.h"
 #include "tests/support/sanitizers.h"

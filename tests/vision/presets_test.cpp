@@ -87,8 +87,9 @@ TEST_CASE("preset paper has the constants of the paper's text") {
 }
 
 TEST_CASE("preset correlation has every improvement, paper and reference none of them") {
-  for (const PuckPipelineParams& p : {paper_params(), reference_params(), correlation_params()}) {
-    const bool has = p.sizes_by_disc;
+  for (const Preset preset : {Preset::kPaper, Preset::kReference, Preset::kCorrelation}) {
+    const auto p = std::get<PuckPipelineParams>(preset_params(preset));
+    const bool has = preset == Preset::kCorrelation;
     CHECK(p.ring.has_value() == has);
     CHECK(p.lead.enabled == has);
     CHECK(p.predicts == has);

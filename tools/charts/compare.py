@@ -3,6 +3,7 @@
 there: the paper's figures errors-SET.png, within-SET.png, trajectories-SET.png and latency.png;
 and hard.png, covariance.png and score.png."""
 
+import itertools
 import math
 import os
 
@@ -24,7 +25,7 @@ class Comparison:
         report = style.read_json(os.path.join(folder, "comparison.json"))
         self.sets = report["sets"]
         self.latency = report["latency"]
-        self.colours = dict(zip(self.latency, style.COLOURS))
+        self.colours = dict(zip(self.latency, itertools.cycle(style.COLOURS)))
 
     def runs(self, name, contestant):
         """A contestant's runs on a set that have scored ticks."""

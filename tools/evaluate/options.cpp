@@ -83,7 +83,8 @@ void add_options(CLI::App& app, EvaluateOptions& options) {
   add_event_filter_options(app, options.filter);
   app.add_option("--detection-region", options.detection_region, "x,y,w,h in px");
   app.add_flag("--roi-only", options.roi_only,
-               "while there is a track, keep only its region of the surface up to date");
+               "while there is a track, keep only its region of the surface up to date; presets "
+               "correlation, paper and reference");
   auto* rate = app.add_option("--rate", options.rate_hz, "estimates a second of sensor time")
                    ->check(number_range(1, 1e6))
                    ->capture_default_str();

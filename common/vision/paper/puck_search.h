@@ -16,8 +16,7 @@ namespace puck {
 /// gives the same result, to the bit. One thread at a time.
 class PuckSearch {
  public:
-  /// Throws std::invalid_argument, naming the key, when a
-  /// parameter is out of range.
+  /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
   PuckSearch(SensorSize sensor, const SearchParams& params, const PuckSizeModel& size_model);
 
   /// The part of the surface that a search of `search` needs: with the reach of kernels on its

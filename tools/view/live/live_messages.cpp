@@ -145,10 +145,9 @@ std::vector<ViewMessage> live_messages(const BusSnapshot& snapshot, const LiveFa
     messages.push_back({Level::kError, "not on the bus yet: " + facts.network_problem});
   } else if (is_silent(snapshot)) {
     messages.push_back(
-        {Level::kError,
-         "no message arrives on this bus" +
-             (facts.prefix.empty() ? "" : " under the prefix " + facts.prefix) +
-             (facts.doctor.empty() ? "; asking puck-doctor why" : "; puck-doctor says")});
+        {Level::kError, "no message arrives on this bus" +
+                            (facts.prefix.empty() ? "" : " under the prefix " + facts.prefix) +
+                            (facts.doctor.empty() ? "; asking puck-doctor why" : "")});
     messages.insert(messages.end(), facts.doctor.begin(), facts.doctor.end());
   } else {
     add_events(snapshot, facts, messages);

@@ -130,7 +130,7 @@ void LiveView::begin_run(SensorSize sensor) {
   chart_.clear();
 }
 
-// It would look like a track that is believed.
+// An old estimate would look like a present one.
 void LiveView::forget_old_estimate(std::int64_t now_us) {
   if (!estimate_ || now_us - estimate_heard_us_ < kOldEstimate_us) return;
   estimate_.reset();

@@ -110,11 +110,13 @@ class View {
       sheet.getContext('2d').drawImage(canvas, x, 0);
       x += canvas.width;
     }
+    if (!this.state) return;
+    const seconds = this.state.seconds;
     const source = this.state.playback ? this.state.source.replace(/\.[^.]*$/, '') : 'live';
     sheet.toBlob((blob) => {
       const link = document.createElement('a');
       link.href = URL.createObjectURL(blob);
-      link.download = `${source}-${this.state.seconds.toFixed(4).padStart(9, '0')}s.png`;
+      link.download = `${source}-${seconds.toFixed(4).padStart(9, '0')}s.png`;
       link.click();
       setTimeout(() => URL.revokeObjectURL(link.href), 10e3);
     });
