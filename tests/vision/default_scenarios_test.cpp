@@ -251,6 +251,17 @@ TEST_CASE("a puck that is covered is lost within a tenth of a second and found a
   CHECK(table.error_px() < 0.5);
 }
 
+TEST_CASE("a puck that was covered without a sign is followed where it comes out") {
+  for (std::uint32_t seed = 1; seed <= std::min(kSeeds, 2u); ++seed) {
+    CAPTURE(seed);
+    Table table(default_params(), seed);
+    table.come_to_rest();
+    table.put({80, 200});
+    table.glide({300, -100}, 400);
+    CHECK(table.glide({-300, 50}, 400) < 1);
+  }
+}
+
 TEST_CASE("a puck that leaves the image is known to have left, and where") {
   Table table;
   table.glide({1500, 0}, 190);

@@ -31,7 +31,7 @@ void scale_decision(DecisionParams& params, double factor) {
   }
 }
 
-inline constexpr std::array<DecisionNumber, 37> kDecisionNumbers{{
+inline constexpr std::array<DecisionNumber, 38> kDecisionNumbers{{
     {"packet_events", scale_decision<&DecisionParams::packet_events>},
     {"packet_s", scale_decision<&DecisionParams::packet_s>},
     {"settled_us", scale_decision<&DecisionParams::settled_us>},
@@ -53,6 +53,7 @@ inline constexpr std::array<DecisionNumber, 37> kDecisionNumbers{{
     {"mark_odds", scale_decision<&DecisionParams::mark_odds>},
     {"mark_odds_each", scale_decision<&DecisionParams::mark_odds_each>},
     {"newcomer_odds", scale_decision<&DecisionParams::newcomer_odds>},
+    {"newcomer_s", scale_decision<&DecisionParams::newcomer_s>},
     {"scene_cells", scale_decision<&DecisionParams::scene_cells>},
     {"still_sigma", scale_decision<&DecisionParams::still_sigma>},
     {"slip", scale_decision<&DecisionParams::slip>},

@@ -45,9 +45,11 @@ struct DecisionParams {
   double mark_odds = 0.003;
   /// … and the increase with each known mark.
   double mark_odds_each = 0.3;
-  /// Odds that something new looks like the puck by chance, while the track makes no events. Chosen
-  /// on the scenarios with a puck at rest in tests/vision.
+  /// Odds that something new looks like the puck by chance, while the track makes no events, and
+  /// the age at which they are down to 1/e: nothing looks like it for long. Chosen on the scenarios
+  /// with a puck at rest in tests/vision, and on games with goals.
   double newcomer_odds = 0.02;
+  double newcomer_s = 0.1;
   /// The camera turns if so many of 48 cells of the image show a scene that moves as one.
   int scene_cells = 24;
   /// A hypothesis as many standard errors from the scene's motion is as likely a mark as not.

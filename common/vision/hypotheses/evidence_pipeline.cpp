@@ -204,7 +204,11 @@ double EvidencePipeline::odds(const Hypothesis& hypothesis) const {
       has_wall_ ? 2 * share_of(is_other ? context_.game.other_wall : -context_.game.other_wall) : 1;
   const DecisionParams& params = context_.decision;
   const double mark_odds = params.mark_odds + params.mark_odds_each * context_.game.marks;
-  const double newcomer_odds = hypothesis.is_newcomer && is_silent() ? params.newcomer_odds : 0;
+  double newcomer_odds = 0;
+  if (hypothesis.is_newcomer && is_silent()) {
+    const double age_s = static_cast<double>(now_us_ - hypothesis.born_us()) * 1e-6;
+    newcomer_odds = params.newcomer_odds * std::exp(-age_s / params.newcomer_s);
+  }
   return wall / (1 / hypothesis.belief().odds() + hypothesis.mark() * mark_odds + newcomer_odds);
 }
 
@@ -395,7 +399,9 @@ void EvidencePipeline::plan_search(std::int64_t time_us) {
   constexpr std::int64_t kQuiet_us = 100'000;
   constexpr std::int64_t kQuietPeriod_us = 100'000;
   constexpr double kReaches = 4;
-  if (!missed_in_.empty() || time_us < next_search_us_ || (is_sure() && !on_packet_)) return;
+  if (!missed_in_.empty() || time_us < next_search_us_ ||
+      (is_sure() && !is_silent() && !on_packet_))
+    return;
   // For a while nothing has come but noise: there is nothing new to find, or it is too faint to
   // tell.
   const bool is_quiet = noise_floor_.quiet_us(time_us) > kQuiet_us;
