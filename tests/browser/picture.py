@@ -1,9 +1,9 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes the README's picture of puck-view: a screenshot of its page while a simulated game is played.
 
   tests/browser/picture.py docs/page.png
 
-Needs tools/install-deps.sh --browser and the target puck_programs; run it with Debian's python3.
+Needs tools/install-deps.sh --browser and the target puck_programs.
 """
 
 import os

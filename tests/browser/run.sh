@@ -11,4 +11,5 @@ tools/build.sh puck-{arm,bridge,camera,doctor,logger,tracker,view}
 cd tests/browser
 tests=(page_test)
 [ $# -eq 0 ] || tests=("${@/#/page_test.}")
-python3 -m unittest "${tests[@]}"
+# Debian's, which has the packages installed above.
+/usr/bin/python3 -m unittest "${tests[@]}"
