@@ -13,13 +13,9 @@ std::unique_ptr<TrackingPipeline> make(SensorSize sensor, const HypothesesParams
                                 "correlation, paper and reference also take " +
                                 to_string(params.surface));
   }
-  return std::make_unique<EvidencePipeline>(sensor,
-                                            EvidencePipelineParams{.calibration = params.contour,
-                                                                   .evidence = params.evidence,
-                                                                   .decision = params.decision,
-                                                                   .on_packet = params.on_packet},
+  return std::make_unique<EvidencePipeline>(sensor, params,
                                             detection_region(sensor, params.detector),
-                                            params.sizes_of(size_model));
+                                            params.sizes_of(size_model), params.contour);
 }
 
 std::unique_ptr<TrackingPipeline> make(SensorSize sensor, const PuckPipelineParams& params,

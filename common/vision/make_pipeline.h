@@ -13,11 +13,7 @@ namespace puck {
 
 /// Settings of EvidencePipeline, and of the correlation that searches for it, on recently active
 /// edges only (FreshPixels).
-struct HypothesesParams : SearchParams {
-  EvidenceParams evidence;
-  DecisionParams decision;
-  PacketObserver on_packet;  ///< EvidencePipelineParams::on_packet.
-};
+struct HypothesesParams : SearchParams, EvidencePipelineParams {};
 
 /// Settings of a tracker, and which pipeline it has.
 using PipelineParams = std::variant<HypothesesParams, PuckPipelineParams>;

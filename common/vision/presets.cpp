@@ -16,7 +16,7 @@ std::optional<Preset> preset_from(std::string_view name) {
 }
 
 HypothesesParams default_params() {
-  HypothesesParams params{correlation_params()};
+  HypothesesParams params{correlation_params(), {}};
   // Evidence decides on each candidate of the search, so that false candidates are acceptable.
   params.detector.threshold = 0.2;
   return params;

@@ -425,10 +425,8 @@ void CameraService::publish_truth(const SimulatedTruth& truth) {
 bool CameraService::wait_at_end(std::stop_token stop) {
   has_ended_ = true;
   while (!is_interrupted(stop)) {
-    context_.bus.handle(milliseconds(10));
-    controls_.poll(has_ended_);
-    show_state();
-    poll_status(context_, *this);
+    serve_bus();
+    std::this_thread::sleep_until(bus_due_);
   }
   has_ended_ = false;
   return !stop.stop_requested();

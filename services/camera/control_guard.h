@@ -57,8 +57,8 @@ class ControlGuard {
   };
 
   static constexpr std::size_t kSenders = 16;
-  // The sender's clock may be ahead, so a control is accepted for up to twice its greatest age. As
-  // long, its number must be known, or a copy of it would be taken again.
+  // The sender's clock may be ahead, so a control is accepted for up to twice its greatest age.
+  // Until then its number must be known, or a copy of it would be taken again.
   static_assert(kSenders > 2 * kMaxAgeUs / kPeriodUs + 1);
 
   Sender* find(std::int64_t session);

@@ -37,7 +37,7 @@ class ReplayControls {
   ControlVerdict obey(const std::optional<ReplayRequest>& request, std::int64_t sender);
   std::string outcome(ControlVerdict verdict) const;
 
-  static constexpr std::int64_t kKey = 0;  // A key's place of a sender.
+  static constexpr std::int64_t kKey = 0;  // Instead of a sender's session: a key.
 
   Replay* replay_;
   ServiceContext& context_;

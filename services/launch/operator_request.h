@@ -34,8 +34,10 @@ class OperatorRequest {
 struct OperatorParams {
   std::string program;           ///< Before its messages: puck-arm.
   std::int64_t at_least_us = 0;  ///< So long it is published, also if it is answered earlier.
-  std::int64_t give_up_us = 1'000'000;   ///< Without a confirmation …
-  std::int64_t longest_us = 60'000'000;  ///< … or, while it is being carried out, after this time.
+  /// Gives up after so long without a sign that it is being carried out …
+  std::int64_t give_up_us = 1'000'000;
+  /// … and after so long in any case.
+  std::int64_t longest_us = 60'000'000;
 };
 
 /// Publishes the request every 20 ms until it is confirmed. Returns the exit code: 0 with the

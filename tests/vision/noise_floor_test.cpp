@@ -27,7 +27,7 @@ class Noisy {
     }
   }
   void wait(std::int64_t duration_us) { time_us_ += duration_us; }
-  std::int64_t quiet_us() const { return floor.quiet_us(time_us_); }
+  std::int64_t quiet_us() const { return floor.quiet_us(); }
   double hz() const { return floor.per_pixel_us() * 1e6; }
 
   NoiseFloor floor{kNoisySensor};

@@ -70,8 +70,7 @@ TextTable set_table(const SequenceSet& set, const ComparisonReport& report) {
 }
 
 TextTable hard_table(const ComparisonReport& report) {
-  std::vector<Contestant> shown = contestants();
-  std::erase_if(shown, [&](const Contestant& each) { return !report.options.includes(each); });
+  const std::vector<Contestant> shown = report.options.included();
   std::vector<std::string> header{"mean px / lost %"};
   for (const Contestant& contestant : shown) header.push_back(contestant.name);
   TextTable table("All sets at a glance", header);

@@ -100,8 +100,7 @@ Json report_json(const ComparisonReport& report) {
   for (const SequenceSet& set : sequence_sets()) {
     json["sets"][set.name] = set_json(set, report);
   }
-  for (const Contestant& contestant : contestants()) {
-    if (!report.options.includes(contestant)) continue;
+  for (const Contestant& contestant : report.options.included()) {
     json["latency"][contestant.name] = runs_json(report.latency.runs({"latency"}, contestant.name));
   }
   return json;

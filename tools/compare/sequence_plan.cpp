@@ -92,9 +92,13 @@ SequenceSet set_of(const std::vector<SequenceSet>& sets, const std::string& name
   return *found;
 }
 
-bool PlanOptions::includes(const Contestant& contestant) const {
-  if (only.empty()) return !contestant.only_by_name;
-  return std::find(only.begin(), only.end(), contestant.name) != only.end();
+std::vector<Contestant> PlanOptions::included() const {
+  std::vector<Contestant> all = contestants();
+  std::erase_if(all, [&](const Contestant& each) {
+    if (only.empty()) return each.only_by_name;
+    return std::find(only.begin(), only.end(), each.name) == only.end();
+  });
+  return all;
 }
 
 int sequences_of(const SequenceSet& set, const PlanOptions& options) {
@@ -114,9 +118,8 @@ std::vector<Sequence> plan_sequences(const PlanOptions& options) {
                         .seed = set.first_seed + i,
                         .seconds = seconds_of(set, options),
                         .shown = set.shown && i == 0};
-      for (const Contestant& contestant : contestants()) {
+      for (const Contestant& contestant : options.included()) {
         if (set.is_hard && contestant.name == kParticleFilter) continue;
-        if (!options.includes(contestant)) continue;
         sequence.contestants.push_back(contestant);
       }
       sequences.push_back(sequence);
@@ -142,8 +145,7 @@ Sequence latency_sequence(const PlanOptions& options, double seconds) {
   Sequence sequence{.set = {.name = "latency", .title = "latency"},
                     .seed = 2,
                     .seconds = std::min(options.seconds / 3, seconds)};
-  for (Contestant& contestant : contestants()) {
-    if (!options.includes(contestant)) continue;
+  for (Contestant& contestant : options.included()) {
     contestant.options.emplace_back("--real-time");
     contestant.cost = 1;
     sequence.contestants.push_back(contestant);

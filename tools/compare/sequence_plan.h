@@ -47,7 +47,8 @@ struct PlanOptions {
   /// `ours` or `paper`: puck-evaluate's --scoring.
   std::string scoring = "ours";
 
-  bool includes(const Contestant& contestant) const;
+  /// Those of contestants() that run.
+  std::vector<Contestant> included() const;
 };
 /// Number and length of a set's sequences. Hard sets have half as many, of a third of the length, 2
 /// to 10 s.

@@ -29,11 +29,12 @@ bool is_at(const Hypothesis& hypothesis, const Hypothesis& there) {
 }  // namespace
 
 EvidencePipeline::EvidencePipeline(SensorSize sensor, const EvidencePipelineParams& params,
-                                   const Region& detection_region, const PuckSizeModel& size_model)
+                                   const Region& detection_region, const PuckSizeModel& size_model,
+                                   const ContourCalibration& calibration)
     : sensor_(sensor),
       detection_region_(detection_region),
       on_packet_(params.on_packet),
-      context_{.contour = PuckContour(sensor, size_model, params.calibration),
+      context_{.contour = PuckContour(sensor, size_model, calibration),
                .filter = {},
                .evidence = params.evidence,
                .decision = params.decision,
@@ -399,14 +400,14 @@ void EvidencePipeline::plan_search(std::int64_t time_us) {
   constexpr std::int64_t kQuiet_us = 100'000;
   constexpr std::int64_t kQuietPeriod_us = 100'000;
   constexpr double kReaches = 4;
-  if (!missed_in_.empty() || time_us < next_search_us_ ||
-      (is_sure() && !is_silent() && !on_packet_))
-    return;
-  // For a while nothing has come but noise: there is nothing new to find, or it is too faint to
+  // If for a while nothing has come but noise, there is nothing new to find, or it is too faint to
   // tell.
-  const bool is_quiet = noise_floor_.quiet_us(time_us) > kQuiet_us;
-  if (is_quiet && time_us < searched_us_ + kQuietPeriod_us) return;
-  next_search_us_ = time_us + kNearPeriod_us;
+  const bool is_quiet = noise_floor_.quiet_us() > kQuiet_us;
+  if (!missed_in_.empty() ||
+      time_us < searched_us_ + (is_quiet ? kQuietPeriod_us : kNearPeriod_us) ||
+      (is_sure() && !is_silent() && !on_packet_)) {
+    return;
+  }
   searched_us_ = time_us;
   const Region image = Region::all_of(sensor_);
   wanted_ = {.fresh_only = true};

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,7 +22,6 @@ namespace puck {
 using PacketObserver = std::function<void(const Hypothesis&, const GameTraits&)>;
 
 struct EvidencePipelineParams {
-  ContourCalibration calibration;
   EvidenceParams evidence;
   DecisionParams decision;
   /// If set, the tracker examines everything that resembles a puck: it searches all the time and
@@ -36,7 +36,8 @@ struct EvidencePipelineParams {
 class EvidencePipeline final : public TrackingPipeline {
  public:
   EvidencePipeline(SensorSize sensor, const EvidencePipelineParams& params,
-                   const Region& detection_region, const PuckSizeModel& size_model);
+                   const Region& detection_region, const PuckSizeModel& size_model,
+                   const ContourCalibration& calibration);
 
   bool needs_events() const override { return true; }
   std::int64_t decision_period_us() const override { return kDecision_us; }
@@ -102,8 +103,7 @@ class EvidencePipeline final : public TrackingPipeline {
   std::vector<TimedEvent> missed_;  // since the search began
   Region missed_in_;                // empty: no search runs
   SearchRequest wanted_;
-  std::int64_t next_search_us_ = 0;
-  std::int64_t searched_us_ = 0;
+  std::int64_t searched_us_ = std::numeric_limits<std::int64_t>::min() / 2;
   std::int64_t next_wide_us_ = 0;
   std::int64_t next_manoeuvre_us_ = 0;
   std::int64_t next_wall_us_ = 0;

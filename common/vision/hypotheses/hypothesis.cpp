@@ -18,8 +18,7 @@ constexpr double kTelling_sigma = 1.5;
 constexpr double kKnownTone = 0.4;
 constexpr double kToneMass = 5;
 constexpr double kLargestGate_px = 5;
-// Of more events after their pixels' first ones between two decisions, every n-th is used, with
-// weight n.
+// Of more repeated events than this between two decisions only every n-th is used, with weight n.
 constexpr int kMostRepeats = 50;
 // Time constants of the speed: of a puck that is seen, and of one that is not.
 constexpr double kSeenDamping_s = 1;

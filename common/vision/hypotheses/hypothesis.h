@@ -127,8 +127,8 @@ class Hypothesis {
   std::int64_t heard_us_;
   int packets_ = 0;
   double recent_events_ = 0;
-  // Of the events that are not the first of their pixel every so many-th is used, with that weight:
-  // they say little more of an edge.
+  // Of the repeated events every stride_-th is used, with that weight: they say little more of an
+  // edge than the first of their pixel.
   int stride_ = 1;
   int repeats_ = 0;  // since the last decision
   // Since the last decision: events near the contour, and those of them that are not on it.

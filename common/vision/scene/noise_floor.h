@@ -29,7 +29,7 @@ class NoiseFloor {
 
   /// For how long, until the last decision, noise has explained all events in every part of the
   /// image, µs.
-  std::int64_t quiet_us(std::int64_t time_us) const { return time_us - active_us_; }
+  std::int64_t quiet_us() const { return decided_us_ - active_us_; }
 
  private:
   void learn();

@@ -101,7 +101,7 @@ class View {
   savePicture() {
     const canvases = ['picture-0', 'picture-1'].map(byId)
       .filter((canvas) => !canvas.hidden && canvas.dataset.shown);
-    if (canvases.length === 0) return;
+    if (canvases.length === 0 || !this.state) return;
     const sheet = document.createElement('canvas');
     sheet.width = canvases.reduce((width, canvas) => width + canvas.width, 0);
     sheet.height = canvases[0].height;
@@ -110,7 +110,6 @@ class View {
       sheet.getContext('2d').drawImage(canvas, x, 0);
       x += canvas.width;
     }
-    if (!this.state) return;
     const seconds = this.state.seconds;
     const source = this.state.playback ? this.state.source.replace(/\.[^.]*$/, '') : 'live';
     sheet.toBlob((blob) => {
