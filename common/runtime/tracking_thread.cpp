@@ -90,10 +90,10 @@ void TrackingThread::run(const std::stop_token& stop) {
 }
 
 void TrackingThread::run_due_tasks() {
-  take_search_result();
   if (look_requested_ || (surface_.has_news() && Clock::now() >= next_look_)) {
     make_step(kLongestTake);
   }
+  take_search_result();
   if (worker_.is_copying()) worker_.copy_more(surface_);
   publish_if_due();
 }
@@ -124,6 +124,7 @@ void TrackingThread::make_step(microseconds longest_take) {
   const auto began = Clock::now();
   look(longest_take);
   publish_if_due();
+  pipeline_->work_off();
   last_step_ = Clock::now() - began;
 }
 

@@ -106,6 +106,7 @@ TEST_CASE("The head rests when, looked at for 300 ms, nothing is known, and not 
   std::int64_t time_us = 10'000'000;
   const auto look = [&](int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) background.decide(time_us += 1'000);
+    background.work_off();
   };
   look(299);
   CHECK_FALSE(background.head_rests());

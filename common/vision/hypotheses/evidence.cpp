@@ -11,28 +11,43 @@ namespace {
 // Share of packets of either class that look like the other's, so that no single packet decides.
 constexpr double kOutliers = 0.03;
 
-// Γ(a + k) / Γ(a), logarithm, of a whole k.
-double log_rising(double a, double k) {
-  constexpr double kFew = 16;
-  if (k <= kFew) {
+// A product of Γ(a + k) / Γ(a), each of a whole k, with one logarithm for all small ones.
+class RisingProduct {
+ public:
+  void multiply(double a, double k) {
+    constexpr double kFew = 16;
+    if (k > kFew) {
+      int sign = 0;
+      log_ += lgamma_r(a + k, &sign) - lgamma_r(a, &sign);
+      return;
+    }
     double product = 1;
     for (double i = 0; i < k; ++i) product *= a + i;
-    return std::log(product);
+    product_ *= product;
+    constexpr double kLargest = 1e100;
+    if (product_ < kLargest && product_ > 1 / kLargest) return;
+    log_ += std::log(product_);
+    product_ = 1;
   }
-  int sign = 0;
-  return lgamma_r(a + k, &sign) - lgamma_r(a, &sign);
-}
+  double log() const { return log_ + std::log(product_); }
+
+ private:
+  double product_ = 1;
+  double log_ = 0;
+};
 
 // Of a Dirichlet-multinomial, without its coefficient, which is the same for both classes.
 double log_likelihood(std::span<const double> counts, std::span<const double> shares,
                       double concentration) {
   double sum = 0;
-  double log = 0;
+  RisingProduct rising;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     sum += counts[i];
-    log += log_rising(concentration * shares[i], counts[i]);
+    rising.multiply(concentration * shares[i], counts[i]);
   }
-  return log - log_rising(concentration, sum);
+  RisingProduct all;
+  all.multiply(concentration, sum);
+  return rising.log() - all.log();
 }
 
 // log(exp(a) + exp(b)).

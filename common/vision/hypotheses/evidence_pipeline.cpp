@@ -52,6 +52,7 @@ EvidencePipeline::EvidencePipeline(SensorSize sensor, const EvidencePipelinePara
 }
 
 void EvidencePipeline::take(Timestamp start, std::span<const Event> events) {
+  work_off();
   piece_.clear();
   constexpr std::size_t kFetchedAhead = 8;
   for (std::size_t i = 0; i < events.size(); ++i) {
@@ -71,21 +72,38 @@ void EvidencePipeline::take(Timestamp start, std::span<const Event> events) {
     if (is_near) piece_.push_back(timed);
     if (is_missed) missed_.push_back(timed);
   }
-  for (Hypothesis& hypothesis : all_) hypothesis.take(piece_, context_);
+  near_events_ += piece_.size();
+  if (main_) all_[*main_].take(piece_, context_);
+  is_owed_ = true;
+}
+
+// An estimate is the track's. The others must have the events before they are looked at.
+void EvidencePipeline::work_off() {
+  background_.work_off();
+  if (!is_owed_) return;
+  is_owed_ = false;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    if (i != main_) all_[i].take(piece_, context_);
+  }
 }
 
 void EvidencePipeline::decide_before(std::int64_t time_us) {
   // Silence is to be noticed before it is over; but not for longer than anything is believed.
   constexpr std::int64_t kLongestSilence_us = 500'000;
   constexpr std::int64_t kSilentStep_us = 10'000;
-  const std::int64_t due_us = decision_before(time_us, kDecision_us);
-  if (due_us <= decided_us_) return;
+  constexpr std::size_t kFewEvents = 16;
+  const std::int64_t due_us =
+      decision_before(time_us, near_events_ < kFewEvents ? kRareDecision_us : kDecision_us);
+  // Not where events of later have been taken already.
+  if (due_us <= decided_us_ || due_us < now_us_) return;
   std::int64_t step_us = std::max(decided_us_, due_us - kLongestSilence_us) + kSilentStep_us;
   for (; step_us < due_us; step_us += kSilentStep_us) decide(step_us);
   decide(due_us);
 }
 
 void EvidencePipeline::decide(std::int64_t time_us) {
+  work_off();
+  near_events_ = 0;
   now_us_ = std::max(now_us_, time_us);
   noise_floor_.decide(time_us);
   context_.game.noise_px2_s = noise_floor_.per_pixel_us() * 1e6;
@@ -114,7 +132,7 @@ void EvidencePipeline::decide(std::int64_t time_us) {
 void EvidencePipeline::note_near() {
   near_.clear();
   for (const Hypothesis& hypothesis : all_) {
-    near_.add(hypothesis.reach(static_cast<double>(kDecision_us) * 1e-6));
+    near_.add(hypothesis.reach(static_cast<double>(kRareDecision_us) * 1e-6));
   }
 }
 
@@ -398,7 +416,7 @@ void EvidencePipeline::plan_search(std::int64_t time_us) {
   constexpr std::int64_t kNearPeriod_us = 5'000;
   constexpr std::int64_t kWidePeriod_us = 20'000;
   constexpr std::int64_t kQuiet_us = 100'000;
-  constexpr std::int64_t kQuietPeriod_us = 100'000;
+  constexpr std::int64_t kQuietPeriod_us = 500'000;
   constexpr double kReaches = 4;
   // If for a while nothing has come but noise, there is nothing new to find, or it is too faint to
   // tell.
@@ -444,6 +462,7 @@ SearchRequest EvidencePipeline::search_wanted() {
 }
 
 void EvidencePipeline::take(const SearchResult& result) {
+  work_off();
   missed_in_ = {};
   const std::size_t most = main_ ? 4 : 8;
   const double share = context_.contour.wall_share(result.request.other_wall);

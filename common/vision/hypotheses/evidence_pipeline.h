@@ -44,12 +44,14 @@ class EvidencePipeline final : public TrackingPipeline {
   void take(Timestamp start, std::span<const Event> events) override;
   Region region_needed() const override { return {}; }
   PuckEstimate step(const SurfaceSnapshot& snapshot) override;
+  void work_off() override;
   SearchRequest search_wanted() override;
   void take(const SearchResult& result) override;
 
  private:
-  // Sensor time between two decisions.
+  // Sensor time between two decisions; and while there are few events to decide on.
   static constexpr std::int64_t kDecision_us = 500;
+  static constexpr std::int64_t kRareDecision_us = 2'000;
 
   void decide_before(std::int64_t time_us);
   void decide(std::int64_t time_us);
@@ -100,6 +102,8 @@ class EvidencePipeline final : public TrackingPipeline {
   std::int64_t seen_us_ = 0;
 
   std::vector<TimedEvent> piece_;   // near hypotheses
+  bool is_owed_ = false;            // to all but the track
+  std::size_t near_events_ = 0;     // since the last decision
   std::vector<TimedEvent> missed_;  // since the search began
   Region missed_in_;                // empty: no search runs
   SearchRequest wanted_;

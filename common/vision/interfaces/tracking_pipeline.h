@@ -73,6 +73,11 @@ class TrackingPipeline {
   /// Makes an estimate on a snapshot of region_needed(). Times never go backwards.
   virtual PuckEstimate step(const SurfaceSnapshot& snapshot) = 0;
 
+  /// Does the work that an estimate need not wait for. To be called once an estimate has been
+  /// published; else the next call of take() or step() does it first. Later
+  /// estimates are the same either way.
+  virtual void work_off() {}
+
   /// The search that the pipeline wants now, if any. Called after each take of events and each
   /// step, but not between a request and its result.
   virtual SearchRequest search_wanted() = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace puck {
 namespace {
@@ -69,6 +70,7 @@ Background::Background(SensorSize sensor, int least_cells)
       map_(sensor),
       turn_(turn_of(sensor)) {
   taken_.reserve(kMostEvents);
+  last_.events.reserve(kMostEvents);
   then_.reserve(kMostEvents);
 }
 
@@ -81,38 +83,48 @@ void Background::clear_map() {
 }
 
 void Background::decide(std::int64_t time_us, double noise_per_pixel_us) {
-  const std::int64_t passed_us = time_us - aligned_us_;
+  const std::int64_t passed_us = time_us - decided_us_;
   if (passed_us < kPeriod_us) return;
-  aligned_us_ = time_us;
-  // Noise would turn it away from the map, never to come back.
-  if (head_rests()) {
-    speed_ = {};
-    trail_.clear();
-  } else {
-    align();
-    trail_.note(turn_, time_us);
-  }
-  place_taken();
-  const auto taken_us = static_cast<double>(std::min(passed_us, kPeriod_us));
-  const double noise = noise_per_pixel_us * taken_us / static_cast<double>(stride_);
-  still_level_ = std::max(kStill, map_.level_of_noise() + kAboveNoise);
-  note_activity(passed_us, noise);
-  if (unknown_us_ > kLongestUnknown_us) {
-    clear_map();
-    place_taken();
-  }
-  map_.advance(time_us);
-  for (const Pixel& then : then_) map_.add(then);
-  map_.note_noise(noise);
+  work_off();
+  decided_us_ = time_us;
+  last_.time_us = time_us;
+  last_.passed_us = passed_us;
+  last_.noise = noise_per_pixel_us * static_cast<double>(std::min(passed_us, kPeriod_us)) /
+                static_cast<double>(stride_);
+  std::swap(last_.events, taken_);
+  is_owed_ = true;
   taken_.clear();
   stride_ = 1 + seen_ / static_cast<std::int64_t>(kMostEvents);
   until_taken_ = 1;
   seen_ = 0;
 }
 
-void Background::place_taken() {
+void Background::work_off() {
+  if (!is_owed_) return;
+  is_owed_ = false;
+  // Noise would turn it away from the map, never to come back.
+  if (head_rests()) {
+    speed_ = {};
+    trail_.clear();
+  } else {
+    align();
+    trail_.note(turn_, last_.time_us);
+  }
+  place_events();
+  still_level_ = std::max(kStill, map_.level_of_noise() + kAboveNoise);
+  note_activity();
+  if (unknown_us_ > kLongestUnknown_us) {
+    clear_map();
+    place_events();
+  }
+  map_.advance(last_.time_us);
+  for (const Pixel& then : then_) map_.add(then);
+  map_.note_noise(last_.noise);
+}
+
+void Background::place_events() {
   then_.clear();
-  for (const Pixel& event : taken_) then_.push_back(turn_.then_of(event));
+  for (const Pixel& event : last_.events) then_.push_back(turn_.then_of(event));
 }
 
 // Gauss-Newton on how far the events are from lying on the map, (half / (level + half))². A hand
@@ -122,15 +134,15 @@ void Background::place_taken() {
 void Background::align() {
   turn_.turn(speed_);
   Cells events{};
-  for (const Pixel& event : taken_) events[cell_of(event)] += 1;
+  for (const Pixel& event : last_.events) events[cell_of(event)] += 1;
   double support = 0;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    place_taken();
+    place_events();
     for (const Pixel& then : then_) map_.fetch(then);
     std::array<Steps, 3> squares{{{kStiffness, 0, 0}, {0, kStiffness, 0}, {0, 0, kStiffness}}};
     Steps towards{};
     support = 0;
-    for (std::size_t i = 0; i < taken_.size(); ++i) {
+    for (std::size_t i = 0; i < last_.events.size(); ++i) {
       const Pixel then = then_[i];
       const FadingMap::Sample sample = map_.sample(then);
       if (!(sample.level > 0)) continue;
@@ -141,7 +153,7 @@ void Background::align() {
       for (std::size_t k = 0; k < 3; ++k) {
         steps[k] = slope * (sample.slope_x * slopes.x[k] + sample.slope_y * slopes.y[k]);
       }
-      const double weight = (1 - residual) * kFew / (kFew + events[cell_of(taken_[i])]);
+      const double weight = (1 - residual) * kFew / (kFew + events[cell_of(last_.events[i])]);
       support += weight;
       for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t k = 0; k < 3; ++k) squares[row][k] += weight * steps[row] * steps[k];
@@ -157,13 +169,14 @@ void Background::align() {
   }
 }
 
-void Background::note_activity(std::int64_t passed_us, double noise) {
+void Background::note_activity() {
+  const std::int64_t passed_us = last_.passed_us;
   const double keep = std::exp(-static_cast<double>(passed_us) / kActivityMemory_us);
   for (double& cell : activity_) cell *= keep;
   for (double& cell : events_) cell *= keep;
-  noise_ = keep * noise_ + noise;
-  for (std::size_t i = 0; i < taken_.size(); ++i) {
-    const std::size_t cell = cell_of(taken_[i]);
+  noise_ = keep * noise_ + last_.noise;
+  for (std::size_t i = 0; i < last_.events.size(); ++i) {
+    const std::size_t cell = cell_of(last_.events[i]);
     events_[cell] += 1;
     if (map_.level(then_[i]) > still_level_) activity_[cell] += 1;
   }

@@ -34,8 +34,13 @@ class Background {
     taken_.push_back({x, y});
   }
 
-  /// To be called at each decision. `noise_per_pixel_us`: NoiseFloor's.
+  /// To be called at each decision: ends a period of a millisecond. `noise_per_pixel_us`:
+  /// NoiseFloor's.
   void decide(std::int64_t time_us, double noise_per_pixel_us = 0);
+
+  /// Learns from the last period. The next decide() does it if nobody has; until then all answers
+  /// are those of the periods before.
+  void work_off();
 
   /// The map is of a scene that moves as one, or so it seems. Otherwise nothing is known to stand
   /// still: with a still camera only hands and mallets might have drawn it.
@@ -71,13 +76,21 @@ class Background {
   static constexpr std::int64_t kCalmAfter_us = 20'000;
   using Cells = std::array<double, ImageCells::kCount>;
 
-  void place_taken();
+  // Events and the time from which they are.
+  struct Period {
+    std::int64_t time_us = 0;  // of its end
+    std::int64_t passed_us = 0;
+    double noise = 0;  // events of a pixel
+    std::vector<Pixel> events;
+  };
+
+  void place_events();
   void align();
   void clear_map();
   std::size_t cell_of(Pixel event) const {
     return cells_.cell_of(static_cast<int>(event.x), static_cast<int>(event.y));
   }
-  void note_activity(std::int64_t passed_us, double noise);
+  void note_activity();
 
   SensorSize sensor_;
   int least_cells_;
@@ -87,11 +100,13 @@ class Background {
   CameraTurn::Steps speed_{};  // a period
   TurnTrail trail_;
   std::vector<Pixel> taken_;
-  std::vector<Pixel> then_;  // where they lie on the map
+  Period last_;
+  bool is_owed_ = false;     // The last period is to be learned from.
+  std::vector<Pixel> then_;  // where its events lie on the map
   std::int64_t seen_ = 0;    // in this period
   std::int64_t stride_ = 1;  // Of so many events one is taken.
   std::int64_t until_taken_ = 1;
-  std::int64_t aligned_us_ = 0;
+  std::int64_t decided_us_ = 0;
   double still_level_ = kStill;  // more than noise has on the map
   Cells activity_{};             // events on the map, fading
   Cells events_{};               // all events, fading
