@@ -92,8 +92,8 @@ void EvidencePipeline::decide_before(std::int64_t time_us) {
   constexpr std::int64_t kLongestSilence_us = 500'000;
   constexpr std::int64_t kSilentStep_us = 10'000;
   constexpr std::size_t kFewEvents = 16;
-  const std::int64_t due_us =
-      decision_before(time_us, near_events_ < kFewEvents ? kRareDecision_us : kDecision_us);
+  const bool is_rare = is_quiet() && near_events_ < kFewEvents;
+  const std::int64_t due_us = decision_before(time_us, is_rare ? kRareDecision_us : kDecision_us);
   // Not where events of later have been taken already.
   if (due_us <= decided_us_ || due_us < now_us_) return;
   std::int64_t step_us = std::max(decided_us_, due_us - kLongestSilence_us) + kSilentStep_us;
@@ -126,6 +126,13 @@ void EvidencePipeline::decide(std::int64_t time_us) {
   puck_ = is_sure() ? box_of(all_[*main_]) : Region{};
   decided_us_ = time_us;
   note_near();
+}
+
+// For a while nothing has come but noise: there is nothing new to find or to decide, or it is too
+// faint to tell.
+bool EvidencePipeline::is_quiet() const {
+  constexpr std::int64_t kQuiet_us = 100'000;
+  return noise_floor_.quiet_us() > kQuiet_us;
 }
 
 // Where hypotheses may take events until the next decision.
@@ -415,14 +422,10 @@ double EvidencePipeline::reach_px(std::int64_t time_us) const {
 void EvidencePipeline::plan_search(std::int64_t time_us) {
   constexpr std::int64_t kNearPeriod_us = 5'000;
   constexpr std::int64_t kWidePeriod_us = 20'000;
-  constexpr std::int64_t kQuiet_us = 100'000;
   constexpr std::int64_t kQuietPeriod_us = 500'000;
   constexpr double kReaches = 4;
-  // If for a while nothing has come but noise, there is nothing new to find, or it is too faint to
-  // tell.
-  const bool is_quiet = noise_floor_.quiet_us() > kQuiet_us;
   if (!missed_in_.empty() ||
-      time_us < searched_us_ + (is_quiet ? kQuietPeriod_us : kNearPeriod_us) ||
+      time_us < searched_us_ + (is_quiet() ? kQuietPeriod_us : kNearPeriod_us) ||
       (is_sure() && !is_silent() && !on_packet_)) {
     return;
   }

@@ -49,12 +49,13 @@ class EvidencePipeline final : public TrackingPipeline {
   void take(const SearchResult& result) override;
 
  private:
-  // Sensor time between two decisions; and while there are few events to decide on.
+  // Sensor time between two decisions; and while all is quiet.
   static constexpr std::int64_t kDecision_us = 500;
   static constexpr std::int64_t kRareDecision_us = 2'000;
 
   void decide_before(std::int64_t time_us);
   void decide(std::int64_t time_us);
+  bool is_quiet() const;
   void note_near();
   bool weigh(Hypothesis& hypothesis, std::int64_t time_us);
   bool is_seen(std::int64_t time_us) const;
