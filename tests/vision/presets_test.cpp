@@ -41,13 +41,11 @@ TEST_CASE("preset reference has the constants of the authors' code") {
   CHECK_FALSE(p.tracker.centred_window);
   CHECK(p.tracker.shift_to_lowest);
   CHECK(p.tracker.quantised);
-  CHECK_FALSE(p.tracker.sub_pixel);
   CHECK_FALSE(p.loss.enabled);
   CHECK_FALSE(p.predicts);
-  CHECK_FALSE(p.ring.has_value());
-  CHECK_FALSE(p.lead.enabled);
+  CHECK_FALSE(p.has_ring);
+  CHECK_FALSE(p.leads);
   CHECK(p.motion.measurement_sigma_px == 0.7);
-  CHECK(p.motion.surprise_sigmas == 0);
 }
 
 TEST_CASE("preset paper has the constants of the paper's text") {
@@ -77,23 +75,20 @@ TEST_CASE("preset paper has the constants of the paper's text") {
   CHECK(p.tracker.centred_window);
   CHECK(p.tracker.shift_to_lowest);
   CHECK_FALSE(p.tracker.quantised);
-  CHECK_FALSE(p.tracker.sub_pixel);
   CHECK_FALSE(p.loss.enabled);
   CHECK_FALSE(p.predicts);
-  CHECK_FALSE(p.ring.has_value());
-  CHECK_FALSE(p.lead.enabled);
+  CHECK_FALSE(p.has_ring);
+  CHECK_FALSE(p.leads);
   CHECK(p.motion.measurement_sigma_px == 0.7);
-  CHECK(p.motion.surprise_sigmas == 0);
 }
 
 TEST_CASE("preset correlation has every improvement, paper and reference none of them") {
   for (const Preset preset : {Preset::kPaper, Preset::kReference, Preset::kCorrelation}) {
     const auto p = std::get<PuckPipelineParams>(preset_params(preset));
     const bool has = preset == Preset::kCorrelation;
-    CHECK(p.ring.has_value() == has);
-    CHECK(p.lead.enabled == has);
+    CHECK(p.has_ring == has);
+    CHECK(p.leads == has);
     CHECK(p.predicts == has);
-    CHECK((p.motion.surprise_sigmas > 0) == has);
   }
 }
 

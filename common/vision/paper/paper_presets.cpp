@@ -69,15 +69,13 @@ PuckPipelineParams correlation_params() {
   params.tracker.shift_to_lowest = false;
   // Small, because the prediction centres it.
   params.tracker.region_factor = 2;
-  params.tracker.sub_pixel = true;
-  params.ring.emplace();
+  params.has_ring = true;
   params.motion.measurement_sigma_px = 0.2;
-  params.motion.surprise_sigmas = 6;
-  params.lead.enabled = true;
   params.loss.lowest_score = 0.55;
   params.loss.lowest_start_score = 0.6;
   params.loss.search_period_us = 3'000;
   params.predicts = true;
+  params.leads = true;
   return params;
 }
 
