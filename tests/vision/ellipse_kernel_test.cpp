@@ -82,8 +82,10 @@ TEST_CASE("a kernel's response is its profile's measure") {
   CHECK(contrast.response(300, 200, 0) == contrast.contrast(300, 200, 0));
 }
 
-TEST_CASE("an empty canvas or ellipse is refused") {
+TEST_CASE("an empty canvas, one that is too wide, or an empty ellipse is refused") {
   CHECK_THROWS_AS(EllipseKernel({0, 5, 0, 0, 1, 1, 0, 0}, {}), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(EllipseKernel({129, 5, 64, 2, 64, 2, 64, 2}, {}),
+                       "a kernel may be 128 px wide at most, got 129", std::invalid_argument);
   CHECK_THROWS_AS(EllipseKernel({5, 5, 2, 2, 0, 1, 2, 2}, {}), std::invalid_argument);
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/vision/correlation/plain_sums.h"
-
 namespace puck {
 namespace {
 
@@ -92,7 +90,7 @@ double Correlation::correlate_lowest(const EllipseKernel& kernel, const Region& 
 std::optional<double> Correlation::weigh(const EllipseKernel& kernel, const Region& candidates,
                                          const Region& kept, CorrelationMap& out) {
   const auto& weights = kernel.whole_weights();
-  if (!weights || !KernelSweep::can_sweep(kernel) || candidates.empty()) return std::nullopt;
+  if (!weights || candidates.empty()) return std::nullopt;
   cover_reach(kernel, candidates);
   const std::int32_t lowest =
       sweep_.sweep(sums_of_rows_, kernel, *weights, candidates, kept, totals_);
@@ -112,30 +110,15 @@ void Correlation::measure(const EllipseKernel& kernel, const Region& candidates,
   out.response.resize(candidates.width, candidates.height);
   if (candidates.empty()) return;
   cover_reach(kernel, candidates);
-  sum_shapes(kernel, candidates);
-  const bool contrast = kernel.measure() == KernelMeasure::kContrast;
+  sweep_.sweep(sums_of_rows_, kernel, candidates, sums_);
   for (int y = 0; y < candidates.height; ++y) {
     const std::int32_t* canvas = sums_[0].row(candidates.y + y);
     const std::int32_t* outer = sums_[1].row(candidates.y + y);
     const std::int32_t* inner = sums_[2].row(candidates.y + y);
     double* to = out.response.row(y);
-    if (contrast) {
-      for (int x = 0; x < candidates.width; ++x) {
-        to[x] = kernel.contrast(canvas[x], outer[x], inner[x]);
-      }
-    } else {
-      for (int x = 0; x < candidates.width; ++x) {
-        to[x] = kernel.weighted_sum(canvas[x], outer[x], inner[x]);
-      }
+    for (int x = 0; x < candidates.width; ++x) {
+      to[x] = kernel.response(canvas[x], outer[x], inner[x]);
     }
-  }
-}
-
-void Correlation::sum_shapes(const EllipseKernel& kernel, const Region& candidates) {
-  if (KernelSweep::can_sweep(kernel)) {
-    sweep_.sweep(sums_of_rows_, kernel, candidates, sums_);
-  } else {
-    sum_plainly(sums_of_rows_, kernel, candidates, sums_);
   }
 }
 
@@ -162,11 +145,7 @@ double Correlation::lower_bound(const EllipseKernel& kernel) {
 double Correlation::contrast_at(const EllipseKernel& kernel, int x, int y) {
   const Region place{x, y, 1, 1};
   cover_reach(kernel, place);
-  if (KernelSweep::can_sweep(kernel)) {
-    const auto [canvas, outer, inner] = sums_at(sums_of_rows_, kernel, x, y);
-    return kernel.contrast(canvas, outer, inner);
-  }
-  sum_plainly(sums_of_rows_, kernel, place, sums_);
+  sweep_.sweep(sums_of_rows_, kernel, place, sums_);
   return kernel.contrast(*sums_[0].row(y), *sums_[1].row(y), *sums_[2].row(y));
 }
 

@@ -62,7 +62,6 @@ class Correlation {
                               const Region& kept, CorrelationMap& out);
   // For any measure.
   void measure(const EllipseKernel& kernel, const Region& candidates, CorrelationMap& out);
-  void sum_shapes(const EllipseKernel& kernel, const Region& candidates);
 
   ImageView<const std::uint8_t> picture_;
   Region region_;

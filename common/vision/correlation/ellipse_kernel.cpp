@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace puck {
 namespace {
@@ -41,6 +42,10 @@ EllipseKernel::EllipseKernel(const KernelGeometry& geometry, const KernelProfile
   if (geometry.canvas_width < 1 || geometry.canvas_height < 1 || !(geometry.semi_x > 0) ||
       !(geometry.semi_y > 0)) {
     throw std::invalid_argument("a kernel needs a canvas of at least one pixel and positive axes");
+  }
+  if (geometry.canvas_width > kWidest) {
+    throw std::invalid_argument("a kernel may be " + std::to_string(kWidest) +
+                                " px wide at most, got " + std::to_string(geometry.canvas_width));
   }
   for (int row = 0; row < geometry.canvas_height; ++row) {
     const Run outer = run_within(geometry, row, profile.outer_boundary);

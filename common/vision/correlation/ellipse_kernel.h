@@ -50,7 +50,10 @@ class EllipseKernel {
     std::int16_t last = 0;
   };
 
-  /// Throws std::invalid_argument when the canvas or the ellipse is empty.
+  /// Sums over a wider canvas could not be swept (KernelSweep).
+  static constexpr int kWidest = 128;
+
+  /// Throws std::invalid_argument when the canvas is empty or too wide, or the ellipse is empty.
   EllipseKernel(const KernelGeometry& geometry, const KernelProfile& profile);
 
   int width() const { return geometry_.canvas_width; }

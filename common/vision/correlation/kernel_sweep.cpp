@@ -353,23 +353,5 @@ void KernelSweep::sweep(const RowSums& picture, const EllipseKernel& kernel,
   HWY_DYNAMIC_DISPATCH(sweep)(plan);
 }
 
-std::array<std::int32_t, 3> sums_at(const RowSums& picture, const EllipseKernel& kernel, int x,
-                                    int y) {
-  std::array<std::int32_t, 3> sums{};
-  const std::uint16_t* place = picture.row(y - kernel.anchor_y() - picture.place().y) +
-                               (x - kernel.anchor_x() - picture.place().x);
-  const auto sum_of = [&](int first, int last) {
-    return static_cast<std::uint16_t>(place[last] - place[first]);
-  };
-  for (int row = 0; row < kernel.height(); ++row, place += picture.stride()) {
-    const EllipseKernel::Run outer = kernel.outer_run(row);
-    const EllipseKernel::Run inner = kernel.inner_run(row);
-    sums[0] += sum_of(0, kernel.width());
-    sums[1] += sum_of(outer.first, outer.last);
-    sums[2] += sum_of(inner.first, inner.last);
-  }
-  return sums;
-}
-
 }  // namespace puck
 #endif

@@ -17,14 +17,12 @@ namespace puck {
 /// sums are exact; every instruction set gives the same.
 ///
 /// The change of a sum from one row of candidates to the next fits into 16 bits: at most a pixel a
-/// column on a canvas of `kWidest` columns, 128 · 255 = 32640. So the difference of two 16-bit sums
+/// column on the widest canvas, 128 · 255 = 32640. So the difference of two 16-bit sums
 /// is exact and is added to the total in 32 bits. The first row's sum is added up in 16 bits for as
 /// many runs as fit, then in 32. A canvas's sum changes by its last row and the one above its
 /// first.
 class KernelSweep {
  public:
-  static constexpr int kWidest = 128;
-
   /// The totals of a part of the candidates.
   struct Totals {
     Region region;         ///< The rows, and at least the requested columns.
@@ -39,9 +37,6 @@ class KernelSweep {
       return values.data() + (y - region.y) * stride + (region.x - first_column);
     }
   };
-
-  /// Whether the kernel can be swept; otherwise use sum_plainly.
-  static bool can_sweep(const EllipseKernel& kernel) { return kernel.width() <= kWidest; }
 
   /// Returns the lowest weighted total of all candidates, and keeps the totals in `kept`, which
   /// lies inside the candidates. `picture` covers the kernel's reach from all candidates.
@@ -62,10 +57,5 @@ class KernelSweep {
   std::vector<SumRun> outer_;
   std::vector<SumRun> inner_;
 };
-
-/// The sums over the canvas, the outer and the inner ellipse with the anchor on one pixel, for a
-/// kernel that can be swept.
-std::array<std::int32_t, 3> sums_at(const RowSums& picture, const EllipseKernel& kernel, int x,
-                                    int y);
 
 }  // namespace puck
