@@ -115,11 +115,7 @@ void GreyTable::develop(SurfaceCounts& counts, ImageView<std::uint8_t> out) cons
 
 void GreyTable::apply(std::span<std::uint8_t> counts) const {
   const std::size_t done = HWY_DYNAMIC_DISPATCH(look_up)(counts, grey_after_.data(), sixteens_);
-  apply_byte_by_byte(counts.subspan(done));
-}
-
-void GreyTable::apply_byte_by_byte(std::span<std::uint8_t> counts) const {
-  for (std::uint8_t& count : counts) count = grey_of_count_[count];
+  for (std::uint8_t& count : counts.subspan(done)) count = grey_of_count_[count];
 }
 
 }  // namespace puck
