@@ -9,8 +9,6 @@
 
 #include <doctest/doctest.h>
 
-#include "common/vision/correlation/correlation.h"
-#include "common/vision/correlation/gaussian_blur.h"
 #include "common/vision/correlation/kernel_bank.h"
 #include "common/vision/paper/paper_presets.h"
 #include "common/vision/presets.h"
@@ -155,37 +153,6 @@ TEST_CASE("on every instruction set a white picture with the largest kernels doe
     CAPTURE(target);
     for (const PlainSums& sums : expected) check_sums(sums);
   });
-}
-
-TEST_CASE("on every instruction set a blurred surface gives the same responses, even at borders") {
-  const Image<std::uint8_t> surface = test::noise(90, 70, 3);
-  const Region place{20, 10, 90, 70};
-  const KernelBank bank(reference_params().kernels);
-  GaussianBlur blur;
-  Image<std::uint8_t> blurred;
-  blur.apply(surface.view(), blurred);
-  for (const PuckSize size : {PuckSize{9, 9}, {28, 19}}) {
-    const EllipseKernel& kernel = bank.nearest(size);
-    for (const Region& candidates : {Region{10, 0, 110, 90}, {50, 30, 20, 15}, {15, 60, 7, 30}}) {
-      Correlation plain;
-      CorrelationMap expected;
-      plain.set_picture(blurred.view(), place);
-      hwy::SetSupportedTargetsForTest(HWY_STATIC_TARGET);
-      plain.correlate(kernel, candidates, expected);
-      with_each_simd_target([&](const std::string& target) {
-        CAPTURE(target);
-        Correlation correlation;
-        CorrelationMap map;
-        correlation.set_surface(surface.view(), place);
-        correlation.correlate(kernel, candidates, map);
-        for (int y = 0; y < candidates.height; ++y) {
-          for (int x = 0; x < candidates.width; ++x) {
-            REQUIRE(map.response(x, y) == expected.response(x, y));
-          }
-        }
-      });
-    }
-  }
 }
 
 }  // namespace puck

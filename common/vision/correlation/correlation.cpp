@@ -18,18 +18,9 @@ bool holds(const Region& outer, const Region& inner) { return outer.intersect(in
 
 }  // namespace
 
-void Correlation::set_picture(ImageView<const std::uint8_t> picture, const Region& region) {
-  show(picture, region, false);
-}
-
 void Correlation::set_surface(ImageView<const std::uint8_t> surface, const Region& region) {
-  show(surface, region, true);
-}
-
-void Correlation::show(ImageView<const std::uint8_t> picture, const Region& region, bool blurs) {
-  picture_ = picture;
+  surface_ = surface;
   region_ = region;
-  blurs_ = blurs;
   ready_ = false;
   in_blocks_ = false;
 }
@@ -48,18 +39,14 @@ void Correlation::cover(const Region& region) {
     std::uint8_t* row = pixels.row(y - region.y) + (shown.x - region.x);
     if (!is_small) std::fill(dark, row, std::uint8_t{0});
     dark = row + shown.width;
-    if (blurs_) continue;
-    std::copy_n(picture_.row(y - region_.y) + (shown.x - region_.x), shown.width, row);
   }
   if (!is_small) std::fill(dark, end, std::uint8_t{0});
-  if (blurs_ && !shown.empty()) {
-    blur_.apply(picture_, {shown.x - region_.x, shown.y - region_.y, shown.width, shown.height},
+  if (!shown.empty()) {
+    blur_.apply(surface_, {shown.x - region_.x, shown.y - region_.y, shown.width, shown.height},
                 pixels.part(shown.x - region.x, shown.y - region.y, shown.width, shown.height));
-  }
-  if (shown.empty()) {
-    sums_of_rows_.sum_up(0, 0);
-  } else {
     sums_of_rows_.sum_up(shown.y - region.y, shown.bottom() - region.y);
+  } else {
+    sums_of_rows_.sum_up(0, 0);
   }
   ready_ = true;
 }
@@ -123,17 +110,16 @@ void Correlation::measure(const EllipseKernel& kernel, const Region& candidates,
 }
 
 void Correlation::sum_blocks() {
-  if (!in_blocks_) blocks_.set_picture(picture_);
+  if (!in_blocks_) blocks_.set_picture(surface_);
   in_blocks_ = true;
 }
 
 double Correlation::lower_bound(const EllipseKernel& kernel) {
   sum_blocks();
   const bool mirrors_once =
-      picture_.width() > 2 * GaussianBlur::kRadius && picture_.height() > 2 * GaussianBlur::kRadius;
-  if (blurs_ && !mirrors_once) return kernel.lowest_response();
+      surface_.width() > 2 * GaussianBlur::kRadius && surface_.height() > 2 * GaussianBlur::kRadius;
+  if (!mirrors_once) return kernel.lowest_response();
   const auto most_in = [&](int width, int height) {
-    if (!blurs_) return static_cast<double>(blocks_.most_in(width, height));
     const auto grey = static_cast<double>(
         blocks_.most_in(width + 2 * GaussianBlur::kRadius, height + 2 * GaussianBlur::kRadius));
     return GaussianBlur::kMostGain * grey + 0.5 * width * height;
