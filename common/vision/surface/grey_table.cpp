@@ -17,12 +17,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Replaces bytes in whole vectors; returns the number replaced. `grey_after` holds `sixteens` times
 // 16 values; all beyond are 0.
 std::size_t look_up(std::span<std::uint8_t> counts, const std::uint8_t* grey_after, int sixteens) {
-#if HWY_TARGET == HWY_SCALAR
-  (void)counts;
-  (void)grey_after;
-  (void)sixteens;
-  return 0;
-#else
   const hn::ScalableTag<std::uint8_t> tag;
   const std::size_t lanes = hn::Lanes(tag);
   // An index of 128 and more looks up 0. A saturated addition of 112 moves all indices but 0 to 15
@@ -42,7 +36,6 @@ std::size_t look_up(std::span<std::uint8_t> counts, const std::uint8_t* grey_aft
     hn::StoreU(grey, tag, counts.data() + done);
   }
   return done;
-#endif
 }
 
 }  // namespace puck::HWY_NAMESPACE
