@@ -23,6 +23,8 @@ constexpr double kEdgePx = 0.27;
 constexpr double kSlowPxPerS = 200;
 // What the last events of an edge that passes lag behind its first ones, µs.
 constexpr double kEdgeUs = 130;
+// Standard deviation of what remains. Steps share it, so that it does not average out.
+constexpr double kShownSigmaPx = 0.4;
 
 double speed_of(PixelVelocity velocity) { return std::hypot(velocity.x, velocity.y); }
 
@@ -178,11 +180,15 @@ PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
   if (state_ != TrackState::kTracking) return estimate;
 
   const PixelVelocity velocity = motion_.velocity();
-  const double late_s =
-      params_.leads ? shown_late_s(speed_of(velocity), params_.contour.lag_us) : 0;
-  estimate.position = {position_.x + late_s * velocity.x, position_.y + late_s * velocity.y};
+  estimate.position = position_;
   estimate.velocity = velocity;
   estimate.covariance = motion_.covariance();
+  if (params_.leads) {
+    const double late_s = shown_late_s(speed_of(velocity), params_.contour.lag_us);
+    estimate.position = {position_.x + late_s * velocity.x, position_.y + late_s * velocity.y};
+    estimate.covariance[0] += kShownSigmaPx * kShownSigmaPx;
+    estimate.covariance[5] += kShownSigmaPx * kShownSigmaPx;
+  }
   estimate.size = size_model_.at(position_);
   estimate.score = score_;
   estimate.coasting = coasting_;
