@@ -9,6 +9,7 @@
 
 #include "common/vision/correlation/gaussian_blur.h"
 #include "common/vision/correlation/kernel_bank.h"
+#include "tests/support/kernel_weights.h"
 #include "tests/support/simd_targets.h"
 
 namespace puck {
@@ -33,7 +34,7 @@ Image<std::uint8_t> blurred(const Image<std::uint8_t>& surface) {
 // The kernel's response with its anchor on (x, y) of a blurred surface, pixel by pixel.
 double dense_response(const Image<std::uint8_t>& picture, const Region& region,
                       const EllipseKernel& kernel, int x, int y) {
-  const Image<double> weights = kernel.weights();
+  const Image<double> weights = test::weights_of(kernel);
   double sum = 0;
   for (int j = 0; j < weights.height(); ++j) {
     for (int i = 0; i < weights.width(); ++i) {
@@ -150,7 +151,7 @@ TEST_CASE("correlation equals OpenCV's filter2D where the kernel lies inside the
   Image<std::uint8_t> picture = blurred(surface);
   const KernelBank bank(KernelBankParams{});
   const EllipseKernel& kernel = bank.nearest({29, 19});
-  Image<double> weights = kernel.weights();
+  Image<double> weights = test::weights_of(kernel);
   const cv::Mat input(60, 80, CV_8U, picture.row(0));
   const cv::Mat filter(weights.height(), weights.width(), CV_64F, weights.row(0));
   cv::Mat expected;
@@ -174,7 +175,7 @@ TEST_CASE("the contrast at a pixel is that of the kernel's zones there") {
   const KernelBank bank(KernelBankParams{});
   const EllipseKernel& kernel = bank.nearest({29, 19});
   // A full ring around (40, 50), and nothing else.
-  const Image<double> weights = kernel.weights();
+  const Image<double> weights = test::weights_of(kernel);
   for (int j = 0; j < weights.height(); ++j) {
     for (int i = 0; i < weights.width(); ++i) {
       picture(40 - 10 - kernel.anchor_x() + i, 50 - 20 - kernel.anchor_y() + j) =

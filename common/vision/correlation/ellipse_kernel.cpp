@@ -83,18 +83,4 @@ EllipseKernel::EllipseKernel(const KernelGeometry& geometry, const KernelProfile
   }
 }
 
-Image<double> EllipseKernel::weights() const {
-  Image<double> picture(width(), height());
-  for (int y = 0; y < height(); ++y) {
-    const Run outer = outer_run(y);
-    const Run inner = inner_run(y);
-    for (int x = 0; x < width(); ++x) {
-      const bool in_outer = x >= outer.first && x < outer.last;
-      const bool in_inner = x >= inner.first && x < inner.last;
-      picture(x, y) = weighted_sum(1, in_outer ? 1 : 0, in_inner ? 1 : 0);
-    }
-  }
-  return picture;
-}
-
 }  // namespace puck

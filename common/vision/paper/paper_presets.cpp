@@ -84,9 +84,4 @@ PuckSizeModel authors_static_size_model() {
                          6.313115087846054, 0.0022264258939534796, 0.09551609558936817});
 }
 
-PuckSizeModel authors_moving_size_model() {
-  return contour_of_box({12.201650881598578, 0.009735421154783392, 0.09872367924641742,
-                         1.92477315662196, 0.003209378102266541, 0.09801072879753021});
-}
-
 }  // namespace puck
