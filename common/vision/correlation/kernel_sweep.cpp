@@ -4,8 +4,6 @@
 #include <limits>
 #include <span>
 
-#include "common/vision/correlation/sweep_plan.h"
-
 // Everything in this file is compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/vision/correlation/kernel_sweep.cpp"
