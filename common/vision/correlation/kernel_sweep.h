@@ -41,10 +41,9 @@ struct SweepPlan {
 /// sums are exact; every instruction set gives the same.
 ///
 /// The change of a sum from one row of candidates to the next fits into 16 bits: at most a pixel a
-/// column on the widest canvas, 128 · 255 = 32640. So the difference of two 16-bit sums
-/// is exact and is added to the total in 32 bits. The first row's sum is added up in 16 bits for as
-/// many runs as fit, then in 32. A canvas's sum changes by its last row and the one above its
-/// first.
+/// column on the widest canvas, 128 · 255 = 32640. So the difference of two 16-bit sums is exact
+/// and is added to the total in 32 bits. The first row's sum is added up in 16 bits for as many
+/// runs as fit, then in 32. A canvas's sum changes by its last row and the one above its first.
 class KernelSweep {
  public:
   /// The totals of a part of the candidates.
