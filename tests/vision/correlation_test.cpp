@@ -116,7 +116,6 @@ TEST_CASE("the bright parts of a row hold every place from which a kernel covers
 TEST_CASE("an earlier picture leaves no trace where the next one is dark") {
   const KernelBank bank(KernelBankParams{});
   const EllipseKernel& kernel = bank.nearest({15, 11});
-  // The covered part is cleared at once up to 4 KiB, beyond that row by row.
   for (const Region& candidates : {Region{100, 50, 40, 30}, {100, 50, 100, 60}}) {
     const auto [left, top, width, height] = candidates;
     const Image<std::uint8_t> surface = noise(width, height);

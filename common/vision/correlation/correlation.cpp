@@ -6,8 +6,6 @@
 namespace puck {
 namespace {
 
-constexpr std::ptrdiff_t kSmallBytes = 4096;
-
 // The pixels that a kernel covers with its anchor on any of the candidates.
 Region reach_of(const EllipseKernel& kernel, const Region& candidates) {
   return {candidates.x - kernel.anchor_x(), candidates.y - kernel.anchor_y(),
@@ -29,18 +27,7 @@ void Correlation::cover(const Region& region) {
   sums_of_rows_.resize(region);
   const ImageView<std::uint8_t> pixels = sums_of_rows_.pixels();
   const Region shown = region.intersect(region_);
-  // A row's dark border continues at the left of the next row. A small picture is cleared at once,
-  // which takes less time than a call for each row.
-  std::uint8_t* const end = pixels.row(region.height);
-  const bool is_small = end - pixels.row(0) <= kSmallBytes;
-  if (is_small) std::fill(pixels.row(0), end, std::uint8_t{0});
-  std::uint8_t* dark = pixels.row(0);
-  for (int y = shown.y; y < shown.bottom(); ++y) {
-    std::uint8_t* row = pixels.row(y - region.y) + (shown.x - region.x);
-    if (!is_small) std::fill(dark, row, std::uint8_t{0});
-    dark = row + shown.width;
-  }
-  if (!is_small) std::fill(dark, end, std::uint8_t{0});
+  std::fill(pixels.row(0), pixels.row(region.height), std::uint8_t{0});
   if (!shown.empty()) {
     blur_.apply(surface_, {shown.x - region_.x, shown.y - region_.y, shown.width, shown.height},
                 pixels.part(shown.x - region.x, shown.y - region.y, shown.width, shown.height));

@@ -24,7 +24,6 @@ using Narrow = hn::CappedTag<std::uint16_t, 16>;
 // outer and the inner ellipse.
 template <typename Sums, int kShapes, int kVectors>
 class Strip {
-  using Changes = hn::RebindToSigned<Sums>;
   using Totals = hn::Repartition<std::int32_t, Sums>;
   using SumVector = hn::Vec<Sums>;
   using TotalVector = hn::Vec<Totals>;
