@@ -47,6 +47,13 @@ function(puck_compile_plainly)
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O0)
 endfunction()
 
+# puck_emulate_vectors(<target>): processors without any vectors that Highway knows emulate them. Highway would
+# fall back to a target of single lanes, which lacks many operations, with compilers before GCC 12.3, which
+# miscompile emulated products' upper halves (GCC bug 106322); such a target must not use these.
+function(puck_emulate_vectors target)
+  target_compile_definitions(${target} PRIVATE HWY_BROKEN_EMU128=0)
+endfunction()
+
 # puck_library(<name> [FAST] [LINKS <library>...] [PRIVATE_LINKS <library>...])
 # A static library of all the sources in the current folder. FAST: it is optimised for speed.
 function(puck_library name)

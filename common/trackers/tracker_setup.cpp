@@ -9,7 +9,7 @@
 #include "common/baselines/particle_filter_eros.h"
 #include "common/io/config.h"
 #include "common/io/parse_number.h"
-#include "common/vision/hypotheses/decision_numbers.h"
+#include "common/trackers/decision_numbers.h"
 #include "common/vision/surface_tracker.h"
 
 namespace puck {

@@ -16,6 +16,7 @@
 #include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_tracker.h"
 #include "common/vision/surface/surface.h"
+#include "tests/support/kernel_weights.h"
 
 namespace puck {
 namespace {
@@ -114,7 +115,7 @@ class TextbookStep {
   explicit TextbookStep(const Task& task) : region_(task.region), window_(task.window) {
     const KernelBank bank(task.params.kernels);
     const EllipseKernel& kernel = bank.nearest(task.size_model.at(kExpected));
-    const Image<double> weights = kernel.weights();
+    const Image<double> weights = test::weights_of(kernel);
     cv::Mat(weights.height(), weights.width(), CV_64F, const_cast<double*>(weights.row(0)))
         .convertTo(kernel_, CV_32F);
     anchor_ = {kernel.anchor_x(), kernel.anchor_y()};

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "common/vision/correlation/kernel_bank.h"
+#include "tests/support/kernel_weights.h"
 
 namespace puck {
 namespace {
@@ -39,15 +40,15 @@ TEST_CASE("the reference kernels have as many pixels in each zone as the authors
     CHECK(kernel.ring_pixels() == zones.ring);
     CHECK(kernel.outside_pixels() == zones.outside);
   }
-  CHECK(sum_of(bank.nearest({29, 19}).weights()) == doctest::Approx(226.6));
-  CHECK(sum_of(bank.nearest({37, 25}).weights()) == doctest::Approx(417.4));
-  CHECK(sum_of(bank.nearest({51, 45}).weights()) == doctest::Approx(1146.6));
+  CHECK(sum_of(test::weights_of(bank.nearest({29, 19}))) == doctest::Approx(226.6));
+  CHECK(sum_of(test::weights_of(bank.nearest({37, 25}))) == doctest::Approx(417.4));
+  CHECK(sum_of(test::weights_of(bank.nearest({51, 45}))) == doctest::Approx(1146.6));
 }
 
 TEST_CASE("a kernel's weights are those of its profile in each zone") {
   const EllipseKernel kernel({21, 21, 10, 10, 10, 10, 10, 10},
                              {0.4, 0.8, -1, 3, -0.2, KernelMeasure::kWeightedSum});
-  const Image<double> weights = kernel.weights();
+  const Image<double> weights = test::weights_of(kernel);
   CHECK(weights(10, 10) == doctest::Approx(-1));
   CHECK(weights(18, 10) == doctest::Approx(3));  // squared normalised radius 0.64
   CHECK(weights(20, 10) == doctest::Approx(-0.2));
@@ -82,8 +83,10 @@ TEST_CASE("a kernel's response is its profile's measure") {
   CHECK(contrast.response(300, 200, 0) == contrast.contrast(300, 200, 0));
 }
 
-TEST_CASE("an empty canvas or ellipse is refused") {
+TEST_CASE("an empty canvas, one that is too wide, or an empty ellipse is refused") {
   CHECK_THROWS_AS(EllipseKernel({0, 5, 0, 0, 1, 1, 0, 0}, {}), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(EllipseKernel({129, 5, 64, 2, 64, 2, 64, 2}, {}),
+                       "a kernel may be 128 px wide at most, got 129", std::invalid_argument);
   CHECK_THROWS_AS(EllipseKernel({5, 5, 2, 2, 0, 1, 2, 2}, {}), std::invalid_argument);
 }
 

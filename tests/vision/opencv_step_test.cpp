@@ -11,6 +11,7 @@
 #include "common/vision/paper/paper_presets.h"
 #include "common/vision/paper/puck_tracker.h"
 #include "common/vision/surface/surface.h"
+#include "tests/support/kernel_weights.h"
 #include "tests/support/recordings.h"
 #include "tests/support/sanitizers.h"
 
@@ -53,7 +54,7 @@ void compare_at(Surface& surface, Pixel expected, PuckSize size, Agreement& agre
   const cv::Mat grey(snapshot.grey.height(), snapshot.grey.width(), CV_8U, snapshot.grey.row(0));
   cv::Mat blurred;
   cv::GaussianBlur(grey, blurred, cv::Size(5, 5), 0);
-  Image<double> weights = kernel.weights();
+  Image<double> weights = test::weights_of(kernel);
   cv::Mat filter;
   cv::Mat(weights.height(), weights.width(), CV_64F, weights.row(0)).convertTo(filter, CV_32F);
   cv::Mat response;

@@ -34,20 +34,22 @@ TEST_CASE("the fixed detection kernel has the zones of the authors' code and the
   const PuckPipelineParams params = reference_params();
   const KernelBank bank(params.kernels);
   PuckDetector detector(params.detector, authors_static_size_model());
-  // A fully lit annulus of 172 pixels gives the largest response: 43,860.
+  // A fully lit annulus of 172 pixels gives the largest response, if it were not blurred: 43,860.
   const EllipseKernel ring({30, 19, 15.2, 9.5, 15.2, 9.5, 15, 9}, params.detector.fixed_profile);
   CHECK(ring.ring_pixels() == 172);
   CHECK(ring.inside_pixels() == 270);
   CHECK(ring.outside_pixels() == 128);
+  CHECK(ring.response(255 * 172, 255 * 172, 0) == doctest::Approx(43'860));
   Image<std::uint8_t> picture(640, 480);
   draw_ring(picture, ring, 300, 190);
   Correlation correlation;
-  correlation.set_picture(picture.view(), kImage);
+  correlation.set_surface(picture.view(), kImage);
   const Region region = detection_region(kSensor, params.detector);
   const auto& found = detector.detect(correlation, region, bank);
   REQUIRE(found.size() == 1);
   CHECK(found.front().position == Pixel{300, 190});
-  CHECK(found.front().response == doctest::Approx(43'860));
+  CHECK(found.front().response > 20'000);
+  CHECK(found.front().response < 43'860);
 }
 
 TEST_CASE("a response up to the threshold is no detection") {
@@ -56,7 +58,7 @@ TEST_CASE("a response up to the threshold is no detection") {
   Image<std::uint8_t> picture(640, 480);
   for (int x = 296; x < 308; ++x) picture(x, 190) = 250;  // 12 pixels: 3000 at the very best
   Correlation correlation;
-  correlation.set_picture(picture.view(), kImage);
+  correlation.set_surface(picture.view(), kImage);
   PuckDetector detector(params.detector, authors_static_size_model());
   CHECK(detector.detect(correlation, detection_region(kSensor, params.detector), bank).empty());
   params.detector.threshold = 100;
@@ -73,7 +75,7 @@ TEST_CASE("a search with the size of each row finds the puck near and far") {
     draw_ring(picture, bank.nearest(model.at(truth)), static_cast<int>(truth.x),
               static_cast<int>(truth.y));
     Correlation correlation;
-    correlation.set_picture(picture.view(), kImage);
+    correlation.set_surface(picture.view(), kImage);
     PuckDetector detector(params.detector, model);
     CHECK(detection_region(kSensor, params.detector) == kImage);
     const Region region = detection_region(kSensor, params.detector);
@@ -96,7 +98,7 @@ TEST_CASE("a search finds every puck, best first, and no place twice") {
   for (int x = 180; x <= 220; x += 2) picture(x, 40) = 0;  // even less
   for (int x = 180; x <= 220; ++x) picture(x, 51) = 255;
   Correlation correlation;
-  correlation.set_picture(picture.view(), kImage);
+  correlation.set_surface(picture.view(), kImage);
   PuckDetector detector(params.detector, model);
   const auto& found = detector.detect(correlation, kImage, bank);
   REQUIRE(found.size() >= 3);

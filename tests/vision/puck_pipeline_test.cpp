@@ -108,7 +108,7 @@ TEST_CASE("there is no detection on an empty surface or in clutter without a rin
 TEST_CASE("the soft ring follows a drawn contour to a tenth of a pixel") {
   PuckPipelineParams params = correlation_params();
   // Drawn events have no lag, no trail, and lie on the annotated contour.
-  params.lead.enabled = false;
+  params.leads = false;
   params.contour.grow_px = 0;
   Scene scene(params);
   double mean_px = 0;

@@ -66,23 +66,4 @@ TEST_CASE("the score follows the ring's shift") {
   CHECK(ring_score(samples, {1.5, -1}) > ring_score(samples, {}) + 0.05);
 }
 
-TEST_CASE("the spread of the grey is that of the line drawn, and grows with a trail behind it") {
-  const auto picture = test::draw_ring(120, 120, {{60, 60}, 15, 10, 0});
-  RingSamples samples;
-  samples.gather(picture.view(), kPicture, {15, 10, 0, 0}, {60, 60});
-  const double sharp = ring_spread(samples, {});
-  CHECK(sharp == doctest::Approx(0.8).epsilon(0.1));
-
-  Image<std::uint8_t> trailed = picture;
-  for (int y = 0; y < 120; ++y) {
-    for (int x = 3; x < 120; ++x) {
-      for (int behind = 1; behind <= 3; ++behind) {
-        trailed(x - behind, y) = std::max(trailed(x - behind, y), picture(x, y));
-      }
-    }
-  }
-  samples.gather(trailed.view(), kPicture, {15, 10, 0, 0}, {60, 60});
-  CHECK(ring_spread(samples, {}) > sharp + 0.4);
-}
-
 }  // namespace puck

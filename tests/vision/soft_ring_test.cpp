@@ -1,7 +1,7 @@
 #include "common/vision/contour/soft_ring.h"
 
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <doctest/doctest.h>
 
@@ -17,8 +17,9 @@ using test::kSensor;
 constexpr PuckSizeModel kTablePlane{20, 0, 0.1, 7, 0, 0.1};
 constexpr PuckSizeModel kModelOfRow140{34, 0, 0, 21, 0, 0};
 constexpr ContourCalibration kAsAnnotated{0, 0, 0};
+constexpr Region kAtOrigin{0, 0, 100, 90};
 
-SoftRing ring_with(const PuckSizeModel& model) { return {kSensor, {}, model, kAsAnnotated}; }
+SoftRing ring_with(const PuckSizeModel& model) { return {kSensor, model, kAsAnnotated}; }
 
 double error_px(const SoftRing::Fit& fit, Pixel truth) {
   return std::hypot(fit.position.x - truth.x, fit.position.y - truth.y);
@@ -49,15 +50,36 @@ TEST_CASE("the shear of a puck beside the middle is known from the plane") {
   CHECK(sheared > upright + 0.05);
 }
 
-TEST_CASE("parameters that cannot be are refused with their key") {
-  PeakRefinementParams params;
-  params.half_width_px = 0;
-  CHECK_THROWS_WITH_AS(SoftRing(kSensor, params, kModelOfRow140, kAsAnnotated),
-                       doctest::Contains("half_width_px"), std::invalid_argument);
-  params = {};
-  params.iterations = 0;
-  CHECK_THROWS_WITH_AS(SoftRing(kSensor, params, kModelOfRow140, kAsAnnotated),
-                       doctest::Contains("iterations"), std::invalid_argument);
+TEST_CASE("a ring is found to a seventh of the way, to a twentieth of a pixel when near") {
+  for (const double semi : {8.0, 15.0, 28.0}) {
+    for (const Pixel off : {Pixel{0, 0}, {0.3, -0.25}, {-0.7, 0.6}, {1.2, 0.4}}) {
+      CAPTURE(semi);
+      CAPTURE(off.x);
+      const Pixel centre{50 + off.x, 45 + off.y};
+      const auto picture = test::draw_ring(100, 90, {centre, semi, 0.65 * semi, 0});
+      const PuckSizeModel size{2 * semi, 0, 0, 1.3 * semi, 0, 0};
+      const double near_px = std::max(0.05, std::hypot(off.x, off.y) / 7);
+      CHECK(error_px(ring_with(size).fit(picture.view(), kAtOrigin, {50, 45}), centre) < near_px);
+    }
+  }
+}
+
+TEST_CASE("the start is kept without bright pixels") {
+  const Image<std::uint8_t> dark(100, 90);
+  const auto fit = ring_with(kModelOfRow140).fit(dark.view(), kAtOrigin, {50, 45});
+  CHECK(fit.position == Pixel{50, 45});
+  CHECK(fit.score == 0);
+}
+
+TEST_CASE("a ring does not drift along an edge, and not beyond its limit") {
+  Image<std::uint8_t> edge(100, 90);
+  for (int y = 37; y <= 38; ++y) std::fill_n(edge.row(y), 100, std::uint8_t{255});
+  // The ring's upper end lies at row 35: the edge pulls it down.
+  const PuckSizeModel size{30, 0, 0, 20, 0, 0};
+  const auto fit = ring_with(size).fit(edge.view(), kAtOrigin, {50, 45});
+  CHECK(std::abs(fit.position.x - 50) < 0.05);
+  CHECK(fit.position.y > 45.5);
+  CHECK(fit.position.y <= 49);
 }
 
 }  // namespace puck

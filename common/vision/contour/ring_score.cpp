@@ -63,16 +63,4 @@ double ring_score(const RingSamples& samples, Pixel shift) {
   return std::sqrt(contrasts / seen * sum * sum / (kContourSectors * squares));
 }
 
-double ring_spread(const RingSamples& samples, Pixel shift) {
-  double grey = 0;
-  double squares = 0;
-  for (const RingSample& sample : samples.near()) {
-    const double distance =
-        sample.distance_px - sample.normal_x * shift.x - sample.normal_y * shift.y;
-    grey += sample.grey;
-    squares += sample.grey * distance * distance;
-  }
-  return grey > 0 ? std::sqrt(squares / grey) : 0;
-}
-
 }  // namespace puck

@@ -15,7 +15,4 @@ namespace puck {
 /// `shift`: where the ring lies relative to where the samples were gathered, up to a few px.
 double ring_score(const RingSamples& samples, Pixel shift);
 
-/// How widely the grey around the ring is spread across it, root mean square, px.
-double ring_spread(const RingSamples& samples, Pixel shift);
-
 }  // namespace puck

@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "common/events/sensor_size.h"
-#include "common/vision/contour/peak_refinement.h"
 #include "common/vision/contour/puck_contour.h"
 #include "common/vision/contour/ring_samples.h"
 #include "common/vision/geometry/image.h"
@@ -18,24 +17,21 @@ class SoftRing {
  public:
   struct Fit {
     Pixel position;
-    RefinedPeak peak;
-    double score = 0;      ///< ring_score there.
-    double spread_px = 0;  ///< ring_spread there.
+    double score = 0;  ///< ring_score there.
   };
 
-  /// Throws std::invalid_argument, naming the key, when a parameter is out of range.
-  SoftRing(SensorSize sensor, const PeakRefinementParams& refinement,
-           const PuckSizeModel& size_model, const ContourCalibration& calibration,
-           bool other_wall = false);
+  SoftRing(SensorSize sensor, const PuckSizeModel& size_model,
+           const ContourCalibration& calibration, bool other_wall = false)
+      : contour_(sensor, size_model, calibration), other_wall_(other_wall) {}
 
   /// Begins at `start`, which should be at most about a pixel off. `place` is where the picture, a
   /// surface as it was copied, lies in the image.
   Fit fit(ImageView<const std::uint8_t> picture, const Region& place, Pixel start);
 
  private:
-  void look(ImageView<const std::uint8_t> picture, const Region& place, Pixel start, Fit& fit);
+  // The ring's shift from there.
+  Pixel look(ImageView<const std::uint8_t> picture, const Region& place, Pixel start);
 
-  PeakRefinementParams refinement_;
   PuckContour contour_;
   bool other_wall_;
   RingSamples samples_;

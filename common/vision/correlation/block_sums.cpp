@@ -18,7 +18,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 void sum_blocks(ImageView<const std::uint8_t> band, std::uint32_t* sums) {
   constexpr int kSide = 8;
   int x = 0;
-#if HWY_TARGET != HWY_SCALAR
   const auto sum = [&](auto tag) HWY_ATTR {
     const hn::Repartition<std::uint64_t, decltype(tag)> wide;
     const int lanes = static_cast<int>(hn::Lanes(tag));
@@ -34,7 +33,6 @@ void sum_blocks(ImageView<const std::uint8_t> band, std::uint32_t* sums) {
   };
   sum(hn::ScalableTag<std::uint8_t>());
   sum(hn::Full64<std::uint8_t>());
-#endif
   for (; x < band.width(); x += kSide) {
     std::uint32_t total = 0;
     for (int y = 0; y < band.height(); ++y) {

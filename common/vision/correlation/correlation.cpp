@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "common/vision/correlation/plain_sums.h"
-
 namespace puck {
 namespace {
-
-constexpr std::ptrdiff_t kSmallBytes = 4096;
 
 // The pixels that a kernel covers with its anchor on any of the candidates.
 Region reach_of(const EllipseKernel& kernel, const Region& candidates) {
@@ -20,18 +16,9 @@ bool holds(const Region& outer, const Region& inner) { return outer.intersect(in
 
 }  // namespace
 
-void Correlation::set_picture(ImageView<const std::uint8_t> picture, const Region& region) {
-  show(picture, region, false);
-}
-
 void Correlation::set_surface(ImageView<const std::uint8_t> surface, const Region& region) {
-  show(surface, region, true);
-}
-
-void Correlation::show(ImageView<const std::uint8_t> picture, const Region& region, bool blurs) {
-  picture_ = picture;
+  surface_ = surface;
   region_ = region;
-  blurs_ = blurs;
   ready_ = false;
   in_blocks_ = false;
 }
@@ -40,28 +27,13 @@ void Correlation::cover(const Region& region) {
   sums_of_rows_.resize(region);
   const ImageView<std::uint8_t> pixels = sums_of_rows_.pixels();
   const Region shown = region.intersect(region_);
-  // A row's dark border continues at the left of the next row. A small picture is cleared at once,
-  // which takes less time than a call for each row.
-  std::uint8_t* const end = pixels.row(region.height);
-  const bool is_small = end - pixels.row(0) <= kSmallBytes;
-  if (is_small) std::fill(pixels.row(0), end, std::uint8_t{0});
-  std::uint8_t* dark = pixels.row(0);
-  for (int y = shown.y; y < shown.bottom(); ++y) {
-    std::uint8_t* row = pixels.row(y - region.y) + (shown.x - region.x);
-    if (!is_small) std::fill(dark, row, std::uint8_t{0});
-    dark = row + shown.width;
-    if (blurs_) continue;
-    std::copy_n(picture_.row(y - region_.y) + (shown.x - region_.x), shown.width, row);
-  }
-  if (!is_small) std::fill(dark, end, std::uint8_t{0});
-  if (blurs_ && !shown.empty()) {
-    blur_.apply(picture_, {shown.x - region_.x, shown.y - region_.y, shown.width, shown.height},
+  std::fill(pixels.row(0), pixels.row(region.height), std::uint8_t{0});
+  if (!shown.empty()) {
+    blur_.apply(surface_, {shown.x - region_.x, shown.y - region_.y, shown.width, shown.height},
                 pixels.part(shown.x - region.x, shown.y - region.y, shown.width, shown.height));
-  }
-  if (shown.empty()) {
-    sums_of_rows_.sum_up(0, 0);
-  } else {
     sums_of_rows_.sum_up(shown.y - region.y, shown.bottom() - region.y);
+  } else {
+    sums_of_rows_.sum_up(0, 0);
   }
   ready_ = true;
 }
@@ -92,7 +64,7 @@ double Correlation::correlate_lowest(const EllipseKernel& kernel, const Region& 
 std::optional<double> Correlation::weigh(const EllipseKernel& kernel, const Region& candidates,
                                          const Region& kept, CorrelationMap& out) {
   const auto& weights = kernel.whole_weights();
-  if (!weights || !KernelSweep::can_sweep(kernel) || candidates.empty()) return std::nullopt;
+  if (!weights || candidates.empty()) return std::nullopt;
   cover_reach(kernel, candidates);
   const std::int32_t lowest =
       sweep_.sweep(sums_of_rows_, kernel, *weights, candidates, kept, totals_);
@@ -112,45 +84,29 @@ void Correlation::measure(const EllipseKernel& kernel, const Region& candidates,
   out.response.resize(candidates.width, candidates.height);
   if (candidates.empty()) return;
   cover_reach(kernel, candidates);
-  sum_shapes(kernel, candidates);
-  const bool contrast = kernel.measure() == KernelMeasure::kContrast;
+  sweep_.sweep(sums_of_rows_, kernel, candidates, sums_);
   for (int y = 0; y < candidates.height; ++y) {
     const std::int32_t* canvas = sums_[0].row(candidates.y + y);
     const std::int32_t* outer = sums_[1].row(candidates.y + y);
     const std::int32_t* inner = sums_[2].row(candidates.y + y);
     double* to = out.response.row(y);
-    if (contrast) {
-      for (int x = 0; x < candidates.width; ++x) {
-        to[x] = kernel.contrast(canvas[x], outer[x], inner[x]);
-      }
-    } else {
-      for (int x = 0; x < candidates.width; ++x) {
-        to[x] = kernel.weighted_sum(canvas[x], outer[x], inner[x]);
-      }
+    for (int x = 0; x < candidates.width; ++x) {
+      to[x] = kernel.response(canvas[x], outer[x], inner[x]);
     }
   }
 }
 
-void Correlation::sum_shapes(const EllipseKernel& kernel, const Region& candidates) {
-  if (KernelSweep::can_sweep(kernel)) {
-    sweep_.sweep(sums_of_rows_, kernel, candidates, sums_);
-  } else {
-    sum_plainly(sums_of_rows_, kernel, candidates, sums_);
-  }
-}
-
 void Correlation::sum_blocks() {
-  if (!in_blocks_) blocks_.set_picture(picture_);
+  if (!in_blocks_) blocks_.set_picture(surface_);
   in_blocks_ = true;
 }
 
 double Correlation::lower_bound(const EllipseKernel& kernel) {
   sum_blocks();
   const bool mirrors_once =
-      picture_.width() > 2 * GaussianBlur::kRadius && picture_.height() > 2 * GaussianBlur::kRadius;
-  if (blurs_ && !mirrors_once) return kernel.lowest_response();
+      surface_.width() > 2 * GaussianBlur::kRadius && surface_.height() > 2 * GaussianBlur::kRadius;
+  if (!mirrors_once) return kernel.lowest_response();
   const auto most_in = [&](int width, int height) {
-    if (!blurs_) return static_cast<double>(blocks_.most_in(width, height));
     const auto grey = static_cast<double>(
         blocks_.most_in(width + 2 * GaussianBlur::kRadius, height + 2 * GaussianBlur::kRadius));
     return GaussianBlur::kMostGain * grey + 0.5 * width * height;
@@ -162,11 +118,7 @@ double Correlation::lower_bound(const EllipseKernel& kernel) {
 double Correlation::contrast_at(const EllipseKernel& kernel, int x, int y) {
   const Region place{x, y, 1, 1};
   cover_reach(kernel, place);
-  if (KernelSweep::can_sweep(kernel)) {
-    const auto [canvas, outer, inner] = sums_at(sums_of_rows_, kernel, x, y);
-    return kernel.contrast(canvas, outer, inner);
-  }
-  sum_plainly(sums_of_rows_, kernel, place, sums_);
+  sweep_.sweep(sums_of_rows_, kernel, place, sums_);
   return kernel.contrast(*sums_[0].row(y), *sums_[1].row(y), *sums_[2].row(y));
 }
 

@@ -20,21 +20,20 @@ struct CorrelationMap {
   Image<double> response;
 };
 
-/// Correlates a picture with elliptical kernels (paper, Section III-B, the convolution). Sums are
-/// exact integers: the same as dense correlation. Pixels outside the picture count as dark.
+/// Correlates a blurred surface with elliptical kernels (paper, Section III-B, the convolution).
+/// Sums are exact integers: the same as dense correlation. Pixels outside the surface count as
+/// dark.
 class Correlation {
  public:
-  /// Sets the picture; `region` is its place in the image. It must stay unchanged while it is
+  /// Sets the surface; `region` is its place in the image. It must stay unchanged while it is
   /// correlated.
-  void set_picture(ImageView<const std::uint8_t> picture, const Region& region);
-  /// Sets a surface, of which the needed part is blurred.
   void set_surface(ImageView<const std::uint8_t> surface, const Region& region);
 
-  /// Prepares the picture for all kernels that reach no farther than `region`. Without it each
+  /// Blurs the surface for all kernels that reach no farther than `region`. Without it each
   /// kernel prepares its own part.
   void cover(const Region& region);
 
-  /// The kernel's response with its anchor on each pixel of `candidates`, also outside the picture.
+  /// The kernel's response with its anchor on each pixel of `candidates`, also outside the surface.
   void correlate(const EllipseKernel& kernel, const Region& candidates, CorrelationMap& out);
 
   /// The lowest response of all candidates, of which there is at least one. `out` holds at least
@@ -54,7 +53,6 @@ class Correlation {
   double contrast_at(const EllipseKernel& kernel, int x, int y);
 
  private:
-  void show(ImageView<const std::uint8_t> picture, const Region& region, bool blurs);
   void sum_blocks();
   void cover_reach(const EllipseKernel& kernel, const Region& candidates);
   // Returns the lowest response, if the kernel's measure is a sum with whole weights.
@@ -62,11 +60,9 @@ class Correlation {
                               const Region& kept, CorrelationMap& out);
   // For any measure.
   void measure(const EllipseKernel& kernel, const Region& candidates, CorrelationMap& out);
-  void sum_shapes(const EllipseKernel& kernel, const Region& candidates);
 
-  ImageView<const std::uint8_t> picture_;
+  ImageView<const std::uint8_t> surface_;
   Region region_;
-  bool blurs_ = false;
   bool ready_ = false;
   bool in_blocks_ = false;
   BlockSums blocks_;
@@ -82,16 +78,16 @@ void Correlation::for_each_bright_part(const EllipseKernel& kernel, const Region
                                        const OnPart& on_part) {
   constexpr int kSide = BlockSums::kSide;
   sum_blocks();
-  // What the kernel covers from the row's first place, in the picture, and the blur beyond it.
-  const int blur = blurs_ ? GaussianBlur::kRadius : 0;
-  const int top = row.y - kernel.anchor_y() - blur - region_.y;
-  const int left = row.x - kernel.anchor_x() - blur - region_.x;
-  const auto& columns = blocks_.columns_between(top, top + kernel.height() + 2 * blur);
+  // What the kernel covers from the row's first place, on the surface, and the blur beyond it.
+  constexpr int kBlur = GaussianBlur::kRadius;
+  const int top = row.y - kernel.anchor_y() - kBlur - region_.y;
+  const int left = row.x - kernel.anchor_x() - kBlur - region_.x;
+  const auto& columns = blocks_.columns_between(top, top + kernel.height() + 2 * kBlur);
   Region part{row.x, row.y, 0, 1};
   for (int x = 0; x < row.width; x += kSide) {
     const int places = std::min(kSide, row.width - x);
     const int first = std::max(left + x, 0);
-    const int last = std::min(left + x + places - 1 + kernel.width() + 2 * blur, picture_.width());
+    const int last = std::min(left + x + places - 1 + kernel.width() + 2 * kBlur, surface_.width());
     bool is_bright = false;
     for (int i = first / kSide; i * kSide < last; ++i) {
       is_bright |= columns[static_cast<std::size_t>(i)] > 0;

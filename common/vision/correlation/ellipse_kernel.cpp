@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace puck {
 namespace {
@@ -42,6 +43,10 @@ EllipseKernel::EllipseKernel(const KernelGeometry& geometry, const KernelProfile
       !(geometry.semi_y > 0)) {
     throw std::invalid_argument("a kernel needs a canvas of at least one pixel and positive axes");
   }
+  if (geometry.canvas_width > kWidest) {
+    throw std::invalid_argument("a kernel may be " + std::to_string(kWidest) +
+                                " px wide at most, got " + std::to_string(geometry.canvas_width));
+  }
   for (int row = 0; row < geometry.canvas_height; ++row) {
     const Run outer = run_within(geometry, row, profile.outer_boundary);
     const Run inner = run_within(geometry, row, profile.inner_boundary);
@@ -76,20 +81,6 @@ EllipseKernel::EllipseKernel(const KernelGeometry& geometry, const KernelProfile
   if (most < std::numeric_limits<std::int32_t>::max()) {
     whole_weights_ = WholeWeights{*canvas, *outer, *inner};
   }
-}
-
-Image<double> EllipseKernel::weights() const {
-  Image<double> picture(width(), height());
-  for (int y = 0; y < height(); ++y) {
-    const Run outer = outer_run(y);
-    const Run inner = inner_run(y);
-    for (int x = 0; x < width(); ++x) {
-      const bool in_outer = x >= outer.first && x < outer.last;
-      const bool in_inner = x >= inner.first && x < inner.last;
-      picture(x, y) = weighted_sum(1, in_outer ? 1 : 0, in_inner ? 1 : 0);
-    }
-  }
-  return picture;
 }
 
 }  // namespace puck

@@ -5,8 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "common/vision/geometry/image.h"
-
 namespace puck {
 
 /// The measure of a correlation at a candidate.
@@ -50,7 +48,10 @@ class EllipseKernel {
     std::int16_t last = 0;
   };
 
-  /// Throws std::invalid_argument when the canvas or the ellipse is empty.
+  /// Sums over a wider canvas could not be swept (KernelSweep).
+  static constexpr int kWidest = 128;
+
+  /// Throws std::invalid_argument when the canvas is empty or too wide, or the ellipse is empty.
   EllipseKernel(const KernelGeometry& geometry, const KernelProfile& profile);
 
   int width() const { return geometry_.canvas_width; }
@@ -113,9 +114,6 @@ class EllipseKernel {
         0.5 * (inner_sum * per_inside_pixel_ + (canvas_sum - outer_sum) * per_outside_pixel_);
     return std::max(0.0, (ring - background) / (ring + background + kDoubt));
   }
-
-  /// The same kernel as a picture of weights.
-  Image<double> weights() const;
 
  private:
   static constexpr double kDoubt = 0.05 * 255;

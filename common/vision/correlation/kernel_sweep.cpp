@@ -4,8 +4,6 @@
 #include <limits>
 #include <span>
 
-#include "common/vision/correlation/sweep_plan.h"
-
 // Everything in this file is compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/vision/correlation/kernel_sweep.cpp"
@@ -17,13 +15,6 @@ namespace puck::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// HWY_SCALAR has no half vectors.
-#if HWY_TARGET == HWY_SCALAR
-constexpr int kHalves = 1;
-#else
-constexpr int kHalves = 2;
-#endif
-
 using Wide = hn::ScalableTag<std::uint16_t>;
 // At most 16 lanes: on 33 to 48 columns three such vectors waste less than two of twice the width.
 using Narrow = hn::CappedTag<std::uint16_t, 16>;
@@ -33,12 +24,7 @@ using Narrow = hn::CappedTag<std::uint16_t, 16>;
 // outer and the inner ellipse.
 template <typename Sums, int kShapes, int kVectors>
 class Strip {
-  using Changes = hn::RebindToSigned<Sums>;
-#if HWY_TARGET == HWY_SCALAR
-  using Totals = hn::Rebind<std::int32_t, Sums>;
-#else
   using Totals = hn::Repartition<std::int32_t, Sums>;
-#endif
   using SumVector = hn::Vec<Sums>;
   using TotalVector = hn::Vec<Totals>;
 
@@ -47,11 +33,6 @@ class Strip {
       : plan_(plan), x_(x), lanes_(hn::Lanes(Sums())) {
     const auto none = hn::Set(Totals(), std::numeric_limits<std::int32_t>::max());
     for (auto& lowest : lowest_) lowest = none;
-    const auto canvas_bits = static_cast<std::uint16_t>(plan.weights.canvas);
-    const auto outer_bits = static_cast<std::uint16_t>(plan.weights.outer);
-    both_weights_ =
-        hn::Set(Totals(), static_cast<std::int32_t>(std::uint32_t{outer_bits} << 16 | canvas_bits));
-    inner_weight_ = hn::Set(Totals(), static_cast<std::uint16_t>(plan.weights.inner));
   }
 
   HWY_INLINE std::int32_t sweep() {
@@ -70,34 +51,21 @@ class Strip {
   // One half of the values, widened to 32 bits. Values stay in their block of 16 bytes, because a
   // move between blocks takes longer; so each half has some of each block, see put_in_order.
   static HWY_INLINE TotalVector half_of(SumVector values, int half) {
-#if HWY_TARGET == HWY_SCALAR
-    static_cast<void>(half);
-    return hn::PromoteTo(Totals(), values);
-#else
     return hn::BitCast(Totals(), interleaved(values, hn::Zero(Sums()), half));
-#endif
   }
 
   // The same for values read as signed numbers.
   static HWY_INLINE TotalVector signed_half_of(SumVector values, int half) {
-#if HWY_TARGET == HWY_SCALAR
-    static_cast<void>(half);
-    return hn::PromoteTo(Totals(), hn::BitCast(Changes(), values));
-#else
     return hn::ShiftRight<16>(hn::BitCast(Totals(), interleaved(values, values, half)));
-#endif
   }
 
-#if HWY_TARGET != HWY_SCALAR
   static HWY_INLINE SumVector interleaved(SumVector a, SumVector b, int half) {
     return half == 0 ? hn::InterleaveLower(Sums(), a, b) : hn::InterleaveUpper(Sums(), a, b);
   }
-#endif
 
   // Writes the halves of some values in the order of the values.
   template <typename Tag>
   static HWY_INLINE void put_in_order(Tag tag, const hn::Vec<Tag>* halves, std::int32_t* to) {
-#if HWY_TARGET != HWY_SCALAR
     if constexpr (hn::MaxLanes(Tag()) * sizeof(std::int32_t) > 16) {
       const hn::Half<Tag> half;
       const hn::Vec<hn::Half<Tag> > lower[] = {hn::LowerHalf(half, halves[0]),
@@ -106,11 +74,9 @@ class Strip {
                                                hn::UpperHalf(half, halves[1])};
       put_in_order(half, lower, to);
       put_in_order(half, upper, to + hn::Lanes(tag));
-      return;
-    }
-#endif
-    for (int half = 0; half < kHalves; ++half) {
-      hn::StoreU(halves[half], tag, to + static_cast<std::size_t>(half) * hn::Lanes(tag));
+    } else {
+      hn::StoreU(halves[0], tag, to);
+      hn::StoreU(halves[1], tag, to + hn::Lanes(tag));
     }
   }
 
@@ -148,7 +114,7 @@ class Strip {
       runs = runs.subspan(count);
       for (int v = 0; v < kVectors; ++v) {
         sums[v] = hn::Add(sums[v], some[v]);
-        for (int half = 0; half < kHalves; ++half) {
+        for (int half = 0; half < 2; ++half) {
           add(half_of(some[v], half), v, half, shape, weight);
         }
       }
@@ -174,22 +140,7 @@ class Strip {
   }
 
   HWY_INLINE void add_changes(SumVector canvas, SumVector outer, SumVector inner, int v) {
-    for (int half = 0; half < kHalves; ++half) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
-      if constexpr (kShapes == 1) {
-        // On x86 one instruction: the sum of two neighbouring products.
-        auto& total = totals_[v * kHalves + half];
-        TotalVector unused;
-        const auto sum_products = [&](SumVector a, SumVector b, TotalVector weights) HWY_ATTR {
-          total = hn::ReorderWidenMulAccumulate(Totals(),
-                                                hn::BitCast(Changes(), interleaved(a, b, half)),
-                                                hn::BitCast(Changes(), weights), total, unused);
-        };
-        sum_products(canvas, outer, both_weights_);
-        sum_products(inner, inner, inner_weight_);
-        continue;
-      }
-#endif
+    for (int half = 0; half < 2; ++half) {
       add(signed_half_of(canvas, half), v, half, 0, plan_.weights.canvas);
       add(signed_half_of(outer, half), v, half, 1, plan_.weights.outer);
       add(signed_half_of(inner, half), v, half, 2, plan_.weights.inner);
@@ -198,24 +149,24 @@ class Strip {
 
   HWY_INLINE void add(TotalVector values, int v, int half, int shape, std::int32_t weight) {
     if constexpr (kShapes == 1) {
-      auto& total = totals_[v * kHalves + half];
+      auto& total = totals_[2 * v + half];
       total = hn::Add(total, hn::Mul(values, hn::Set(Totals(), weight)));
     } else {
-      auto& total = totals_[(shape * kVectors + v) * kHalves + half];
+      auto& total = totals_[2 * (shape * kVectors + v) + half];
       total = hn::Add(total, values);
     }
   }
 
   HWY_INLINE void put(int row) {
     if constexpr (kShapes == 1) {
-      for (int i = 0; i < kVectors * kHalves; ++i) lowest_[i] = hn::Min(lowest_[i], totals_[i]);
+      for (int i = 0; i < 2 * kVectors; ++i) lowest_[i] = hn::Min(lowest_[i], totals_[i]);
     }
     if (row < plan_.kept_first || row >= plan_.kept_last) return;
     for (int shape = 0; shape < kShapes; ++shape) {
       std::int32_t* to = plan_.out[static_cast<std::size_t>(shape)] +
                          (row - plan_.kept_first) * plan_.out_stride + x_;
       for (int v = 0; v < kVectors; ++v) {
-        put_in_order(Totals(), totals_ + (shape * kVectors + v) * kHalves,
+        put_in_order(Totals(), totals_ + 2 * (shape * kVectors + v),
                      to + static_cast<std::size_t>(v) * lanes_);
       }
     }
@@ -229,9 +180,9 @@ class Strip {
       const std::size_t x = x_ + static_cast<std::size_t>(v) * lanes_;
       if (x >= plan_.width) break;
       const auto width = hn::Set(Totals(), static_cast<std::int32_t>(plan_.width - x));
-      for (int half = 0; half < kHalves; ++half) {
+      for (int half = 0; half < 2; ++half) {
         const auto inside = hn::Lt(half_of(hn::Iota(Sums(), 0), half), width);
-        all = hn::Min(all, hn::IfThenElse(inside, lowest_[v * kHalves + half], none));
+        all = hn::Min(all, hn::IfThenElse(inside, lowest_[2 * v + half], none));
       }
     }
     return hn::GetLane(hn::MinOfLanes(Totals(), all));
@@ -242,10 +193,8 @@ class Strip {
   std::size_t lanes_;
   SumVector outer_[kVectors];
   SumVector inner_[kVectors];
-  TotalVector totals_[kShapes * kVectors * kHalves];
-  TotalVector lowest_[kVectors * kHalves];
-  TotalVector both_weights_;  // Canvas and outer ellipse, 16 bits each, alternating.
-  TotalVector inner_weight_;  // Alternating with 0.
+  TotalVector totals_[2 * kShapes * kVectors];
+  TotalVector lowest_[2 * kVectors];
 };
 
 template <typename Sums, int kShapes>
@@ -351,24 +300,6 @@ void KernelSweep::sweep(const RowSums& picture, const EllipseKernel& kernel,
   }
   plan.out_stride = sums[0].stride;
   HWY_DYNAMIC_DISPATCH(sweep)(plan);
-}
-
-std::array<std::int32_t, 3> sums_at(const RowSums& picture, const EllipseKernel& kernel, int x,
-                                    int y) {
-  std::array<std::int32_t, 3> sums{};
-  const std::uint16_t* place = picture.row(y - kernel.anchor_y() - picture.place().y) +
-                               (x - kernel.anchor_x() - picture.place().x);
-  const auto sum_of = [&](int first, int last) {
-    return static_cast<std::uint16_t>(place[last] - place[first]);
-  };
-  for (int row = 0; row < kernel.height(); ++row, place += picture.stride()) {
-    const EllipseKernel::Run outer = kernel.outer_run(row);
-    const EllipseKernel::Run inner = kernel.inner_run(row);
-    sums[0] += sum_of(0, kernel.width());
-    sums[1] += sum_of(outer.first, outer.last);
-    sums[2] += sum_of(inner.first, inner.last);
-  }
-  return sums;
 }
 
 }  // namespace puck

@@ -14,8 +14,6 @@ namespace puck::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-#if HWY_TARGET != HWY_SCALAR
-
 // Lanes move only within blocks of 16 bytes, so each block of a vector holds a row of its own.
 constexpr std::size_t kBlock = 16;
 using Pixels = hn::CappedTag<std::uint8_t, 4 * kBlock>;
@@ -82,8 +80,6 @@ HWY_INLINE void sum_rows(const std::uint8_t* from, std::ptrdiff_t from_stride, i
   }
 }
 
-#endif
-
 HWY_INLINE void sum_row(const std::uint8_t* from, int width, std::uint16_t* to) {
   to[0] = 0;
   for (int x = 0; x < width; ++x) to[x + 1] = static_cast<std::uint16_t>(to[x] + from[x]);
@@ -91,7 +87,6 @@ HWY_INLINE void sum_row(const std::uint8_t* from, int width, std::uint16_t* to) 
 
 void sum_picture(ImageView<const std::uint8_t> picture, std::uint16_t* to, std::ptrdiff_t stride) {
   int y = 0;
-#if HWY_TARGET != HWY_SCALAR
   const std::ptrdiff_t picture_stride = picture.row(1) - picture.row(0);
   const auto sum = [&](auto vectors, int first) HWY_ATTR {
     sum_rows<vectors()>(picture.row(first), picture_stride, picture.width(), to + first * stride,
@@ -106,7 +101,6 @@ void sum_picture(ImageView<const std::uint8_t> picture, std::uint16_t* to, std::
     y = picture.height();
     sum(one, y - kRowsInVector);
   }
-#endif
   for (; y < picture.height(); ++y) sum_row(picture.row(y), picture.width(), to + y * stride);
 }
 

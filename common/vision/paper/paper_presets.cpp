@@ -69,26 +69,19 @@ PuckPipelineParams correlation_params() {
   params.tracker.shift_to_lowest = false;
   // Small, because the prediction centres it.
   params.tracker.region_factor = 2;
-  params.tracker.sub_pixel = true;
-  params.ring.emplace();
+  params.has_ring = true;
   params.motion.measurement_sigma_px = 0.2;
-  params.motion.surprise_sigmas = 6;
-  params.lead.enabled = true;
   params.loss.lowest_score = 0.55;
   params.loss.lowest_start_score = 0.6;
   params.loss.search_period_us = 3'000;
   params.predicts = true;
+  params.leads = true;
   return params;
 }
 
 PuckSizeModel authors_static_size_model() {
   return contour_of_box({17.715624038044254, 0.0035291125887034315, 0.09579542600737656,
                          6.313115087846054, 0.0022264258939534796, 0.09551609558936817});
-}
-
-PuckSizeModel authors_moving_size_model() {
-  return contour_of_box({12.201650881598578, 0.009735421154783392, 0.09872367924641742,
-                         1.92477315662196, 0.003209378102266541, 0.09801072879753021});
 }
 
 }  // namespace puck

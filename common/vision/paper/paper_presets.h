@@ -12,12 +12,11 @@ PuckPipelineParams reference_params();
 /// The paper's method with our improvements.
 PuckPipelineParams correlation_params();
 
-/// The authors' fits for 640×480 pixels, `static` with the camera at rest and `moving` with the
-/// head in motion. Their annotations, boxes around all of the puck's events, are kAuthorsBoxScale
-/// times the contour; these sizes are the contour's, as in every PuckSizeModel. The presets `paper`
-/// and `reference` scale the sizes back, so that their kernels are the authors'.
+/// The authors' fit for 640×480 pixels with the camera at rest. Their annotations, boxes around all
+/// of the puck's events, are kAuthorsBoxScale times the contour; these sizes are the contour's, as
+/// in every PuckSizeModel. The presets `paper` and `reference` scale the sizes back, so that their
+/// kernels are the authors'.
 inline constexpr double kAuthorsBoxScale = 1.29;
 PuckSizeModel authors_static_size_model();
-PuckSizeModel authors_moving_size_model();
 
 }  // namespace puck

@@ -1,8 +1,5 @@
 #include "common/vision/paper/pixel_motion.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace puck {
 namespace {
 
@@ -14,72 +11,44 @@ double seconds_between(Timestamp from, Timestamp to) {
 
 }  // namespace
 
-void PixelMotion::Axis::predict(double dt, double acceleration_density) {
-  const double q = acceleration_density;
-  position += dt * velocity;
-  pp += dt * (2 * pv + dt * vv) + q * dt * dt * dt / 3;
-  pv += dt * vv + q * dt * dt / 2;
-  vv += q * dt;
-}
-
-void PixelMotion::Axis::correct(double measured, double variance) {
-  const double position_gain = pp / (pp + variance);
-  const double velocity_gain = pv / (pp + variance);
-  const double innovation = measured - position;
-  position += position_gain * innovation;
-  velocity += velocity_gain * innovation;
-  vv -= velocity_gain * pv;
-  pv *= 1 - position_gain;
-  pp *= 1 - position_gain;
-}
-
-void PixelMotion::Axis::learn_anew(double measured, double variance) {
-  position = measured;
-  pp = variance;
-  pv = 0;
-  vv = std::max(vv, kStartSigmaPxPerS * kStartSigmaPxPerS);
-}
-
 void PixelMotion::start(Pixel position, Timestamp time) {
-  const double variance = params_.measurement_sigma_px * params_.measurement_sigma_px;
   time_ = time;
-  x_ = {};
-  y_ = {};
-  x_.learn_anew(position.x, variance);
-  y_.learn_anew(position.y, variance);
+  position_ = position;
+  velocity_ = {};
+  pp_ = measurement_variance();
+  pv_ = 0;
+  vv_ = kStartSigmaPxPerS * kStartSigmaPxPerS;
 }
 
-void PixelMotion::measure(Pixel position, Timestamp time,
-                          const std::optional<PixelVariance>& variance) {
+void PixelMotion::measure(Pixel position, Timestamp time) {
   const double dt = seconds_between(time_, time);
+  const double q = params_.acceleration_density;
+  position_ = expected_at(time);
   time_ = time;
-  const double sigma2 = params_.measurement_sigma_px * params_.measurement_sigma_px;
-  const PixelVariance noise = variance.value_or(PixelVariance{sigma2, sigma2});
-  x_.predict(dt, params_.acceleration_density);
-  y_.predict(dt, params_.acceleration_density);
+  pp_ += dt * (2 * pv_ + dt * vv_) + q * dt * dt * dt / 3;
+  pv_ += dt * vv_ + q * dt * dt / 2;
+  vv_ += q * dt;
 
-  const double x_off = position.x - x_.position;
-  const double y_off = position.y - y_.position;
-  const double off2 = x_off * x_off / (x_.pp + noise.x) + y_off * y_off / (y_.pp + noise.y);
-  if (params_.surprise_sigmas > 0 && off2 > params_.surprise_sigmas * params_.surprise_sigmas) {
-    x_.learn_anew(position.x, noise.x);
-    y_.learn_anew(position.y, noise.y);
-    return;
-  }
-  x_.correct(position.x, noise.x);
-  y_.correct(position.y, noise.y);
+  const double position_gain = pp_ / (pp_ + measurement_variance());
+  const double velocity_gain = pv_ / (pp_ + measurement_variance());
+  const Pixel off{position.x - position_.x, position.y - position_.y};
+  position_ = {position_.x + position_gain * off.x, position_.y + position_gain * off.y};
+  velocity_ = {velocity_.x + velocity_gain * off.x, velocity_.y + velocity_gain * off.y};
+  vv_ -= velocity_gain * pv_;
+  pv_ *= 1 - position_gain;
+  pp_ *= 1 - position_gain;
 }
 
 Pixel PixelMotion::expected_at(Timestamp time) const {
   const double dt = seconds_between(time_, time);
-  return {x_.position + dt * x_.velocity, y_.position + dt * y_.velocity};
+  return {position_.x + dt * velocity_.x, position_.y + dt * velocity_.y};
 }
 
 std::array<double, 16> PixelMotion::covariance() const {
-  return {x_.pp, 0, x_.pv, 0,  //
-          0, y_.pp, 0, y_.pv,  //
-          x_.pv, 0, x_.vv, 0,  //
-          0, y_.pv, 0, y_.vv};
+  return {pp_, 0,   pv_, 0,    //
+          0,   pp_, 0,   pv_,  //
+          pv_, 0,   vv_, 0,    //
+          0,   pv_, 0,   vv_};
 }
 
 }  // namespace puck

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "common/events/timestamp.h"
 #include "common/vision/geometry/pixel.h"
@@ -12,21 +11,12 @@ struct PixelMotionParams {
   /// Spectral density of the puck's acceleration, px²/s³. Larger follows hits and bounces
   /// sooner, smaller smooths more.
   double acceleration_density = 1e6;
-  /// Standard deviation of a measured position without a variance of its own, px.
+  /// Standard deviation of a measured position, px.
   double measurement_sigma_px = 0.7;
-  /// A measurement more standard deviations than this off the prediction means a hit or a bounce:
-  /// the velocity is estimated anew. 0: never.
-  double surprise_sigmas = 0;
-};
-
-/// Variances of a measured position, px²; its axes are uncorrelated.
-struct PixelVariance {
-  double x = 0;
-  double y = 0;
 };
 
 /// The puck's position and velocity in the image: a Kalman filter with constant velocity and white
-/// acceleration for each axis; the axes are uncorrelated.
+/// acceleration for each axis; the axes are uncorrelated and have the same variances.
 class PixelMotion {
  public:
   explicit PixelMotion(const PixelMotionParams& params) : params_(params) {}
@@ -34,33 +24,28 @@ class PixelMotion {
   /// Restarts at a position, with zero velocity and a large variance.
   void start(Pixel position, Timestamp time);
   /// Takes a measured position. Times must not go backwards.
-  void measure(Pixel position, Timestamp time, const std::optional<PixelVariance>& variance = {});
+  void measure(Pixel position, Timestamp time);
   /// Predicted position at `time`.
   Pixel expected_at(Timestamp time) const;
 
-  Pixel position() const { return {x_.position, y_.position}; }
-  PixelVelocity velocity() const { return {x_.velocity, y_.velocity}; }
+  Pixel position() const { return position_; }
+  PixelVelocity velocity() const { return velocity_; }
   /// Covariance of (x, y, vx, vy), row by row; px², px²/s, px²/s². As of the last measurement.
   std::array<double, 16> covariance() const;
 
  private:
-  struct Axis {
-    double position = 0;
-    double velocity = 0;
-    // Variance of the position, covariance with the velocity, variance of the velocity.
-    double pp = 0;
-    double pv = 0;
-    double vv = 0;
-
-    void predict(double dt, double acceleration_density);
-    void correct(double measured, double variance);
-    void learn_anew(double measured, double variance);
-  };
+  double measurement_variance() const {
+    return params_.measurement_sigma_px * params_.measurement_sigma_px;
+  }
 
   PixelMotionParams params_;
   Timestamp time_;
-  Axis x_;
-  Axis y_;
+  Pixel position_;
+  PixelVelocity velocity_;
+  // Variance of the position, covariance with the velocity, variance of the velocity.
+  double pp_ = 0;
+  double pv_ = 0;
+  double vv_ = 0;
 };
 
 }  // namespace puck

@@ -16,7 +16,21 @@ namespace {
 constexpr double kRestingPxPerS = 20;
 constexpr std::int64_t kRestingAfterUs = 100'000;
 
+// The surface shows the puck late by more than the sensor's lag. A contour pixel stays bright until
+// its neighbours have fired in turn, which takes some way rather than some time, px …
+constexpr double kEdgePx = 0.27;
+// … for a puck faster than this; nearly none for a slower one.
+constexpr double kSlowPxPerS = 200;
+// What the last events of an edge that passes lag behind its first ones, µs.
+constexpr double kEdgeUs = 130;
+// Standard deviation of what remains. Steps share it, so that it does not average out.
+constexpr double kShownSigmaPx = 0.4;
+
 double speed_of(PixelVelocity velocity) { return std::hypot(velocity.x, velocity.y); }
+
+double shown_late_s(double speed_px_s, double lag_us) {
+  return (lag_us + kEdgeUs) * 1e-6 + kEdgePx / std::hypot(speed_px_s, kSlowPxPerS);
+}
 
 }  // namespace
 
@@ -28,7 +42,6 @@ PuckPipeline::PuckPipeline(SensorSize sensor, const PuckPipelineParams& params,
       kernels_(params.kernels),
       tracker_(sensor, params.tracker, size_model, params.make_ring(sensor, size_model)),
       motion_(params.motion),
-      trail_(params.trail),
       detection_region_(detection_region(sensor, params.detector)) {
   if (params.loss.coast_us < 0 || params.loss.search_period_us < 0) {
     throw std::invalid_argument(
@@ -97,7 +110,7 @@ void PuckPipeline::track(const SurfaceSnapshot& snapshot) {
   const Pixel expected = params_.predicts ? motion_.expected_at(now) : position_;
   const PuckTracker::Step found = tracker_.step(snapshot, region_, expected, kernels_);
   score_ = found.score;
-  motion_.measure(found.position, now, found.variance);
+  motion_.measure(found.position, now);
   position_ = params_.predicts ? motion_.position() : found.position;
   if (params_.loss.enabled && found.score < params_.loss.lowest_score) {
     coast(now);
@@ -105,7 +118,6 @@ void PuckPipeline::track(const SurfaceSnapshot& snapshot) {
   }
   coasting_ = false;
   last_good_ = now;
-  trail_.learn(found.spread_px, speed_of(motion_.velocity()), now);
   if (speed_of(motion_.velocity()) > kRestingPxPerS) resting_since_ = now;
   region_ = tracker_.region_around(position_, kernels_);
   if (region_.empty()) lose(now);
@@ -167,11 +179,16 @@ PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
   estimate.left_image = left_image_;
   if (state_ != TrackState::kTracking) return estimate;
 
-  const LedPosition led = lead_forward(position_, motion_.velocity(), motion_.covariance(),
-                                       params_.contour.lag_us, trail_.length(), params_.lead);
-  estimate.position = led.position;
-  estimate.velocity = motion_.velocity();
-  estimate.covariance = led.covariance;
+  const PixelVelocity velocity = motion_.velocity();
+  estimate.position = position_;
+  estimate.velocity = velocity;
+  estimate.covariance = motion_.covariance();
+  if (params_.leads) {
+    const double late_s = shown_late_s(speed_of(velocity), params_.contour.lag_us);
+    estimate.position = {position_.x + late_s * velocity.x, position_.y + late_s * velocity.y};
+    estimate.covariance[0] += kShownSigmaPx * kShownSigmaPx;
+    estimate.covariance[5] += kShownSigmaPx * kShownSigmaPx;
+  }
   estimate.size = size_model_.at(position_);
   estimate.score = score_;
   estimate.coasting = coasting_;

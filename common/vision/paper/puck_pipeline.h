@@ -9,7 +9,6 @@
 #include "common/vision/geometry/puck_size_model.h"
 #include "common/vision/interfaces/puck_estimate.h"
 #include "common/vision/interfaces/tracking_pipeline.h"
-#include "common/vision/paper/motion_lead.h"
 #include "common/vision/paper/pixel_motion.h"
 #include "common/vision/paper/puck_tracker.h"
 #include "common/vision/paper/search_params.h"
@@ -42,11 +41,11 @@ struct PuckPipelineParams : SearchParams {
   TrackerParams tracker;
   PixelMotionParams motion;
   LossParams loss;
-  MotionLeadParams lead;
-  EdgeTrailParams trail;
   /// The Gaussian and the window are centred on the predicted position instead of the last one, and
   /// the filtered position is published.
   bool predicts = false;
+  /// The published position is where the puck is by now, not where the surface shows it.
+  bool leads = false;
 };
 
 /// The paper's second thread: detection, then tracking, one step for each snapshot of the surface.
@@ -85,7 +84,6 @@ class PuckPipeline final : public TrackingPipeline {
   KernelBank kernels_;
   PuckTracker tracker_;
   PixelMotion motion_;
-  EdgeTrail trail_;
 
   TrackState state_ = TrackState::kSearching;
   Region region_;  // ROI_t of the next step; empty while there is no track

@@ -14,13 +14,6 @@ constexpr int kFewCandidates = 2'000;
 
 int odd(double value) { return 2 * static_cast<int>(std::floor(value / 2)) + 1; }
 
-// Peak of the parabola through three neighbouring values, from the middle one, −0.5 to 0.5.
-double parabola_offset(double before, double middle, double after) {
-  const double curvature = before - 2 * middle + after;
-  if (!(curvature < 0)) return 0;
-  return std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5);
-}
-
 }  // namespace
 
 PuckTracker::PuckTracker(SensorSize sensor, const TrackerParams& params,
@@ -59,7 +52,7 @@ PuckTracker::Step PuckTracker::step(const SurfaceSnapshot& surface, const Region
   // The kernel's size follows from the place.
   const EllipseKernel& kernel = bank.nearest(size_model_.at(expected));
   const Region window = window_around(expected, kernel, region);
-  Step result{expected, size_model_.at(expected), 0, std::nullopt};
+  Step result{expected, size_model_.at(expected), 0};
   if (window.empty()) return result;
 
   // The convolution with the kernel.
@@ -72,27 +65,12 @@ PuckTracker::Step PuckTracker::step(const SurfaceSnapshot& surface, const Region
     result.position = {static_cast<double>(window.x + peak.x),
                        static_cast<double>(window.y + peak.y)};
   }
-  const int peak_x = static_cast<int>(std::lround(result.position.x));
-  const int peak_y = static_cast<int>(std::lround(result.position.y));
-  result.score = picture_.contrast_at(kernel, peak_x, peak_y);
-
-  if (params_.sub_pixel && peak.stands_out) {
-    const int x = peak_x - map_.region.x;
-    const int y = peak_y - map_.region.y;
-    const Image<double>& r = map_.response;
-    if (x > 0 && x + 1 < r.width()) {
-      result.position.x += parabola_offset(r(x - 1, y), r(x, y), r(x + 1, y));
-    }
-    if (y > 0 && y + 1 < r.height()) {
-      result.position.y += parabola_offset(r(x, y - 1), r(x, y), r(x, y + 1));
-    }
-  }
+  result.score = picture_.contrast_at(kernel, static_cast<int>(std::lround(result.position.x)),
+                                      static_cast<int>(std::lround(result.position.y)));
   if (ring_) {
     const SoftRing::Fit fit = ring_->fit(surface.grey.view(), surface.region, result.position);
     result.position = fit.position;
     result.score = fit.score;
-    result.spread_px = fit.spread_px;
-    result.variance = measurement_variance(fit.peak, params_.noise);
   }
   result.size = size_model_.at(result.position);
   return result;
@@ -117,12 +95,11 @@ WeightedPeak PuckTracker::find_peak(const EllipseKernel& kernel, const Region& r
     picture_.correlate(kernel, window, map_);
     return finder_.find(weigh(window, centre, kernel), 0);
   }
-  const Region kept = params_.sub_pixel ? window.inflated(1).intersect(region) : window;
   if (region.width * region.height <= kFewCandidates) {
-    const double lowest = picture_.correlate_lowest(kernel, region, kept, map_);
+    const double lowest = picture_.correlate_lowest(kernel, region, window, map_);
     return finder_.find(weigh(window, centre, kernel), lowest);
   }
-  const double most = picture_.correlate_lowest(kernel, kept, kept, map_);
+  const double most = picture_.correlate_lowest(kernel, window, window, map_);
   const WeightedWindow weighted = weigh(window, centre, kernel);
   if (const auto peak = finder_.find_between(weighted, kernel.lowest_response(), most)) {
     return *peak;
@@ -130,7 +107,7 @@ WeightedPeak PuckTracker::find_peak(const EllipseKernel& kernel, const Region& r
   if (const auto peak = finder_.find_between(weighted, picture_.lower_bound(kernel), most)) {
     return *peak;
   }
-  const double lowest = picture_.correlate_lowest(kernel, region, kept, map_);
+  const double lowest = picture_.correlate_lowest(kernel, region, window, map_);
   return finder_.find(weigh(window, centre, kernel), lowest);
 }
 

@@ -11,7 +11,6 @@
 #include "common/vision/geometry/pixel.h"
 #include "common/vision/geometry/puck_size_model.h"
 #include "common/vision/geometry/region.h"
-#include "common/vision/paper/measurement_noise.h"
 #include "common/vision/surface/surface_snapshot.h"
 
 namespace puck {
@@ -34,9 +33,6 @@ struct TrackerParams {
   bool shift_to_lowest = true;
   /// The weighted response is rounded to 256 levels, as the authors' code does.
   bool quantised = false;
-  /// A parabola through the peak's neighbours places it between pixels.
-  bool sub_pixel = false;
-  MeasurementNoiseParams noise;
 };
 
 /// Follows the puck from one snapshot to the next: the response of the kernel of the size at the
@@ -48,8 +44,6 @@ class PuckTracker {
     Pixel position;
     PuckSize size;     ///< The size model's size there.
     double score = 0;  ///< EllipseKernel::contrast at the nearest pixel, or the soft ring's score.
-    std::optional<PixelVariance> variance;  ///< Of the position; only with a soft ring.
-    double spread_px = 0;                   ///< The soft ring's.
   };
 
   /// `ring`, if any, refines the peak between pixels; its score is then the step's. Throws

@@ -18,8 +18,8 @@ SurfaceParams SearchParams::surface_params() const {
 
 std::optional<SoftRing> SearchParams::make_ring(SensorSize sensor, const PuckSizeModel& size_model,
                                                 bool other_wall) const {
-  if (!ring) return std::nullopt;
-  return SoftRing(sensor, *ring, size_model, contour, other_wall);
+  if (!has_ring) return std::nullopt;
+  return SoftRing(sensor, size_model, contour, other_wall);
 }
 
 PuckSizeModel SearchParams::sizes_of(PuckSizeModel model) const {

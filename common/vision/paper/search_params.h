@@ -22,7 +22,7 @@ struct SearchParams {
   KernelBankParams kernels;
   DetectorParams detector;
   /// A soft ring refines and scores what the kernels find; none in the paper.
-  std::optional<PeakRefinementParams> ring;
+  bool has_ring = false;
   ContourCalibration contour;
   /// The ring, if there is one.
   std::optional<SoftRing> make_ring(SensorSize sensor, const PuckSizeModel& size_model,

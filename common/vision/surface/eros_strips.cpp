@@ -52,19 +52,6 @@ void ErosStrips::apply(std::span<const Event> events) {
                     events);
 }
 
-void ErosStrips::apply_pixel_by_pixel(std::span<const Event> events) {
-  const int side = 2 * half_width_ + 1;
-  for (const Event& event : events) {
-    for (int row = event.y; row < event.y + side; ++row) {
-      for (int column = event.x; column < event.x + side; ++column) {
-        std::uint8_t& pixel = bytes_[offset_of(column, row)];
-        if (pixel > 0) --pixel;
-      }
-    }
-    bytes_[offset_of(event.x + half_width_, event.y + half_width_)] = 255;
-  }
-}
-
 void ErosStrips::clear(const Region& region) {
   for (int y = region.y; y < region.bottom(); ++y) {
     for (int x = region.x; x < region.right();) {

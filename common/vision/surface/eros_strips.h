@@ -43,8 +43,6 @@ class ErosStrips {
   /// Algorithm 1 for each event, which must lie inside the sensor: subtracts 1 from all pixels of
   /// its window, down to 0, and sets its own to 255. Uses the machine's widest vectors.
   void apply(std::span<const Event> events);
-  /// The specification of apply(), pixel by pixel.
-  void apply_pixel_by_pixel(std::span<const Event> events);
 
   /// Sets the pixels of `region`, which lies inside the sensor, to 0.
   void clear(const Region& region);

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "common/events/event.h"
 #include "common/events/sensor_size.h"
@@ -14,10 +11,9 @@
 
 namespace puck {
 
-/// Some rows of FreshPixels, copied for another thread: a bit a pixel.
+/// Some rows of FreshPixels, copied for another thread.
 struct FreshRows {
-  int stride = 0;                  ///< Bytes from one row to the next, all rows of the sensor.
-  std::vector<std::uint8_t> bits;  ///< Of a row of pixels the first is the lowest bit.
+  Image<std::uint8_t> masks;  ///< Of the whole sensor: 255 where a pixel has fired of late, else 0.
 
   /// Makes the pixels of `grey` dark that have not fired of late. It shows `part` of the sensor,
   /// whose rows have been copied.
@@ -40,14 +36,13 @@ class FreshPixels {
   void copy_rows(const Region& region, FreshRows& out) const;
 
  private:
-  static constexpr std::size_t kPeriods = 4;
+  static constexpr std::uint8_t kPeriods = 4;
   static constexpr std::int64_t kPeriod_us = 8'000;
 
   void turn_over(std::int64_t time_us);
 
-  int stride_;
-  std::array<std::vector<std::uint8_t>, kPeriods> fired_;  // this period first, then those before
-  std::int64_t turn_us_ = 0;                               // when the next period begins
+  Image<std::uint8_t> periods_left_;  // for which a pixel stays fresh, this one included
+  std::int64_t turn_us_ = 0;          // when the next period begins
 };
 
 }  // namespace puck

@@ -17,12 +17,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Replaces bytes in whole vectors; returns the number replaced. `grey_after` holds `sixteens` times
 // 16 values; all beyond are 0.
 std::size_t look_up(std::span<std::uint8_t> counts, const std::uint8_t* grey_after, int sixteens) {
-#if HWY_TARGET == HWY_SCALAR
-  (void)counts;
-  (void)grey_after;
-  (void)sixteens;
-  return 0;
-#else
   const hn::ScalableTag<std::uint8_t> tag;
   const std::size_t lanes = hn::Lanes(tag);
   // An index of 128 and more looks up 0. A saturated addition of 112 moves all indices but 0 to 15
@@ -42,7 +36,6 @@ std::size_t look_up(std::span<std::uint8_t> counts, const std::uint8_t* grey_aft
     hn::StoreU(grey, tag, counts.data() + done);
   }
   return done;
-#endif
 }
 
 }  // namespace puck::HWY_NAMESPACE
@@ -115,11 +108,7 @@ void GreyTable::develop(SurfaceCounts& counts, ImageView<std::uint8_t> out) cons
 
 void GreyTable::apply(std::span<std::uint8_t> counts) const {
   const std::size_t done = HWY_DYNAMIC_DISPATCH(look_up)(counts, grey_after_.data(), sixteens_);
-  apply_byte_by_byte(counts.subspan(done));
-}
-
-void GreyTable::apply_byte_by_byte(std::span<std::uint8_t> counts) const {
-  for (std::uint8_t& count : counts) count = grey_of_count_[count];
+  for (std::uint8_t& count : counts.subspan(done)) count = grey_of_count_[count];
 }
 
 }  // namespace puck

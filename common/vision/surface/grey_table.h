@@ -35,8 +35,6 @@ class GreyTable {
 
   /// Replaces bytes by their grey values. Uses the widest vectors that the machine has.
   void apply(std::span<std::uint8_t> counts) const;
-  /// The specification of apply(), byte by byte.
-  void apply_byte_by_byte(std::span<std::uint8_t> counts) const;
 
  private:
   GreyValues grey_of_count_;

@@ -17,12 +17,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 std::size_t copy_vectors(std::span<const Event> events, const Region& region, Event* out,
                          std::size_t& copied) {
   std::size_t done = 0;
-#if HWY_TARGET == HWY_SCALAR
-  (void)events;
-  (void)region;
-  (void)out;
-  (void)copied;
-#else
   std::size_t count = 0;
   // An event is one lane of 64 bits and four of 16: x, y with the polarity on top, and two of time.
   const hn::ScalableTag<std::uint64_t> event_tag;
@@ -57,7 +51,6 @@ std::size_t copy_vectors(std::span<const Event> events, const Region& region, Ev
 #endif
   }
   copied = count;
-#endif
   return done;
 }
 
