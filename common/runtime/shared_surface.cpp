@@ -31,7 +31,6 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
   const std::span<const Event> events(packet.events);
   newest_packet_.store(origin.received.time_since_epoch().count(), std::memory_order_relaxed);
   const std::lock_guard lock(surface_mutex_);
-  origin_ = origin;
   for (std::size_t applied = 0; applied < events.size();) {
     const std::span<const Event> batch =
         events.subspan(applied, std::min(kBatchEvents, events.size() - applied));
@@ -39,14 +38,42 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
     if (fresh_) fresh_->take(packet.start, batch);
     applied += batch.size();
     if (queues_) queue_.push(packet.start, batch);
+    note_applied(packet, applied, origin);
     if (queues_ || watched_.empty() || any_inside(batch, watched_)) report_news(wakes);
-    if (requested_.load(std::memory_order_acquire)) serve(&packet, applied);
+    if (requested_.load(std::memory_order_acquire)) serve();
   }
 }
 
 void SharedSurface::snapshot(const Region& region, bool events, SharedSnapshot& out) {
+  const bool has_region = !region.empty();
+  if (takes_events_only_ && events && !has_region) return take_stamps(out);
   request({.region = region, .events = events, .snapshot = &out});
   surface_.develop(taken_, out.surface);
+  takes_events_only_ = events && !has_region;
+}
+
+// Together with the events, so that no snapshot promises events that are not in the queue yet.
+void SharedSurface::note_applied(const EventPacket& packet, std::size_t applied,
+                                 const PacketOrigin& origin) {
+  const std::lock_guard lock(stamps_mutex_);
+  stamps_ = {origin,
+             surface_.newest_event(),
+             surface_.events_applied(),
+             packet.newest() - surface_.newest_event(),
+             static_cast<std::int64_t>(packet.events.size() - applied),
+             queue_.end()};
+}
+
+void SharedSurface::take_stamps(SharedSnapshot& out) {
+  // Cleared before, so that events after the copy count as news again.
+  news_.store(false, std::memory_order_release);
+  const std::lock_guard lock(stamps_mutex_);
+  out.origin = stamps_.origin;
+  out.surface.newest_event = stamps_.newest_event;
+  out.surface.events_applied = stamps_.events_applied;
+  out.backlog_us = stamps_.backlog_us;
+  out.backlog_events = stamps_.backlog_events;
+  out.events_end = stamps_.events_end;
 }
 
 void SharedSurface::copy_part(const Region& part, bool fresh_only, SurfaceSnapshot& out) {
@@ -62,7 +89,7 @@ void SharedSurface::request(const Request& request) {
     const std::unique_lock lock(surface_mutex_, std::try_to_lock);
     // The event thread may have served the request just before it released the lock.
     if (lock.owns_lock()) {
-      if (requested_.load(std::memory_order_acquire)) serve(nullptr, 0);
+      if (requested_.load(std::memory_order_acquire)) serve();
       return;
     }
     // The event thread is applying a packet and serves the request within a batch of events, unless
@@ -95,7 +122,7 @@ void SharedSurface::wake() {
   woken_.notify_one();
 }
 
-void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
+void SharedSurface::serve() {
   if (request_.snapshot != nullptr && roi_only_) {
     const Region asked = request_.events ? Region{} : request_.region;
     surface_.keep_only(asked.empty() ? Region::all_of(size()) : asked);
@@ -103,19 +130,9 @@ void SharedSurface::serve(const EventPacket* pending, std::size_t applied) {
   surface_.take(request_.region, taken_);
   if (request_.fresh_only && fresh_) fresh_->copy_rows(request_.region, taken_fresh_);
   if (request_.snapshot != nullptr) {
-    SharedSnapshot& out = *request_.snapshot;
-    // Cleared under the lock, so that events after the copy count as news again.
-    news_.store(false, std::memory_order_release);
+    take_stamps(*request_.snapshot);
     watched_ = request_.region;
     queues_ = request_.events;
-    out.events_end = queue_.end();
-    out.origin = origin_;
-    out.backlog_us = 0;
-    out.backlog_events = 0;
-    if (pending != nullptr) {
-      out.backlog_us = pending->newest() - surface_.newest_event();
-      out.backlog_events = static_cast<std::int64_t>(pending->events.size() - applied);
-    }
   }
   requested_.store(false, std::memory_order_release);
 }

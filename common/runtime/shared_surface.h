@@ -46,7 +46,8 @@ struct SharedSnapshot {
 /// thread requests a region of it. The event thread serves a request between two batches of events;
 /// while it is idle, the tracking thread serves itself. So neither waits for longer than it takes
 /// to apply a batch or to copy a region. The copies hold counts, which the tracking thread converts
-/// to grey values. Single events, if requested, are passed in a queue.
+/// to grey values. Single events, if requested, are passed in a queue; a snapshot without a region
+/// then waits for nobody.
 ///
 /// A tracking step runs on the tracking thread, or on the event thread between two updates, one at
 /// a time under TrackingThread's lock: the stepping thread is the thread that holds it.
@@ -122,8 +123,20 @@ class SharedSurface {
     bool fresh_only = false;
   };
 
+  // What a snapshot says of its time.
+  struct Stamps {
+    PacketOrigin origin;
+    Timestamp newest_event;
+    std::int64_t events_applied = 0;
+    std::int64_t backlog_us = 0;
+    std::int64_t backlog_events = 0;
+    std::uint64_t events_end = 0;
+  };
+
   void request(const Request& request);
-  void serve(const EventPacket* pending, std::size_t applied);
+  void serve();
+  void note_applied(const EventPacket& packet, std::size_t applied, const PacketOrigin& origin);
+  void take_stamps(SharedSnapshot& out);
   void report_news(bool wakes);
 
   // Held by the event thread while it applies a packet, and by the stepping thread while it serves
@@ -132,10 +145,14 @@ class SharedSurface {
   Surface surface_;                   // Guarded by surface_mutex_.
   std::optional<FreshPixels> fresh_;  // Guarded by surface_mutex_.
   const bool roi_only_;
-  PacketOrigin origin_;  // Guarded by surface_mutex_.
   Region watched_;       // Guarded by surface_mutex_. Empty: the whole sensor.
   bool queues_ = false;  // Guarded by surface_mutex_. Events go to the queue; all of them are news.
   EventQueue queue_{kQueuedEvents};
+
+  std::mutex stamps_mutex_;  // Held for a moment after each batch, and to copy the stamps.
+  Stamps stamps_;            // Guarded by stamps_mutex_.
+  // Stepping thread. The last snapshot had no region, but requested events.
+  bool takes_events_only_ = false;
 
   // Written by the stepping thread before it sets `requested_` (release), served by the holder of
   // surface_mutex_ after it loads it (acquire), finished by clearing it (release).

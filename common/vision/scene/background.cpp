@@ -13,7 +13,7 @@ constexpr std::int64_t kPeriod_us = 1'000;
 constexpr double kFocal_widths = 1.1;
 // A place with so many events half counts as one that stands still.
 constexpr double kHalf = 60;
-constexpr int kIterations = 2;
+constexpr int kIterations = 1;
 // What stands still is so much clearer than noise.
 constexpr double kAboveNoise = 10;
 // However many events a cell has, they count for no more than so many.
@@ -21,7 +21,7 @@ constexpr double kFew = 5;
 // How stiffly the turn keeps to its prediction, in squared slopes of the fit; and how much of what
 // the fit has found changes the prediction.
 constexpr double kStiffness = 4;
-constexpr double kSpeedGain = 0.04;
+constexpr double kSpeedGain = 0.08;
 // With fewer events on the map, by their weights, the head may have stopped: in each period so much
 // of its speed is kept.
 constexpr double kLeastSupport = 2;
