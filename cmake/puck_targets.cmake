@@ -47,9 +47,9 @@ function(puck_compile_plainly)
   set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O0)
 endfunction()
 
-# puck_emulate_vectors(<target>): processors without any vectors that Highway knows emulate them. Highway would
-# fall back to a target of single lanes, which lacks many operations, with compilers before GCC 12.3, which
-# miscompile emulated products' upper halves (GCC bug 106322); such a target must not use these.
+# puck_emulate_vectors(<target>): where a processor has none of Highway's vectors (also x86 without SSSE3), they are
+# emulated. Before GCC 12.3 Highway would use single lanes instead, because GCC miscompiles the upper halves of emulated
+# products (bug 106322): no MulHigh in such a target.
 function(puck_emulate_vectors target)
   target_compile_definitions(${target} PRIVATE HWY_BROKEN_EMU128=0)
 endfunction()

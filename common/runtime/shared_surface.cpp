@@ -46,7 +46,10 @@ void SharedSurface::update(const EventPacket& packet, const PacketOrigin& origin
 
 void SharedSurface::snapshot(const Region& region, bool events, SharedSnapshot& out) {
   const bool has_region = !region.empty();
-  if (takes_events_only_ && events && !has_region) return take_stamps(out);
+  if (takes_events_only_ && events && !has_region) {
+    out.surface.region = {};
+    return take_stamps(out);
+  }
   request({.region = region, .events = events, .snapshot = &out});
   surface_.develop(taken_, out.surface);
   takes_events_only_ = events && !has_region;
@@ -65,7 +68,8 @@ void SharedSurface::note_applied(const EventPacket& packet, std::size_t applied,
 }
 
 void SharedSurface::take_stamps(SharedSnapshot& out) {
-  // Cleared before, so that events after the copy count as news again.
+  // Cleared before, so that events after the copy count as news again. What is copied just before
+  // it is reported stays news: one look for nothing.
   news_.store(false, std::memory_order_release);
   const std::lock_guard lock(stamps_mutex_);
   out.origin = stamps_.origin;

@@ -47,7 +47,7 @@ struct SharedSnapshot {
 /// while it is idle, the tracking thread serves itself. So neither waits for longer than it takes
 /// to apply a batch or to copy a region. The copies hold counts, which the tracking thread converts
 /// to grey values. Single events, if requested, are passed in a queue; a snapshot without a region
-/// then waits for nobody.
+/// is then a copy of a few numbers.
 ///
 /// A tracking step runs on the tracking thread, or on the event thread between two updates, one at
 /// a time under TrackingThread's lock: the stepping thread is the thread that holds it.

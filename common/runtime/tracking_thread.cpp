@@ -93,6 +93,7 @@ void TrackingThread::run_due_tasks() {
   if (look_requested_ || (surface_.has_news() && Clock::now() >= next_look_)) {
     make_step(kLongestTake);
   }
+  // After the estimate, because it may take longer than a step; the next one follows at once.
   take_search_result();
   if (worker_.is_copying()) worker_.copy_more(surface_);
   publish_if_due();

@@ -166,6 +166,40 @@ TEST_CASE("requested events pass through a queue, and all of them are news") {
   CHECK(shared.events_thinned() == 0);
 }
 
+TEST_CASE("what a snapshot says of its time is true of the queue, while events come") {
+  constexpr int kPackets = 300;
+  SharedSurface shared(kSensor, {});
+  SharedSnapshot snapshot;
+  shared.snapshot({}, true, snapshot);
+  std::jthread event_thread([&shared] {
+    std::int64_t start_us = 1;
+    for (int i = 0; i < kPackets; ++i) {
+      const int count = 1 + i * 37 % 350;
+      shared.update(random_packet({start_us}, count, static_cast<unsigned>(i)), {.session = i});
+      start_us += count;
+      if (i % 4 == 0) std::this_thread::sleep_for(std::chrono::microseconds(i % 60));
+    }
+  });
+  std::int64_t applied = 0;
+  std::vector<Event> events;
+  while (snapshot.origin.session < kPackets - 1 || snapshot.backlog_events > 0) {
+    REQUIRE(shared.wait_for_news(std::chrono::seconds(20)));
+    shared.snapshot({}, true, snapshot);
+    REQUIRE(snapshot.surface.events_applied >= applied);
+    applied = snapshot.surface.events_applied;
+    Timestamp newest;
+    while (true) {
+      const Timestamp start = shared.pop_events(snapshot.events_end, 256, events);
+      if (events.empty()) break;
+      newest = start + events.back().offset_us;
+    }
+    // Without thinning, the last event before that place in the queue is the newest.
+    if (newest.us > 0 && shared.events_thinned() == 0) {
+      REQUIRE(newest == snapshot.surface.newest_event);
+    }
+  }
+}
+
 TEST_CASE("a part is copied to its place without a change of the watched region") {
   SharedSurface shared(kSensor, {});
   const std::vector<EventPacket> packets{random_packet({5000}, 1000, 1)};

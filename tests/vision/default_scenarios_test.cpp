@@ -2,9 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
 
 #include <doctest/doctest.h>
 
+#include "common/vision/interfaces/event_pieces.h"
+#include "common/vision/make_pipeline.h"
 #include "common/vision/presets.h"
 #include "common/vision/surface_tracker.h"
 #include "tests/support/sanitizers.h"
@@ -349,6 +354,48 @@ TEST_CASE("the same events give the same estimates, however often one asks") {
   REQUIRE(seldom.position.has_value());
   REQUIRE(often.position.has_value());
   CHECK(*seldom.position == *often.position);
+}
+
+TEST_CASE("no estimate depends on when the rest of the work is done") {
+  const auto run = [](unsigned worked_off_of_4) {
+    const std::unique_ptr<TrackingPipeline> pipeline =
+        make_pipeline(kTableSensor, default_params(), kTableSizeModel);
+    const PuckContour contour(kTableSensor, kTableSizeModel, {});
+    test::MovingContour puck(contour, {60, 100}, {1500, 300});
+    std::vector<PuckEstimate> estimates;
+    for (int i = 0; i < 60; ++i) {
+      const std::int64_t from_us = i * 1000;
+      const EventPacket packet =
+          test::packet_of(puck.events(from_us, from_us + 1000), kTableSensor, from_us, from_us);
+      for_each_piece(packet.start, packet.events, 250, [&](std::span<const Event> piece) {
+        pipeline->take(packet.start, piece);
+        const Timestamp time = packet.start + piece.back().offset_us;
+        SearchResult found{time, pipeline->search_wanted(), {}};
+        if (!found.request.region.empty()) {
+          found.candidates.push_back({puck.position_at(from_us), 0.8});
+          pipeline->take(found);
+        }
+        SurfaceSnapshot snapshot;
+        snapshot.newest_event = time;
+        estimates.push_back(pipeline->step(snapshot));
+        if (estimates.size() % 4 < worked_off_of_4) pipeline->work_off();
+      });
+    }
+    return estimates;
+  };
+  const std::vector<PuckEstimate> never = run(0);
+  REQUIRE(never.back().position.has_value());
+  for (const unsigned often : {1U, 3U, 4U}) {
+    const std::vector<PuckEstimate> some = run(often);
+    REQUIRE(some.size() == never.size());
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      CAPTURE(i);
+      REQUIRE(some[i].state == never[i].state);
+      REQUIRE(some[i].position == never[i].position);
+      REQUIRE(some[i].covariance == never[i].covariance);
+      REQUIRE(some[i].score == never[i].score);
+    }
+  }
 }
 
 }  // namespace

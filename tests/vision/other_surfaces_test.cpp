@@ -235,7 +235,8 @@ TEST_CASE("correlation tracks a moving puck on every surface") {
       estimate = tracker.estimate();
     }
     REQUIRE(estimate.state == TrackState::kTracking);
-    CHECK(distance_px(*estimate.position, centre) < 2);
+    // SITS leaves a trail at half brightness.
+    CHECK(distance_px(*estimate.position, centre) < (kind == SurfaceKind::kSits ? 2 : 1));
   }
 }
 

@@ -28,8 +28,8 @@ struct KernelBankParams {
 /// A kernel for every odd width and height, made once at construction.
 class KernelBank {
  public:
-  /// Throws std::invalid_argument when the sizes are not odd and in order,
-  /// or the scale is not positive.
+  /// Throws std::invalid_argument when the sizes are not odd and in order, the scale is not positive,
+  /// or a kernel would be too wide (EllipseKernel).
   explicit KernelBank(const KernelBankParams& params);
 
   /// The kernel for a puck whose contour has this size.

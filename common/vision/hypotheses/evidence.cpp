@@ -23,8 +23,12 @@ class RisingProduct {
     }
     double product = 1;
     for (double i = 0; i < k; ++i) product *= a + i;
-    product_ *= product;
     constexpr double kLargest = 1e100;
+    if (!(product < kLargest)) {
+      log_ += std::log(product);
+      return;
+    }
+    product_ *= product;
     if (product_ < kLargest && product_ > 1 / kLargest) return;
     log_ += std::log(product_);
     product_ = 1;

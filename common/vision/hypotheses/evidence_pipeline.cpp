@@ -77,7 +77,7 @@ void EvidencePipeline::take(Timestamp start, std::span<const Event> events) {
   is_owed_ = true;
 }
 
-// An estimate is the track's. The others must have the events before they are looked at.
+// An estimate is the track's; the others get their events before they are looked at.
 void EvidencePipeline::work_off() {
   background_.work_off();
   if (!is_owed_) return;
@@ -124,6 +124,8 @@ void EvidencePipeline::decide(std::int64_t time_us) {
   merge(time_us);
   prune(time_us);
   puck_ = is_sure() ? box_of(all_[*main_]) : Region{};
+  seen_ = main_ ? seen_at(all_[*main_]) : 0;
+  spread_ = main_ ? spread_around(all_[*main_]) : Spread{};
   decided_us_ = time_us;
   note_near();
 }
@@ -324,9 +326,26 @@ double EvidencePipeline::seen_at(const Hypothesis& there) const {
   return here;
 }
 
+// Of the hypotheses about the same object, any of which may be right.
+EvidencePipeline::Spread EvidencePipeline::spread_around(const Hypothesis& track) const {
+  Spread spread;
+  double sum = 1e-9;
+  const Pixel place = track.filter().position();
+  for (const Hypothesis& other : all_) {
+    if (!is_at(other, track)) continue;
+    const double dx = other.filter().position().x - place.x;
+    const double dy = other.filter().position().y - place.y;
+    sum += other.posterior;
+    spread.xx += other.posterior * dx * dx;
+    spread.xy += other.posterior * dx * dy;
+    spread.yy += other.posterior * dy * dy;
+  }
+  return {spread.xx / sum, spread.xy / sum, spread.yy / sum};
+}
+
 // Of (x, y, vx, vy). While the puck is seen, its variance is the filter's over the number of events
 // that a pixel makes of an edge: comparison with the truth has shown it. To that come the lag's
-// error, and the spread of the hypotheses about the same object, any of which may be right.
+// error, and the spread of the hypotheses.
 std::array<double, 16> EvidencePipeline::covariance_of(const Hypothesis& track,
                                                        const ContourFilter& now) const {
   const DecisionParams& params = context_.decision;
@@ -337,24 +356,10 @@ std::array<double, 16> EvidencePipeline::covariance_of(const Hypothesis& track,
   const double lag_x = params.lag_sigma_s * now.velocity().x;
   const double lag_y = params.lag_sigma_s * now.velocity().y;
   const double least = params.place_sigma_px * params.place_sigma_px;
-  double xx = 0;
-  double xy = 0;
-  double yy = 0;
-  double sum = 1e-9;
-  const Pixel place = track.filter().position();
-  for (const Hypothesis& other : all_) {
-    if (!is_at(other, track)) continue;
-    const double dx = other.filter().position().x - place.x;
-    const double dy = other.filter().position().y - place.y;
-    sum += other.posterior;
-    xx += other.posterior * dx * dx;
-    xy += other.posterior * dx * dy;
-    yy += other.posterior * dy * dy;
-  }
-  covariance[0] += lag_x * lag_x + least + xx / sum;
-  covariance[1] += lag_x * lag_y + xy / sum;
-  covariance[4] += lag_x * lag_y + xy / sum;
-  covariance[5] += lag_y * lag_y + least + yy / sum;
+  covariance[0] += lag_x * lag_x + least + spread_.xx;
+  covariance[1] += lag_x * lag_y + spread_.xy;
+  covariance[4] += lag_x * lag_y + spread_.xy;
+  covariance[5] += lag_y * lag_y + least + spread_.yy;
   return covariance;
 }
 
@@ -598,7 +603,7 @@ PuckEstimate EvidencePipeline::step(const SurfaceSnapshot& snapshot) {
   estimate.velocity = filter.velocity();
   estimate.covariance = covariance_of(main, filter);
   estimate.size = context_.contour.size_at(filter.position());
-  estimate.score = std::clamp(seen_at(main), 0.0, 1.0);
+  estimate.score = std::clamp(seen_, 0.0, 1.0);
   estimate.coasting = main.belief().is_covered();
   estimate.resting = !estimate.coasting && time_us - main.heard_us() > kCoast_us;
   return estimate;

@@ -53,6 +53,13 @@ class EvidencePipeline final : public TrackingPipeline {
   static constexpr std::int64_t kDecision_us = 500;
   static constexpr std::int64_t kRareDecision_us = 2'000;
 
+  // Variances and covariance of a place, px².
+  struct Spread {
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+  };
+
   void decide_before(std::int64_t time_us);
   void decide(std::int64_t time_us);
   bool is_quiet() const;
@@ -71,6 +78,7 @@ class EvidencePipeline final : public TrackingPipeline {
   bool is_sure() const;
   double seen_at(const Hypothesis& there) const;
   void note_seen_elsewhere();
+  Spread spread_around(const Hypothesis& track) const;
   std::array<double, 16> covariance_of(const Hypothesis& track, const ContourFilter& now) const;
   void catch_up(Hypothesis& hypothesis);
   Hypothesis* add(const Hypothesis& hypothesis, std::int64_t time_us);
@@ -95,6 +103,9 @@ class EvidencePipeline final : public TrackingPipeline {
 
   std::vector<Hypothesis> all_;
   std::optional<std::size_t> main_;
+  // Of the track, as of the last decision: later the others may lack events that it has.
+  double seen_ = 0;
+  Spread spread_;
   bool was_confirmed_ = false;
   std::optional<Pixel> left_image_;
   // Where and when the puck was last seen, and its Hypothesis::mark().

@@ -44,8 +44,9 @@ struct SearchResult {
 ///
 ///     pipeline.take(start, events);  // if needs_events(): those since the last call, in pieces
 ///     pipeline.step(snapshot);       // a copy of region_needed(), not older than these events
+///     pipeline.work_off();           // optional, to have the estimate earlier
 ///
-/// and checks search_wanted() after each of the two calls. A search may take long and runs
+/// and checks search_wanted() after each of the first two calls. A search may take long and runs
 /// elsewhere; its result follows when it is done: offline at once, live some steps later. A step
 /// follows each result, even without new events, so that the result is published at once.
 ///
@@ -73,9 +74,9 @@ class TrackingPipeline {
   /// Makes an estimate on a snapshot of region_needed(). Times never go backwards.
   virtual PuckEstimate step(const SurfaceSnapshot& snapshot) = 0;
 
-  /// Does the work that an estimate need not wait for. To be called once an estimate has been
-  /// published; else the next call of take() or step() does it first. Later
-  /// estimates are the same either way.
+  /// Does the work that no estimate depends on yet. To be called after a step, when its estimate
+  /// has been published; if nobody does, the next take() or decision does it, with the same
+  /// results.
   virtual void work_off() {}
 
   /// The search that the pipeline wants now, if any. Called after each take of events and each

@@ -186,8 +186,15 @@ PuckEstimate PuckPipeline::estimate(const SurfaceSnapshot& snapshot) const {
   if (params_.leads) {
     const double late_s = shown_late_s(speed_of(velocity), params_.contour.lag_us);
     estimate.position = {position_.x + late_s * velocity.x, position_.y + late_s * velocity.y};
-    estimate.covariance[0] += kShownSigmaPx * kShownSigmaPx;
-    estimate.covariance[5] += kShownSigmaPx * kShownSigmaPx;
+    for (const std::size_t axis : {0, 1}) {
+      // Of position + late_s · velocity, and what is not known of the lag.
+      const double pv = estimate.covariance[4 * axis + axis + 2];
+      const double vv = estimate.covariance[4 * (axis + 2) + axis + 2];
+      estimate.covariance[5 * axis] +=
+          late_s * (2 * pv + late_s * vv) + kShownSigmaPx * kShownSigmaPx;
+      estimate.covariance[4 * axis + axis + 2] += late_s * vv;
+      estimate.covariance[4 * (axis + 2) + axis] += late_s * vv;
+    }
   }
   estimate.size = size_model_.at(position_);
   estimate.score = score_;

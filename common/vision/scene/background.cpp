@@ -13,7 +13,6 @@ constexpr std::int64_t kPeriod_us = 1'000;
 constexpr double kFocal_widths = 1.1;
 // A place with so many events half counts as one that stands still.
 constexpr double kHalf = 60;
-constexpr int kIterations = 1;
 // What stands still is so much clearer than noise.
 constexpr double kAboveNoise = 10;
 // However many events a cell has, they count for no more than so many.
@@ -127,45 +126,42 @@ void Background::place_events() {
   for (const Pixel& event : last_.events) then_.push_back(turn_.then_of(event));
 }
 
-// Gauss-Newton on how far the events are from lying on the map, (half / (level + half))². A hand
-// that moves has more events than all that stands still, and trails on the map next to them, so
-// that it would draw the map along: a cell's events count for few, and each for the less, the
+// A step of Gauss-Newton on how far the events are from lying on the map, (half / (level + half))².
+// A hand that moves has more events than all that stands still, and trails on the map next to them,
+// so that it would draw the map along: a cell's events count for few, and each for the less, the
 // farther it is from lying on the map.
 void Background::align() {
   turn_.turn(speed_);
+  place_events();
+  for (const Pixel& then : then_) map_.fetch(then);
   Cells events{};
   for (const Pixel& event : last_.events) events[cell_of(event)] += 1;
+  std::array<Steps, 3> squares{{{kStiffness, 0, 0}, {0, kStiffness, 0}, {0, 0, kStiffness}}};
+  Steps towards{};
   double support = 0;
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    place_events();
-    for (const Pixel& then : then_) map_.fetch(then);
-    std::array<Steps, 3> squares{{{kStiffness, 0, 0}, {0, kStiffness, 0}, {0, 0, kStiffness}}};
-    Steps towards{};
-    support = 0;
-    for (std::size_t i = 0; i < last_.events.size(); ++i) {
-      const Pixel then = then_[i];
-      const FadingMap::Sample sample = map_.sample(then);
-      if (!(sample.level > 0)) continue;
-      const double residual = kHalf / (sample.level + kHalf);
-      const double slope = -residual / (sample.level + kHalf);
-      const CameraTurn::Slopes slopes = turn_.slopes_at(then);
-      Steps steps;
-      for (std::size_t k = 0; k < 3; ++k) {
-        steps[k] = slope * (sample.slope_x * slopes.x[k] + sample.slope_y * slopes.y[k]);
-      }
-      const double weight = (1 - residual) * kFew / (kFew + events[cell_of(last_.events[i])]);
-      support += weight;
-      for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t k = 0; k < 3; ++k) squares[row][k] += weight * steps[row] * steps[k];
-        towards[row] -= weight * steps[row] * residual;
-      }
+  for (std::size_t i = 0; i < last_.events.size(); ++i) {
+    const Pixel then = then_[i];
+    const FadingMap::Sample sample = map_.sample(then);
+    if (!(sample.level > 0)) continue;
+    const double residual = kHalf / (sample.level + kHalf);
+    const double slope = -residual / (sample.level + kHalf);
+    const CameraTurn::Slopes slopes = turn_.slopes_at(then);
+    Steps steps;
+    for (std::size_t k = 0; k < 3; ++k) {
+      steps[k] = slope * (sample.slope_x * slopes.x[k] + sample.slope_y * slopes.y[k]);
     }
-    const Steps found = solved(squares, towards);
-    turn_.turn(found);
-    for (std::size_t k = 0; k < 3; ++k) speed_[k] += kSpeedGain * found[k];
+    const double weight = (1 - residual) * kFew / (kFew + events[cell_of(last_.events[i])]);
+    support += weight;
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t k = 0; k < 3; ++k) squares[row][k] += weight * steps[row] * steps[k];
+      towards[row] -= weight * steps[row] * residual;
+    }
   }
-  if (support < kLeastSupport) {
-    for (double& speed : speed_) speed *= kSpeedKept;
+  const Steps found = solved(squares, towards);
+  turn_.turn(found);
+  for (std::size_t k = 0; k < 3; ++k) {
+    speed_[k] += kSpeedGain * found[k];
+    if (support < kLeastSupport) speed_[k] *= kSpeedKept;
   }
 }
 

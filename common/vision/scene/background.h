@@ -76,7 +76,7 @@ class Background {
   static constexpr std::int64_t kCalmAfter_us = 20'000;
   using Cells = std::array<double, ImageCells::kCount>;
 
-  // Events and the time from which they are.
+  // Events and the time in which they came.
   struct Period {
     std::int64_t time_us = 0;  // of its end
     std::int64_t passed_us = 0;

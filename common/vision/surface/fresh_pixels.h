@@ -36,13 +36,20 @@ class FreshPixels {
   void copy_rows(const Region& region, FreshRows& out) const;
 
  private:
-  static constexpr std::uint8_t kPeriods = 4;
+  static constexpr std::uint8_t kFreshPeriods = 4;
   static constexpr std::int64_t kPeriod_us = 8'000;
+  // Each period, one part of the rows is looked through, so that no age runs over.
+  static constexpr int kParts = 64;
+  static constexpr std::uint8_t kStale = 128;  // an age in periods
 
   void turn_over(std::int64_t time_us);
+  std::uint8_t age(std::uint8_t fired_in) const {
+    return static_cast<std::uint8_t>(period_ - fired_in);
+  }
 
-  Image<std::uint8_t> periods_left_;  // for which a pixel stays fresh, this one included
-  std::int64_t turn_us_ = 0;          // when the next period begins
+  Image<std::uint8_t> fired_in_;  // periods, modulo 256
+  std::uint8_t period_ = 0;
+  std::int64_t turn_us_ = 0;  // when the next period begins
 };
 
 }  // namespace puck
