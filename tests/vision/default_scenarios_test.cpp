@@ -377,8 +377,8 @@ TEST_CASE("no estimate depends on when the rest of the work is done") {
         }
         SurfaceSnapshot snapshot;
         snapshot.newest_event = time;
-        estimates.push_back(pipeline->step(snapshot));
         if (estimates.size() % 4 < worked_off_of_4) pipeline->work_off();
+        estimates.push_back(pipeline->step(snapshot));
       });
     }
     return estimates;
