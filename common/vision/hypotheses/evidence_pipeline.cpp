@@ -94,7 +94,7 @@ void EvidencePipeline::decide_before(std::int64_t time_us) {
   constexpr std::size_t kFewEvents = 16;
   const bool is_rare = is_quiet() && near_events_ < kFewEvents;
   const std::int64_t due_us = decision_before(time_us, is_rare ? kRareDecision_us : kDecision_us);
-  // Not where events of later have been taken already.
+  // No decision for a time after which events have been taken already.
   if (due_us <= decided_us_ || due_us < now_us_) return;
   std::int64_t step_us = std::max(decided_us_, due_us - kLongestSilence_us) + kSilentStep_us;
   for (; step_us < due_us; step_us += kSilentStep_us) decide(step_us);
@@ -123,8 +123,8 @@ void EvidencePipeline::decide(std::int64_t time_us) {
   plan_search(time_us);
   merge(time_us);
   prune(time_us);
-  puck_ = is_sure() ? box_of(all_[*main_]) : Region{};
   seen_ = main_ ? seen_at(all_[*main_]) : 0;
+  puck_ = seen_ > context_.decision.sure ? box_of(all_[*main_]) : Region{};
   spread_ = main_ ? spread_around(all_[*main_]) : Spread{};
   decided_us_ = time_us;
   note_near();

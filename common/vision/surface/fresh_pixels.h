@@ -38,7 +38,7 @@ class FreshPixels {
  private:
   static constexpr std::uint8_t kFreshPeriods = 4;
   static constexpr std::int64_t kPeriod_us = 8'000;
-  // Each period, one part of the rows is looked through, so that no age runs over.
+  // Each period, one part of the rows is looked through, so that no age exceeds a byte.
   static constexpr int kParts = 64;
   static constexpr std::uint8_t kStale = 128;  // an age in periods
 
